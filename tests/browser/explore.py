@@ -5,10 +5,10 @@ where a test provokes it.
 """
 
 import contextlib
+import csv
 import functools
 import http.server
 import json
-import os
 import pathlib
 import signal
 import statistics
@@ -19,11 +19,10 @@ import threading
 
 from playwright.sync_api import sync_playwright
 
-SCENES = pathlib.Path(__file__).parents[2] / "models" / "scenes"
+import common
+from common import LAPTOP, PHONE, SCENES
+
 PAIR = SCENES / "oh2005" / "energy_300rpm.toml"
-LAPTOP = {"viewport": {"width": 1280, "height": 800}}
-PHONE = {"viewport": {"width": 390, "height": 844}, "is_mobile": True, "has_touch": True}
-FLAGS = ["--no-sandbox", "--disable-gpu", "--disable-background-networking", "--disable-component-update", "--disable-sync"]
 
 
 @contextlib.contextmanager
@@ -41,23 +40,9 @@ def served(gearsim, scene):
         process.kill()
 
 
-@contextlib.contextmanager
 def opened(browser, url, **settings):
-    """The page, once its first run is drawn. Requests to other places, and console messages, are failures."""
-    context = browser.new_context(accept_downloads=True, **settings)
-    # A busy machine may take long; no test depends on the time.
-    context.set_default_timeout(120_000)
-    page, messages, requests = context.new_page(), [], []
-    page.on("console", lambda message: messages.append(f"{message.type}: {message.text}"))
-    page.on("pageerror", lambda error: messages.append(str(error)))
-    page.on("request", lambda request: requests.append(request.url))
-    page.goto(url)
-    page.wait_for_selector("body[data-ready]")
-    page.wait_for_selector("figure.plot .main-svg")
-    yield page
-    assert not messages, messages
-    assert [other for other in requests if not other.startswith((url, "data:", "blob:"))] == []
-    context.close()
+    """The page that is served at `url`."""
+    return common.opened(browser, url, allowed=(url,), **settings)
 
 
 def after(page, change, *arguments):
@@ -89,7 +74,7 @@ def shown(page):
 def run(gearsim, scene, folder, *sets):
     """What `gearsim run` says of a scene with values set."""
     arguments = [argument for value in sets for argument in ("--set", value)]
-    subprocess.run([gearsim, "run", scene, "-q", "--out", folder, "--set", "output.plots=[]", *arguments], check=True)
+    subprocess.run([gearsim, "run", scene, "-q", "--out", folder, *arguments], check=True)
     return json.loads((folder / "summary.json").read_text())
 
 
@@ -107,8 +92,11 @@ def a_slider_gives_what_the_command_line_gives(browser, gearsim, folder):
         print(f"  from input to redraw: median {statistics.median(latencies):.0f} ms, least {min(latencies):.0f} ms")
         zeta = f"parameters.zeta={value_of(page, 'parameters.zeta')}"
         assert shown(page) == run(gearsim, PAIR, folder / "slid", zeta)["state"]
-        # The plot was drawn again, with other numbers.
-        assert page.evaluate(last) != before
+        # The first plot has the speed of the driving gear; its points are taken from a column with five digits, the last a little before the end.
+        run(gearsim, PAIR, folder / "plotted", zeta, "output.csv=true")
+        with open(folder / "plotted" / "trajectory.csv", newline="") as file:
+            *_, end = csv.DictReader(file)
+        assert page.evaluate(last) != before and abs(page.evaluate(last) / float(end["rotor_speed_1 [rad/s]"]) - 1) < 1e-3
 
         after(page, page.get_by_label("speed", exact=True).fill, "450")
         sets = [zeta, "start.speed=450 rpm"]
@@ -174,7 +162,9 @@ def a_saved_scene_runs_to_the_same_bytes(browser, gearsim, folder):
         download.value.save_as(scene)
         assert "# the paper prints 2.89 kg mm^2" in scene.read_text()
         assert shown(page) == run(gearsim, scene, folder / "saved")["state"]
-        run(gearsim, scene, folder / "again")
+        # The page's provenance is that of the file.
+        again = run(gearsim, scene, folder / "again")
+        assert page.locator("#provenance").text_content().count(again["provenance"]["scene_sha256"]) == 1
         assert (folder / "saved" / "trajectory.parquet").read_bytes() == (folder / "again" / "trajectory.parquet").read_bytes()
 
 
@@ -254,7 +244,7 @@ TESTS = [
 def main():
     gearsim = pathlib.Path(sys.argv[1]).resolve()
     with sync_playwright() as playwright:
-        browser = playwright.chromium.launch(executable_path=os.environ.get("CHROMIUM", "/usr/bin/chromium"), args=FLAGS)
+        browser = common.started(playwright)
         for test in TESTS:
             with tempfile.TemporaryDirectory() as folder:
                 test(browser, gearsim, pathlib.Path(folder))

@@ -4,8 +4,6 @@ GEARSIM is the program built with the feature `html`. Needs the Python package i
 the path in CHROMIUM. Every page is opened from its file and without network; any console message of a level above "info" fails its test.
 """
 
-import contextlib
-import os
 import pathlib
 import subprocess
 import sys
@@ -13,10 +11,9 @@ import tempfile
 
 from playwright.sync_api import sync_playwright
 
-SCENES = pathlib.Path(__file__).parents[2] / "models" / "scenes"
-LAPTOP = {"viewport": {"width": 1280, "height": 800}}
-PHONE = {"viewport": {"width": 390, "height": 844}, "is_mobile": True, "has_touch": True}
-FLAGS = ["--no-sandbox", "--disable-gpu", "--disable-background-networking", "--disable-component-update", "--disable-sync"]
+import common
+from common import LAPTOP, PHONE, SCENES
+
 # A file name that is HTML, and quotes.
 HOSTILE = "<img src=x onerror=document.body.dataset.hurt=1> \"a\" 'b' \u2028"
 
@@ -28,25 +25,9 @@ def run(gearsim, scene, folder, *sets):
     return folder / "page.html"
 
 
-@contextlib.contextmanager
 def opened(browser, path, **settings):
-    """The page at `path` once it is ready. Requests other than for the file itself, and console messages, are failures."""
-    context = browser.new_context(offline=True, **settings)
-    # A busy machine may take long; no test depends on the time.
-    context.set_default_timeout(120_000)
-    page, messages, requests = context.new_page(), [], []
-    page.on("console", lambda message: messages.append(f"{message.type}: {message.text}"))
-    page.on("pageerror", lambda error: messages.append(str(error)))
-    page.on("request", lambda request: requests.append(request.url))
-    page.goto(path.as_uri())
-    page.wait_for_selector("body[data-ready]")
-    # Plots are drawn when they are in sight; on a phone the first one begins below the fold.
-    page.locator("figure.plot").first.scroll_into_view_if_needed()
-    page.wait_for_selector("figure.plot .main-svg")
-    yield page
-    assert not messages, messages
-    assert [url for url in requests if not url.startswith(("file:", "data:", "blob:"))] == []
-    context.close()
+    """The page at `path`, without network."""
+    return common.opened(browser, path.as_uri(), allowed=("file:",), offline=True, **settings)
 
 
 def settle(page):
@@ -187,7 +168,7 @@ def main():
     gearsim = pathlib.Path(sys.argv[1]).resolve()
     with tempfile.TemporaryDirectory() as folder, sync_playwright() as playwright:
         folder = pathlib.Path(folder)
-        browser = playwright.chromium.launch(executable_path=os.environ.get("CHROMIUM", "/usr/bin/chromium"), args=FLAGS)
+        browser = common.started(playwright)
         small = run(gearsim, SCENES / "gear_pair_bearings.toml", folder / "small")
         large = run(gearsim, SCENES / "oh2005" / "spectrum_4500rpm_exact.toml", folder / "large", "run.t_end=1 s", "output.rate=1 MHz")
         tests = [

@@ -13,6 +13,8 @@ mod compare;
 mod draw;
 #[path = "common/effects.rs"]
 mod effects;
+#[path = "common/random.rs"]
+mod random;
 
 use std::collections::BTreeMap;
 use std::panic::{AssertUnwindSafe, catch_unwind};

@@ -9,9 +9,13 @@ mod engine;
 mod scene;
 
 mod common;
+#[path = "common/random.rs"]
+mod random;
 
 use std::fs;
 use std::panic::{AssertUnwindSafe, catch_unwind};
+
+use random::Random;
 
 /// Number of random cases of each body; the environment variable `FUZZ_CASES` overrides it.
 const CASES: u64 = 1500;
@@ -32,22 +36,6 @@ fn corpus(target: &str) -> Vec<Vec<u8>> {
     let mut paths: Vec<_> = fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path()).collect();
     paths.sort();
     paths.into_iter().map(|path| fs::read(path).unwrap()).collect()
-}
-
-/// Random numbers by Steele, Lea & Flood (2014), "splitmix".
-struct Random(u64);
-
-impl Random {
-    fn next(&mut self) -> u64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let x = (self.0 ^ (self.0 >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        let x = (x ^ (x >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        x ^ (x >> 31)
-    }
-
-    fn below(&mut self, n: usize) -> usize {
-        (self.next() % n.max(1) as u64) as usize
-    }
 }
 
 /// Runs a body; if it fails, prints the case in hexadecimal and as text.

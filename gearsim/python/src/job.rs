@@ -62,13 +62,13 @@ impl Job {
         Ok(PyBytes::new(py, &bytes?))
     }
 
-    /// Statistics of each quantity over random points, from the table of all points.
+    /// Mean, deviation and percentiles of each quantity. `table` has all points of the sweep.
     fn statistics(&self, py: Python<'_>, table: &Table) -> PyResult<Table> {
         let table = table.inner()?;
         Table::new(py.detach(|| self.inner.statistics(&table)).map_err(raised)?)
     }
 
-    /// Indices of sensitivity of each quantity, from the table of all points of the design "saltelli".
+    /// Indices of sensitivity of each quantity. `table` has all points of a sweep with the design "saltelli".
     fn sensitivity(&self, py: Python<'_>, table: &Table) -> PyResult<Table> {
         let table = table.inner()?;
         Table::new(py.detach(|| self.inner.sensitivity(&table)).map_err(raised)?)

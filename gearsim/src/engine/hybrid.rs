@@ -181,8 +181,8 @@ impl Hybrid<'_> {
         exit.guard.value(&self.state.q, &self.state.q_dot, &self.k).max(0.0) + self.slack_of(exit)
     }
 
-    /// Whether in a time `dt` \[s\] until now the guards of the switches have changed by no more than their rounding errors: they cannot
-    /// tell then on which side of the edge the deflections are.
+    /// Whether the guards of the switches have changed by at most their rounding errors in the last `dt` \[s\]. Their signs then say nothing
+    /// about the side on which the deflections are.
     pub fn has_not_moved(&self, dt: f64) -> bool {
         let still = |exit: &Exit| (exit.guard.on_q.dot(&self.state.q_dot) * dt).abs() <= exit.guard.rounding(&self.k);
         dt == 0.0 || dt > 0.0 && self.guards.exits.iter().flatten().all(still)

@@ -44,10 +44,7 @@ impl Explorer {
         let scene = self.read(&self.edited(choice).to_string()).ok()?;
         let advice = interruptible(go_on, |watch| scene.advise_watched(watch))?;
         let (rows, why_not) = match advice {
-            Ok(advice) => {
-                let wrong = advice.stopped.or(advice.refuted.map(|account| account.to_string()));
-                (advice.verdicts.iter().map(row).collect(), wrong)
-            }
+            Ok(advice) => (advice.verdicts.iter().map(row).collect(), advice.wrong()),
             Err(error) => (vec![], Some(error.to_string())),
         };
         Some(Advised { names: Apart::NAMES, limits: LIMITS.in_words(), rows, why_not })
@@ -56,10 +53,6 @@ impl Explorer {
 
 fn row(verdict: &Verdict) -> Row {
     let (estimate, truth) = verdict.negligible();
-    let estimated = match &verdict.estimate {
-        Estimate::Settled(apart) | Estimate::Short(apart) => Some(apart),
-        Estimate::TurnedBack | Estimate::None(_) => None,
-    };
     let note = match (&verdict.truth, &verdict.estimate) {
         (Err(why), _) => format!("cannot be run: {why}"),
         (_, Estimate::TurnedBack) => "steps reflect the motion".into(),
@@ -74,8 +67,8 @@ fn row(verdict: &Verdict) -> Row {
         without: candidate.without.clone(),
         estimate,
         truth,
-        deviations: verdict.truth.as_ref().ok().or(estimated).map(Apart::in_words),
+        deviations: verdict.truth.as_ref().ok().or(verdict.estimate.deviation()).map(Apart::in_words),
         note,
-        time: if verdict.time.is_finite() { format!("{:+.0} %", 100.0 * (verdict.time - 1.0)) } else { "-".into() },
+        time: verdict.time_in_words(),
     }
 }

@@ -34,10 +34,10 @@ pub(super) struct Head<'a> {
 /// HTTP status and reason of a refusal.
 pub(super) type Refused = (u16, &'static str);
 
-/// What a request asks of the server at `port` with this `token`.
+/// Finds what a request asks for. `port` and `token` are those of this server.
 ///
 /// # Errors
-/// The refusal. It says no more to a page that does not know the token.
+/// The refusal. Its text tells nothing to a page that does not know the token.
 pub(super) fn route(head: &Head<'_>, token: &str, port: u16) -> Result<Route, Refused> {
     // A page of another site may reach 127.0.0.1 by a name of its own; then the host is that name.
     let hosts = [format!("127.0.0.1:{port}"), format!("localhost:{port}")];

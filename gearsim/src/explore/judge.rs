@@ -1,4 +1,4 @@
-//! What a choice costs and how wrong it is: its time over that of exact cells, its error at the end, the digits that are left.
+//! Cost and error of a choice: its time relative to exact cells, its error at the end, the digits left.
 
 use serde::Serialize;
 

@@ -6,7 +6,7 @@ use serde::Serialize;
 
 use super::choice::Choice;
 use super::controls::{self, Control, EffectBox, SolverFields};
-use super::text::key_at;
+use super::text::{Text, key_at};
 use super::{Explorer, SOURCE};
 use crate::library::interrupt::interruptible;
 use crate::library::{Error, Results};
@@ -72,25 +72,27 @@ impl Explorer {
                 Err(error) => (vec![Wrong::general(&error)], None),
             },
         };
-        let controls = controls::controls(&self.scene, &edited, &self.first);
-        let effects = controls::effects(&self.scene, &edited);
-        Some(Answer { controls, effects, solver: controls::solver(&edited), mistakes, run })
+        Some(self.answer(&edited, mistakes, run))
     }
 
     /// The answer without a run: it took longer than the page waits.
     pub(super) fn too_long(&self, choice: &Choice, limit: u64) -> Answer {
-        let edited = self.edited(choice);
         let wrong = Wrong {
             key: String::new(),
             message: format!("the run was ended after {limit} s"),
             help: "shorten it (run.t_end), or save the scene and run it with `gearsim run`, which has no limit".into(),
         };
+        self.answer(&self.edited(choice), vec![wrong], None)
+    }
+
+    /// The answer with the controls of a text.
+    fn answer(&self, text: &Text, mistakes: Vec<Wrong>, run: Option<Shown>) -> Answer {
         Answer {
-            controls: controls::controls(&self.scene, &edited, &self.first),
-            effects: controls::effects(&self.scene, &edited),
-            solver: controls::solver(&edited),
-            mistakes: vec![wrong],
-            run: None,
+            controls: controls::controls(&self.scene, text, &self.first),
+            effects: controls::effects(&self.scene, text),
+            solver: controls::solver(text),
+            mistakes,
+            run,
         }
     }
 

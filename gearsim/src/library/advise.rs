@@ -34,7 +34,31 @@ pub enum Estimate {
     None(String),
 }
 
+impl Estimate {
+    /// The estimated deviation, if there is one.
+    pub(crate) fn deviation(&self) -> Option<&Apart> {
+        match self {
+            Estimate::Settled(apart) | Estimate::Short(apart) => Some(apart),
+            Estimate::TurnedBack | Estimate::None(_) => None,
+        }
+    }
+
+    /// Why there is no deviation.
+    pub(crate) fn why_not(&self) -> Option<&str> {
+        match self {
+            Estimate::Settled(_) | Estimate::Short(_) => None,
+            Estimate::TurnedBack => Some("steps reflect the motion"),
+            Estimate::None(why) => Some(why),
+        }
+    }
+}
+
 impl Verdict {
+    /// The time saved without the effect: `-30 %`.
+    pub(crate) fn time_in_words(&self) -> String {
+        if self.time.is_finite() { format!("{:+.0} %", 100.0 * (self.time - 1.0)) } else { "-".into() }
+    }
+
     /// Whether the effect is negligible: by the estimate, and by the full runs; `None` where that is unknown.
     pub fn negligible(&self) -> (Option<bool>, Option<bool>) {
         let within = |apart: &Apart| apart.within(&LIMITS);
@@ -70,6 +94,11 @@ pub struct Advice {
 }
 
 impl Advice {
+    /// Why the advice is worth nothing: the run of the scene stopped early, or its energy account does not close.
+    pub(crate) fn wrong(&self) -> Option<String> {
+        self.stopped.clone().or_else(|| self.refuted.map(|account| account.to_string()))
+    }
+
     /// What each candidate leaves out, and whether that is negligible: by the estimate, and by the full runs.
     pub fn negligible(&self) -> Vec<(&str, Option<bool>, Option<bool>)> {
         let each = |v: &'_ Verdict| v.negligible();

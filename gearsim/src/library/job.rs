@@ -77,7 +77,8 @@ impl Job {
         Ok(row::table(plan, columns, units, &rows.0.iter().collect::<Vec<_>>())?)
     }
 
-    /// Statistics of each quantity over random points: a row a quantity and point of the grid. `table` is that of all points.
+    /// Mean, deviation and percentiles of each quantity over the random points. There is one row for each quantity at each grid point.
+    /// `table` has all points of the sweep.
     ///
     /// # Errors
     /// If the table is not that of all points of this sweep.
@@ -86,8 +87,9 @@ impl Job {
         Ok(statistics::table(&self.layout, &Block::all(&self.layout, &rows))?)
     }
 
-    /// Indices of sensitivity of each quantity, a row an axis: which share of its variance the axis causes alone (`first_order`) and with
-    /// interactions (`total`), each with half the width of its 95 % interval (A. Saltelli et al., 2010). `table` is that of all points.
+    /// Indices of sensitivity (A. Saltelli et al., 2010). There is one row for each axis and quantity. `first_order` is the share of the
+    /// quantity's variance that the axis causes alone, `total` the share with interactions. The columns `_bound` are half the widths of
+    /// the 95 % intervals. `table` has all points of the sweep.
     ///
     /// # Errors
     /// As [`Job::statistics`], and if the design is not [`Design::Saltelli`].

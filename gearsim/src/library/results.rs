@@ -50,7 +50,7 @@ impl Scene {
         Ok(Results { scene, outcome })
     }
 
-    /// The same without the companion run, so that the number of digits left is not known.
+    /// Runs the scene without the companion run. The number of digits left is then unknown.
     pub(crate) fn run_alone(&self, watch: &mut dyn FnMut(f64)) -> Result<Results, Error> {
         let outcome = self.entry()?.run(self, watch).map_err(|refusal| self.refused(refusal))?;
         Ok(Results { scene: self.clone(), outcome })

@@ -7,9 +7,9 @@
 //! | `sobol` | a Sobol' sequence | means and percentiles; N a power of two |
 //! | `saltelli` | N times d + 2 points on a Sobol' sequence, for d axes | indices of sensitivity |
 //!
-//! Every number depends on the seed and on the number of the point alone, so that points can be run in any order and anywhere.
-//! Independent points differ from one point of the grid to the next. The other designs use the same numbers at each point of the grid,
-//! so that differences between the points of the grid are not hidden by the sampling.
+//! Every number depends on the seed and on the number of the point alone, so that points can be run in any order and on any machine.
+//! The design `random` draws new numbers at each grid point. The other designs use the same numbers at all grid points: differences
+//! between grid points are then not caused by the sampling.
 //!
 //! Sources: M. D. McKay, R. J. Beckman, W. J. Conover, Technometrics 21 (1979), 239-245 (Latin hypercube); I. M. Sobol', USSR Comput.
 //! Math. Math. Phys. 7 (1967), 86-112, with the direction numbers of S. Joe, F. Y. Kuo, SIAM J. Sci. Comput. 30 (2008), 2635-2654; R.
@@ -103,7 +103,8 @@ pub struct Sampler {
     pub samples: usize,
     /// The seed.
     pub seed: u64,
-    axes: usize,
+    /// Number of random axes.
+    pub axes: usize,
     /// Direction numbers of the Sobol' sequence, by dimension.
     directions: Vec<Vec<u64>>,
 }
@@ -208,8 +209,8 @@ mod tests {
         assert!(correlation.abs() < 4.0 / 1000_f64.sqrt(), "{correlation}");
     }
 
-    /// A Sobol' sequence is a (0, 2)-sequence in its first two dimensions: of 2^8 points each box of 2^-a by 2^-(8 - a) has one. A shift
-    /// of the digits keeps this.
+    /// The first two dimensions of a Sobol' sequence are a (0, 2)-sequence: divide the unit square into 2^8 equal boxes of 2^-a by
+    /// 2^-(8 - a), and 2^8 points lie one in each. The random shift of the digits does not change this.
     #[test]
     fn a_sobol_sequence_fills_elementary_boxes() {
         for seed in [0, 9] {

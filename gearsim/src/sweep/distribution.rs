@@ -72,12 +72,12 @@ fn standard(p: f64, (low, high): (f64, f64)) -> f64 {
     if p < 0.5 { inverse(p) } else { -inverse(q) }
 }
 
-/// The share of a standard normal distribution below `z`.
+/// The distribution function of the standard normal distribution: the probability that a random number is below `z`.
 fn lower(z: f64) -> f64 {
     0.5 * erfc(-z / SQRT_2)
 }
 
-/// The number below which a share `p` of a standard normal distribution lies.
+/// The quantile of the standard normal distribution: a random number is below it with probability `p`.
 fn inverse(p: f64) -> f64 {
     -SQRT_2 * erfc_inv(2.0 * p)
 }
@@ -90,7 +90,7 @@ mod tests {
         Distribution::Normal { mean: 10.0, deviation: 2.0, within }
     }
 
-    /// The quantiles of tables: 1.959964 at 0.975, 2.326348 at 0.99, 3.090232 at 0.999.
+    /// Published tables give 1.959964 for p = 0.975, 2.326348 for 0.99, and 3.090232 for 0.999.
     #[test]
     fn quantiles_of_the_normal_distribution_are_those_of_tables() {
         for (p, z) in

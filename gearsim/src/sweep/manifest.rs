@@ -10,7 +10,7 @@ use crate::model::Model;
 use crate::output::OutputError;
 use crate::output::summary::Number;
 use crate::run::Entry;
-use crate::scene::Template;
+use crate::scene::{Template, did_you_mean};
 use crate::tolerance::scene::SWEEP_POINTS;
 
 /// File name of the manifest.
@@ -157,6 +157,22 @@ impl Manifest {
         compare("recorded", list(&self.record), list(&other.record));
         compare("spectra", self.spectra.to_string(), other.spectra.to_string());
         found
+    }
+}
+
+impl Layout {
+    /// The index of a recorded quantity.
+    ///
+    /// # Errors
+    /// [`Error::Impossible`] if no quantity of this name is recorded.
+    pub fn column(&self, name: &str) -> Result<usize, Error> {
+        self.columns.iter().position(|(column, _)| column == name).ok_or_else(|| {
+            let names: Vec<&str> = self.columns.iter().map(|(name, _)| name.as_str()).collect();
+            let meant = did_you_mean(name, names.iter().copied());
+            let meant = meant.map_or(String::new(), |near| format!("did you mean `{near}`? "));
+            let help = format!("{meant}the recorded quantities are {}", names.join(", "));
+            Error::Impossible { what: format!("no quantity `{name}` is recorded"), help }
+        })
     }
 }
 

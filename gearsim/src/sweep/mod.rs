@@ -200,7 +200,8 @@ fn plan(template: &Template, entry: Entry, request: &Request) -> Result<Plan, Er
     if let Some(axis) = axes.iter().find(|axis| set(&axis.key)) {
         return impossible(format!("`{}` is both set and varied", axis.key), "remove its --set or its --vary");
     }
-    let random = axes.iter().filter(|axis| axis.count().is_none()).count();
+    let plan = Plan::new(axes, request.design, request.samples.unwrap_or(1), request.seed);
+    let random = plan.sampler.axes;
     if random > request.design.axes() {
         let what = format!("the design {} has at most {} random axes", request.design.name(), request.design.axes());
         return impossible(what, "fix some of them, or choose another design");
@@ -216,7 +217,7 @@ fn plan(template: &Template, entry: Entry, request: &Request) -> Result<Plan, Er
             format!("--design {} is given, but no axis is random", request.design.name()),
             "remove --design, or vary at random: --vary parameters.T0=\"uniform:1 N*m:100 N*m\"",
         ),
-        _ => Ok(Plan::new(axes, request.design, request.samples.unwrap_or(1), request.seed)),
+        _ => Ok(plan),
     }
 }
 

@@ -30,7 +30,7 @@ impl Plan {
 
     /// Whether an axis has random values.
     pub fn is_random(&self) -> bool {
-        self.axes.iter().any(|axis| axis.count().is_none())
+        self.sampler.axes > 0
     }
 
     /// Number of points per point of the grid. They are consecutive.
@@ -41,7 +41,7 @@ impl Plan {
     /// The value of each axis at a point, written as in a scene file.
     pub fn values(&self, point: usize) -> Vec<String> {
         let (grid, sample) = (point / self.block(), point % self.block());
-        let (mut rest, mut random) = (grid, self.axes.iter().filter(|axis| axis.count().is_none()).count());
+        let (mut rest, mut random) = (grid, self.sampler.axes);
         let mut value = |axis: &Axis| match axis.count() {
             Some(n) => {
                 let i = rest % n;

@@ -1,7 +1,8 @@
 //! Tolerances of analyses: stability, modes, spectra, digits of a result, comparisons of runs.
 
-/// A coordinate or speed that stays below this share of the largest one of its unit is at rest \[1\]: what is recorded of it are errors
-/// of the others, e.g. of a mesh in equilibrium while its gears turn. A larger share hides the errors of small vibrations.
+/// A coordinate or speed is at rest if it stays below this share of the largest one with the same unit \[1\]. Its recorded values are then
+/// errors of the others: an example is a mesh in equilibrium while its gears turn. Larger: errors of small vibrations are hidden.
+/// Smaller: a result with a deflection at rest seems to have no digits left.
 pub(crate) const AT_REST: f64 = 1e-9;
 
 /// A Floquet multiplier within this distance of the unit circle [1] counts as being on it, and one with an imaginary part below

@@ -8,6 +8,7 @@ use crate::compare;
 use crate::draw::Case;
 
 /// What a check found.
+#[derive(Clone)]
 pub enum Checked {
     /// It holds.
     Right,
@@ -30,20 +31,23 @@ const METHODS: u64 = 4;
 /// the start of the second half is rounded, and a vibration of that size has the speed of that size times its frequency.
 const ROUNDINGS: (f64, f64) = (1e4, 1e-8);
 
-/// The run of the scene, or why there is nothing to check.
-fn ran(case: &Case) -> Result<Results, Checked> {
-    let scene = case.scene.as_ref().map_err(|error| Left(format!("not read, {}", words(error))))?;
-    scene.run().map_err(|error| match error {
-        Error::Refused { refusal, .. } => Left(format!("refused, {}", words(&refusal.to_string()))),
-        other => Wrong(other.to_string()),
-    })
+/// The run of the scene, or why there is nothing to check. All checks have the same one.
+fn ran(case: &Case) -> Result<&Results, &Checked> {
+    let run = || {
+        let scene = case.scene.as_ref().map_err(|error| Left(format!("not read, {}", words(error))))?;
+        scene.run().map_err(|error| match error {
+            Error::Refused { refusal, .. } => Left(format!("refused, {}", words(&refusal.to_string()))),
+            other => Wrong(other.to_string()),
+        })
+    };
+    case.run.get_or_init(run).as_ref()
 }
 
 /// The run ends, its numbers are finite, and its energy account closes.
 fn run(case: &Case) -> Checked {
     let outcome = match ran(case) {
-        Ok(results) => results.outcome,
-        Err(checked) => return checked,
+        Ok(results) => &results.outcome,
+        Err(checked) => return checked.clone(),
     };
     if let Some(stop) = &outcome.stopped_by {
         return Left(format!("stopped, {}", words(&stop.to_string())));
@@ -72,7 +76,7 @@ fn drops_terms(case: &Case) -> bool {
 fn sweep(case: &Case) -> Checked {
     let rate = "20 kHz";
     let Ok(results) = ran(case) else { return Left("has no run".into()) };
-    let scene = results.scene;
+    let scene = &results.scene;
     let table = scene.vary(&format!("output.rate={rate}")).record(&["state", "extremes"]).run();
     let single = scene.with("output.rate", rate).and_then(|scene| scene.run());
     let (table, single) = match (table, single) {
@@ -127,7 +131,7 @@ fn halves(case: &Case) -> Checked {
         Err(error) => return Wrong(error.to_string()),
     };
     let grown = 10f64.powf(15.95 - left.at_end);
-    let allowed = ROUNDINGS.0 * f64::EPSILON.max(tolerance(&whole)) * grown;
+    let allowed = ROUNDINGS.0 * f64::EPSILON.max(tolerance(whole)) * grown;
     if allowed > 1e-4 {
         return Left("too few digits are left".into());
     }

@@ -1,9 +1,13 @@
 //! Random scenes: a committed scene of a model with other effects, numbers, start, method and precision.
 
-use gearsim::Scene;
-use gearsim::model::Model;
+use std::cell::OnceCell;
 
+use gearsim::model::Model;
+use gearsim::{Results, Scene};
+
+use crate::checks::Checked;
 use crate::effects;
+use crate::random::Random;
 
 /// Longest run \[s\].
 const T_END: f64 = 5e-4;
@@ -18,6 +22,8 @@ pub struct Case {
     pub sets: Vec<String>,
     /// The scene, or what is wrong with it.
     pub scene: Result<Scene, String>,
+    /// Its run, once a check has asked for it.
+    pub run: OnceCell<Result<Results, Checked>>,
     /// A random number for the checks.
     pub choice: u64,
 }
@@ -37,7 +43,7 @@ pub fn bases() -> Vec<Scene> {
 
 /// Random scene `number`.
 pub fn case(bases: &[Scene], number: u64) -> Case {
-    let mut draw = Draw(number.wrapping_mul(0x9e37_79b9_7f4a_7c15));
+    let mut draw = Random(number.wrapping_mul(0x9e37_79b9_7f4a_7c15));
     let base = bases[draw.below(bases.len())].clone();
     let names = set(base.model, &mut draw);
     let mut sets = effects::overrides(&base, &names);
@@ -55,11 +61,11 @@ pub fn case(bases: &[Scene], number: u64) -> Case {
             }
         }
     }
-    Case { base, sets, scene, choice: draw.next() }
+    Case { base, sets, scene, run: OnceCell::new(), choice: draw.next() }
 }
 
 /// A set of effects without contradictions. A part of an effect is taken only where the whole is not.
-fn set(model: &'static Model, draw: &mut Draw) -> Vec<&'static str> {
+fn set(model: &'static Model, draw: &mut Random) -> Vec<&'static str> {
     let share = [0.2, 0.5, 0.9][draw.below(3)];
     let mut all: Vec<_> = model.effects.iter().collect();
     for i in (1..all.len()).rev() {
@@ -84,7 +90,7 @@ fn set(model: &'static Model, draw: &mut Draw) -> Vec<&'static str> {
 }
 
 /// A method and a precision: half the time those that gearsim chooses.
-fn method(draw: &mut Draw) -> Vec<String> {
+fn method(draw: &mut Random) -> Vec<String> {
     let choices: [&[&str]; 12] = [
         &[],
         &[],
@@ -103,7 +109,7 @@ fn method(draw: &mut Draw) -> Vec<String> {
 }
 
 /// Other values for some parameters, for the speeds and for the phases.
-fn numbers(scene: &Scene, draw: &mut Draw) -> Vec<String> {
+fn numbers(scene: &Scene, draw: &mut Random) -> Vec<String> {
     let mut changes = vec![];
     for (i, parameter) in scene.model.parameters.iter().enumerate() {
         let fixed = scene.time_histories.iter().all(|(which, _)| *which != i);
@@ -132,24 +138,4 @@ fn numbers(scene: &Scene, draw: &mut Draw) -> Vec<String> {
         }
     }
     changes
-}
-
-/// Random numbers by Steele, Lea & Flood (2014), "splitmix".
-struct Draw(u64);
-
-impl Draw {
-    fn next(&mut self) -> u64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let x = (self.0 ^ (self.0 >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        let x = (x ^ (x >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        x ^ (x >> 31)
-    }
-
-    fn below(&mut self, n: usize) -> usize {
-        (self.next() % n.max(1) as u64) as usize
-    }
-
-    fn unit(&mut self) -> f64 {
-        (self.next() >> 11) as f64 / (1u64 << 53) as f64
-    }
 }

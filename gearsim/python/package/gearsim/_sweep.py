@@ -42,10 +42,7 @@ def sweep(
     threads_per_task: threads of a worker; None for all cores of its machine.
     progress: called with the number of finished points.
     """
-    definition = dict(
-        axes=list(axes), record=list(record), start=start, samples=samples, seed=seed, design=design
-    )
-    job = scene.job(**definition)
+    job, definition = _job(scene, axes, record, start, samples, seed, design)
     return _run(scene, job, definition, out, executor, points_per_task, threads_per_task, progress)
 
 
@@ -57,11 +54,14 @@ def sensitivity(scene, *axes, samples, record=(), start=0.0, seed=0, out=None, *
 
     The arguments are those of `sweep`.
     """
-    definition = dict(
-        axes=list(axes), record=list(record), start=start, samples=samples, seed=seed, design="saltelli"
-    )
-    job = scene.job(**definition)
+    job, definition = _job(scene, axes, record, start, samples, seed, "saltelli")
     return job.sensitivity(_run(scene, job, definition, out, **how))
+
+
+def _job(scene, axes, record, start, samples, seed, design):
+    """The sweep, and its definition for workers."""
+    definition = dict(axes=list(axes), record=list(record), start=start, samples=samples, seed=seed, design=design)
+    return scene.job(**definition), definition
 
 
 def _run(scene, job, definition, out, executor=None, points_per_task=10_000, threads_per_task=1, progress=None):

@@ -95,8 +95,8 @@ pub fn difference((a, i): (&Trajectory, usize), (b, j): (&Trajectory, usize), si
     of(&a.q, &b.q, &sizes.0).max(of(&a.q_dot, &b.q_dot, &sizes.1))
 }
 
-/// The sizes of the coordinates and of the speeds of a run: the largest absolute value, or one pitch for a rotating coordinate. What is
-/// far smaller than others of its unit is at rest, and the values recorded of it are errors of those: its size is a share of theirs.
+/// The sizes of the coordinates and of the speeds of a run: the largest absolute value, or one pitch for a rotating coordinate. A
+/// size is at least the share `AT_REST` of the largest size with the same unit.
 pub fn sizes(run: &Trajectory) -> (Vec<f64>, Vec<f64>) {
     let unit = |i: usize| run.model.coordinates[i].unit;
     let of_unit = |sizes: &[f64], i: usize| {

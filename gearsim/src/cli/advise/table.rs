@@ -94,10 +94,7 @@ fn strength(j: f64) -> &'static str {
 fn both(verdict: &Verdict) -> String {
     let (estimated, true_) = verdict.negligible();
     let says = |small: Option<bool>| small.map_or("", |small| if small { "negligible" } else { "needed" });
-    let time = match verdict.time {
-        x if x.is_finite() => format!("{:+.0} %", 100.0 * (x - 1.0)),
-        _ => "-".into(),
-    };
+    let time = verdict.time_in_words();
     let name = &verdict.candidate.without;
     let estimate = |what: &str, apart: &Apart| row(name, what, apart.in_words(), "", says(estimated));
     let first = match &verdict.estimate {

@@ -1,4 +1,4 @@
-//! What is worked out of the finished points of a sweep: plots, tables of statistics, limits and indices of sensitivity.
+//! The evaluation of a finished sweep: plots, statistics, limits and indices of sensitivity.
 
 use std::path::Path;
 
@@ -18,17 +18,17 @@ use crate::sweep::folder::{self, Rows};
 use crate::sweep::manifest::{self, Layout};
 use crate::sweep::{Design, Manifest, row};
 
-/// Most quantities, and most points of the grid, that are listed on the terminal.
+/// Maximum number of quantities and of grid points that are listed on the terminal.
 const LISTED: (usize, usize) = (8, 4);
 /// File name of the table of points in CSV.
 const POINTS: &str = "sweep.csv";
 
-/// The options that choose what is worked out.
+/// The options of the evaluation.
 #[derive(Args)]
 pub(in crate::cli) struct Evaluation {
     #[command(flatten)]
     pub(super) plots: PlotOptions,
-    /// Counts the points at which a recorded quantity breaks a limit, e.g. "mesh_force_12_max <= 5 kN"; may be repeated
+    /// A limit of a recorded quantity, e.g. "mesh_force_12_max <= 5 kN": gives the probability that it is broken; may be repeated
     #[arg(long, value_name = "LIMIT")]
     limit: Vec<String>,
     /// Also writes the table of the points as sweep.csv
@@ -37,7 +37,7 @@ pub(in crate::cli) struct Evaluation {
 }
 
 impl Evaluation {
-    /// Checks, before anything runs, that all of it can be worked out.
+    /// Checks, before anything runs, that the evaluation is possible.
     ///
     /// # Errors
     /// [`Failure::Impossible`].
@@ -47,7 +47,7 @@ impl Evaluation {
         Ok(())
     }
 
-    /// Writes what is worked out of the points of the sweep in the folder at `path`, if all of them are there, and prints the outcome.
+    /// Evaluates the sweep in the folder at `path`, if it is complete, and prints the outcome.
     /// `done` is `None` for a merged sweep.
     ///
     /// # Errors
@@ -107,7 +107,7 @@ impl Evaluation {
         for (name, table) in answers {
             folder.write(name, |sink| csv::write(table, sink))?;
         }
-        // What an earlier command with other options worked out is not part of this result.
+        // Tables of an earlier command with other options do not belong to this result.
         for name in [POINTS, statistics::FILE, limit::FILE, sensitivity::FILE] {
             if !folder.files().iter().any(|file| file == name) {
                 let _ = std::fs::remove_file(path.join(name));

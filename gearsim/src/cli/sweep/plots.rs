@@ -38,12 +38,8 @@ impl PlotOptions {
     /// [`Failure::Impossible`].
     pub(super) fn check(&self, layout: &Layout) -> Result<(), Failure> {
         let impossible = |what: String, help: String| Err(Failure::Impossible { what, help });
-        let names: Vec<&str> = layout.columns.iter().map(|(name, _)| name.as_str()).collect();
-        if let Some(unknown) = self.map.iter().find(|name| !names.contains(&name.as_str())) {
-            let meant = crate::scene::did_you_mean(unknown, names.iter().copied());
-            let meant = meant.map_or(String::new(), |near| format!("did you mean `{near}`? "));
-            let help = format!("{meant}the recorded quantities are {}", names.join(", "));
-            return impossible(format!("no quantity `{unknown}` is recorded"), help);
+        for name in &self.map {
+            layout.column(name)?;
         }
         let axes = layout.plan.axes.len();
         if self.waterfall && !(axes == 1 && drawable(&layout.plan)) {

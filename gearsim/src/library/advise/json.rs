@@ -90,18 +90,18 @@ impl Advice {
             candidates: self.verdicts.iter().map(candidate).collect(),
             seconds: self.seconds,
             reflections: self.reflections,
-            wrong: self.stopped.clone().or_else(|| self.refuted.map(|account| account.to_string())),
+            wrong: self.wrong(),
         };
         Ok(document::json("advise", VERSION, &report)?)
     }
 }
 
 fn candidate(verdict: &Verdict) -> Candidate<'_> {
-    let (estimated_from, estimate, no_estimate) = match &verdict.estimate {
-        Estimate::Settled(apart) => ("settled motion", Some(deviation(apart)), None),
-        Estimate::Short(apart) => ("short runs", Some(deviation(apart)), None),
-        Estimate::TurnedBack => ("the strength of the steps", None, Some("steps reflect the motion")),
-        Estimate::None(why) => ("nothing", None, Some(why.as_str())),
+    let estimated_from = match &verdict.estimate {
+        Estimate::Settled(_) => "settled motion",
+        Estimate::Short(_) => "short runs",
+        Estimate::TurnedBack => "the strength of the steps",
+        Estimate::None(_) => "nothing",
     };
     let no_truth = verdict.truth.as_ref().err().map(String::as_str);
     let (negligible_by_estimate, negligible) = verdict.negligible();
@@ -109,9 +109,9 @@ fn candidate(verdict: &Verdict) -> Candidate<'_> {
         without: &verdict.candidate.without,
         how: &verdict.candidate.how,
         estimated_from,
-        estimate,
+        estimate: verdict.estimate.deviation().map(deviation),
         truth: verdict.truth.as_ref().ok().map(deviation),
-        why: no_estimate.into_iter().chain(no_truth).collect(),
+        why: verdict.estimate.why_not().into_iter().chain(no_truth).collect(),
         negligible_by_estimate,
         negligible,
         time_ratio: verdict.time,

@@ -10,7 +10,7 @@ use statrs::function::beta::inv_beta_reg;
 use super::Block;
 use crate::output::{OutputError, Table, table::Values};
 use crate::scene::quantity::Quantity;
-use crate::scene::{did_you_mean, unit::Unit};
+use crate::scene::unit::Unit;
 use crate::sweep::manifest::Layout;
 use crate::sweep::{Error, impossible};
 
@@ -56,13 +56,7 @@ impl Limit {
         };
         let (name, value) = text.split_once(sign).unwrap_or((text, ""));
         let (name, value) = (name.trim(), value.trim());
-        let Some(column) = layout.columns.iter().position(|(column, _)| column == name) else {
-            let names: Vec<&str> = layout.columns.iter().map(|(name, _)| name.as_str()).collect();
-            let meant = did_you_mean(name, names.iter().copied());
-            let meant = meant.map_or(String::new(), |near| format!("did you mean `{near}`? "));
-            let help = format!("{meant}the recorded quantities are {}", names.join(", "));
-            return impossible(format!("--limit \"{text}\": no quantity `{name}` is recorded"), help);
-        };
+        let column = layout.column(name)?;
         let unit = &layout.columns[column].1;
         let expected = Unit::parse(unit).map_err(|error| Error::Output(OutputError::format("unit", error)))?;
         match Quantity::parse(value) {

@@ -24,12 +24,12 @@ pub const FILE: &str = "sensitivity.csv";
 /// Half the width of an interval that holds 95 % of a normal distribution, in standard deviations.
 const BOUND: f64 = 1.959_963_984_540_054;
 
-/// An index and the half width of its confidence interval of 95 %.
+/// An index with its 95 % confidence interval, `value` ± `bound`.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Index {
     /// The estimate.
     pub value: f64,
-    /// Half the width of the interval about it.
+    /// Half the width of the interval.
     pub bound: f64,
 }
 

@@ -22,8 +22,8 @@ fn column(layout: &Layout) -> usize {
     layout.columns.iter().position(|(name, _)| name == "t_end").unwrap()
 }
 
-/// Of a Latin hypercube each of the N intervals of equal probability has one point, so that the mean of N = 200 is right to 1 % of a
-/// deviation, where that of independent points is within 7 %.
+/// A Latin hypercube has one point in each of N intervals of equal probability. With N = 200 its mean is right to 1 % of the standard
+/// deviation; the mean of independent points would be right to 7 %.
 #[test]
 fn statistics_are_those_of_the_distribution() {
     let (layout, rows) = swept(&["run.t_end=normal:20 ms:1 ms"], Design::LatinHypercube, 200);

@@ -1,0 +1,36 @@
+"""What the tests in headless Chromium share: the browser, sizes of screens, and a page that is watched."""
+
+import contextlib
+import os
+import pathlib
+
+SCENES = pathlib.Path(__file__).parents[2] / "models" / "scenes"
+LAPTOP = {"viewport": {"width": 1280, "height": 800}}
+PHONE = {"viewport": {"width": 390, "height": 844}, "is_mobile": True, "has_touch": True}
+FLAGS = ["--no-sandbox", "--disable-gpu", "--disable-background-networking", "--disable-component-update", "--disable-sync"]
+
+
+def started(playwright):
+    """The browser."""
+    return playwright.chromium.launch(executable_path=os.environ.get("CHROMIUM", "/usr/bin/chromium"), args=FLAGS)
+
+
+@contextlib.contextmanager
+def opened(browser, url, allowed, **settings):
+    """The page at `url` once its first plot is drawn. Console messages, and requests that do not begin as `allowed`, are failures."""
+    context = browser.new_context(**settings)
+    # A busy machine may take long; no test depends on the time.
+    context.set_default_timeout(120_000)
+    page, messages, requests = context.new_page(), [], []
+    page.on("console", lambda message: messages.append(f"{message.type}: {message.text}"))
+    page.on("pageerror", lambda error: messages.append(str(error)))
+    page.on("request", lambda request: requests.append(request.url))
+    page.goto(url)
+    page.wait_for_selector("body[data-ready]")
+    # Plots are drawn when they are in sight; on a phone the first one begins below the fold.
+    page.locator("figure.plot").first.scroll_into_view_if_needed()
+    page.wait_for_selector("figure.plot .main-svg")
+    yield page
+    assert not messages, messages
+    assert [other for other in requests if not other.startswith((*allowed, "data:", "blob:"))] == []
+    context.close()
