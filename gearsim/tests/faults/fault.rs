@@ -54,6 +54,8 @@ impl Fault {
             Stdout::Full => std::fs::File::options().write(true).open("/dev/full").unwrap().into(),
             Stdout::Closed => Stdio::piped(),
         });
+        // A user who sets this asks for a backtrace where an allocation fails.
+        command.env_remove("RUST_BACKTRACE");
         let mut child = command.spawn().unwrap();
         if let Some(pipe) = child.stdout.take() {
             let _ = BufReader::new(pipe).read_line(&mut String::new());

@@ -60,7 +60,7 @@ pub fn faults(prepared: &Prepared) -> Vec<Fault> {
         return vec![];
     }
     let (old, new) = (space(&prepared.old), space(&prepared.new));
-    let disk = |tenth| Fault {
+    let disk = |tenth: usize| Fault {
         what: format!("a disk with space for {tenth} tenths of the result"),
         disk: Some(old + (new * tenth / 10).next_multiple_of(PAGE) + PAGE),
         says: Some("no space left"),
