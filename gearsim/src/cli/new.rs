@@ -6,6 +6,7 @@ use clap::Parser;
 
 use super::failure::Failure;
 use super::{Verb, terminal};
+use crate::output::staging::Staging;
 use crate::output::{OutputError, WholeFiles};
 
 /// Write a crate for models of your own: energies, derived equations, a scene, tests, and a program
@@ -69,14 +70,16 @@ impl Verb for New {
         // The crate appears when all its files are whole.
         let parent = self.crate_folder.parent().filter(|parent| *parent != Path::new("")).unwrap_or(Path::new("."));
         std::fs::create_dir_all(parent).map_err(failed)?;
-        let staging = tempfile::Builder::new().prefix(".gearsim-").tempdir_in(parent).map_err(failed)?;
-        let mut files = WholeFiles::create(staging.path().join("crate"))?;
+        let staging = Staging::create(parent).map_err(failed)?;
+        let from = staging.path().join("crate");
+        let mut files = WholeFiles::create(&from).map_err(|error| error.moved(&from, &self.crate_folder))?;
         for (path, text) in FILES {
             let renamed = |text: &str| {
                 let text = text.replace("my-axle", &name).replace("my_axle", &snake).replace("MyAxle", &camel);
                 text.replace("{gearsim}", &gearsim).replace("{profiles}", &profiles)
             };
-            files.write_bytes(&renamed(path), renamed(text).as_bytes())?;
+            let written = files.write_bytes(&renamed(path), renamed(text).as_bytes());
+            written.map_err(|error| error.moved(&from, &self.crate_folder))?;
         }
         std::fs::rename(files.path(), &self.crate_folder).map_err(failed)?;
         let shown = self.crate_folder.display();

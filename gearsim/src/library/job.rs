@@ -175,7 +175,9 @@ impl Gathering {
     /// # Errors
     /// If a file cannot be read or written.
     pub fn finish(self) -> Result<Table, Error> {
+        let path = self.folder.path().to_owned();
         let rows = self.folder.finish()?;
+        folder::end(&path)?;
         let Layout { plan, columns, units, .. } = &self.layout;
         Ok(row::table(plan, columns, units, &rows.values().collect::<Vec<_>>())?)
     }

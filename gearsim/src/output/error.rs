@@ -110,6 +110,11 @@ fn reason(error: &io::Error) -> String {
         StorageFull | QuotaExceeded => {
             "no space left; free some, record at a lower rate, or choose another folder with --out".into()
         }
+        FileTooLarge => {
+            "it would be larger than a file may be here (`ulimit -f`, or the file system); record at a lower rate, or \
+                         choose another folder with --out"
+                .into()
+        }
         InvalidFilename => "the name is not valid here; choose another with --out".into(),
         _ => error.to_string(),
     }

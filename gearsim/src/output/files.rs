@@ -1,12 +1,10 @@
 //! The output folder of a command. The files of a result are written to a folder of their own inside it, and take the place of an
 //! earlier result when all of them are whole ([`super::swap`]). Until then the earlier result is unchanged.
 
-use std::fs::File;
 use std::path::{Path, PathBuf};
 
-use tempfile::{Builder, TempDir};
-
-use super::whole::{TEMPORARY, create_folder};
+use super::staging::{Staging, lock};
+use super::whole::create_folder;
 use super::{OutputError, Sink, WholeFiles, fault, swap};
 
 /// Subfolder of the files that were whole when a command failed to write another one.
@@ -18,9 +16,7 @@ pub struct OutputFolder {
     path: PathBuf,
     staged: WholeFiles,
     /// The folder of the staged files; removed with all in it when dropped.
-    staging: Option<TempDir>,
-    /// Lock that tells other processes that the staged files are not left over. Held while this process writes.
-    _lock: Option<File>,
+    staging: Option<Staging>,
 }
 
 impl OutputFolder {
@@ -35,14 +31,10 @@ impl OutputFolder {
         create_folder(&path)?;
         let failed = |source| OutputError::Write { path: path.clone(), source };
         fault::point().map_err(failed)?;
-        // Another process that opens the folder must not find the staging folder before it is locked.
-        let _folder = lock(&path, true);
-        WholeFiles::create(&path)?.clear_leftovers();
-        let _ = std::fs::remove_dir_all(path.join(PARTIAL));
-        let staging = staging_in(&path).map_err(failed)?;
-        let lock = lock(staging.path(), false);
+        clear(&path)?;
+        let staging = Staging::create(&path).map_err(failed)?;
         let staged = WholeFiles::create(staging.path())?;
-        Ok(OutputFolder { path, staged, staging: Some(staging), _lock: lock })
+        Ok(OutputFolder { path, staged, staging: Some(staging) })
     }
 
     /// Checks that [`OutputFolder::create`] would succeed and the folder could be written to. Creates nothing that stays.
@@ -95,46 +87,25 @@ impl OutputFolder {
     /// Keeps the files that are whole, because what was computed would be lost otherwise.
     fn keep_partial(&mut self, error: OutputError) -> OutputError {
         let to = self.path.join(PARTIAL);
-        let kept = match &self.staging {
-            Some(staging) if !self.staged.files().is_empty() && fault::point().is_ok() => {
-                (!to.exists() || std::fs::remove_dir_all(&to).is_ok()) && std::fs::rename(staging.path(), &to).is_ok()
-            }
-            _ => false,
-        };
-        if !kept {
+        let Some(staging) = self.staging.take() else { return error };
+        // Those that took their places before the error are in the folder itself.
+        let is_staged = |name: &&String| staging.path().join(name).exists();
+        let files: Vec<_> = self.files().iter().filter(is_staged).cloned().collect();
+        let replaced = !to.exists() || std::fs::remove_dir_all(&to).is_ok();
+        if files.is_empty() || fault::point().is_err() || !replaced || staging.rename(&to).is_err() {
             return error;
         }
-        self.staging.take();
-        OutputError::Partial { error: Box::new(error), path: to, files: self.files().to_vec() }
+        OutputError::Partial { error: Box::new(error), path: to, files }
     }
 }
 
-impl Drop for OutputFolder {
-    fn drop(&mut self) {
-        // A process that is killed does not clear up.
-        if fault::point().is_err() {
-            self.staging.take().map(TempDir::keep);
-        }
-    }
-}
-
-/// A temporary folder with the permissions of an ordinary new folder, since it may become the folder of a partial result.
-fn staging_in(folder: &Path) -> std::io::Result<TempDir> {
-    let mut builder = Builder::new();
-    builder.prefix(TEMPORARY);
-    #[cfg(unix)]
-    {
-        use std::os::unix::fs::PermissionsExt;
-        builder.permissions(std::fs::Permissions::from_mode(0o777));
-    }
-    builder.tempdir_in(folder)
-}
-
-/// Locks a folder until the file is closed; `None` if it is locked, or if the file system has no locks. `wait`: waits for the lock.
-pub(super) fn lock(folder: &Path, wait: bool) -> Option<File> {
-    let file = File::open(folder).ok()?;
-    let locked = if wait { file.lock().is_ok() } else { file.try_lock().is_ok() };
-    locked.then_some(file)
+/// Removes from the folder at `path` what interrupted commands and failed writes left.
+fn clear(path: &Path) -> Result<(), OutputError> {
+    // A process that replaces a result has a temporary file for a moment.
+    let _folder = lock(path, true);
+    WholeFiles::create(path)?.clear_leftovers();
+    let _ = std::fs::remove_dir_all(path.join(PARTIAL));
+    Ok(())
 }
 
 #[cfg(test)]

@@ -11,8 +11,10 @@ pub(crate) mod fault;
 mod files;
 pub mod lines;
 pub mod load_spectrum;
+pub(crate) mod marker;
 pub(crate) mod number;
 pub mod parquet;
+pub(crate) mod staging;
 pub mod summary;
 mod swap;
 pub mod table;
@@ -21,8 +23,8 @@ mod whole;
 
 pub use error::OutputError;
 pub use files::OutputFolder;
+pub use marker::MARKER;
 pub use summary::Summary;
-pub use swap::MARKER;
 pub use table::Table;
 pub use whole::{Sink, WholeFiles};
 

@@ -11,11 +11,10 @@ use std::path::Path;
 
 use serde_json::Value;
 
+use super::marker::{self, MARKER, remove};
 use super::whole::{create_folder, is_inside};
-use super::{OutputError, WholeFiles, fault};
+use super::{OutputError, fault};
 
-/// The file that says that a folder is incomplete.
-pub const MARKER: &str = "INCOMPLETE";
 /// First lines of the marker; the names of files follow, one a line.
 const SAYS: &str = "\
 gearsim was interrupted while it replaced the results in this folder.
@@ -39,8 +38,9 @@ pub(super) fn swap(folder: &Path, staging: &Path, new: &[String], index: &str) -
     // The index is first here, so that it is removed first.
     let listed: BTreeSet<&str> = old.iter().chain(new).map(String::as_str).collect();
     let list: String = listed.iter().map(|name| format!("{name}\n")).collect();
-    // What this writer leaves when it is interrupted is cleared with other leftovers.
-    WholeFiles::create(folder)?.write(MARKER, |sink| Ok(write!(sink, "{SAYS}{list}")?))?;
+    // Results of another kind in the same folder may be incomplete too.
+    let other = marker::read(folder).filter(|text| !text.starts_with(SAYS));
+    marker::write(folder, &format!("{SAYS}{list}"))?;
     old.iter().try_for_each(|name| remove(&folder.join(name)))?;
     let (last, others): (Vec<&String>, Vec<_>) = new.iter().partition(|name| *name == index);
     for name in others.into_iter().chain(last) {
@@ -49,16 +49,9 @@ pub(super) fn swap(folder: &Path, staging: &Path, new: &[String], index: &str) -
         let renamed = fault::point().and_then(|()| fs::rename(staging.join(name), &to));
         renamed.map_err(|source| OutputError::Write { path: to, source })?;
     }
-    remove(&folder.join(MARKER))
-}
-
-/// Removes a file, if it is there.
-fn remove(path: &Path) -> Result<(), OutputError> {
-    match fault::point().and_then(|()| fs::remove_file(path)) {
-        Err(source) if source.kind() != io::ErrorKind::NotFound => {
-            Err(OutputError::Write { path: path.to_owned(), source })
-        }
-        _ => Ok(()),
+    match other {
+        Some(text) => marker::write(folder, &text),
+        None => remove(&folder.join(MARKER)),
     }
 }
 
@@ -72,7 +65,7 @@ fn earlier(folder: &Path, new: &[String], index: &str) -> Vec<String> {
             files.extend(owned);
         }
     }
-    let marked = fs::read_to_string(folder.join(MARKER)).unwrap_or_default();
+    let marked = marker::read(folder).unwrap_or_default();
     files.extend(marked.strip_prefix(SAYS).into_iter().flat_map(str::lines).map(str::to_owned));
     files.retain(|name| is_inside(name) && folder.join(name).is_file());
     indexes.extend(files);

@@ -5,7 +5,7 @@ use std::path::{Component, Path, PathBuf};
 
 use tempfile::{Builder, NamedTempFile};
 
-use super::{OutputError, fault};
+use super::{OutputError, fault, staging};
 
 /// The buffered writer that a file is written to; it gets its final name later.
 pub type Sink<'a> = &'a mut (dyn Write + Send);
@@ -64,16 +64,12 @@ impl WholeFiles {
     /// Removes the temporary files and folders of commands that were interrupted. Those of a running process are locked. What cannot
     /// be removed stays until the next time.
     pub fn clear_leftovers(&self) {
+        staging::clear(&self.path);
         for entry in std::fs::read_dir(&self.path).into_iter().flatten().flatten() {
-            let (name, path) = (entry.file_name(), entry.path());
-            if !name.to_string_lossy().starts_with(TEMPORARY) {
-                continue;
+            if entry.file_name().to_string_lossy().starts_with(TEMPORARY) {
+                // Of a folder this fails.
+                let _ = std::fs::remove_file(entry.path());
             }
-            let _ = match path.is_dir() {
-                true if super::files::lock(&path, false).is_some() => std::fs::remove_dir_all(&path),
-                true => Ok(()),
-                false => std::fs::remove_file(&path),
-            };
         }
     }
 

@@ -1,5 +1,6 @@
 //! The folder of a sweep. `sweep.json` is the manifest. While the sweep runs, `parts/` holds the rows finished so far; a file is
-//! complete or absent. At the end, `sweep.parquet` holds all rows in the order of their points, and `parts/` is removed.
+//! complete or absent. At the end, `sweep.parquet` holds all rows in the order of their points, and `parts/` is removed. Until the
+//! results are evaluated, the folder says that it is incomplete ([`begin`], [`end`]).
 //!
 //! A part may hold any points. After an interruption only the points that are in no file run again.
 
@@ -10,7 +11,7 @@ use std::path::{Path, PathBuf};
 use super::manifest::{self, Layout, Manifest};
 use super::row::{self, Row};
 use super::{Error, impossible, spectra};
-use crate::output::{OutputError, Table, WholeFiles, parquet};
+use crate::output::{OutputError, Table, WholeFiles, marker, parquet};
 
 /// File of the rows, in the order of their points.
 pub const ROWS: &str = "sweep.parquet";
@@ -20,6 +21,13 @@ pub const SPECTRA: &str = "spectra.parquet";
 const PARTS: &str = "parts";
 /// Metadata key of the manifest in every Parquet file.
 const PROVENANCE: &str = "sweep";
+
+/// What the folder says while it is incomplete.
+const UNFINISHED: &str = "\
+gearsim sweep or merge writes to this folder, or was interrupted.
+Every file is whole, but some may be missing or belong to an earlier command.
+The same command run again completes the results. A sweep runs only the points that are missing.
+";
 
 /// Rows by point number.
 pub type Rows = BTreeMap<usize, Row>;
@@ -57,8 +65,14 @@ impl Folder {
         }
         parts.clear_leftovers();
         folder.clear_leftovers();
+        begin(path)?;
         folder.write_bytes(manifest::FILE, manifest.json()?.as_bytes())?;
         Ok(Folder { path: path.to_owned(), parts, manifest, layout, _lock: file })
+    }
+
+    /// Path of the folder.
+    pub fn path(&self) -> &Path {
+        &self.path
     }
 
     /// The rows finished so far.
@@ -82,7 +96,7 @@ impl Folder {
         write(&mut self.parts, names, &self.manifest, &self.layout, &rows)
     }
 
-    /// Joins the parts to one file and removes them.
+    /// Joins the parts to one file and removes them. The folder says that it is incomplete until [`end`].
     ///
     /// # Errors
     /// Those of reading and writing the files. The parts are kept then.
@@ -94,6 +108,22 @@ impl Folder {
         std::fs::remove_dir_all(&parts).map_err(|source| OutputError::Write { path: parts, source })?;
         Ok(rows)
     }
+}
+
+/// Says that the folder at `path` is incomplete.
+///
+/// # Errors
+/// [`OutputError::Write`].
+pub fn begin(path: &Path) -> Result<(), OutputError> {
+    marker::mark(path, UNFINISHED)
+}
+
+/// Says no longer that the folder at `path` is incomplete: its rows are written and evaluated.
+///
+/// # Errors
+/// [`OutputError::Write`].
+pub fn end(path: &Path) -> Result<(), OutputError> {
+    marker::unmark(path, UNFINISHED)
 }
 
 /// Checks that the folder at `path` does not hold another sweep than that of `manifest`.

@@ -77,13 +77,15 @@ pub fn gather(from: &[PathBuf], entries: &[Entry]) -> Result<(Manifest, Layout, 
     Ok((manifest, layout, all))
 }
 
-/// Writes the results of [`gather`] to the folder `out`.
+/// Writes the results of [`gather`] to the folder `out`. The folder says that it is incomplete until [`folder::end`].
 ///
 /// # Errors
 /// If the folder holds another sweep, or cannot be written to.
 pub fn write(out: &Path, manifest: &Manifest, layout: &Layout, rows: &Rows) -> Result<(), Error> {
     folder::refuse_another(out, manifest)?;
     let mut folder = WholeFiles::create(out)?;
+    folder.clear_leftovers();
+    folder::begin(out)?;
     folder.write_bytes(manifest::FILE, manifest.json()?.as_bytes())?;
     Ok(folder::write(&mut folder, (ROWS, SPECTRA), manifest, layout, rows)?)
 }

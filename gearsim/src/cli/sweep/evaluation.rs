@@ -12,7 +12,7 @@ use crate::cli::number::short;
 use crate::cli::printing::Printing;
 use crate::cli::report::line;
 use crate::cli::terminal;
-use crate::output::{OutputError, Table, WholeFiles, csv};
+use crate::output::{OutputError, Table, WholeFiles, csv, marker};
 use crate::sweep::answers::{Block, limit, limit::Limit, sensitivity, statistics};
 use crate::sweep::folder::{self, Rows};
 use crate::sweep::manifest::{self, Layout};
@@ -71,6 +71,7 @@ impl Evaluation {
             files.extend(self.plots.draw(path, manifest, layout, rows)?);
             said = self.text(layout, &blocks, width);
         }
+        folder::end(path)?;
         let text = || summary_text(path, &files, manifest, rows, done, &said);
         printing.print(|| json(manifest, rows, &answers, &files), text)
     }
@@ -110,7 +111,7 @@ impl Evaluation {
         // Tables of an earlier command with other options do not belong to this result.
         for name in [POINTS, statistics::FILE, limit::FILE, sensitivity::FILE] {
             if !folder.files().iter().any(|file| file == name) {
-                let _ = std::fs::remove_file(path.join(name));
+                marker::remove(&path.join(name))?;
             }
         }
         Ok(folder.files().to_vec())
