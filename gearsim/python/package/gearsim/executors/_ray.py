@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from gearsim.executors._remote import RemoteExecutor, settle
+from gearsim.executors._remote import RemoteExecutor
 
 
 class RayExecutor(RemoteExecutor):
@@ -23,8 +23,9 @@ class RayExecutor(RemoteExecutor):
 
     def _start(self, future, call):
         reference = self._remote.remote(call)
-        reference.future().add_done_callback(lambda done: settle(future, done.result))
-        return lambda: self._ray.cancel(reference)
+        reference.future().add_done_callback(lambda done: self._settle(future, done.result))
+        # Its worker process ends, so that the cores are free at once.
+        return lambda: self._ray.cancel(reference, force=True)
 
 
 def _call(call):
