@@ -17,6 +17,7 @@ from __future__ import annotations
 import signal
 import sys
 
+from gearsim import executors
 from gearsim._gearsim import (
     Figure,
     GearsimError,
@@ -42,6 +43,7 @@ __all__ = [
     "Scene",
     "SceneError",
     "Table",
+    "executors",
     "load",
     "models",
     "sensitivity",

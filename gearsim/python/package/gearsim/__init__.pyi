@@ -8,6 +8,8 @@ from typing import Any, Literal
 import numpy as np
 import numpy.typing as npt
 
+from gearsim import executors as executors
+
 __version__: str
 
 Axis = str

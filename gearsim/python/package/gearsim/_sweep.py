@@ -5,8 +5,10 @@ from __future__ import annotations
 import tempfile
 from concurrent.futures import FIRST_COMPLETED, Executor, wait
 
-#: How often the points of a lost worker run again.
-RETRIES = 3
+from gearsim._gearsim import GearsimError
+
+#: How often a range of points is tried, if its worker is lost.
+TRIES = 3
 
 
 def _part(scene, definition, first, end, threads):
@@ -87,7 +89,7 @@ def _run(scene, job, definition, out, executor=None, points_per_task=10_000, thr
 
 def _gather(submit, job, gathering, missing, done, progress):
     """Let the executor run ranges of points, and keep their rows as they come. The range of a lost worker runs again."""
-    running = {submit(part): (part, 0) for part in missing}
+    running = {submit(part): (part, 1) for part in missing}
     try:
         while running:
             finished, _ = wait(running, return_when=FIRST_COMPLETED)
@@ -95,11 +97,9 @@ def _gather(submit, job, gathering, missing, done, progress):
                 part, tries = running.pop(future)
                 try:
                     rows = future.result()
-                except Exception:
+                except Exception as error:
                     # What is wrong with the scene was found before; this worker was lost, or its machine has a fault.
-                    if tries + 1 >= RETRIES:
-                        raise
-                    running[submit(part)] = (part, tries + 1)
+                    running[_again(submit, part, tries, error)] = (part, tries + 1)
                     continue
                 job.keep(gathering, rows)
                 done += part[1] - part[0]
@@ -108,3 +108,18 @@ def _gather(submit, job, gathering, missing, done, progress):
     finally:
         for future in running:
             future.cancel()
+
+
+def _again(submit, part, tries, error):
+    """Submit a range of points once more, and return its future. Raise an error if it was tried often, or nothing can be submitted."""
+    try:
+        if tries < TRIES:
+            return submit(part)
+    except Exception as refusal:
+        error = refusal
+    first, end = part
+    raise GearsimError(
+        f"points {first} to {end - 1} did not run, tried {tries} times: {type(error).__name__}: {error}\n"
+        "  help: look for the cause at the executor; the same sweep, started again with the same folder `out`, continues with the "
+        "points that are missing"
+    ) from error

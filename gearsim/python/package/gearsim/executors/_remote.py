@@ -1,0 +1,104 @@
+"""What the executors of other packages have in common."""
+
+from __future__ import annotations
+
+import functools
+import threading
+import time
+from collections.abc import Callable
+from concurrent import futures
+from concurrent.futures import Executor, Future
+
+
+class RemoteExecutor(Executor):
+    """Sends tasks to another package. Every future ends: with a value, with an error, or cancelled.
+
+    A derived class defines `_start`, and `_look` if it has to ask for the state of its tasks.
+    interval: time between two calls of `_look` while tasks are open [s]; None for no calls.
+    """
+
+    def __init__(self, interval=None):
+        self._interval = interval
+        self._lock = threading.Lock()
+        self._open = set()
+        self._closed = False
+        self._thread = None
+
+    def _start(self, future: Future, call: Callable[[], object]) -> Callable[[], object]:
+        """Send `call`, have `_settle` called for `future` at its end, and return a function that cancels it."""
+        raise NotImplementedError
+
+    def _look(self):
+        """Ask for the state of the open tasks."""
+
+    def submit(self, task, /, *arguments, **keywords):
+        """Send `task(*arguments, **keywords)`, and return its future."""
+        if self._closed:
+            raise RuntimeError("this executor is shut down: make another one")
+        future = Future()
+        with self._lock:
+            self._open.add(future)
+        try:
+            cancel = self._start(future, functools.partial(task, *arguments, **keywords))
+        except BaseException:
+            with self._lock:
+                self._open.discard(future)
+            raise
+        future.add_done_callback(lambda future: cancel() if future.cancelled() else None)
+        with self._lock:
+            if self._interval is not None and self._thread is None:
+                self._thread = threading.Thread(target=self._watch, name="gearsim-executor", daemon=True)
+                self._thread.start()
+        return future
+
+    def shutdown(self, wait=True, *, cancel_futures=False):
+        """Take no more tasks. The cluster itself goes on."""
+        self._closed = True
+        with self._lock:
+            unfinished = list(self._open)
+        if cancel_futures:
+            for future in unfinished:
+                future.cancel()
+        if wait:
+            futures.wait(unfinished)
+
+    def _settle(self, future: Future, result: Callable[[], object]):
+        """End a future by the value that `result` returns, or by the exception that it raises. The first call for a future counts."""
+        value, error = None, None
+        try:
+            value = result()
+        except BaseException as raised:
+            error = raised
+        with self._lock:
+            if future not in self._open:
+                return
+            self._open.remove(future)
+        if not future.set_running_or_notify_cancel():
+            return
+        if error is None:
+            future.set_result(value)
+        else:
+            future.set_exception(error)
+
+    def _fail(self, unfinished, error: Exception):
+        """End futures by an error."""
+
+        def result():
+            raise error
+
+        for future in unfinished:
+            self._settle(future, result)
+
+    def _watch(self):
+        """Call `_look` until no task is open."""
+        while True:
+            time.sleep(self._interval)
+            with self._lock:
+                unfinished = list(self._open)
+                if not unfinished:
+                    self._thread = None
+                    return
+            try:
+                self._look()
+            except Exception as error:
+                self._fail(unfinished, error)
