@@ -7,6 +7,7 @@ mod chapter;
 mod folder;
 mod generated;
 mod part;
+mod reader;
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -26,6 +27,19 @@ pub struct Manual {
     /// Only chapters whose path contains this text; the other chapters are left out of the book.
     #[arg(long)]
     only: Option<String>,
+    /// Program to run in place of the one that this command builds; it must have the feature `html`.
+    #[arg(long)]
+    program: Option<PathBuf>,
+}
+
+/// A book that is being written.
+struct Book {
+    /// The folder of the chapters.
+    source: PathBuf,
+    /// The folder of the book.
+    folder: PathBuf,
+    /// The folder of the program.
+    programs: PathBuf,
 }
 
 impl Manual {
@@ -35,37 +49,39 @@ impl Manual {
     /// At the first chapter of which a command fails, or a plot, a text or a linked chapter is missing.
     pub fn run(&self) -> anyhow::Result<()> {
         let root = chore::root()?;
-        let source = root.join("gearsim/manual");
-        let book = root.join(&self.folder);
-        if book.starts_with(root.join("target")) && book.exists() {
-            fs::remove_dir_all(&book).context("cannot remove the book of an earlier run")?;
+        let manual = root.join("gearsim/manual");
+        let folder = root.join(&self.folder);
+        if folder.starts_with(root.join("target")) && folder.exists() {
+            fs::remove_dir_all(&folder).context("cannot remove the book of an earlier run")?;
         }
-        ensure!(!book.exists(), "{} exists already: give a folder that does not", book.display());
-        build(root)?;
-        folder::copy(&source, &book, &|file| file.extension().is_none_or(|end| end != "md") || is(file, "SUMMARY"))?;
-        for path in folder::files(&source.join("src"))? {
-            let name = path.strip_prefix(source.join("src"))?.with_extension("");
-            let wanted = self.only.as_ref().is_none_or(|only| name.to_string_lossy().contains(only));
-            if path.extension().is_none_or(|end| end != "md") || is(&path, "SUMMARY") || !wanted {
+        ensure!(!folder.exists(), "{} exists already: give a folder that does not", folder.display());
+        let program = self.program.as_ref().map_or_else(|| build(root), |program| Ok(program.canonicalize()?))?;
+        let programs = program.parent().context("a program is in a folder")?.to_path_buf();
+        folder::copy(&manual, &folder, &|file| !is_chapter(file))?;
+        let book = Book { source: manual.join("src"), folder, programs };
+        for path in folder::files(&book.source)?.into_iter().filter(|file| is_chapter(file)) {
+            let name = path.strip_prefix(&book.source)?.with_extension("");
+            if self.only.as_ref().is_some_and(|only| !name.to_string_lossy().contains(only)) {
                 continue;
             }
             let start = Instant::now();
-            chapter::write(&source.join("src"), &name, &book).with_context(|| format!("in {}", path.display()))?;
+            chapter::write(&book, &name).with_context(|| format!("in {}", path.display()))?;
             println!("{:5.1} s  {}", start.elapsed().as_secs_f64(), name.display());
         }
-        println!("{}", book.display());
+        println!("{}", book.folder.display());
         Ok(())
     }
 }
 
-fn is(file: &Path, stem: &str) -> bool {
-    file.file_stem().is_some_and(|found| found == stem)
+/// Whether a file of the manual is a chapter: the table of contents has no commands.
+fn is_chapter(file: &Path) -> bool {
+    file.extension().is_some_and(|end| end == "md") && file.file_stem().is_some_and(|stem| stem != "SUMMARY")
 }
 
-/// Builds the program that the chapters call, with interactive pages. It is then beside this program.
-fn build(root: &Path) -> anyhow::Result<()> {
+/// Builds the program that the chapters call, with interactive pages, in the profile of this program; it is then beside it.
+fn build(root: &Path) -> anyhow::Result<PathBuf> {
     let mut cargo = Command::new(env!("CARGO"));
     cargo.args(["build", "--quiet", "--locked", "--package", "gearsim", "--features", "html"]);
     ensure!(cargo.current_dir(root).status().context("cannot start cargo")?.success(), "gearsim does not build");
-    Ok(())
+    Ok(std::env::current_exe()?.with_file_name(format!("gearsim{}", std::env::consts::EXE_SUFFIX)))
 }

@@ -1,26 +1,25 @@
 //! Parts of chapters that are generated from what the program says of itself.
 
 use std::fs;
-use std::path::Path;
 
 use anyhow::{Context, bail, ensure};
 use serde_json::Value;
 
-use super::chapter::output;
+use super::reader::Reader;
 use crate::chore;
 
-/// The Markdown for the note `<!-- key: value -->`; programs run in `folder`.
-pub fn of(key: &str, value: &str, folder: &Path) -> anyhow::Result<String> {
+/// The Markdown for the note `<!-- key: value -->`; `reader` runs the program.
+pub fn of(key: &str, value: &str, reader: &Reader) -> anyhow::Result<String> {
     match key {
-        "model" => model(&json(&format!("gearsim models {value} --json"), folder)?["models"][0]),
-        "models with" => models_with(value, &json("gearsim models --json", folder)?),
+        "model" => model(&json(&format!("gearsim models {value} --json"), reader)?["models"][0]),
+        "models with" => models_with(value, &json("gearsim models --json", reader)?),
         "keys of" => keys(&fs::read_to_string(chore::root()?.join(value))?),
         _ => bail!("there is no part `{key}`"),
     }
 }
 
-fn json(command: &str, folder: &Path) -> anyhow::Result<Value> {
-    serde_json::from_str(&output(command, folder)?).with_context(|| format!("`{command}` prints no JSON"))
+fn json(command: &str, reader: &Reader) -> anyhow::Result<Value> {
+    serde_json::from_str(&output(command, reader)?).with_context(|| format!("`{command}` prints no JSON"))
 }
 
 /// What a scene of a model can set, and what its runs record.
@@ -96,7 +95,6 @@ fn code(text: &Value) -> String {
 fn keys_of_tables_have_their_paths() {
     let schema = r#"{"properties": {"a": {"description": "one"}, "b": {"description": "two", "additionalProperties":
         {"properties": {"c": {"description": "three|four"}}}}}}"#;
-    let expected =
-        "| key | what it is |\n| --- | --- |\n| `a` | one |\n| `b` | two |\n| `b.NAME.c` | three\\|four |\n";
+    let expected = "| key | what it is |\n| --- | --- |\n| `a` | one |\n| `b` | two |\n| `b.NAME.c` | three\\|four |\n";
     assert_eq!(keys(schema).unwrap(), expected);
 }
