@@ -19,7 +19,7 @@ pub fn of(key: &str, value: &str, reader: &Reader) -> anyhow::Result<String> {
 }
 
 fn json(command: &str, reader: &Reader) -> anyhow::Result<Value> {
-    serde_json::from_str(&output(command, reader)?).with_context(|| format!("`{command}` prints no JSON"))
+    serde_json::from_str(&reader.output(command)?).with_context(|| format!("`{command}` prints no JSON"))
 }
 
 /// What a scene of a model can set, and what its runs record.
