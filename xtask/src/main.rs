@@ -9,9 +9,11 @@ mod fuzz;
 mod gallery;
 mod hard_cases;
 mod instructions;
+mod manual;
 mod oh2005;
 mod peers;
 mod published;
+mod shell;
 mod soak;
 mod tutorial;
 mod work_precision;
@@ -48,6 +50,8 @@ enum Verb {
     Fuzz(fuzz::Fuzz),
     /// Count the instructions of the main code paths under valgrind; write them to tests/instructions.md.
     Instructions(instructions::Instructions),
+    /// Run the commands of the manual's chapters, and write the book with what they print and plot.
+    Manual(manual::Manual),
     /// Run the cases of Oh, Grosh & Barber (2005) again; write the plots and tables of models/scenes/oh2005.
     Oh2005(oh2005::Oh2005),
     /// Run other tools on our scenes; write their errors, times and missed events to tests/peers.md.
@@ -74,6 +78,7 @@ fn main() -> ExitCode {
         Verb::Fuzz(verb) => verb.run(),
         Verb::Gallery(verb) => verb.run(),
         Verb::Instructions(verb) => verb.run(),
+        Verb::Manual(verb) => verb.run(),
         Verb::Oh2005(verb) => verb.run(),
         Verb::Peers(verb) => verb.run(),
         Verb::Soak(verb) => verb.run(),

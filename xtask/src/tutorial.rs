@@ -6,6 +6,8 @@ use std::process::{Command, Stdio};
 
 use anyhow::{Context, bail, ensure};
 
+use super::shell;
+
 /// Make a crate by `gearsim new` in a folder of its own, and follow its README: run its commands and apply its changes.
 #[derive(clap::Args)]
 pub struct Tutorial {
@@ -52,9 +54,8 @@ impl Tutorial {
             match step {
                 Step::Run(command) => {
                     println!("\n$ {command}");
-                    let mut shell = Command::new("sh");
-                    shell.args(["-e", "-c", &command]).current_dir(&folder).env("CARGO_TARGET_DIR", &target);
-                    ensure!(shell.status()?.success(), "this command of the README failed: {command}");
+                    let status = shell::of(&command, &folder).env("CARGO_TARGET_DIR", &target).status()?;
+                    ensure!(status.success(), "this command of the README failed: {command}");
                 }
                 Step::Change(change) => apply(&folder, &change)?,
             }

@@ -2,6 +2,7 @@
 
 mod advise;
 mod faults;
+mod manual;
 mod page;
 mod refusals;
 mod runs;
