@@ -113,11 +113,12 @@ mod transmission_error;
 pub mod unit;
 
 pub use key_unit::unit_of;
+pub(crate) use keys::{reference, schema};
 pub use mistake::{Mistake, SceneMistakes};
 pub(crate) use mistake::{did_you_mean, list, shown};
 pub use solver::{Precision, Solver};
 pub use sound::Sound;
-pub use spectrum::{Kind as SpectrumKind, Reference, Spectrum};
+pub use spectrum::{Reference, Spectrum, SpectrumKind};
 pub use template::Template;
 pub use time_history::TimeHistory;
 
