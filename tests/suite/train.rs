@@ -11,5 +11,8 @@ mod frequencies;
 #[path = "train/mistakes.rs"]
 mod mistakes;
 
+#[path = "train/flanks.rs"]
+mod flanks;
+
 #[path = "train/effects.rs"]
 mod effects;

@@ -1,7 +1,7 @@
 """What joining the parts of a sweep costs, in time and memory: `python gearsim/python/measure/merge.py 100000`."""
 
+import os
 import pathlib
-import resource
 import subprocess
 import sys
 import tempfile
@@ -14,10 +14,13 @@ SHARDS = 4
 
 
 def command_line(*words):
-    """Run the command line; return its time [s]."""
+    """Run the command line; return its time [s] and the most memory that it had [MiB]."""
     begin = time.perf_counter()
-    subprocess.run([sys.executable, "-m", "gearsim", *map(str, words), "--quiet"], check=True)
-    return time.perf_counter() - begin
+    process = subprocess.Popen([sys.executable, "-m", "gearsim", *map(str, words), "--quiet"])
+    _, status, usage = os.wait4(process.pid, 0)
+    if status:
+        sys.exit(f"gearsim {words[0]} failed")
+    return time.perf_counter() - begin, usage.ru_maxrss / 1024
 
 
 def main():
@@ -27,14 +30,13 @@ def main():
         shards = [folder / str(shard) for shard in range(1, SHARDS + 1)]
         axis_words = [part for axis in axes(points) for part in ("--vary", axis)]
         what = ["sweep", SCENE, "--set", f"run.t_end={T_END}", "--record", "outputs", *axis_words]
-        run = sum(command_line(*what, "--shard", f"{shard.name}/{SHARDS}", "--out", shard) for shard in shards)
-        before = resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss
-        merge = command_line("merge", *shards, "--out", folder / "whole")
-        after = resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss
+        runs = [command_line(*what, "--shard", f"{shard.name}/{SHARDS}", "--out", shard) for shard in shards]
+        merge, memory = command_line("merge", *shards, "--out", folder / "whole")
         bytes_of_table = (folder / "whole" / "sweep.parquet").stat().st_size
     print(f"{points} points, outputs recorded, {SHARDS} shards, all on this machine")
-    print(f"sweep: {run:.1f} s, {1e6 * run / points:.0f} µs a point, at most {before / 1024:.0f} MiB")
-    print(f"merge: {merge:.2f} s, {1e6 * merge / points:.1f} µs a point, at most {after / 1024:.0f} MiB")
+    run = sum(seconds for seconds, _ in runs)
+    print(f"sweep: {run:.1f} s, {1e6 * run / points:.0f} µs a point, at most {max(most for _, most in runs):.0f} MiB")
+    print(f"merge: {merge:.2f} s, {1e6 * merge / points:.1f} µs a point, at most {memory:.0f} MiB")
     print(f"sweep.parquet: {bytes_of_table / points:.1f} bytes a point")
 
 

@@ -9,6 +9,7 @@ use smallvec::SmallVec;
 use xprec::Df64;
 
 use crate::engine::error::Refusal;
+use crate::engine::linear_forces::LinearForces;
 use crate::engine::real::Real;
 use crate::engine::vector::{Matrix, Vector, dot};
 use crate::model::Model;
@@ -63,6 +64,17 @@ pub trait Equations: Send + Sync {
     /// Accelerations q'' = M⁻¹F [SI] (n). Code that needs them often should keep a constant M⁻¹ instead.
     fn acceleration(&self, q: &[f64], q_dot: &[f64], k: &[f64], dk: &[f64]) -> Vector {
         &self.mobility(q) * &self.force(q, q_dot, k, dk)
+    }
+    /// The forces that are linear while the values `k` do not change, with what they dissipate; none if the model writes all forces
+    /// faster. Those that are not in it are [`Equations::add_other_forces`].
+    fn linear_forces(&self, _k: &[f64]) -> Option<LinearForces> {
+        None
+    }
+    /// Adds the forces beside [`Equations::linear_forces`], where there are any.
+    fn add_other_forces(&self, _q: &[f64], _q_dot: &[f64], _k: &[f64], _dk: &[f64], _force: &mut [f64]) {}
+    /// The part of D beside [`Equations::linear_forces`] \[W\].
+    fn other_dissipation(&self, _q_dot: &[f64], _k: &[f64]) -> f64 {
+        0.0
     }
     /// Derivatives of the generalised forces by q and by q' (n x n each, one row per equation); `ddk` = d²k/ds².
     fn jacobian(&self, q: &[f64], q_dot: &[f64], k: &[f64], dk: &[f64], ddk: &[f64]) -> [Matrix; 2];

@@ -7,7 +7,7 @@
 //!   of the speeds there; `watch`: zeros of other linear functions of the state;
 //! - `contact`: a phase held at a step; `switch`: modes of a deflection; `forcing`: torques that vary in time;
 //! - `phase`, `clock` and `law`: angles, times and the cells of laws, without loss of digits;
-//! - `hybrid`: the state of a run, continuous and discrete; `start`: the initial state; `record`: rows and the energy account;
+//! - `linear_forces`: forces of a cell, put together once; `hybrid`: the state of a run, continuous and discrete; `start`: the initial state; `record`: rows and the energy account;
 //! - `motion`: the motion between two events, and what finds it: a solver; `exact`: the solver of linear cells; `compensated`: the
 //!   same in double-double numbers; `lanes`: the kernel of plain events;
 //! - `cascade`: too many events; `order`: events that depend on their order; `simulate`: the hybrid loop; `system`: the equations
@@ -30,6 +30,7 @@ pub mod hybrid;
 pub mod jump;
 pub mod lanes;
 pub mod law;
+pub mod linear_forces;
 pub mod modal;
 pub mod mode;
 pub mod motion;

@@ -13,9 +13,10 @@ use xprec::Df64;
 use self::geometry::Geometry;
 use self::linear::{Linear, Sparse};
 use crate::engine::equations::{Affine, Deflection, Equations, Exit, Functions, Matrices, Source, Switching, mobility};
+use crate::engine::linear_forces::LinearForces;
 use crate::engine::vector::{Matrix, Vector};
 use crate::model::Model;
-use crate::scene::Scene;
+use crate::scene::{Effects, Scene};
 use crate::train::{Part, Train};
 
 /// The elements of trains: description and functions of each.
@@ -23,8 +24,8 @@ pub struct Elements(pub &'static [(&'static Model, Functions)]);
 
 impl Elements {
     /// The bits of an element's effects.
-    fn effects(part: &Part, scene: &Scene) -> u64 {
-        part.effects.iter().enumerate().map(|(i, &of)| u64::from(scene.effects.contains(of)) << i).sum()
+    fn effects(part: &Part, scene: &Scene) -> Effects {
+        Effects(part.effects.iter().enumerate().map(|(i, &of)| u64::from(scene.effects.contains(of)) << i).sum())
     }
 }
 
@@ -40,8 +41,9 @@ impl Source for Elements {
             let own: Vec<f64> = part.parameters.iter().map(given).collect();
             let of_laws: Vec<f64> = part.values[..part.laws].iter().map(|&i| mids[i]).collect();
             let (model, functions) = &self.0[part.element];
-            let equations = (functions.equations)(Elements::effects(part, scene), &own, &of_laws)?;
-            Some(Placed::new(part.clone(), model, equations, rows))
+            let effects = Elements::effects(part, scene);
+            let equations = (functions.equations)(effects.0, &own, &of_laws)?;
+            Some(Placed::new(part.clone(), effects, model, equations, rows))
         };
         let parts: Option<Vec<Placed>> = train.parts.iter().zip(&geometry.rows).map(part).collect();
         Some(Box::new(Assembly::new(train, parts?, geometry.motions)))
@@ -59,7 +61,7 @@ impl Source for Elements {
             let own: Vec<Df64> = part.parameters.iter().map(|i| i.map_or(zero, |i| parameters[i])).collect();
             let of_laws: Vec<Df64> = part.values[..part.laws].iter().map(|&i| mids[i]).collect();
             let values: Vec<Df64> = part.values.iter().map(|&i| k[i]).collect();
-            let of_part = (self.0[part.element].1.exactly)(Elements::effects(part, scene), &own, &of_laws, &values);
+            let of_part = (self.0[part.element].1.exactly)(Elements::effects(part, scene).0, &own, &of_laws, &values);
             let add = |sum: &mut nalgebra::DMatrix<Df64>, of: &nalgebra::DMatrix<Df64>| {
                 geometry::add(sum, of, rows);
             };
@@ -89,18 +91,18 @@ struct Placed {
     /// R as a matrix, for sums of matrices.
     matrix: Matrix,
     /// Whether its forces are linear in x and x', with constant factors.
+    is_constant: bool,
+    /// Whether they are linear while the values of its laws and switches do not change.
     is_linear: bool,
 }
 
 impl Placed {
-    fn new(part: Part, model: &Model, equations: Box<dyn Equations>, rows: &Matrix) -> Placed {
-        let is_linear = model.laws.is_empty()
-            && model.switches.is_empty()
-            && model.nonlinear.is_empty()
-            && model.nonlinear_with.is_empty();
+    fn new(part: Part, effects: Effects, model: &Model, equations: Box<dyn Equations>, rows: &Matrix) -> Placed {
+        let is_linear = effects.nonlinear(model).is_empty();
+        let is_constant = is_linear && model.laws.is_empty() && model.switches.is_empty();
         let of_row = |i| Sparse::of(rows.row(i).iter().copied());
         let sparse = (0..rows.nrows()).map(of_row).collect();
-        Placed { part, equations, rows: sparse, matrix: rows.clone(), is_linear }
+        Placed { part, equations, rows: sparse, matrix: rows.clone(), is_constant, is_linear }
     }
 
     /// Its coordinates, or their rates.
@@ -197,8 +199,8 @@ impl Assembly {
             }
             geometry::add(&mut mass, &placed.equations.mass(&Vector::zeros(placed.rows.len())), &placed.matrix);
         }
-        let linear = Linear::of(n, parts.iter().filter(|p| p.is_linear).map(|p| (&*p.equations, &p.rows[..])));
-        let varying = (0..parts.len()).filter(|&i| !parts[i].is_linear).collect();
+        let linear = Linear::of(n, parts.iter().filter(|p| p.is_constant).map(|p| (&*p.equations, &p.rows[..])));
+        let varying = (0..parts.len()).filter(|&i| !parts[i].is_constant).collect();
         let mobility = mobility(&mass);
         Assembly {
             n,
@@ -220,11 +222,24 @@ impl Assembly {
         self.varying.iter().map(|&i| &self.parts[i])
     }
 
-    /// Of each coordinate the sum of what `of` gives of each part.
-    fn total(&self, of: impl Fn(&Placed) -> Matrix) -> Matrix {
+    fn nonlinear(&self) -> impl Iterator<Item = &Placed> {
+        self.parts.iter().filter(|part| !part.is_linear)
+    }
+
+    /// The sum of what `of` gives of each of `parts`, by the coordinates of the train.
+    fn total<'a>(&self, parts: impl Iterator<Item = &'a Placed>, of: impl Fn(&Placed) -> Matrix) -> Matrix {
         let mut sum = Matrix::zeros(self.n, self.n);
-        self.parts.iter().for_each(|placed| geometry::add(&mut sum, &of(placed), &placed.matrix));
+        parts.for_each(|placed| geometry::add(&mut sum, &of(placed), &placed.matrix));
         sum
+    }
+
+    /// The sum of the constant loads of `parts`.
+    fn load_of<'a>(&self, parts: impl Iterator<Item = &'a Placed>, k: &[f64]) -> Vector {
+        parts.fold(Vector::zeros(self.n), |mut sum, p| {
+            let own = p.equations.load(&p.values(k));
+            p.rows.iter().zip(own.iter()).for_each(|(row, f)| row.add_to(*f, &mut sum));
+            sum
+        })
     }
 }
 
@@ -281,6 +296,21 @@ impl Equations for Assembly {
         }
     }
 
+    fn linear_forces(&self, k: &[f64]) -> Option<LinearForces> {
+        let linear = || self.parts.iter().filter(|part| part.is_linear);
+        let stiffness = self.total(linear(), |p| p.equations.stiffness(&p.values(k)));
+        let damping = self.total(linear(), |p| p.equations.damping(&p.values(k)));
+        Some(LinearForces::new(&self.load_of(linear(), k), &stiffness, &damping))
+    }
+
+    fn add_other_forces(&self, q: &[f64], q_dot: &[f64], k: &[f64], dk: &[f64], force: &mut [f64]) {
+        self.nonlinear().for_each(|part| part.add_force([q, q_dot, k, dk], force));
+    }
+
+    fn other_dissipation(&self, q_dot: &[f64], k: &[f64]) -> f64 {
+        self.nonlinear().map(|p| p.equations.dissipation(&p.at(q_dot), &p.values(k))).sum()
+    }
+
     fn jacobian(&self, q: &[f64], q_dot: &[f64], k: &[f64], dk: &[f64], ddk: &[f64]) -> [Matrix; 2] {
         let mut sums = [Matrix::zeros(self.n, self.n), Matrix::zeros(self.n, self.n)];
         for p in &self.parts {
@@ -300,19 +330,15 @@ impl Equations for Assembly {
     }
 
     fn damping(&self, k: &[f64]) -> Matrix {
-        self.total(|p| p.equations.damping(&p.values(k)))
+        self.total(self.parts.iter(), |p| p.equations.damping(&p.values(k)))
     }
 
     fn stiffness(&self, k: &[f64]) -> Matrix {
-        self.total(|p| p.equations.stiffness(&p.values(k)))
+        self.total(self.parts.iter(), |p| p.equations.stiffness(&p.values(k)))
     }
 
     fn load(&self, k: &[f64]) -> Vector {
-        self.parts.iter().fold(Vector::zeros(self.n), |mut sum, p| {
-            let own = p.equations.load(&p.values(k));
-            p.rows.iter().zip(own.iter()).for_each(|(row, f)| row.add_to(*f, &mut sum));
-            sum
-        })
+        self.load_of(self.parts.iter(), k)
     }
 
     fn motion(&self, i: usize) -> Vector {

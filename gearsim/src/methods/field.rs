@@ -13,6 +13,7 @@ use crate::engine::equations::{Equations, accelerated};
 use crate::engine::forcing::Forcing;
 use crate::engine::hybrid::Hybrid;
 use crate::engine::law::LawState;
+use crate::engine::linear_forces::LinearForces;
 use crate::engine::motion::Guard;
 use crate::engine::switch::{Guards, Switch};
 use crate::engine::vector::{Matrix, Vector};
@@ -30,6 +31,8 @@ pub struct Field<'a> {
     holds: Vec<Form>,
     /// P (N x N); `None` where M depends on q.
     mobility: Option<Matrix>,
+    /// The linear forces of the present mode, if the model puts them together from parts.
+    linear: Option<LinearForces>,
     /// Gradients of the motions that are held (N, one a column).
     held: Option<DMatrix<f64>>,
     /// Time at which the present step begins \[s\].
@@ -56,6 +59,7 @@ impl<'a> Field<'a> {
             forcing: None,
             holds: vec![],
             mobility: None,
+            linear: None,
             held: None,
             begins: now.clock.now(),
             evaluations: 0,
@@ -78,6 +82,7 @@ impl<'a> Field<'a> {
         let watches = now.contact.iter().flat_map(|contact| &contact.watches);
         self.holds = watches.map(|watch| watch.form.clone()).collect();
         self.held = now.contact.as_ref().map(|contact| contact.normals.clone());
+        self.linear = if self.steps_only { self.equations.linear_forces(&self.k) } else { None };
         self.mobility = self.equations.is_inertia_constant().then(|| now.mobility());
     }
 
@@ -106,7 +111,13 @@ impl<'a> Field<'a> {
     #[inline]
     fn force(&mut self, t: f64, y: &Flow) -> Vector {
         self.set(t, y);
-        let mut force = self.equations.force(&y.q, &y.v, &self.k, &self.dk);
+        let mut force = match &self.linear {
+            Some(linear) => linear.force(&y.q, &y.v),
+            None => self.equations.force(&y.q, &y.v, &self.k, &self.dk),
+        };
+        if self.linear.is_some() {
+            self.equations.add_other_forces(&y.q, &y.v, &self.k, &self.dk, &mut force);
+        }
         if let Some(forcing) = &self.forcing {
             force += &forcing.load(self.begins + t);
         }
@@ -123,7 +134,11 @@ impl<'a> Field<'a> {
     /// The same where the field was last evaluated.
     #[inline]
     fn loss(&self, y: &Flow) -> f64 {
-        let rayleigh = 2.0 * self.equations.dissipation(&y.v, &self.k);
+        let dissipation = match &self.linear {
+            Some(linear) => linear.dissipation(&y.v) + self.equations.other_dissipation(&y.v, &self.k),
+            None => self.equations.dissipation(&y.v, &self.k),
+        };
+        let rayleigh = 2.0 * dissipation;
         if self.steps_only {
             return rayleigh;
         }

@@ -1,11 +1,25 @@
 //! Checks the tree of a scene file and builds the [`Scene`]. All mistakes are reported at once.
 
 use super::document::{Entry, Node, Place};
+use super::keys::{Key, Kind, REQUIRED, key};
 use super::mistake::{Report, did_you_mean};
-use super::{Scene, effects, field, gear_data, keys, laws, output, parameters, start, train};
+use super::{Scene, effects, field, gear_data, keys, laws, output, parameters, solver, start, train};
 use crate::model::Model;
 
-const KEYS: [&str; 8] = ["about", "model", "effects", "parameters", "laws", "start", "run", "output"];
+/// Keys of the top level of a scene; those of `model = "train"` has [`train::KEYS`] too.
+pub(super) const KEYS: &[Key] = &[
+    key("about", Kind::Text, "empty", "what the scene shows, in the author's words"),
+    key("model", Kind::Name("a model"), REQUIRED, "what is simulated; `gearsim models` lists the models"),
+    key("effects", Kind::List(&Kind::Name("an effect of the model")), REQUIRED, "the active effects; [] for none"),
+    key("parameters", Kind::Named(parameters::NAMED), "defaults of the model", "values of the model's parameters"),
+    key("laws", Kind::Named(laws::NAMED), "required by models with meshes", "what repeats with each pitch of a mesh"),
+    key("start", Kind::Named(start::NAMED), "those of the model", "the state at t = 0"),
+    key("run", Kind::Table(RUN), REQUIRED, "how long and by which method"),
+    key("output", Kind::Table(&[output::KEYS]), "all defaults", "what is recorded and drawn"),
+];
+
+/// Keys of `[run]`.
+pub(super) const RUN: &[&[Key]] = &[output::END, solver::KEYS];
 
 /// Reads a scene without name, hash and text. `end` is the place where a missing table would be added. Returns `None` only if a mistake was
 /// reported.
@@ -74,8 +88,7 @@ pub(super) fn scene(root: &Node, end: &Place, models: &[&'static Model], report:
 
 /// Reports keys that are not allowed at the top level. For a key that belongs to a table, the help names that table.
 fn stray_keys(entries: &[Entry], model: Option<&Model>, report: &mut Report) {
-    let mut homes =
-        vec![("run", vec!["t_end", "method", "precision", "tolerance", "step"]), ("output", output::KEYS.to_vec())];
+    let mut homes = vec![("run", keys::names(RUN)), ("output", keys::names(&[output::KEYS]))];
     if let Some(model) = model {
         let coordinates = model.coordinates.iter().map(|coordinate| coordinate.name);
         let motions = model.motions.iter().map(|motion| motion.name);
@@ -83,11 +96,12 @@ fn stray_keys(entries: &[Entry], model: Option<&Model>, report: &mut Report) {
         homes.push(("laws", model.laws.iter().map(|law| law.name).collect()));
         homes.push(("start", coordinates.chain(motions).collect()));
     }
-    for Entry { key, place, .. } in keys::unknown(entries, &KEYS) {
+    let known = keys::names(&[KEYS]);
+    for Entry { key, place, .. } in keys::unknown(entries, &known) {
         let home = homes.iter().find(|(_, keys)| keys.contains(&key.as_str()));
         let (label, help) = match home {
             Some((table, _)) => ("in the wrong place", format!("it belongs to [{table}]: `{table}.{key}`")),
-            None => ("unknown key", keys::choices(key, &KEYS)),
+            None => ("unknown key", keys::choices(key, &known)),
         };
         report.add(place, format!("the top level of a scene has no `{key}`"), label, help);
     }

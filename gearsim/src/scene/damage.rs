@@ -5,6 +5,7 @@
 //! the loss follows from the length of a crack.
 
 use super::document::{Node, Place};
+use super::keys::{Key, Kind, REQUIRED, key};
 use super::mistake::Report;
 use super::{field, keys};
 use crate::model::Law;
@@ -13,6 +14,15 @@ use crate::tolerance::scene::{DAMAGED_CELLS, TEETH};
 
 /// The key.
 pub(super) const DAMAGE: &str = "damage";
+/// The key in the table of a law.
+pub(super) const KEYS: &[Key] =
+    &[key(DAMAGE, Kind::List(&Kind::Table(&[TOOTH])), "none", "cracked or spalled teeth, whose pairs carry less")];
+/// Keys of a damaged tooth.
+const TOOTH: &[Key] = &[
+    key("tooth", Kind::Number, REQUIRED, "which tooth, counted from 1 in the order in which they enter contact"),
+    key("of", Kind::Number, REQUIRED, "number of teeth of its gear"),
+    key("loss", Kind::Number, REQUIRED, "lost part of the stiffness of its pair, from 0 to 1"),
+];
 /// What to write.
 const EXAMPLE: &str = "[{ tooth = 1, of = 24, loss = 0.3 }]";
 
@@ -45,8 +55,7 @@ fn refuse(path: &str, place: &Place, message: &str, help: &str, report: &mut Rep
 
 fn tooth(path: &str, node: &Node, report: &mut Report) -> Option<Damage> {
     let entries = field::table(path, node, report)?;
-    let all = ["tooth", "of", "loss"];
-    keys::known(entries, &format!("`{path}`"), &all, report);
+    keys::known(entries, &format!("`{path}`"), &[TOOTH], report);
     let lines = [("tooth", "tooth = 1"), ("of", "of = 24  # teeth of the gear"), ("loss", "loss = 0.3")];
     let lacking = lines.iter().filter(|(key, _)| keys::get(entries, key).is_none());
     keys::missing(

@@ -1,8 +1,9 @@
 //! Scene keys of friction laws that stiffnesses do not have: `teeth_of` computes the law from the teeth of another law.
 
 use super::document::{Entry, Node, Value};
+use super::keys::{Key, Kind, key};
 use super::mistake::Report;
-use super::teeth::{self, TeethReader};
+use super::teeth::TeethReader;
 use super::{field, keys, mesh_phase};
 use crate::model::{Law, Model};
 use crate::profile::Profile;
@@ -10,10 +11,9 @@ use crate::profile::Profile;
 /// Key that names the law whose teeth are used.
 pub(super) const OF: &str = "teeth_of";
 
-/// The keys of teeth that a friction law may have: those of the gears and of how pairs share the force.
-pub(super) fn keys_of_teeth() -> impl Iterator<Item = &'static str> {
-    teeth::KEYS.into_iter().filter(|key| !["course", "line_load"].contains(key))
-}
+/// Keys of friction laws that other laws do not have.
+pub(super) const KEYS: &[Key] =
+    &[key(OF, Kind::Name("a law with teeth"), "none", "the law whose gears are used; then no other key")];
 
 /// Example line for a missing friction law. It names the stiffness with the same suffix: `k2` for `side2`.
 pub(super) fn example(law: &Law, model: &Model) -> String {
@@ -33,7 +33,7 @@ pub(super) fn from_teeth_of(
 ) -> Option<Option<Profile>> {
     let Value::Table(entries) = &node.value else { return None };
     let name = keys::get(entries, OF).filter(|_| law.role.is_friction())?;
-    keys::known(entries, &format!("[laws.{}] with {OF}", law.name), &[OF], report);
+    keys::known(entries, &format!("[laws.{}] with {OF}", law.name), &[KEYS], report);
     let path = format!("laws.{}.{OF}", law.name);
     let Some(text) = field::text(&path, name, report) else { return Some(None) };
     let of_teeth = |entry: &&Entry| matches!(&entry.node.value, Value::Table(t) if keys::get(t, "teeth").is_some());

@@ -1,6 +1,7 @@
 //! `[laws]`: mesh stiffnesses, transmission errors and friction laws over one pitch; transmission errors also over several pitches.
 
 use super::document::{Entry, Node, Value};
+use super::keys::{Key, Kind, Named, REQUIRED, each, key};
 use super::mistake::Report;
 use super::smooth::{self, SmoothLaw};
 use super::teeth::{self, TeethReader};
@@ -9,6 +10,45 @@ use crate::gear::Gears;
 use crate::model::{Law, Model, Role};
 use crate::profile::{Profile, Step};
 use crate::tolerance::scene::WIDTHS;
+
+/// A value of a law.
+pub(super) const VALUE: Kind = Kind::ValueIn("unit of the law");
+/// A place or a length within the pitch.
+pub(super) const PHASE: Kind = Kind::ValueIn("unit of the mesh phase");
+
+/// Laws that a scene may have.
+pub(super) const NAMED: &[Named] = &[
+    each("STIFFNESS", Kind::Table(STIFFNESS), REQUIRED, "a mesh stiffness over one pitch"),
+    each("ERROR", Kind::Table(ERROR), "required with its effect", "a transmission error over one or more pitches"),
+    each(
+        "FRICTION",
+        Kind::Table(FRICTION),
+        "required with its effect",
+        "side or arm of sliding friction over one pitch",
+    ),
+];
+
+/// Keys of a stiffness, a transmission error, and a side or arm of friction.
+pub(super) const STIFFNESS: &[&[Key]] =
+    &[KEYS, smooth::KEYS, teeth::GEARS, teeth::SHARED, teeth::STIFFNESS, damage::KEYS];
+pub(super) const ERROR: &[&[Key]] = &[KEYS, smooth::KEYS, transmission_error::KEYS];
+pub(super) const FRICTION: &[&[Key]] = &[KEYS, smooth::KEYS, teeth::GEARS, teeth::SHARED, friction::KEYS];
+
+/// Keys of all laws.
+const KEYS: &[Key] = &[
+    key("steps", Kind::List(&Kind::Table(&[STEP])), "none", "levels over one pitch; a single level is a constant"),
+    key(
+        "phase",
+        mesh_phase::KIND,
+        "0",
+        "shift within the pitch, k(s) = k0(s + phase): in pitches, as an angle, or of a planet",
+    ),
+];
+/// Keys of a level.
+const STEP: &[Key] = &[
+    key("value", VALUE, REQUIRED, "the value"),
+    key("width", PHASE, "the rest of the pitch, last level only", "the part of the pitch that the level covers"),
+];
 
 /// Reads `[laws]`, in the order of the model. If the table is missing, the lines to add go to `absent`. A law whose effect is not
 /// among `effects` may be left out.
@@ -30,7 +70,7 @@ pub(super) fn read(
     };
     let entries = field::table("laws", node, report)?;
     let names: Vec<_> = model.laws.iter().map(|law| law.name).collect();
-    keys::known(entries, "[laws]", &names, report);
+    keys::names_known(entries, "[laws]", &names, report);
     let mut lacking = Vec::new();
     let mut laws = Vec::new();
     for reader in readers {
@@ -95,13 +135,12 @@ impl<'a> LawReader<'a> {
         }
         let table = format!("laws.{}", self.law.name);
         let entries = field::table(&table, node, report)?;
-        let of_kind: Vec<_> = match self.law.role {
-            Role::Stiffness => teeth::KEYS.into_iter().chain([damage::DAMAGE]).collect(),
-            Role::Error => transmission_error::KEYS.to_vec(),
-            Role::Side | Role::Arm => friction::keys_of_teeth().chain([friction::OF]).collect(),
+        let allowed = match self.law.role {
+            Role::Stiffness => STIFFNESS,
+            Role::Error => ERROR,
+            Role::Side | Role::Arm => FRICTION,
         };
-        let allowed: Vec<_> = ["steps", "phase"].into_iter().chain(smooth::KEYS).chain(of_kind).collect();
-        keys::known(entries, &format!("[{table}]"), &allowed, report);
+        keys::known(entries, &format!("[{table}]"), allowed, report);
         // After a mistake in the number of pitches, reading goes on with 1, so that other mistakes are found too.
         let stated = transmission_error::pitches(self.law, entries, report);
         let pitches = stated.unwrap_or(1);
@@ -176,7 +215,7 @@ impl<'a> LawReader<'a> {
     fn step(&self, i: usize, node: &Node, last: bool, report: &mut Report) -> Option<(f64, Option<f64>)> {
         let path = format!("{}.{i}", self.path);
         let entries = field::table(&path, node, report)?;
-        keys::known(entries, &format!("`{path}`"), &["value", "width"], report);
+        keys::known(entries, &format!("`{path}`"), &[STEP], report);
         let (value, width) = (keys::get(entries, "value"), keys::get(entries, "width"));
         let mut lacking = Vec::new();
         if value.is_none() {

@@ -17,12 +17,25 @@
 use std::f64::consts::TAU;
 
 use super::document::{Entry, Node, Value};
+use super::keys::{Key, Kind, REQUIRED, key};
 use super::mistake::Report;
 use super::quantity::Quantity;
 use super::unit::Unit;
 use super::{field, keys};
 use crate::model::Law;
 use crate::tolerance::scene::{PHASE_DENOMINATOR, PHASE_FRACTION};
+
+/// What the value may be.
+pub(super) const KIND: Kind =
+    Kind::Either(&[Kind::ValueIn("unit of the mesh phase, or pitches"), Kind::Table(&[PLANET])]);
+
+/// Keys of the phase of a planet's mesh.
+const PLANET: &[Key] = &[
+    key("sun", Kind::Number, "none", "number of teeth of the sun, for its mesh with the planet"),
+    key("ring", Kind::Number, "none", "number of teeth of the ring, for its mesh with the planet"),
+    key("at", Kind::Quantity("rad"), REQUIRED, "place of the planet on the carrier"),
+    key("planet", Kind::Number, "1", "number of teeth of the planet, with ring"),
+];
 
 /// Reads `phase` [unit of the law's phase coordinate], reduced to less than the period of `pitches` pitches.
 pub(super) fn read(law: &Law, unit: &str, pitches: u32, node: &Node, report: &mut Report) -> Option<f64> {
@@ -46,7 +59,7 @@ pub(super) fn read(law: &Law, unit: &str, pitches: u32, node: &Node, report: &mu
 
 /// Reads the phase of a planet's mesh from tooth numbers and angle [pitches].
 fn of_planet(path: &str, entries: &[Entry], node: &Node, report: &mut Report) -> Option<f64> {
-    keys::known(entries, &format!("`{path}`"), &["sun", "ring", "at", "planet"], report);
+    keys::known(entries, &format!("`{path}`"), &[PLANET], report);
     let get = |key| keys::get(entries, key);
     let teeth = |key: &str, report: &mut Report| -> Option<Option<f64>> {
         let Some(node) = keys::get(entries, key) else { return Some(None) };

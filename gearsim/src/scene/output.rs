@@ -1,16 +1,29 @@
 //! `[run]` and `[output]`: the end time of a run, and what is recorded.
 
 use super::document::{Entry, Node};
+use super::keys::{Key, Kind, REQUIRED, key};
 use super::mistake::Report;
-use super::{Output, PLOTS, Solver, Spectrum, field, keys, solver, sound, spectrum};
+use super::{Output, PLOTS, Solver, Spectrum, check, field, keys, solver, sound, spectrum};
 use crate::model::{self, Model};
 use crate::scene::Effects;
 use crate::tolerance::scene::{MOST_ROW_MEMORY, ROW_MEMORY, SHORTEST_RUN};
 use crate::trajectory::Trajectory;
 
+/// Keys of `[run]` beside those of the solver.
+pub(super) const END: &[Key] = &[key("t_end", Kind::Quantity("s"), REQUIRED, "end of the run, which starts at 0 s")];
+
 /// Keys of `[output]`.
-pub(super) const KEYS: [&str; 9] =
-    ["rate", "events", "plots", "record", "spectrum", "rainflow", "sound", "csv", "most_rows"];
+pub(super) const KEYS: &[Key] = &[
+    key("rate", Kind::Quantity("Hz"), "10000 samples over the run", "samples per second"),
+    key("events", Kind::Flag, "true", "record the state before and after each event"),
+    key("plots", Kind::List(&Kind::Choice(PLOTS)), "those with data, without order_cuts and run_up", "plots to draw"),
+    key("record", Kind::List(&Kind::Name("an output of the model")), "all", "outputs to record"),
+    key("spectrum", Kind::Table(&[spectrum::KEYS]), "all defaults", "which spectra are drawn, and their scale"),
+    key("rainflow", Kind::List(&Kind::Name(spectrum::SIGNAL)), "none", "signals whose load cycles are counted"),
+    key("sound", Kind::Table(&[sound::KEYS]), "none", "signals to write as WAV files"),
+    key("csv", Kind::Flag, "false", "write the trajectory as CSV too"),
+    key("most_rows", Kind::Number, "as many as fit in 1 GB", "the run stops when this many rows are recorded"),
+];
 
 /// Number of samples of a run if the scene states no rate.
 const DEFAULT_SAMPLES: f64 = 1e4;
@@ -26,8 +39,7 @@ pub(super) fn read_run(
         return (None, None);
     };
     let Some(given) = field::table("run", run, report) else { return (None, None) };
-    let allowed: Vec<_> = ["t_end"].into_iter().chain(solver::KEYS).collect();
-    keys::known(given, "[run]", &allowed, report);
+    keys::known(given, "[run]", check::RUN, report);
     let t_end = read_end(given, run, report);
     (t_end, solver::read(given, run, t_end, report))
 }
@@ -59,7 +71,7 @@ pub(super) fn read(
 ) -> Option<Output> {
     let node = keys::get(entries, "output");
     let given = node.map_or(Some(&[][..]), |node| field::table("output", node, report))?;
-    keys::known(given, "[output]", &KEYS, report);
+    keys::known(given, "[output]", &[KEYS], report);
     let mut flag = |key: &str, default| match keys::get(given, key) {
         Some(node) => field::flag(&format!("output.{key}"), node, report),
         None => Some(default),

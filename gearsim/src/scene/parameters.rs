@@ -1,9 +1,18 @@
 //! `[parameters]`: for each parameter of the model a value, or a function of time.
 
 use super::document::{Entry, Node, Value};
+use super::keys::{Kind, Named, each};
 use super::mistake::Report;
 use super::{Effects, TimeHistory, field, keys, time_history};
 use crate::model::{Model, Parameter, Range};
+
+/// Parameters that a scene may have.
+pub(super) const NAMED: &[Named] = &[each(
+    "PARAMETER",
+    Kind::Either(&[Kind::ValueIn("unit of the parameter"), Kind::Table(&[time_history::KEYS])]),
+    "that of the model",
+    "a value, or a function of time where the model allows it",
+)];
 
 /// Values at t = 0 [SI], in the order of the model; and, by index, the parameters that vary in time.
 pub(super) type Given = (Vec<f64>, Vec<(usize, TimeHistory)>);
@@ -20,7 +29,7 @@ pub(super) fn read(
     let node = keys::get(entries, "parameters");
     let given = node.map_or(Some(&[][..]), |node| field::table("parameters", node, report))?;
     let known: Vec<_> = model.parameters.iter().map(|p| p.name).collect();
-    keys::known(given, "[parameters]", &known, report);
+    keys::names_known(given, "[parameters]", &known, report);
 
     let idle = |p: &Parameter| {
         p.default.is_none() && p.with.is_some_and(|effect| !effects.is_some_and(|effects| effects.has(effect, model)))

@@ -1,6 +1,7 @@
-//! SmoothLaw laws: ramps instead of steps, a Fourier series, or a spline through a table.
+//! Smooth laws: ramps instead of steps, a Fourier series, or a spline through a table.
 
 use super::document::{Entry, Node, Place};
+use super::keys::{Key, Kind, REQUIRED, key};
 use super::mistake::Report;
 use super::{field, keys, laws, transmission_error};
 use crate::model::{Law, Role};
@@ -8,7 +9,23 @@ use crate::profile::{Curve, Profile};
 use crate::tolerance::scene::{HARMONIC_ORDER, TABLE_POINTS};
 
 /// Keys of smooth laws.
-pub(super) const KEYS: [&str; 4] = ["ramp", "mean", "harmonics", "table"];
+pub(super) const KEYS: &[Key] = &[
+    key("ramp", laws::PHASE, "none: steps", "replaces each step by a straight ramp of this width, centred on the step"),
+    key("mean", laws::VALUE, "required by a stiffness with harmonics, else 0", "mean of a Fourier series"),
+    key("harmonics", Kind::List(&Kind::Table(&[HARMONIC])), "none", "a Fourier series over the period of the law"),
+    key("table", Kind::List(&Kind::Table(&[POINT])), "none", "a periodic cubic spline through at least 3 points"),
+];
+/// Keys of a harmonic: amplitude cos(order 2 pi s/period + phase).
+const HARMONIC: &[Key] = &[
+    key("order", Kind::Number, REQUIRED, "number of waves in one period of the law"),
+    key("amplitude", laws::VALUE, REQUIRED, "amplitude"),
+    key("phase", Kind::Quantity("rad"), "0 rad", "phase of the cosine"),
+];
+/// Keys of a point of a table.
+const POINT: &[Key] = &[
+    key("at", laws::PHASE, REQUIRED, "where in the period; points ascend from 0"),
+    key("value", laws::VALUE, REQUIRED, "the value there"),
+];
 
 /// Reads the keys of a smooth law.
 pub(super) struct SmoothLaw<'a> {
@@ -115,7 +132,7 @@ impl SmoothLaw<'_> {
 
     fn harmonic(&self, path: &str, node: &Node, report: &mut Report) -> Option<(f64, f64, f64)> {
         let entries = field::table(path, node, report)?;
-        keys::known(entries, &format!("`{path}`"), &["order", "amplitude", "phase"], report);
+        keys::known(entries, &format!("`{path}`"), &[HARMONIC], report);
         let get = |key| keys::get(entries, key);
         let lines =
             [("order", "order = 1".to_string()), ("amplitude", format!("amplitude = \"... {}\"", self.law.unit))];
@@ -173,7 +190,7 @@ impl SmoothLaw<'_> {
 
     fn point(&self, path: &str, node: &Node, report: &mut Report) -> Option<(f64, f64)> {
         let entries = field::table(path, node, report)?;
-        keys::known(entries, &format!("`{path}`"), &["at", "value"], report);
+        keys::known(entries, &format!("`{path}`"), &[POINT], report);
         let units = [("at", self.phase_unit), ("value", self.law.unit)];
         let lacking = units.iter().filter(|(key, _)| keys::get(entries, key).is_none());
         let lacking: Vec<_> = lacking.map(|(key, unit)| (*key, format!("{key} = \"... {unit}\""))).collect();

@@ -1,6 +1,7 @@
 //! `[run]`: the method by which a scene is solved, its tolerance or step, and its precision.
 
 use super::document::{Entry, Node};
+use super::keys::{Key, Kind, key};
 use super::mistake::Report;
 use super::{field, keys};
 use crate::tolerance::methods;
@@ -50,7 +51,31 @@ pub enum Method {
 }
 
 /// Keys of `[run]` for the solver.
-pub(super) const KEYS: [&str; 4] = ["method", "precision", "tolerance", "step"];
+pub(super) const KEYS: &[Key] = &[
+    key(
+        "method",
+        Kind::Choice(&METHODS),
+        "exact where cells are linear, else one that suits",
+        "how the scene is solved",
+    ),
+    key("precision", Kind::Choice(&PRECISIONS), "plain", "compensated: the exact method with twice the digits"),
+    key("tolerance", Kind::Number, "1e-9", "relative error allowed in a step, for adaptive methods"),
+    key("step", Kind::Quantity("s"), "required by rk4 and rk4_grid", "the fixed step length of these methods"),
+];
+
+/// Names of the methods.
+const METHODS: [&str; Method::ALL.len()] = {
+    let mut names = [""; Method::ALL.len()];
+    let mut i = 0;
+    while i < names.len() {
+        names[i] = Method::ALL[i].1;
+        i += 1;
+    }
+    names
+};
+
+/// Names of the precisions, in the order of [`Precision`].
+const PRECISIONS: [&str; 2] = ["plain", "compensated"];
 
 impl Method {
     /// All methods, with their names in scenes.
@@ -162,7 +187,7 @@ fn read_step(node: &Node, t_end: Option<f64>, report: &mut Report) -> Option<f64
 
 fn read_precision(run: &[Entry], method: Option<Method>, report: &mut Report) -> Option<Precision> {
     let Some(node) = keys::get(run, "precision") else { return Some(Precision::Plain) };
-    let precision = match field::choice("run.precision", node, "precision", &["plain", "compensated"], report)? {
+    let precision = match field::choice("run.precision", node, "precision", &PRECISIONS, report)? {
         0 => Precision::Plain,
         _ => Precision::Compensated,
     };

@@ -1,11 +1,15 @@
 //! `[output] sound`: which signals are written as sound, and how slowly they are played.
 
 use super::document::Node;
+use super::keys::{Key, Kind, REQUIRED, key};
 use super::mistake::Report;
-use super::{field, keys};
+use super::{field, keys, spectrum};
 
 /// Keys of the table.
-const KEYS: [&str; 2] = ["of", "stretch"];
+pub(super) const KEYS: &[Key] = &[
+    key("of", Kind::List(&Kind::Name(spectrum::SIGNAL)), REQUIRED, "signals to write"),
+    key("stretch", Kind::Number, "1", "playing time over model time: 10 is ten times as slow"),
+];
 /// Factors by which time may be stretched \[1\]: beyond them nothing can be heard.
 const STRETCHES: std::ops::RangeInclusive<f64> = 1e-3..=1e6;
 
@@ -21,7 +25,7 @@ pub struct Sound {
 /// Reads the table; `signals` are the recorded signals.
 pub(super) fn read(node: &Node, signals: &[&'static str], report: &mut Report) -> Option<Sound> {
     let given = field::table("output.sound", node, report)?;
-    keys::known(given, "[output.sound]", &KEYS, report);
+    keys::known(given, "[output.sound]", &[KEYS], report);
     let Some(of) = keys::get(given, "of") else {
         keys::missing(&[("of", "of = [\"...\"]".into())], "[output.sound]", &node.place, report);
         return None;

@@ -2,14 +2,29 @@
 
 use super::dimension::Dimension;
 use super::document::{Node, Value};
+use super::keys::{Key, Kind, key};
 use super::mistake::Report;
 use super::quantity::Quantity;
 use super::unit::Unit;
 use super::{field, keys};
 use crate::model::Model;
 
+/// What signals are, in words.
+pub(super) const SIGNAL: &str = "a recorded output or a coordinate";
+
 /// Keys of the table.
-const KEYS: [&str; 5] = ["of", "kind", "scale", "reference", "from"];
+pub(super) const KEYS: &[Key] = &[
+    key("of", Kind::List(&Kind::Name(SIGNAL)), "chosen by the program", "signals to transform"),
+    key("kind", Kind::Choice(&KIND_NAMES), "psd", "power spectral density, peak amplitude, or rms of a sine"),
+    key("scale", Kind::Choice(&SCALES), "log", "a logarithmic axis, or levels"),
+    key("reference", Kind::Either(&[Kind::Text, Kind::List(&Kind::Text)]), REFERENCES, "what levels refer to, by unit"),
+    key("from", Kind::Quantity("s"), "0 s", "where the transformed part of the record begins"),
+];
+
+/// The usual references of levels, in words.
+const REFERENCES: &str = "1 um, 1 urad, else 1 of the SI unit";
+/// Scales of a spectrum.
+const SCALES: [&str; 2] = ["log", "dB"];
 
 /// How spectra of a run are computed and drawn.
 #[derive(Debug, Clone, PartialEq)]
@@ -17,7 +32,7 @@ pub struct Spectrum {
     /// Names of the signals: recorded outputs and coordinates. Empty: the program chooses.
     pub of: Vec<&'static str>,
     /// What is drawn.
-    pub kind: Kind,
+    pub kind: SpectrumKind,
     /// Whether values are levels in dB re a reference.
     pub decibels: bool,
     /// The references that the scene states.
@@ -28,7 +43,7 @@ pub struct Spectrum {
 
 /// The quantity over frequency.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Kind {
+pub enum SpectrumKind {
     /// Power spectral density [unit^2/Hz].
     Psd,
     /// Peak amplitude of a sine [unit].
@@ -37,8 +52,10 @@ pub enum Kind {
     Rms,
 }
 
-/// The names of [`Kind`], in its order.
-const KINDS: [(&str, Kind); 3] = [("psd", Kind::Psd), ("amplitude", Kind::Amplitude), ("rms", Kind::Rms)];
+/// The names of [`SpectrumKind`], in its order.
+const KINDS: [(&str, SpectrumKind); 3] =
+    [(KIND_NAMES[0], SpectrumKind::Psd), (KIND_NAMES[1], SpectrumKind::Amplitude), (KIND_NAMES[2], SpectrumKind::Rms)];
+const KIND_NAMES: [&str; 3] = ["psd", "amplitude", "rms"];
 
 /// A value to which levels refer.
 #[derive(Debug, Clone, PartialEq)]
@@ -57,7 +74,7 @@ const USUAL: [(&str, &str, f64); 2] = [("m", "1 um", 1e-6), ("rad", "1 urad", 1e
 impl Spectrum {
     /// Densities of the signals that the program chooses, over the whole run.
     pub const DEFAULT: Spectrum =
-        Spectrum { of: vec![], kind: Kind::Psd, decibels: false, references: vec![], from: 0.0 };
+        Spectrum { of: vec![], kind: SpectrumKind::Psd, decibels: false, references: vec![], from: 0.0 };
 
     /// The reference of levels of a signal with the SI unit `unit`: in words, and its value \[SI\].
     pub fn reference(&self, unit: &str) -> (String, f64) {
@@ -78,7 +95,7 @@ pub(super) fn read(
     report: &mut Report,
 ) -> Option<Spectrum> {
     let given = field::table("output.spectrum", node, report)?;
-    keys::known(given, "[output.spectrum]", &KEYS, report);
+    keys::known(given, "[output.spectrum]", &[KEYS], report);
     let of = match keys::get(given, "of") {
         Some(node) => {
             let signals = signals(model?, record?);
@@ -91,8 +108,8 @@ pub(super) fn read(
         Some(node) => field::choice(&format!("output.spectrum.{key}"), node, noun, allowed, report),
         None => Some(0),
     };
-    let kind = choice("kind", "kind of spectrum", &KINDS.map(|(name, _)| name))?;
-    let decibels = choice("scale", "scale", &["log", "dB"])? == 1;
+    let kind = choice("kind", "kind of spectrum", &KIND_NAMES)?;
+    let decibels = choice("scale", "scale", &SCALES)? == 1;
     let references = match keys::get(given, "reference") {
         Some(node) if !decibels => {
             let help = "add scale = \"dB\", or remove the reference";

@@ -1,9 +1,19 @@
 //! `[start]`: the initial coordinates and speeds.
 
 use super::document::{Entry, Node, Value};
+use super::keys::{Kind, Named, each};
 use super::mistake::{Report, list};
 use super::{InitialState, field, keys};
 use crate::model::{Model, Start};
+
+/// Keys that a scene may have.
+pub(super) const NAMED: &[Named] = &[
+    each("COORDINATE", Kind::ValueIn(STATIC), "set by the model", "initial value of a coordinate"),
+    each("COORDINATE_dot", UNIT, "that of the rigid motions", "initial speed of a coordinate"),
+    each("MOTION", UNIT, "0", "speed of a rigid motion of the model"),
+];
+const UNIT: Kind = Kind::ValueIn("unit of the speed");
+const STATIC: &str = "unit of the coordinate; \"static\": the static equilibrium; \"static near 0.1 rad\": of several, the one found from there";
 
 /// Reads `[start]`. The table and all its keys may be left out.
 pub(super) fn read(entries: &[Entry], model: &Model, report: &mut Report) -> Option<InitialState> {
@@ -13,7 +23,7 @@ pub(super) fn read(entries: &[Entry], model: &Model, report: &mut Report) -> Opt
     let speeds: Vec<_> = places.iter().map(|name| format!("{name}_dot")).collect();
     let motions = model.motions.iter().map(|motion| motion.name);
     let allowed: Vec<_> = places.iter().copied().chain(speeds.iter().map(String::as_str)).chain(motions).collect();
-    keys::known(given, "[start]", &allowed, report);
+    keys::names_known(given, "[start]", &allowed, report);
 
     // `Some(None)` for a key that is not given, `None` for a mistake.
     let mut speed = |name: &str, unit: &str| match keys::get(given, name) {

@@ -11,6 +11,7 @@
 use std::f64::consts::PI;
 
 use super::document::{Entry, Node, Place, Value};
+use super::keys::{Key, Kind, key};
 use super::mistake::Report;
 use super::{field, keys};
 use crate::gear::{self, CellShape, FrictionLaw, GearError, Gears, LINE_LOADS, Material, StiffnessMethod};
@@ -18,25 +19,49 @@ use crate::model::{Law, Role};
 use crate::profile::Profile;
 use crate::tolerance::scene;
 
-/// Keys of a law that is computed from teeth.
-pub(super) const KEYS: [&str; 16] = [
-    "teeth",
-    "module",
-    "face_width",
-    "pressure_angle",
-    "addendum",
-    "dedendum",
-    "fillet",
-    "profile_shift",
-    "centre_distance",
-    "internal",
-    "young",
-    "poisson",
-    "bore",
-    "method",
-    "course",
-    "line_load",
+/// Keys of the gears of a law that is computed from teeth.
+pub(super) const GEARS: &[Key] = &[
+    key(
+        "teeth",
+        Kind::List(&Kind::Number),
+        "none",
+        "numbers of teeth, driving gear first: the law is computed from them",
+    ),
+    key("module", Kind::Quantity("m"), "required with teeth", "normal module"),
+    key("face_width", Kind::Quantity("m"), "required with teeth", "width of the common face"),
+    key("pressure_angle", Kind::Quantity("rad"), "20 deg", "pressure angle of the basic rack"),
+    key("addendum", BOTH, "1", "height of the addendum of the basic rack, in modules"),
+    key("dedendum", BOTH, "1.25", "depth of the dedendum of the basic rack, in modules"),
+    key("fillet", Kind::Number, "0.38", "radius of the root fillet of the basic rack, in modules"),
+    key("profile_shift", BOTH, "0", "profile shift, in modules"),
+    key("centre_distance", Kind::Quantity("m"), "that without backlash", "working centre distance"),
+    key("internal", Kind::Flag, "false", "whether the second gear is a ring gear"),
+    key("young", BOTH_IN_PASCAL, "206 GPa", "Young's modulus"),
+    key("poisson", BOTH, "0.3", "Poisson's ratio"),
+    key("bore", BOTH_IN_METRES, "half the root diameter", "diameter of the bore"),
 ];
+/// How tooth pairs share the force.
+pub(super) const SHARED: &[Key] = &[key(
+    "method",
+    Kind::Choice(&METHODS),
+    "iso6336",
+    "or energy: bending, shear and compression of the teeth, contact, gear bodies",
+)];
+/// Keys that only a stiffness from teeth has.
+pub(super) const STIFFNESS: &[Key] = &[
+    key("course", Kind::Choice(&CELL_SHAPES), "levels", "curves: varies between the steps too, method energy only"),
+    key(
+        "line_load",
+        Kind::Quantity("N/m"),
+        "at least 100 N/mm",
+        "tangential force per face width, method iso6336 only",
+    ),
+];
+
+/// One number for both gears, or two.
+const BOTH: Kind = Kind::Either(&[Kind::Number, Kind::List(&Kind::Number)]);
+const BOTH_IN_PASCAL: Kind = Kind::Either(&[Kind::Quantity("Pa"), Kind::List(&Kind::Quantity("Pa"))]);
+const BOTH_IN_METRES: Kind = Kind::Either(&[Kind::Quantity("m"), Kind::List(&Kind::Quantity("m"))]);
 
 const METHODS: [&str; 2] = ["iso6336", "energy"];
 const CELL_SHAPES: [&str; 2] = ["levels", "curves"];
@@ -54,7 +79,8 @@ pub(super) struct TeethReader<'a> {
 impl TeethReader<'_> {
     /// Whether the law has keys of teeth.
     pub(super) fn given(&self) -> bool {
-        self.entries.iter().any(|entry| KEYS.contains(&entry.key.as_str()))
+        let keys = keys::names(&[GEARS, SHARED, STIFFNESS]);
+        self.entries.iter().any(|entry| keys.contains(&entry.key.as_str()))
     }
 
     /// Reads a stiffness.

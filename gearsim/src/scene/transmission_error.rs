@@ -1,6 +1,7 @@
 //! Scene keys of transmission errors that stiffnesses do not have: the number of pitches, and the pitch errors of the teeth.
 
 use super::document::{Entry, Node, Value};
+use super::keys::{Key, Kind, key};
 use super::mistake::Report;
 use super::{field, keys};
 use crate::model::{Law, Role};
@@ -10,7 +11,10 @@ use crate::tolerance::scene::ERROR_PITCHES;
 /// Key of the pitch errors of the teeth: one level a pitch.
 pub(super) const OF_TEETH: &str = "pitch_errors";
 /// Keys that only transmission errors have.
-pub(super) const KEYS: [&str; 2] = ["pitches", OF_TEETH];
+pub(super) const KEYS: &[Key] = &[
+    key("pitches", Kind::Number, "1", "number of pitches that steps, harmonics or table cover"),
+    key(OF_TEETH, Kind::List(&Kind::ValueIn("unit of the law")), "none", "one level a pitch: the errors of the teeth"),
+];
 
 /// Number of pitches in one period of the law: the value of `pitches`, or the number of pitch errors, or 1.
 pub(super) fn pitches(law: &Law, entries: &[Entry], report: &mut Report) -> Option<u32> {

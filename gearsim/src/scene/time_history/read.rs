@@ -1,22 +1,44 @@
 //! Reads a parameter that varies in time, a table instead of a quantity: `T_motor = { ramp = { to = "240 N*m", duration = "1 s" } }`.
-//!
-//! | key | meaning |
-//! | --- | --- |
-//! | `steps` | levels; each holds `until` a time, the last one without end |
-//! | `ramp` | linear change `from` a value (default 0) `to` a value, beginning at `start` (default 0 s), of length `duration` |
-//! | `table` | linear interpolation between points, each `at` a time; constant before the first and after the last |
-//! | `mean` | a constant (default 0) |
-//! | `harmonics` | added to any of these: a list of `amplitude`, `frequency` and `phase` (default 0) |
 
 use super::{Harmonic, Piece, TimeHistory};
 use crate::model::{Model, Parameter};
 use crate::scene::document::{Entry, Node, Value};
+use crate::scene::keys::{Key, Kind, REQUIRED, key};
 use crate::scene::mistake::{Report, list};
 use crate::scene::{field, keys};
 use crate::tolerance::scene::HISTORY_ENTRIES;
 
+/// A value of the parameter.
+const VALUE: Kind = Kind::ValueIn("unit of the parameter");
+
 /// Keys of the table.
-const KEYS: [&str; 5] = ["steps", "ramp", "table", "mean", "harmonics"];
+pub(in crate::scene) const KEYS: &[Key] = &[
+    key("steps", Kind::List(&Kind::Table(&[STEP])), "none", "levels, one after the other"),
+    key("ramp", Kind::Table(&[RAMP]), "none", "a linear change; constant before and after"),
+    key("table", Kind::List(&Kind::Table(&[POINT])), "none", "linear interpolation; constant before and after"),
+    key("mean", VALUE, "0", "a constant"),
+    key("harmonics", Kind::List(&Kind::Table(&[HARMONIC])), "none", "added to any of these"),
+];
+const STEP: &[Key; 2] = &[
+    key("value", VALUE, REQUIRED, "the level"),
+    key("until", Kind::Quantity("s"), "without end, last level only", "when it ends"),
+];
+const RAMP: &[Key; 4] = &[
+    key("from", VALUE, "0", "value before the ramp"),
+    key("to", VALUE, REQUIRED, "value after it"),
+    key("start", Kind::Quantity("s"), "0 s", "when it begins"),
+    key("duration", Kind::Quantity("s"), REQUIRED, "how long it takes"),
+];
+const POINT: &[Key; 2] = &[
+    key("at", Kind::Quantity("s"), REQUIRED, "a time; times ascend"),
+    key("value", VALUE, REQUIRED, "the value then"),
+];
+/// Keys of a harmonic: amplitude cos(2 pi frequency t + phase).
+const HARMONIC: &[Key; 3] = &[
+    key("amplitude", VALUE, REQUIRED, "amplitude"),
+    key("frequency", Kind::Quantity("Hz"), REQUIRED, "frequency"),
+    key("phase", Kind::Quantity("rad"), "0 rad", "phase of the cosine"),
+];
 
 /// Reads `parameter` as a function of time.
 pub(in crate::scene) fn read(
@@ -37,7 +59,7 @@ pub(in crate::scene) fn read(
     }
     let entries = field::table(&path, node, report)?;
     let reader = HistoryReader { unit: parameter.unit, path, entries, node };
-    keys::known(entries, &format!("[{}]", reader.path), &KEYS, report);
+    keys::known(entries, &format!("[{}]", reader.path), &[KEYS], report);
     let history = reader.history(report)?;
     reader.finite(history, report)
 }
@@ -107,22 +129,25 @@ impl HistoryReader<'_> {
         Some(items)
     }
 
-    /// Reads quantities of a table, each wanted as (key, unit, required). A quantity that is not given is `None`.
+    /// Reads the quantities of a table with the keys `all`. Those named in `needed` must be there too. One that is not given is `None`.
     fn quantities<const K: usize>(
         &self,
         of: &str,
         node: &Node,
-        wanted: [(&str, &str, bool); K],
+        all: &[Key; K],
+        needed: &[&str],
         report: &mut Report,
     ) -> Option<[Option<f64>; K]> {
         let path = format!("{}.{of}", self.path);
         let entries = field::table(&path, node, report)?;
-        keys::known(entries, &format!("`{path}`"), &wanted.map(|w| w.0), report);
-        let lacking = wanted.iter().filter(|(key, _, needed)| *needed && keys::get(entries, key).is_none());
-        let lacking: Vec<_> = lacking.map(|(key, unit, _)| (*key, format!("{key} = \"... {unit}\""))).collect();
+        keys::known(entries, &format!("`{path}`"), &[all], report);
+        let unit = |key: &Key| if let Kind::Quantity(unit) = key.kind { unit } else { self.unit };
+        let needed = |key: &&Key| key.default == REQUIRED || needed.contains(&key.name);
+        let lacking = all.iter().filter(needed).filter(|key| keys::get(entries, key.name).is_none());
+        let lacking: Vec<_> = lacking.map(|key| (key.name, format!("{} = \"... {}\"", key.name, unit(key)))).collect();
         keys::missing(&lacking, &format!("`{path}`"), &node.place, report);
-        let read = wanted.map(|(key, unit, _)| match keys::get(entries, key) {
-            Some(node) => field::quantity(&format!("{path}.{key}"), node, unit, report).map(Some),
+        let read = all.map(|key| match keys::get(entries, key.name) {
+            Some(node) => field::quantity(&format!("{path}.{}", key.name), node, unit(&key), report).map(Some),
             None => Some(None),
         });
         let whole = lacking.is_empty() && read.iter().all(Option::is_some);
@@ -145,7 +170,7 @@ impl HistoryReader<'_> {
         let (mut levels, mut last, mut sound) = (vec![], 0.0, true);
         for (i, item) in items.iter().enumerate() {
             let (of, ends) = (format!("steps.{i}"), i + 1 < items.len());
-            let read = self.quantities(&of, item, [("value", unit, true), ("until", "s", ends)], report);
+            let read = self.quantities(&of, item, STEP, if ends { &["until"] } else { &[] }, report);
             let Some([Some(value), until]) = read else {
                 sound = false;
                 continue;
@@ -164,9 +189,7 @@ impl HistoryReader<'_> {
     }
 
     fn ramp(&self, node: &Node, report: &mut Report) -> Option<TimeHistory> {
-        let wanted =
-            [("from", self.unit, false), ("to", self.unit, true), ("start", "s", false), ("duration", "s", true)];
-        let [from, to, start, duration] = self.quantities("ramp", node, wanted, report)?;
+        let [from, to, start, duration] = self.quantities("ramp", node, RAMP, &[], report)?;
         let (from, start) = (from.unwrap_or(0.0), start.unwrap_or(0.0));
         let (to, duration) = (to?, duration?);
         let path = format!("{}.ramp", self.path);
@@ -193,7 +216,7 @@ impl HistoryReader<'_> {
         let (mut points, mut sound): (Vec<(f64, f64)>, bool) = (vec![], true);
         for (i, item) in items.iter().enumerate() {
             let of = format!("table.{i}");
-            let read = self.quantities(&of, item, [("at", "s", true), ("value", self.unit, true)], report);
+            let read = self.quantities(&of, item, POINT, &[], report);
             let Some([Some(at), Some(value)]) = read else {
                 sound = false;
                 continue;
@@ -210,8 +233,8 @@ impl HistoryReader<'_> {
         let example = format!("[{{ amplitude = \"... {unit}\", frequency = \"... Hz\", phase = \"0 rad\" }}]");
         let items = self.items("harmonics", node, &example, report)?;
         let each = items.iter().enumerate().map(|(i, item)| {
-            let wanted = [("amplitude", unit, true), ("frequency", "Hz", true), ("phase", "rad", false)];
-            let [amplitude, frequency, phase] = self.quantities(&format!("harmonics.{i}"), item, wanted, report)?;
+            let read = self.quantities(&format!("harmonics.{i}"), item, HARMONIC, &[], report);
+            let [amplitude, frequency, phase] = read?;
             if frequency? <= 0.0 {
                 let message = format!("the frequency of `{}.harmonics.{i}` must be positive", self.path);
                 report.add(&item.place, message, "not an oscillation", "a constant part belongs to `mean`");

@@ -2,7 +2,49 @@
 
 use super::draft::{DraftPart, Rotor, Term, Terms, named};
 use super::read::{Item, Reader};
+use super::{ELSEWHERE, ROTOR, TWO_ROTORS};
 use crate::scene::document::{Entry, Value};
+use crate::scene::keys::{Key, Kind, Named, REQUIRED, each, key};
+
+pub(super) const ROTORS: &[Named] = &[each(
+    "NAME",
+    Kind::Either(&[INERTIA, Kind::Table(&[INERTIA_ALONE])]),
+    REQUIRED,
+    "a rotor by its moment of inertia, or by a table",
+)];
+const INERTIA: Kind = Kind::Quantity("kg*m^2");
+const INERTIA_ALONE: &[Key] = &[key("inertia", INERTIA, ELSEWHERE, "moment of inertia")];
+
+pub(super) const SHAFTS: &[Named] = &[each("NAME", Kind::Table(&[SHAFT]), "none", "a shaft")];
+const SHAFT: &[Key] = &[
+    key("between", TWO_ROTORS, REQUIRED, "the rotors that it joins"),
+    key("stiffness", STIFFNESS, ELSEWHERE, "torsional stiffness"),
+    key("damping", DAMPING, "none", "torsional damping, with the effect viscous_friction"),
+];
+
+pub(super) const SUPPORTS: &[Named] = &[each("NAME", Kind::Table(&[SUPPORT]), "none", "a support")];
+const SUPPORT: &[Key] = &[
+    key("rotor", ROTOR, REQUIRED, "the rotor that it holds"),
+    key("stiffness", STIFFNESS, ELSEWHERE, "torsional stiffness"),
+    key("damping", DAMPING, "none", "torsional damping, with the effect viscous_friction"),
+];
+const STIFFNESS: Kind = Kind::Quantity("N*m/rad");
+const DAMPING: Kind = Kind::Quantity("N*m*s/rad");
+
+pub(super) const BEARINGS: &[Named] = &[each("NAME", Kind::Table(&[BEARING]), "none", "a bearing or a brake")];
+const BEARING: &[Key] = &[
+    key("rotor", ROTOR, REQUIRED, "the rotor that it carries"),
+    key("viscous", DAMPING, "none", "viscous friction, with the effect viscous_friction"),
+    key("friction", Kind::Quantity("N*m"), "none", "friction torque while it slides, with the effect dry_friction"),
+    key("breakaway", Kind::Number, "0", "breakaway torque over this friction torque, less 1"),
+];
+
+pub(super) const CLUTCHES: &[Named] = &[each("NAME", Kind::Table(&[CLUTCH]), "none", "an overrunning clutch")];
+const CLUTCH: &[Key] = &[
+    key("between", TWO_ROTORS, REQUIRED, "the rotors that it joins; the first drives the second"),
+    key("capacity", Kind::Quantity("N*m"), ELSEWHERE, "largest torque that it transmits; beyond it slips"),
+    key("drag", Kind::Quantity("N*m"), "0 N*m", "friction torque while it overruns"),
+];
 
 impl Reader<'_> {
     pub(super) fn rotor(&mut self, entry: &Entry) {
@@ -10,7 +52,7 @@ impl Reader<'_> {
         let inertia = match &entry.node.value {
             Value::Table(entries) => {
                 let item = Item { table: "rotors", name: &name, entries, place: &entry.place };
-                self.known(&item, &["inertia"]);
+                self.known(&item, INERTIA_ALONE);
                 item.get("inertia").cloned()
             }
             _ => Some(entry.node.clone()),
@@ -24,14 +66,14 @@ impl Reader<'_> {
     }
 
     pub(super) fn shaft(&mut self, item: &Item<'_>) {
-        self.known(item, &["between", "stiffness", "damping"]);
+        self.known(item, SHAFT);
         let Some(ends) = self.between(item, true) else { return };
         self.join(item, ends, false);
         self.spring(item, "element_shaft", ends);
     }
 
     pub(super) fn support(&mut self, item: &Item<'_>) {
-        self.known(item, &["rotor", "stiffness", "damping"]);
+        self.known(item, SUPPORT);
         let Some(rotor) = self.rotor_of(item) else { return };
         self.spring(item, "element_support", [Some(rotor), None]);
     }
@@ -47,7 +89,7 @@ impl Reader<'_> {
     }
 
     pub(super) fn bearing(&mut self, item: &Item<'_>) {
-        self.known(item, &["rotor", "viscous", "friction", "breakaway"]);
+        self.known(item, BEARING);
         let Some(rotor) = self.rotor_of(item) else { return };
         let row = vec![Term::new(rotor, 1.0, &[])];
         let [viscous, friction] = ["viscous", "friction"].map(|key| item.get(key));
@@ -67,7 +109,7 @@ impl Reader<'_> {
     }
 
     pub(super) fn clutch(&mut self, item: &Item<'_>) {
-        self.known(item, &["between", "capacity", "drag"]);
+        self.known(item, CLUTCH);
         let Some(ends) = self.between(item, true) else { return };
         self.join(item, ends, false);
         self.value(named("Tmax", item.name), item.get("capacity"));

@@ -98,6 +98,8 @@ pub(super) struct Draft {
     pub values: Vec<(String, Node)>,
     /// Laws that stand in the tables.
     pub laws: Vec<(String, Node)>,
+    /// Laws that hold if the scene does not state them in `[laws]`.
+    pub usual_laws: Vec<(String, Node)>,
 }
 
 /// The name of a quantity of a part: `I1` for `I` of part `1`, `I_motor` for `I` of part `motor`.

@@ -2,13 +2,35 @@
 
 use super::draft::{Gear, Geometry, Rotor, Term, named};
 use super::read::{GROUND, Item, Reader};
-use crate::scene::document::{Node, Value};
-use crate::scene::field;
+use super::{ELSEWHERE, TWO_ROTORS};
+use crate::scene::document::{Entry, Node, Value};
+use crate::scene::keys::{Key, Kind, Named, REQUIRED, each, key};
+use crate::scene::{field, friction, keys, laws};
+
+pub(super) const MESHES: &[Named] = &[each("NAME", Kind::Table(&[MESH]), "none", "a pair of gears")];
+const MESH: &[Key] = &[
+    key("between", TWO_ROTORS, REQUIRED, "the rotors of the gears; the first drives"),
+    key("internal", Kind::Flag, "false", "whether the second gear is a ring gear"),
+    key("teeth", Kind::List(&Kind::Number), "of another mesh, or in [parameters]", "numbers of teeth of both gears"),
+    key("base_radius", Kind::Quantity("m"), "from module", "base radius of the first gear"),
+    key("module", Kind::Quantity("m"), "none", "normal module, instead of base_radius"),
+    key("pressure_angle", Kind::Quantity("rad"), "20 deg", "with module"),
+    key(
+        "stiffness",
+        Kind::Either(&[Kind::Choice(&["rigid"]), LAW]),
+        "in [laws]",
+        "mesh stiffness: a constant, or a law",
+    ),
+    key("error", LAW, "in [laws]", "transmission error, with its effect: a constant, or a law"),
+    key("backlash", Kind::Quantity("m"), ELSEWHERE, "play along the line of action, with the effect backlash"),
+    key("friction", Kind::Number, ELSEWHERE, "coefficient of friction of the flanks, with the effect sliding_friction"),
+];
+/// A law of a mesh, or its constant value.
+pub(super) const LAW: Kind = Kind::Either(&[laws::VALUE, Kind::Table(laws::STIFFNESS)]);
 
 impl Reader<'_> {
     pub(super) fn mesh(&mut self, item: &Item<'_>) {
-        let allowed = ["between", "internal", "teeth", "base_radius", "module", "pressure_angle", "stiffness", "error"];
-        self.known(item, &[&allowed[..], &["backlash", "friction"]].concat());
+        self.known(item, MESH);
         let Some(ends) = self.between(item, true) else { return };
         let internal = match item.get("internal") {
             Some(node) => field::flag(&item.path("internal"), node, self.report) == Some(true),
@@ -24,15 +46,30 @@ impl Reader<'_> {
         let laws = [law("k", "stiffness"), law("e", "error")];
         self.draft.laws.extend(laws.into_iter().flatten());
         self.value(named("b", item.name), item.get("backlash"));
-        self.value(named("mu", item.name), item.get("friction"));
+        self.friction(item, item.name, item.get("stiffness"));
         let gears = [0, 1].map(|i| Gear { rotor: ends[i], carrier: None, teeth: teeth[i].clone(), sense: 1.0 });
-        let psi = gears.iter().filter_map(|gear| gear.rotor).map(|rotor| Term::new(rotor, 1.0, &[])).collect();
-        let element = if internal { "element_mesh" } else { "element_mesh_with_friction" };
         let first = ends[0].map_or(GROUND, |i| &self.draft.rotors[i].name);
         let radius = named("r", if teeth[0] == named("N", first) { first } else { item.name });
         let radius = Geometry { name: radius, unit: "m", doc: format!("base radius of gear {first}") };
-        self.geared(item.name.to_string(), item, element, gears, radius, (!internal).then_some(psi));
+        self.value(named("alpha", item.name), item.get("pressure_angle"));
+        self.geared(item.name.to_string(), item, gears, radius, internal);
         self.radius(item, &teeth[0]);
+    }
+
+    /// The friction of the flanks of the mesh `name`. Its laws are those of the teeth of the stiffness, if that has teeth.
+    pub(super) fn friction(&mut self, item: &Item<'_>, name: &str, stiffness: Option<&Node>) {
+        let Some(node) = item.get("friction") else { return };
+        self.value(named("mu", name), Some(node));
+        let Some(Node { value: Value::Table(law), place }) = stiffness else { return };
+        if keys::get(law, "teeth").is_none() {
+            return;
+        }
+        let table = || {
+            let of = Node { value: Value::Text(named("k", name)), place: place.clone() };
+            let entry = Entry { key: friction::OF.into(), place: place.clone(), node: of };
+            Node { value: Value::Table(vec![entry]), place: place.clone() }
+        };
+        self.draft.usual_laws.extend(["side", "arm"].map(|quantity| (named(quantity, name), table())));
     }
 
     /// The names of the numbers of teeth of the gears of a mesh.

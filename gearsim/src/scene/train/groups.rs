@@ -6,15 +6,15 @@ use crate::scene::document::{Node, Value};
 use crate::scene::field;
 
 impl Reader<'_> {
-    /// Adds a mesh of two gears with the deflection h (Q_1 + sense Q_2), where Q are the pitch counts.
+    /// Adds a mesh of two gears with the deflection h (Q_1 + sense Q_2), where Q are the pitch counts. The second gear of an `internal`
+    /// mesh is a ring gear.
     pub(super) fn geared(
         &mut self,
         name: String,
         item: &Item<'_>,
-        element: &'static str,
         gears: [Gear; 2],
         radius: Geometry,
-        psi: Option<Terms>,
+        internal: bool,
     ) -> usize {
         let same = |a: &Gear, b: &Gear| a.rotor == b.rotor && a.carrier == b.carrier && a.teeth == b.teeth;
         let has = |group: &Group, gear: &Gear| group.gears.iter().any(|g| gear.rotor.is_some() && same(g, gear));
@@ -58,11 +58,17 @@ impl Reader<'_> {
         let s = [count(&gears[0], 1.0, &h), count(&gears[1], -1.0, &h)].concat();
         let mean = [count(&gears[0], 0.5, &[]), count(&gears[1], 0.5, &[])].concat();
         of.phases.push(mean);
+        // The rotation of the first gear relative to the second. A carrier turns both alike.
+        let turns = |gear: &Gear, sign: f64| gear.rotor.map(|rotor| Term::new(rotor, sign * gear.sense, &[]));
+        let psi = [turns(&gears[0], 1.0), turns(&gears[1], if internal { -1.0 } else { 1.0 })];
         // The phase is set when all meshes of the group are known.
-        let rows = [Some(vec![]), Some(s), psi].into_iter().flatten().collect();
+        let rows = vec![vec![], s, psi.into_iter().flatten().collect()];
+        // A pressure angle that the part states is its own.
+        let angle = item.get("pressure_angle").map(|_| ("alpha", named("alpha", item.name)));
         of.parts.push(self.draft.parts.len());
         let (place, called) = (item.place.clone(), named("s", &name));
-        self.draft.parts.push(DraftPart { element, name, place, renamed: vec![], rows, called });
+        let (element, renamed) = ("element_mesh_with_friction", angle.into_iter().collect());
+        self.draft.parts.push(DraftPart { element, name, place, renamed, rows, called });
         group
     }
 

@@ -23,6 +23,7 @@ mod text;
 mod torques;
 
 use super::document::{Entry, Place};
+use super::keys::{Key, Kind, key};
 use super::mistake::Report;
 use crate::model::Model;
 use crate::train::Train;
@@ -45,6 +46,22 @@ pub(super) fn read(
     compose::model(bare, &draft, &values, report)
 }
 
-/// The tables of a train.
-pub(super) const TABLES: [&str; 9] =
-    ["rotors", "shafts", "supports", "meshes", "planets", "bearings", "clutches", "drives", "loads"];
+/// The tables of a train. Each has a table for each part, under the name of the part.
+pub(super) const KEYS: &[Key] = &[
+    key("rotors", Kind::Named(bodies::ROTORS), "required by `model = \"train\"`", "what turns"),
+    key("shafts", Kind::Named(bodies::SHAFTS), "none", "torsional springs between rotors"),
+    key("supports", Kind::Named(bodies::SUPPORTS), "none", "torsional springs between a rotor and the ground"),
+    key("meshes", Kind::Named(gears::MESHES), "none", "pairs of gears"),
+    key("planets", Kind::Named(planets::SETS), "none", "planet sets: sun, ring, carrier and planets"),
+    key("bearings", Kind::Named(bodies::BEARINGS), "none", "friction between a rotor and the ground"),
+    key("clutches", Kind::Named(bodies::CLUTCHES), "none", "overrunning clutches"),
+    key("drives", Kind::Named(torques::DRIVES), "none", "driving torques"),
+    key("loads", Kind::Named(torques::LOADS), "none", "loads"),
+];
+
+/// The default of a value that may be stated in `[parameters]` instead, by the name that `gearsim models SCENE` shows.
+const ELSEWHERE: &str = "in [parameters]";
+/// A rotor, as the value of a key.
+const ROTOR: Kind = Kind::Name("a rotor");
+/// Two rotors, as the value of a key.
+const TWO_ROTORS: Kind = Kind::List(&Kind::Name("a rotor or \"ground\""));

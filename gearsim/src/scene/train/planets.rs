@@ -1,33 +1,39 @@
 //! Planet sets: a sun, a ring and a carrier, and planets whose centres are fixed to the carrier.
 
 use super::draft::{DraftPart, Gear, Geometry, Rotor, Term, named};
+use super::gears::LAW;
 use super::read::{Item, Reader};
+use super::{ELSEWHERE, ROTOR};
 use crate::scene::document::{Entry, Node, Value};
+use crate::scene::keys::{Key, Kind, Named, REQUIRED, each, key};
 use crate::scene::{field, keys};
 use crate::tolerance::scene::PLANETS;
 
-const KEYS: [&str; 15] = [
-    "sun",
-    "ring",
-    "carrier",
-    "teeth",
-    "planet_teeth",
-    "count",
-    "at",
-    "base_radius",
-    "module",
-    "pressure_angle",
-    "mass",
-    "inertia",
-    "sun_stiffness",
-    "ring_stiffness",
-    "backlash",
+pub(super) const SETS: &[Named] = &[each("NAME", Kind::Table(&[SET]), "none", "a planet set")];
+const SET: &[Key] = &[
+    key("sun", ROTOR, REQUIRED, "the rotor of the sun"),
+    key("ring", ROTOR_OR_GROUND, REQUIRED, "the rotor of the ring"),
+    key("carrier", ROTOR_OR_GROUND, REQUIRED, "the rotor of the carrier"),
+    key("teeth", Kind::List(&Kind::Number), REQUIRED, "numbers of teeth of sun and ring"),
+    key("planet_teeth", Kind::Number, "half the difference", "number of teeth of a planet"),
+    key("count", Kind::Number, "required without at", "number of planets, equally spaced"),
+    key("at", Kind::List(&Kind::Quantity("rad")), "equally spaced", "places of the planets on the carrier"),
+    key("base_radius", Kind::Quantity("m"), "from module", "base radius of the sun"),
+    key("module", Kind::Quantity("m"), "none", "normal module, instead of base_radius"),
+    key("pressure_angle", Kind::Quantity("rad"), "20 deg", "pressure angle"),
+    key("mass", Kind::Quantity("kg"), ELSEWHERE, "mass of a planet"),
+    key("inertia", Kind::Quantity("kg*m^2"), ELSEWHERE, "moment of inertia of a planet"),
+    key("sun_stiffness", LAW, "in [laws]", "stiffness of the meshes with the sun; phases follow from teeth and places"),
+    key("ring_stiffness", LAW, "in [laws]", "stiffness of the meshes with the ring; likewise"),
+    key("backlash", Kind::Quantity("m"), ELSEWHERE, "play of all meshes, with the effect backlash"),
+    key("friction", Kind::Number, ELSEWHERE, "coefficient of friction of all flanks, with the effect sliding_friction"),
 ];
+const ROTOR_OR_GROUND: Kind = Kind::Name("a rotor or \"ground\"");
 
 impl Reader<'_> {
     /// Adds the planets of a set, and their meshes.
     pub(super) fn planets(&mut self, item: &Item<'_>) {
-        self.known(item, &KEYS);
+        self.known(item, SET);
         let ends = ["sun", "ring", "carrier"].map(|key| {
             let node = self.needed(item, key, "\"...\"")?;
             self.end(&format!("planets.{}.{key}", item.name), node, key != "sun")
@@ -61,11 +67,12 @@ impl Reader<'_> {
             for (with, key, gears) in pairs {
                 let name = format!("{set}_{with}{}", i + 1);
                 let law = item.get(key).map(|node| shifted(node, with, place, &self.draft.values, &names));
+                self.friction(item, &name, law.as_ref());
                 self.draft.laws.extend(law.map(|law| (named("k", &name), law)));
                 self.value(named("b", &name), item.get("backlash"));
                 let doc = format!("base radius of the sun of {set}");
                 let radius = Geometry { name: r_s.clone(), unit: "m", doc };
-                self.geared(name, item, "element_mesh", gears, radius, None);
+                self.geared(name, item, gears, radius, with == "r");
             }
         }
         self.radius_of_sun(item, z_s, r_s);

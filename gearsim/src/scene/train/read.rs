@@ -1,8 +1,9 @@
 //! Reads the tables of a train.
 
-use super::TABLES;
+use super::KEYS;
 use super::draft::{Draft, DraftPart, Joint, Terms};
 use crate::scene::document::{Entry, Node, Place};
+use crate::scene::keys::Key;
 use crate::scene::mistake::Report;
 use crate::scene::{field, keys};
 use crate::tolerance::scene::ROTORS;
@@ -19,7 +20,7 @@ pub(super) fn draft(entries: &[Entry], root: &Place, report: &mut Report) -> Opt
         return None;
     }
     let mut reader = Reader { draft: Draft::default(), report };
-    for table in TABLES {
+    for table in keys::names(&[KEYS]) {
         let Some(node) = keys::get(entries, table) else { continue };
         let Some(items) = field::table(table, node, reader.report) else { continue };
         let mut items: Vec<&Entry> = items.iter().collect();
@@ -103,8 +104,8 @@ impl Reader<'_> {
     }
 
     /// Reports unknown keys of an item.
-    pub fn known(&mut self, item: &Item<'_>, allowed: &[&str]) {
-        keys::known(item.entries, &item.title(), allowed, self.report);
+    pub fn known(&mut self, item: &Item<'_>, allowed: &[Key]) {
+        keys::known(item.entries, &item.title(), &[allowed], self.report);
     }
 
     /// A key of an item that it must have.

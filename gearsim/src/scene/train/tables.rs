@@ -2,15 +2,17 @@
 
 use std::collections::HashMap;
 
-use super::TABLES;
+use super::KEYS;
 use super::draft::Draft;
 use crate::scene::document::{Entry, Node, Place, Value};
+use crate::scene::keys;
 use crate::scene::mistake::Report;
 use crate::scene::quantity::Quantity;
 
 /// Moves the values, and removes the tables of the train from `entries`. `None` if a value is stated twice.
 pub(super) fn fill(mut draft: Draft, entries: &mut Vec<Entry>, end: &Place, report: &mut Report) -> Option<Draft> {
-    entries.retain(|entry| !TABLES.contains(&entry.key.as_str()));
+    let tables = keys::names(&[KEYS]);
+    entries.retain(|entry| !tables.contains(&entry.key.as_str()));
     let before = report.len();
     let values = std::mem::take(&mut draft.values);
     let laws = std::mem::take(&mut draft.laws);
@@ -18,6 +20,14 @@ pub(super) fn fill(mut draft: Draft, entries: &mut Vec<Entry>, end: &Place, repo
     for (table, given) in [("parameters", values), ("laws", laws)] {
         if !given.is_empty() {
             add(table, given, entries, end, report);
+        }
+    }
+    let laws = entries.iter_mut().find(|entry| entry.key == "laws");
+    if let Some(Entry { node: Node { value: Value::Table(stated), .. }, .. }) = laws {
+        for (key, node) in std::mem::take(&mut draft.usual_laws) {
+            if keys::get(stated, &key).is_none() {
+                stated.push(Entry { key, place: node.place.clone(), node });
+            }
         }
     }
     (report.len() == before).then_some(draft)

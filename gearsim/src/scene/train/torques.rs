@@ -2,56 +2,99 @@
 
 use super::draft::{Term, named};
 use super::read::{Item, Reader};
-use crate::scene::{field, keys, list};
+use super::{ELSEWHERE, ROTOR};
+use crate::scene::keys::{Key, Kind, Named, REQUIRED, each, key};
+use crate::scene::{field, keys, list, time_history};
 
 impl Reader<'_> {
     /// A drive or a load.
     pub(super) fn torque(&mut self, item: &Item<'_>) {
-        let kinds = if item.table == "drives" { DRIVES } else { LOADS };
-        let allowed: Vec<_> = std::iter::once("rotor").chain(kinds.iter().map(|kind| kind.0)).collect();
-        self.known(item, &allowed);
+        let (allowed, kinds) = if item.table == "drives" { (DRIVE, DRIVE_KINDS) } else { (LOAD, LOAD_KINDS) };
+        self.known(item, allowed);
         let Some(rotor) = self.rotor_of(item) else { return };
-        let given: Vec<_> = kinds.iter().filter(|kind| item.get(kind.0).is_some()).collect();
+        let given: Vec<_> = kinds.iter().filter(|kind| item.get(kind.key.name).is_some()).collect();
         let kind = match given[..] {
             [] => &kinds[0],
             [kind] => kind,
             _ => {
-                let help = format!("give one of {}", list(&allowed[1..]));
+                let help = format!("give one of {}", list(&kinds.iter().map(|kind| kind.key.name).collect::<Vec<_>>()));
                 self.report.add(item.place, format!("{} has several torques", item.title()), "one torque", help);
                 return;
             }
         };
-        let (key, element, parameters) = kind;
-        match (parameters, item.get(key)) {
-            ([(_, parameter)], node) => self.value(named(parameter, item.name), node),
-            (_, None) => {}
-            (several, Some(node)) => {
-                let Some(entries) = field::table(&item.path(key), node, self.report) else { return };
-                let known: Vec<_> = several.iter().map(|(key, _)| *key).collect();
-                keys::known(entries, &format!("`{}`", item.path(key)), &known, self.report);
-                for (key, parameter) in *several {
-                    self.value(named(parameter, item.name), keys::get(entries, key));
+        let node = item.get(kind.key.name);
+        match (kind.key.kind, node) {
+            (Kind::Table([known]), Some(node)) => {
+                let path = item.path(kind.key.name);
+                let Some(entries) = field::table(&path, node, self.report) else { return };
+                keys::known(entries, &format!("`{path}`"), &[known], self.report);
+                for (key, parameter) in known.iter().zip(kind.parameters) {
+                    self.value(named(parameter, item.name), keys::get(entries, key.name));
                 }
             }
+            (Kind::Table(_), None) => {}
+            _ => self.value(named(kind.parameters[0], item.name), node),
         }
-        self.part(item, element, String::new(), vec![vec![Term::new(rotor, 1.0, &[])]]);
+        self.part(item, kind.element, String::new(), vec![vec![Term::new(rotor, 1.0, &[])]]);
     }
 }
 
-/// Kinds of drives and loads: key, element, and its parameters by the keys in its table.
-type Kinds = &'static [(&'static str, &'static str, &'static [(&'static str, &'static str)])];
+/// A kind of drive or load.
+struct TorqueKind {
+    key: Key,
+    /// The element that has its equations.
+    element: &'static str,
+    /// Its parameters: of the value, or of each key of the table.
+    parameters: &'static [&'static str],
+}
 
-const DRIVES: Kinds = &[
-    ("torque", "element_drive", &[("", "T")]),
-    ("governor", "element_governor", &[("gain", "c"), ("set_point", "n")]),
-    ("dc_motor", "element_dc_motor", &[("stall_torque", "Ts"), ("no_load_speed", "n0")]),
-    (
-        "induction_motor",
-        "element_induction_motor",
-        &[("breakdown_torque", "Tb"), ("breakdown_slip", "sb"), ("synchronous_speed", "ns")],
-    ),
+pub(super) const DRIVES: &[Named] = &[each("NAME", Kind::Table(&[DRIVE]), "none", "a drive: one of these torques")];
+const DRIVE: &[Key] = &[AT, TORQUE, GOVERNOR, DC_MOTOR, INDUCTION_MOTOR];
+const DRIVE_KINDS: &[TorqueKind] = &[
+    TorqueKind { key: TORQUE, element: "element_drive", parameters: &["T"] },
+    TorqueKind { key: GOVERNOR, element: "element_governor", parameters: &["c", "n"] },
+    TorqueKind { key: DC_MOTOR, element: "element_dc_motor", parameters: &["Ts", "n0"] },
+    TorqueKind { key: INDUCTION_MOTOR, element: "element_induction_motor", parameters: &["Tb", "sb", "ns"] },
 ];
-const LOADS: Kinds = &[
-    ("torque", "element_load", &[("", "T")]),
-    ("fan", "element_fan", &[("coefficient", "cf"), ("corner_speed", "w0")]),
+
+pub(super) const LOADS: &[Named] = &[each("NAME", Kind::Table(&[LOAD]), "none", "a load: one of these torques")];
+const LOAD: &[Key] = &[AT, TORQUE, FAN];
+const LOAD_KINDS: &[TorqueKind] = &[
+    TorqueKind { key: TORQUE, element: "element_load", parameters: &["T"] },
+    TorqueKind { key: FAN, element: "element_fan", parameters: &["cf", "w0"] },
+];
+
+const AT: Key = key("rotor", ROTOR, REQUIRED, "the rotor on which it acts");
+const TORQUE: Key = key(
+    "torque",
+    Kind::Either(&[Kind::Quantity("N*m"), Kind::Table(&[time_history::KEYS])]),
+    ELSEWHERE,
+    "a constant, or a function of time; with the effect torques",
+);
+const SPEED: Kind = Kind::Quantity("rad/s");
+
+const GOVERNOR: Key = key("governor", Kind::Table(&[OF_GOVERNOR]), "none", "torque gain (set_point - speed)");
+const OF_GOVERNOR: &[Key] = &[
+    key("gain", Kind::Quantity("N*m*s/rad"), ELSEWHERE, "torque per difference of speeds"),
+    key("set_point", SPEED, ELSEWHERE, "the speed that it seeks"),
+];
+
+const DC_MOTOR: Key = key("dc_motor", Kind::Table(&[OF_DC_MOTOR]), "none", "torque that falls linearly with the speed");
+const OF_DC_MOTOR: &[Key] = &[
+    key("stall_torque", Kind::Quantity("N*m"), ELSEWHERE, "torque at rest"),
+    key("no_load_speed", SPEED, ELSEWHERE, "speed without torque"),
+];
+
+const INDUCTION_MOTOR: Key =
+    key("induction_motor", Kind::Table(&[OF_INDUCTION_MOTOR]), "none", "torque by Kloss's formula");
+const OF_INDUCTION_MOTOR: &[Key] = &[
+    key("breakdown_torque", Kind::Quantity("N*m"), ELSEWHERE, "largest torque"),
+    key("breakdown_slip", Kind::Number, ELSEWHERE, "slip at the largest torque"),
+    key("synchronous_speed", SPEED, ELSEWHERE, "speed without torque"),
+];
+
+const FAN: Key = key("fan", Kind::Table(&[OF_FAN]), "none", "torque that grows with the square of the speed");
+const OF_FAN: &[Key] = &[
+    key("coefficient", Kind::Quantity("N*m*s^2/rad^2"), ELSEWHERE, "torque over squared speed"),
+    key("corner_speed", SPEED, "0.01 rad/s", "below it the torque is nearly linear in the speed"),
 ];

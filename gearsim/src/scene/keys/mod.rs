@@ -1,4 +1,12 @@
-//! The keys of tables: looking them up, reporting unknown and missing ones.
+//! The keys of tables: what they are, looking them up, reporting unknown and missing ones.
+
+mod key;
+mod reference;
+mod schema;
+
+pub(in crate::scene) use key::{Key, Kind, Named, REQUIRED, each, key};
+pub(crate) use reference::reference;
+pub(crate) use schema::schema;
 
 use super::document::{Entry, Node, Place};
 use super::mistake::{Report, did_you_mean, list};
@@ -13,8 +21,18 @@ pub(super) fn unknown<'a>(entries: &'a [Entry], allowed: &[&str]) -> impl Iterat
     entries.iter().filter(|entry| !allowed.contains(&entry.key.as_str()))
 }
 
-/// Reports the keys of a table that are not allowed.
-pub(super) fn known(entries: &[Entry], title: &str, allowed: &[&str], report: &mut Report) {
+/// Reports the keys of a table that are not in these lists.
+pub(super) fn known(entries: &[Entry], title: &str, allowed: &[&[Key]], report: &mut Report) {
+    names_known(entries, title, &names(allowed), report);
+}
+
+/// The names of keys.
+pub(super) fn names(keys: &[&[Key]]) -> Vec<&'static str> {
+    keys.iter().flat_map(|keys| keys.iter()).map(|key| key.name).collect()
+}
+
+/// Reports the keys of a table that have none of these names.
+pub(super) fn names_known(entries: &[Entry], title: &str, allowed: &[&str], report: &mut Report) {
     for entry in unknown(entries, allowed) {
         let message = format!("{title} has no `{}`", entry.key);
         report.add(&entry.place, message, "unknown key", choices(&entry.key, allowed));

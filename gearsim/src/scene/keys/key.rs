@@ -1,0 +1,66 @@
+//! What a scene may state: the keys of its tables, each with the kind of its value, its default and its meaning.
+//!
+//! Each reader has the keys that it reads as a constant beside it, and refuses all others. The reference (`gearsim scene --keys`) and
+//! the schema for editors (`gearsim scene --schema`) are written from the same constants.
+
+/// A key of a table.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Key {
+    pub name: &'static str,
+    /// What its value may be.
+    pub kind: Kind,
+    /// What holds without it; [`REQUIRED`] if it must be there.
+    pub default: &'static str,
+    /// What it means.
+    pub doc: &'static str,
+}
+
+/// The default of a key that a table must always have.
+pub(crate) const REQUIRED: &str = "required";
+
+/// What a value may be.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) enum Kind {
+    /// Any text.
+    Text,
+    /// `true` or `false`.
+    Flag,
+    /// A number without unit.
+    Number,
+    /// A number with a unit of the same dimension as this one.
+    Quantity(&'static str),
+    /// A number with a unit that depends on the model; in words.
+    ValueIn(&'static str),
+    /// One of these words.
+    Choice(&'static [&'static str]),
+    /// A name that the model or the scene has; in words, what it names.
+    Name(&'static str),
+    /// An array of values of one kind.
+    List(&'static Kind),
+    /// A table with the keys of these lists.
+    Table(&'static [&'static [Key]]),
+    /// A table whose keys the model or the scene names.
+    Named(&'static [Named]),
+    /// A value of one of these kinds.
+    Either(&'static [Kind]),
+}
+
+/// The keys of a table that the model or the scene names.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Named {
+    /// What stands for the name in the reference, e.g. `COORDINATE_dot`.
+    pub name: &'static str,
+    pub kind: Kind,
+    pub default: &'static str,
+    pub doc: &'static str,
+}
+
+/// A key; `default` says what holds without it.
+pub(in crate::scene) const fn key(name: &'static str, kind: Kind, default: &'static str, doc: &'static str) -> Key {
+    Key { name, kind, default, doc }
+}
+
+/// Keys that the model or the scene names.
+pub(in crate::scene) const fn each(name: &'static str, kind: Kind, default: &'static str, doc: &'static str) -> Named {
+    Named { name, kind, default, doc }
+}
