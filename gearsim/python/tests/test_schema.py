@@ -75,7 +75,7 @@ def test_what_the_schema_refuses_the_reader_refuses(model):
     assert valid(scene) and reads(scene)
     of = lambda path: functools.reduce(lambda of, key: of[key], path, scene)
     for path in places(scene):
-        for value in (True, 7.5, "word", [], {}):
+        for value in (True, "word", []):
             other = changed(scene, path, lambda table, key: table.__setitem__(key, value))
             if not valid(other):
                 assert not reads(other), f"{path} = {value} is refused by the schema alone"
