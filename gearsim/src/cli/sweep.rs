@@ -154,13 +154,7 @@ impl Verb for SweepCommand {
         let rows = folder.finish()?;
 
         let threads = threads.get();
-        let done = Progress {
-            before,
-            ran: todo.len(),
-            seconds: begin.elapsed().as_secs_f64(),
-            threads,
-            text: sweep.text().to_owned(),
-        };
+        let done = Progress { before, ran: todo.len(), seconds: begin.elapsed().as_secs_f64(), threads };
         self.evaluation.finish(&path, &manifest, &layout, &rows, Some(done), &self.printing)?;
         Failure::of_points(&rows, &path)
     }
