@@ -93,11 +93,14 @@ impl Service {
                 continue;
             }
             let service = self.clone();
-            std::thread::spawn(move || {
-                // Also after a panic, whose request gets the status 500 from the server.
+            // A request that is dropped, here without a thread or below by a panic, gets the status 500 from the server.
+            let answer = move || {
                 let _one = Answering(&service.answering);
                 service.answer(request);
-            });
+            };
+            if std::thread::Builder::new().spawn(answer).is_err() {
+                self.answering.fetch_sub(1, Ordering::Relaxed);
+            }
         }
     }
 

@@ -40,16 +40,17 @@ impl Sweep {
         mut keep: impl FnMut(Vec<Row>) -> Result<(), Error>,
         mut watch: impl FnMut(usize) -> ControlFlow<()>,
     ) -> Result<(), Error> {
-        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads.get()).build();
-        let pool = pool.map_err(|error| Error::Impossible {
+        let cannot_start = |error: &dyn std::fmt::Display| Error::Impossible {
             what: format!("cannot start {threads} threads: {error}"),
             help: "use fewer: --threads 1".into(),
-        })?;
+        };
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads.get()).build();
+        let pool = pool.map_err(|error| cannot_start(&error))?;
         let over = AtomicBool::new(false);
         let (send, receive) = mpsc::channel();
         std::thread::scope(|scope| {
             let over = &over;
-            let worker = scope.spawn(move || {
+            let work = move || {
                 // Only a few points at once, because their run times differ by orders of magnitude.
                 let few = if self.needs_only_ends() { SIDE_BY_SIDE } else { 1 };
                 let each = points.par_chunks(few).with_max_len(1);
@@ -61,7 +62,9 @@ impl Sweep {
                         }
                     });
                 });
-            });
+            };
+            // `Scope::spawn` would panic where the system starts no further thread.
+            let worker = std::thread::Builder::new().spawn_scoped(scope, work).map_err(|error| cannot_start(&error))?;
             let mut gather = || {
                 let (begin, mut kept, mut rows, mut count) = (Instant::now(), Instant::now(), vec![], 0);
                 loop {

@@ -104,7 +104,11 @@ impl Turning {
             }
             sums.into_iter().map(|(sine, cosine): (f64, f64)| 2.0 * sine.hypot(cosine) / whole).collect()
         };
-        // Each line is summed by itself: the result does not depend on the number of threads.
-        lines.par_iter().map(at).collect()
+        // Each line is summed by itself: the result does not depend on the number of threads. Rayon's global threads would panic where the
+        // system starts no further thread.
+        match rayon::ThreadPoolBuilder::new().build() {
+            Ok(pool) => pool.install(|| lines.par_iter().map(at).collect()),
+            Err(_) => lines.iter().map(at).collect(),
+        }
     }
 }
