@@ -128,14 +128,14 @@ impl Checker<'_> {
             let radius =
                 model.parameters.iter().find(|p| p.doc.starts_with("base radius") && p.name == format!("r{gear}"));
             let Some((parameter, r)) = radius.and_then(|p| Some((p, self.scene.parameter(p.name)?))) else { continue };
-            let base = gears.module * z * gears.pressure_angle.cos() / 2.0;
+            let base = z * gears.base_radius_per_tooth();
             if (r / base - 1.0).abs() > BASE_RADIUS {
                 let place = self.node(parameter).map_or(reader.at(), |node| &node.place);
                 let what = format!(
                     "`parameters.{}` is {r} m, but the base radius of the teeth of `laws.{name}` is {base:.6} m",
                     parameter.name
                 );
-                let help = "the base radius is module x teeth/2 x cos(pressure angle)";
+                let help = "the base radius is module x teeth/2 x cos(pressure angle), both in the transverse plane if the gears are helical";
                 return report.add(place, what, "another gear", help);
             }
         }
