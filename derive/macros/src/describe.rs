@@ -4,7 +4,9 @@ use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
 use syn::{Ident, LitStr};
 
+use crate::lets::{names, with_lets};
 use crate::model::*;
+use crate::sums::block;
 use crate::varies::varies;
 
 /// The expression of type `crate::model::Model`.
@@ -36,7 +38,8 @@ pub fn describe(m: &Model) -> TokenStream {
     });
     let outputs = m.outputs.iter().map(|Output { unit, with, doc, value }| {
         let (name, with) = (value.name.to_string(), option(with));
-        quote!(model::Output { name: #name, unit: #unit, with: #with, doc: #doc })
+        let known = names(with_lets(m, block(&value.sum))).contains("known");
+        quote!(model::Output { name: #name, unit: #unit, with: #with, known: #known, doc: #doc })
     });
     let switches = m.switches.iter().map(switch);
     let nonlinear = m.nonlinear.as_ref().map_or_else(String::new, LitStr::value);
