@@ -1,6 +1,8 @@
 //! The outputs of models against Newton's laws, against the energy account and against closed forms.
 
 mod common;
+#[path = "outputs/powers.rs"]
+mod powers;
 
 use std::f64::consts::TAU;
 use std::path::Path;
@@ -68,7 +70,7 @@ fn the_losses_by_cause_sum_to_the_loss_of_the_account() {
             let q: Vec<f64> = x[..n].iter().map(|x| 1e-3 * x).collect();
             let (q_dot, k) = (&x[n..2 * n], law_values(&scene, &*equations, &x[2 * n..]));
             let each: Vec<f64> = losses().map(|&i| equations.output(i, &q, q_dot, &k, &Known::default())).collect();
-            let all = taken(&scene, &*equations, &q, q_dot, &k, &Known::default());
+            let all = taken(&scene, &*equations, &q, q_dot, &k);
             let scale = each.iter().map(|loss| loss.abs()).sum::<f64>();
             prop_assert!((each.iter().sum::<f64>() - all).abs() <= 1e-12 * scale, "{name}: {each:?} sum to {all}");
             Ok(())
