@@ -45,8 +45,9 @@ const CURVE: &str = "
 Kahraman & Singh (1990), J. Sound Vib. 142(1), 49-75, with the describing functions of Comparin & Singh (1989), J. Sound Vib. 134(2), 259-290.
 Fm = 0.1, Fah = 0.05, zeta = 0.05; scene `models/scenes/kahraman_singh.toml`, its plot `models/scenes/plots/kahraman_singh.png`. W is the mesh
 frequency over the natural frequency; amplitudes are those of the transmission error, in halves of the backlash. The published curve is the
-closed form of the harmonic balance, evaluated at these parameters: no points were read from a printed figure, and the parameters are ours, of the
-size that the paper uses. Beside it is the same equation integrated by a program that shares no code with gearsim (tests/suite/models/response_curve.rs).
+closed form of the harmonic balance. The papers themselves were not at hand: the formula is written from the method, a balance of the mean and of the
+first harmonic; the parameters are chosen here; no points were read from a printed figure. Beside it is the same equation integrated by a program that
+shares no code with gearsim (tests/suite/models/response_curve.rs).
 
 | what | published formula | integrated | ours | ours from the formula | allowed | ours from the integration | allowed |
 | --- | --- | --- | --- | --- | --- | --- | --- |
