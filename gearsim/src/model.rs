@@ -260,8 +260,22 @@ pub struct Output {
     pub unit: &'static str,
     /// The effect without which it does not exist.
     pub with: Option<&'static str>,
+    /// Whether it contains what the engine alone knows: a reaction, or the power of a torque.
+    pub known: bool,
     /// What it is.
     pub doc: &'static str,
+}
+
+impl Output {
+    /// Whether it is a power that is lost: those of an account by cause.
+    pub fn is_loss(&self) -> bool {
+        self.unit == "W" && !self.is_power()
+    }
+
+    /// Whether it is a power that passes through a part, or that of an external torque.
+    pub fn is_power(&self) -> bool {
+        self.unit == "W" && (self.name.starts_with("power_") || self.name.contains("_power"))
+    }
 }
 
 /// An external torque whose work is recorded.

@@ -58,6 +58,8 @@ pub struct Train {
     pub parts: Vec<Part>,
     /// For each rigid motion of unit size, independent forms and their values.
     pub motions: Vec<Vec<(Form, f64)>>,
+    /// Outputs that are products: the output, another output, and the displacement with whose rate that is multiplied.
+    pub products: Vec<(usize, usize, Form)>,
     /// Numbers of laws, torques and outputs of the train.
     pub counts: [usize; 3],
 }

@@ -88,6 +88,11 @@ impl Trajectory {
         columns * size_of::<f64>() + size_of::<Moment>()
     }
 
+    /// The first row from the time `from` \[s\] on.
+    pub fn row_from(&self, from: f64) -> usize {
+        self.t.partition_point(|&t| t < from)
+    }
+
     /// Number of rows.
     pub fn len(&self) -> usize {
         self.t.len()

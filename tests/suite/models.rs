@@ -1,4 +1,4 @@
-//! The models: compared with published frequencies, with energies written by hand and, in their limits, with each other. Every
+//! The models: compared with published frequencies and a published response curve, with energies written by hand and, in their limits, with each other. Every
 //! scene of a model must conserve energy.
 //!
 //! With GEARSIM_PUBLISHED=FILE the run writes a table of the published and the computed numbers to FILE, in Markdown:
@@ -11,6 +11,8 @@ mod common;
 mod limits;
 #[path = "models/published.rs"]
 mod published;
+#[path = "models/response_curve.rs"]
+mod response_curve;
 #[path = "models/scenes.rs"]
 mod scenes;
 #[path = "models/table.rs"]
@@ -38,6 +40,9 @@ fn main() -> ExitCode {
             })
         })
         .collect();
+    trials.push(Trial::test("published::response_of_kahraman_and_singh", || {
+        response_curve::rows().map(|_| ()).map_err(Into::into)
+    }));
     trials.extend(by_hand::TESTS.iter().map(|(name, test)| Trial::test(format!("by_hand::{name}"), done(*test))));
     trials.extend(limits::TESTS.iter().map(|(name, test)| Trial::test(format!("limits::{name}"), done(*test))));
     trials.extend(scenes::names().into_iter().map(|name| {

@@ -1,6 +1,8 @@
 //! The outputs of models against Newton's laws, against the energy account and against closed forms.
 
 mod common;
+#[path = "outputs/powers.rs"]
+mod powers;
 
 use std::f64::consts::TAU;
 use std::path::Path;
@@ -8,7 +10,7 @@ use std::path::Path;
 use common::{model, relative, root, run, scene};
 use gearsim::analysis::dynamic_factor;
 use gearsim::analysis::orders::{Turning, force, lines, meshes};
-use gearsim::engine::equations::Equations;
+use gearsim::engine::equations::{Equations, Known};
 use gearsim::model::Role;
 use gearsim::scene::Scene;
 use proptest::prelude::*;
@@ -62,12 +64,12 @@ fn the_losses_by_cause_sum_to_the_loss_of_the_account() {
         let scene = scene(&name, &[]);
         let equations = model(scene.model.name).equations(&scene).unwrap();
         let n = equations.coordinates();
-        let losses = || scene.output.record.iter().filter(|&&i| scene.model.outputs[i].unit == "W");
+        let losses = || scene.output.record.iter().filter(|&&i| scene.model.outputs[i].is_loss());
         let numbers = proptest::collection::vec(-1.0..1.0_f64, 3 * n + 16);
         let check = |x: Vec<f64>| {
             let q: Vec<f64> = x[..n].iter().map(|x| 1e-3 * x).collect();
             let (q_dot, k) = (&x[n..2 * n], law_values(&scene, &*equations, &x[2 * n..]));
-            let each: Vec<f64> = losses().map(|&i| equations.output(i, &q, q_dot, &k)).collect();
+            let each: Vec<f64> = losses().map(|&i| equations.output(i, &q, q_dot, &k, &Known::default())).collect();
             let all = taken(&scene, &*equations, &q, q_dot, &k);
             let scale = each.iter().map(|loss| loss.abs()).sum::<f64>();
             prop_assert!((each.iter().sum::<f64>() - all).abs() <= 1e-12 * scale, "{name}: {each:?} sum to {all}");
@@ -93,7 +95,7 @@ fn forces_accelerate_bodies_by_newtons_law() {
         let q: Vec<f64> = x[..n].iter().map(|x| 1e-4 * x).collect();
         let (q_dot, k) = (&x[n..2 * n], law_values(&scene, &*equations, &x[2 * n..]));
         let a = equations.acceleration(&q, q_dot, &k, &vec![0.0; scene.model.laws.len()]);
-        let at = |name: &str| equations.output(output(name), &q, q_dot, &k);
+        let at = |name: &str| equations.output(output(name), &q, q_dot, &k, &Known::default());
         let (mesh, alpha) = (at("mesh_force_12"), number("alpha"));
         // The line of action is at the angle -alpha to the x axis; the mesh pushes gear 1 back across it.
         let push = [-mesh * alpha.sin(), -mesh * alpha.cos()];

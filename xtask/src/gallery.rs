@@ -34,8 +34,11 @@ const SCENES: [(&str, &str); 24] = [
     ("train_turbine", "outputs"),
 ];
 
-/// The response curve of the README.
-const RESPONSE: [&str; 6] = ["--over", "start.speed=2200 rpm:4200 rpm:51", "--settle", "0.1 s", "--output", "dte_12"];
+/// The scenes whose response curves are kept, each with its speeds, and the time in which a point settles.
+const RESPONSES: [(&str, &str, &str); 2] = [
+    ("response", "start.speed=2200 rpm:4200 rpm:51", "0.1 s"),
+    ("kahraman_singh", "start.speed=3400 rpm:8600 rpm:53", "30 ms"),
+];
 
 /// Run the example scenes; write a plot of each to models/scenes/plots.
 #[derive(clap::Args)]
@@ -66,7 +69,10 @@ impl Gallery {
         for (scene, plot) in SCENES {
             draw("run", scene, &["--set", &format!("output.plots=[\"{plot}\"]")], plot, &scene.replace('/', "_"))?;
         }
-        draw("response", "response", &RESPONSE, "response", "response")?;
+        for (scene, over, settle) in RESPONSES {
+            let arguments = ["--over", over, "--settle", settle, "--output", "dte_12"];
+            draw("response", scene, &arguments, "response", scene)?;
+        }
         println!("{}", plots.display());
         Ok(())
     }

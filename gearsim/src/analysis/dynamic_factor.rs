@@ -1,6 +1,6 @@
 //! Dynamic factors of meshes: the largest force of a run over the force without vibration, and beside it K_v of ISO 6336-1, method B.
 //!
-//! - Largest force: the largest magnitude of the recorded mesh force, over samples and both sides of events.
+//! - Largest force: the largest magnitude of the recorded mesh force, over samples and both sides of events, from `output.from` on.
 //! - Static force: the mesh force in static equilibrium at the torques of the start.
 //! - K_v: [`InternalDynamics`], for a scene that gives the teeth of the mesh. N is the mesh frequency of the run over
 //!   sqrt(tr M⁻¹K_m)/2 pi, with K_m the part of K from the mesh at its mean stiffness: for two gears on torsional shafts
@@ -38,7 +38,7 @@ pub fn of(scene: &Scene, entry: &Entry, run: &Trajectory) -> Vec<DynamicFactor> 
     for (i, (law, _)) in scene.present().enumerate().filter(|(_, (law, _))| law.role == Role::Stiffness) {
         let Some(force) = force(scene.model, law.name) else { continue };
         let Some(column) = run.output(force.name) else { continue };
-        let largest = column.iter().fold(0.0, |m: f64, x| m.max(x.abs()));
+        let largest = column[run.row_from(scene.output.from)..].iter().fold(0.0, |m: f64, x| m.max(x.abs()));
         let number = scene.model.outputs.iter().position(|output| output.name == force.name);
         let at_rest = at_rest.clone().map(|values| number.map_or(f64::NAN, |i| values[i].abs()));
         let at_rest = at_rest.and_then(|force| match force > 0.0 {

@@ -15,7 +15,7 @@ mod cuts;
 mod lines;
 mod meshes;
 
-pub use cuts::{Cut, cuts};
+pub use cuts::{Cut, Window, cuts, windows};
 pub use lines::{APART, Line, SIDEBANDS, lines};
 pub use meshes::{Mesh, Rotor, force, meshes};
 

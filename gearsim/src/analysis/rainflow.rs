@@ -71,10 +71,12 @@ pub struct Duration {
 
 /// The time of a column in `classes` of equal width between its smallest and largest sample. Samples are evenly spaced, so that each
 /// stands for the same time. Empty if there are no finite samples.
-pub fn durations(run: &Trajectory, column: &[f64], classes: usize) -> Vec<Duration> {
-    let samples: Vec<f64> = run.samples().map(|row| column[row]).filter(|x| x.is_finite()).collect();
+pub fn durations(run: &Trajectory, from: f64, column: &[f64], classes: usize) -> Vec<Duration> {
+    let begin = run.row_from(from);
+    let samples: Vec<f64> =
+        run.samples().filter(|row| *row >= begin).map(|row| column[row]).filter(|x| x.is_finite()).collect();
     let (low, high) = samples.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), x| (l.min(*x), h.max(*x)));
-    let (Some(first), Some(last)) = (run.t.first(), run.t.last()) else { return vec![] };
+    let (Some(first), Some(last)) = (run.t.get(begin), run.t.last()) else { return vec![] };
     if samples.is_empty() {
         return vec![];
     }

@@ -44,6 +44,8 @@ pub enum Ending {
 pub struct Contact {
     /// The laws held, and at which side of their cell.
     pub laws: Vec<(usize, Side)>,
+    /// The switches that hold their deflections, and the column of N that is the gradient of each.
+    pub switches: Vec<(usize, usize)>,
     /// N, the outward normals of the laws, then the gradients of the deflections (n, one a column).
     pub normals: DMatrix<f64>,
     /// P, the mobility that is left (n x n), where the hold began.
@@ -252,6 +254,11 @@ impl Holds {
             Held::Switch(_) => None,
         });
         let laws = laws.collect();
+        let switches = held.iter().enumerate().filter_map(|(column, held)| match held {
+            Held::Switch(switch) => Some((*switch, column)),
+            Held::Law(..) => None,
+        });
+        let switches = switches.collect();
         let mass = now.equations.mass(&now.state.q).cholesky().ok_or(Refusal::Mass)?;
         let columns: Vec<DVector<f64>> = normals.column_iter().map(|column| column.into_owned()).collect();
         let is_locked = |i: &usize| {
@@ -260,7 +267,7 @@ impl Holds {
         };
         let locked = (0..now.switches.len()).filter(is_locked).collect();
         let mobility = now.equations.mobility(&now.state.q) - &mobility * &to_reactions;
-        Ok((Some(Contact { laws, normals, mobility, watches, locked }), neglected))
+        Ok((Some(Contact { laws, switches, normals, mobility, watches, locked }), neglected))
     }
 }
 

@@ -9,6 +9,7 @@ use smallvec::SmallVec;
 use xprec::Df64;
 
 use crate::engine::error::Refusal;
+pub use crate::engine::known::Known;
 use crate::engine::linear_forces::LinearForces;
 use crate::engine::real::Real;
 use crate::engine::vector::{Matrix, Vector, dot};
@@ -45,7 +46,7 @@ pub trait Equations: Send + Sync {
         false
     }
     /// Output `i` at a state [unit of the output]; `q` are the unwrapped coordinates.
-    fn output(&self, i: usize, _q: &[f64], _q_dot: &[f64], _k: &[f64]) -> f64 {
+    fn output(&self, i: usize, _q: &[f64], _q_dot: &[f64], _k: &[f64], _known: &Known) -> f64 {
         no_such("output", i)
     }
     /// Net work of all external torques over the displacement `dq` [J]; only the parts that do not depend on the state. Torques

@@ -28,6 +28,7 @@ pub mod exact;
 pub mod forcing;
 pub mod hybrid;
 pub mod jump;
+pub mod known;
 pub mod lanes;
 pub mod law;
 pub mod linear_forces;

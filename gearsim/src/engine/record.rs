@@ -4,6 +4,8 @@ use smallvec::SmallVec;
 
 use crate::engine::equations::Equations;
 use crate::engine::error::Stop;
+use crate::engine::hybrid::Hybrid;
+use crate::engine::known::Known;
 use crate::engine::vector::Vector;
 use crate::scene::Scene;
 use crate::trajectory::{Moment, Trajectory};
@@ -127,9 +129,19 @@ impl<'a> Recorder<'a> {
         Stop::Rows { t: self.trajectory.t.last().copied().unwrap_or(0.0), rows: self.trajectory.len() }
     }
 
-    /// Adds a row; `lost` is what damping took so far, and what was ignored in contacts [J].
-    pub fn row(&mut self, t: f64, moment: Moment, state: &State, k: &[f64], lost: (f64, f64)) {
-        let (dissipated, ignored) = lost;
+    /// Adds a row of the run `now` in a `state` of its present mode with the law values `k`; `lost` is what damping took so far, and what
+    /// was ignored in contacts \[J\].
+    pub fn row(
+        &mut self,
+        now: &Hybrid<'_>,
+        (t, moment): (f64, Moment),
+        state: &State,
+        k: &[f64],
+        (dissipated, ignored): (f64, f64),
+    ) {
+        let asked = self.trajectory.outputs.iter().any(|(output, _)| output.known);
+        let known =
+            if asked { Known::of(now, t, state, k, self.trajectory.torque_work.len()) } else { Known::default() };
         let (kinetic, strain) = (self.equations.kinetic(&state.q, &state.q_dot), self.equations.potential(&state.q, k));
         // Displacements from differences of counts and of remainders: whole pitches cancel exactly.
         let moved = Vector::from_fn(state.q.len(), |i| {
@@ -142,7 +154,7 @@ impl<'a> Recorder<'a> {
         row.moment.push(moment);
         let q = state.unwrapped(&self.pitch);
         for (i, (_, column)) in self.outputs.iter().zip(&mut row.outputs) {
-            column.push(self.equations.output(*i, &q, &state.q_dot, k));
+            column.push(self.equations.output(*i, &q, &state.q_dot, k, &known));
         }
         for (i, x) in q.iter().enumerate() {
             row.q[i].push(*x);

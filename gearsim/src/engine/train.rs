@@ -12,7 +12,9 @@ use xprec::Df64;
 
 use self::geometry::Geometry;
 use self::linear::{Linear, Sparse};
-use crate::engine::equations::{Affine, Deflection, Equations, Exit, Functions, Matrices, Source, Switching, mobility};
+use crate::engine::equations::{
+    Affine, Deflection, Equations, Exit, Functions, Known, Matrices, Source, Switching, mobility,
+};
 use crate::engine::linear_forces::LinearForces;
 use crate::engine::vector::{Matrix, Vector};
 use crate::model::Model;
@@ -46,7 +48,7 @@ impl Source for Elements {
             Some(Placed::new(part.clone(), effects, model, equations, rows))
         };
         let parts: Option<Vec<Placed>> = train.parts.iter().zip(&geometry.rows).map(part).collect();
-        Some(Box::new(Assembly::new(train, parts?, geometry.motions)))
+        Some(Box::new(Assembly::new(train, parts?, geometry)))
     }
 
     fn exactly(&self, scene: &Scene, parameters: &[Df64], mids: &[Df64], k: &[Df64]) -> Matrices<Df64> {
@@ -175,13 +177,15 @@ struct Assembly {
     torques: Vec<[usize; 2]>,
     /// For each output the parts whose outputs it is the sum of.
     outputs: Vec<Vec<[usize; 2]>>,
+    /// The outputs that are products: the output, another output, and the form of the speeds with which that is multiplied.
+    products: Vec<(usize, usize, Vector)>,
     mass: Matrix,
     mobility: Matrix,
     motions: Vec<Vector>,
 }
 
 impl Assembly {
-    fn new(train: &Train, parts: Vec<Placed>, motions: Vec<Vector>) -> Assembly {
+    fn new(train: &Train, parts: Vec<Placed>, geometry: Geometry<f64>) -> Assembly {
         let n = train.coordinates.len();
         let [laws, torques, outputs] = train.counts;
         let (mut of_laws, mut of_torques) = (vec![[0; 2]; laws], vec![[0; 2]; torques]);
@@ -202,6 +206,9 @@ impl Assembly {
         let linear = Linear::of(n, parts.iter().filter(|p| p.is_constant).map(|p| (&*p.equations, &p.rows[..])));
         let varying = (0..parts.len()).filter(|&i| !parts[i].is_constant).collect();
         let mobility = mobility(&mass);
+        let speeds = geometry.products.into_iter().map(|row| Vector::from_fn(n, |i| row[i]));
+        let products =
+            train.products.iter().zip(speeds).map(|((output, of, _), speed)| (*output, *of, speed)).collect();
         Assembly {
             n,
             parts,
@@ -212,9 +219,10 @@ impl Assembly {
             deflections,
             torques: of_torques,
             outputs: of_outputs,
+            products,
             mass,
             mobility,
-            motions,
+            motions: geometry.motions,
         }
     }
 
@@ -276,10 +284,18 @@ impl Equations for Assembly {
         self.parts.iter().any(|p| p.equations.has_powers())
     }
 
-    fn output(&self, i: usize, q: &[f64], q_dot: &[f64], k: &[f64]) -> f64 {
+    fn output(&self, i: usize, q: &[f64], q_dot: &[f64], k: &[f64], known: &Known) -> f64 {
+        if let Some((_, of, speed)) = self.products.iter().find(|product| product.0 == i) {
+            return self.output(*of, q, q_dot, k, known) * speed.dot(q_dot);
+        }
         let of = |&[part, output]: &[usize; 2]| {
             let p = &self.parts[part];
-            p.equations.output(output, &p.at(q), &p.at(q_dot), &p.values(k))
+            let switches = self.switches.iter().enumerate().filter(|(_, of)| of[0] == part);
+            let own = Known {
+                reactions: switches.map(|(switch, _)| known.reaction(switch)).collect(),
+                powers: p.part.torques.iter().map(|&torque| known.power(torque)).collect(),
+            };
+            p.equations.output(output, &p.at(q), &p.at(q_dot), &p.values(k), &own)
         };
         self.outputs[i].iter().map(of).sum()
     }

@@ -22,12 +22,12 @@ pub(crate) fn write(folder: &mut OutputFolder, scene: &Scene, outcome: &Outcome)
     }
     for &name in &asked.rainflow {
         let Some((unit, column)) = run.signal(name) else { continue };
-        let cycles = rainflow::count(column);
+        let cycles = rainflow::count(&column[run.row_from(scene.output.from)..]);
         folder.write(&format!("rainflow_{name}.csv"), |sink| {
             csv::write(&load_spectrum::rainflow(&cycles, unit)?, sink)
         })?;
         folder.write(&format!("load_duration_{name}.csv"), |sink| {
-            csv::write(&load_spectrum::durations(run, column, unit)?, sink)
+            csv::write(&load_spectrum::durations(run, scene.output.from, column, unit)?, sink)
         })?;
     }
     let Some(of) = &asked.sound else { return Ok(done) };

@@ -86,7 +86,7 @@ fn shares(times: &[(&str, f64)]) -> Named {
 fn load_spectra(scene: &Scene, run: &Trajectory) -> IndexMap<String, LoadSpectrum> {
     let spectrum = |name: &&'static str| {
         let (unit, column) = run.signal(name)?;
-        let cycles = rainflow::count(column);
+        let cycles = rainflow::count(&column[run.row_from(scene.output.from)..]);
         let largest_range = Number(cycles.iter().map(|cycle| cycle.range).fold(0.0, f64::max));
         let cycles = Number(cycles.iter().map(|cycle| cycle.count).sum());
         Some(((*name).to_owned(), LoadSpectrum { unit: unit.into(), cycles, largest_range }))
@@ -121,7 +121,7 @@ pub(crate) fn summary(scene: &Scene, outcome: &Outcome, files: Vec<String>) -> S
         cell_changes: counts.cell_changes,
         reflections: counts.reflections,
         energy: Energy::at_end(run).unwrap_or(no_energy),
-        outputs: Observed::all(run),
+        outputs: Observed::all(run, scene.output.from),
         rows: Rows::of(run),
         meshes: meshes.iter().map(|(name, (mesh, _))| ((*name).to_owned(), mesh.clone())).collect(),
         load_spectra: load_spectra(scene, run),

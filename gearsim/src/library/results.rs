@@ -88,7 +88,7 @@ impl Results {
     /// # Errors
     /// If it is not recorded; the text names those that are.
     pub fn observed(&self, output: &str) -> Result<Observed, Error> {
-        let mut all = Observed::all(self.trajectory());
+        let mut all = Observed::all(self.trajectory(), self.scene.output.from);
         all.swap_remove(output).ok_or_else(|| {
             let names: Vec<_> = self.trajectory().outputs.iter().map(|(output, _)| output.name).collect();
             Error::impossible(format!("no output `{output}` is recorded"), format!("recorded are {}", names.join(", ")))

@@ -17,8 +17,8 @@ pub(crate) static MODEL: Model = Model {
     motions: &[],
     effects: &[],
     outputs: &[
-        Output { name: "rotor_speed", unit: "rad/s", with: None, doc: "rotational speed" },
-        Output { name: "dte", unit: "rad", with: None, doc: "transmission error" },
+        Output { name: "rotor_speed", unit: "rad/s", with: None, known: false, doc: "rotational speed" },
+        Output { name: "dte", unit: "rad", with: None, known: false, doc: "transmission error" },
     ],
     switches: &[],
     nonlinear: "",

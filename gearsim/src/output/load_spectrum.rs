@@ -21,9 +21,9 @@ pub fn rainflow(cycles: &[Cycle], unit: &str) -> Result<Table, OutputError> {
     Ok(table)
 }
 
-/// The time of a column in classes of loads. Errors: [`OutputError::Ragged`].
-pub fn durations(run: &Trajectory, column: &[f64], unit: &str) -> Result<Table, OutputError> {
-    let durations = rainflow::durations(run, column, CLASSES);
+/// The time of a column in classes of loads, from the time `from` \[s\] on. Errors: [`OutputError::Ragged`].
+pub fn durations(run: &Trajectory, from: f64, column: &[f64], unit: &str) -> Result<Table, OutputError> {
+    let durations = rainflow::durations(run, from, column, CLASSES);
     let whole: f64 = durations.iter().map(|class| class.time).sum();
     let numbers = |of: &dyn Fn(&rainflow::Duration) -> f64| Values::Number(durations.iter().map(of).collect());
     let mut table = Table::default();

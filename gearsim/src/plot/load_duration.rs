@@ -23,7 +23,9 @@ fn draw(runs: &[Run<'_>]) -> Result<Figure, PlotError> {
             let Some((unit, column)) = run.trajectory.signal(name) else { continue };
             let (of_engineers, factor) = engineering(unit);
             shown = of_engineers;
-            let mut samples: Vec<f64> = run.trajectory.samples().map(|row| factor * column[row]).collect();
+            let begin = run.trajectory.row_from(run.asked.from);
+            let rows = run.trajectory.samples().filter(|row| *row >= begin);
+            let mut samples: Vec<f64> = rows.map(|row| factor * column[row]).collect();
             samples.retain(|x| x.is_finite());
             samples.sort_by(|a, b| b.total_cmp(a));
             let last = samples.len().saturating_sub(1);

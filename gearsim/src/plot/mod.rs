@@ -2,6 +2,7 @@
 
 pub mod campbell;
 mod canvas;
+mod cascade;
 mod decimate;
 mod energy;
 pub mod figure;
@@ -13,6 +14,7 @@ mod marks;
 pub mod modes;
 mod motion;
 mod order_cuts;
+mod order_waterfall;
 pub(crate) mod orders;
 pub mod outputs;
 mod picture;
@@ -42,6 +44,7 @@ pub const PLOTS: &[Plot] = &[
     spectrum::PLOT,
     motion::PLOT,
     order_cuts::PLOT,
+    order_waterfall::PLOT,
     run_up::PLOT,
     rainflow::PLOT,
     load_duration::PLOT,

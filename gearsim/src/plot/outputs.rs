@@ -12,14 +12,17 @@ pub const PLOT: Plot = Plot {
 };
 
 /// The units in the order of their panels, each with the quantity, the unit that engineers use, and the factor to it.
-const UNITS: [(&str, &str, &str, f64); 6] = [
+const UNITS: [(&str, &str, &str, f64); 7] = [
     ("rad/s", "speed", "rpm", 30.0 / std::f64::consts::PI),
     ("N", "force", "N", 1.0),
     ("N*m", "torque", "N*m", 1.0),
     ("m", "transmission error", "um", 1e6),
     ("rad", "angle", "rad", 1.0),
     ("W", "loss", "W", 1.0),
+    ("W", POWER, "W", 1.0),
 ];
+/// What is drawn apart from the losses, which it would hide: the power through parts and of torques.
+const POWER: &str = "power";
 /// Most curves in a panel; the others would hide them.
 const MOST: usize = 6;
 
@@ -33,7 +36,9 @@ pub(super) fn of_unit(run: &Trajectory, unit: &str) -> Vec<&'static Output> {
     let mut all: Vec<&'static Output> = run.outputs.iter().map(|(output, _)| *output).collect();
     all.retain(|output| output.unit == unit);
     let component = |name: &str| ["_x", "_y", "_radial", "_tangential"].iter().any(|axis| name.ends_with(axis));
-    all.sort_by_key(|output| (!output.name.starts_with("mesh"), component(output.name)));
+    // The deflection of a mesh comes after its transmission error.
+    let is_first = |output: &Output| output.name.starts_with("mesh") && !output.name.starts_with("mesh_deflection");
+    all.sort_by_key(|output| (!is_first(output), component(output.name)));
     all
 }
 
@@ -42,7 +47,8 @@ fn draw(runs: &[Run<'_>]) -> Result<Figure, PlotError> {
     let mut left_out = 0;
     let mut panels = vec![];
     for (unit, quantity, shown, factor) in UNITS {
-        let of_unit = of_unit(first, unit);
+        let mut of_unit = of_unit(first, unit);
+        of_unit.retain(|output| output.is_power() == (quantity == POWER));
         // Several runs are compared by the first output of each unit.
         let most = if runs.len() > 1 { 1 } else { MOST };
         left_out += of_unit.len().saturating_sub(most);

@@ -18,7 +18,7 @@ fn draw(runs: &[Run<'_>]) -> Result<Figure, PlotError> {
             let Some((unit, column)) = run.trajectory.signal(name) else { continue };
             let (of_engineers, factor) = engineering(unit);
             shown = of_engineers;
-            let mut cycles = rainflow::count(column);
+            let mut cycles = rainflow::count(&column[run.trajectory.row_from(run.asked.from)..]);
             cycles.sort_by(|a, b| b.range.total_cmp(&a.range));
             // A staircase from the largest range down: each range is reached in so many cycles.
             let (mut x, mut y, mut sum) = (vec![], vec![], 0.0);

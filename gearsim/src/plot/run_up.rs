@@ -3,9 +3,10 @@
 
 use std::f64::consts::TAU;
 
+use super::cascade::{Part, line, panel};
 use super::outputs::{engineering, of_unit};
-use super::{Axis, Figure, Marker, Panel, Plot, PlotError, Run, Series, Style, first_run, scene_names};
-use crate::analysis::orders::{SHAFT, first_shaft, meshes};
+use super::{Axis, Figure, Plot, PlotError, Run, Series, first_run, scene_names};
+use crate::analysis::orders::{first_shaft, meshes};
 use crate::analysis::spectrum::{SpectrumError, uniform_samples, welch};
 
 /// The entry in [`super::PLOTS`].
@@ -19,28 +20,10 @@ pub const PLOT: Plot = Plot {
 const PARTS: usize = 30;
 /// Least samples of a part.
 const LEAST: usize = 64;
-/// Points of a curve: each is the largest line of several.
-const POINTS: usize = 500;
-/// Height of the highest line, in parts of the axis.
-const HEIGHT: f64 = 0.2;
-/// The speed varies if it does so by this share of its largest value.
-const VARIES: f64 = 0.05;
 /// Amplitudes below this share of the largest do not extend the frequency axis.
 const CONTENT: f64 = 0.02;
 /// Multiples of a mesh order that have a ray.
 const HARMONICS: usize = 3;
-
-/// A part of a run.
-struct Part {
-    /// Mean speed of the shaft \[rad/s\].
-    speed: f64,
-    /// Time of its middle \[s\].
-    time: f64,
-    /// Frequencies \[Hz\].
-    frequency: Vec<f64>,
-    /// Peak amplitudes [unit of the signal].
-    amplitude: Vec<f64>,
-}
 
 fn draw(runs: &[Run<'_>]) -> Result<Figure, PlotError> {
     let first = first_run(PLOT.name, runs)?;
@@ -63,18 +46,18 @@ fn draw(runs: &[Run<'_>]) -> Result<Figure, PlotError> {
         let parts = parts(run, column, speed).map_err(failed)?;
         let peak = parts.iter().flat_map(|part| &part.amplitude).copied().fold(0.0, f64::max);
         let content =
-            |part: &Part| part.amplitude.iter().rposition(|a| *a > CONTENT * peak).map_or(0.0, |i| part.frequency[i]);
+            |part: &Part| part.amplitude.iter().rposition(|a| *a > CONTENT * peak).map_or(0.0, |i| part.place[i]);
         end = parts.iter().map(content).fold(end, f64::max);
         unit = engineering(si).0;
         panels.push((run, parts, peak * engineering(si).1));
     }
-    let longest = panels.iter().flat_map(|(_, parts, _)| parts).filter_map(|part| part.frequency.last().copied());
+    let longest = panels.iter().flat_map(|(_, parts, _)| parts).filter_map(|part| part.place.last().copied());
     end = (1.1 * end).min(longest.fold(0.0, f64::max));
-    let rays: Vec<(&str, f64)> =
+    let orders: Vec<(&str, f64)> =
         meshes.iter().map(|mesh| (mesh.name, mesh_order(run, shaft.name, mesh.frequency))).collect();
-    let panels = panels
-        .into_iter()
-        .map(|(run, parts, peak)| panel(&parts, (run.label, runs.len() > 1), &rays, (end, peak, unit)));
+    let panels = panels.into_iter().map(|(run, parts, peak)| {
+        panel(&parts, (run.label, runs.len() > 1), (end, peak, unit), &|range| rays(&orders, range))
+    });
     let subtitle = format!(
         "{}; {signal}, {PARTS} parts, Hann window, peak amplitudes; speed of {}",
         scene_names(runs),
@@ -101,52 +84,22 @@ fn parts(run: &Run<'_>, column: &[f64], speed: &[f64]) -> Result<Vec<Part>, Spec
         let speed = rows.iter().map(|&row| speed[row]).sum::<f64>() / rows.len() as f64;
         let time = 0.5 * (run.trajectory.t[rows[0]] + run.trajectory.t[rows[rows.len() - 1]]);
         let amplitude: Vec<f64> = spectrum.rms().map(|rms| rms * 2.0_f64.sqrt()).collect();
-        Ok(Part { speed: speed.abs(), time, frequency: spectrum.frequency, amplitude })
+        Ok(Part { speed: speed.abs(), time, place: spectrum.frequency, amplitude })
     };
     rows.windows(length).step_by((length / 2).max(1)).map(part).collect()
 }
 
-fn panel(
-    parts: &[Part],
-    (label, named): (&str, bool),
-    rays: &[(&str, f64)],
-    (end, peak, unit): (f64, f64, &str),
-) -> Panel {
-    let (_, rpm) = engineering(SHAFT);
-    let extreme = |of: fn(f64, f64) -> f64, start: f64| parts.iter().map(|part| part.speed).fold(start, of);
-    let (low, high) = (extreme(f64::min, f64::INFINITY), extreme(f64::max, 0.0));
-    let over_speed = high - low > VARIES * high;
-    let place = |part: &Part| if over_speed { rpm * part.speed } else { part.time };
-    let places: Vec<f64> = parts.iter().map(place).collect();
-    let (low, high) = places.iter().fold((f64::INFINITY, 0.0_f64), |(l, h), x| (l.min(*x), h.max(*x)));
-    let largest = parts.iter().flat_map(|part| &part.amplitude).copied().fold(f64::MIN_POSITIVE, f64::max);
-    let scale = HEIGHT * (high - low).max(f64::MIN_POSITIVE) / largest;
-    let mut series = vec![];
-    for (m, (mesh, order)) in rays.iter().enumerate().filter(|_| over_speed) {
-        for harmonic in 1..=HARMONICS {
+/// The rays of the mesh orders from the lowest to the highest speed \[rpm\].
+fn rays(orders: &[(&str, f64)], (low, high): (f64, f64)) -> Vec<Series> {
+    let ray = |(m, (mesh, order)): (usize, &(&str, f64))| {
+        let each = move |harmonic: usize| {
             let slope = harmonic as f64 * order / 60.0;
             let label = if harmonic == 1 { format!("1 to {HARMONICS} × {mesh}") } else { String::new() };
-            let mut ray = Series::new(m, label, vec![slope * low, slope * high], vec![low, high]);
-            ray.style = Style { colour: "#999999", dashes: &[5.0, 3.0], width: 0.9, marker: Marker::None };
-            series.push(ray);
-        }
-    }
-    for (i, (part, at)) in parts.iter().zip(&places).enumerate() {
-        let shown = part.frequency.partition_point(|f| *f <= end);
-        let each = shown.div_ceil(POINTS).max(1);
-        let x = part.frequency[..shown].chunks(each).map(|f| f[f.len() / 2]).collect();
-        let highest = |a: &[f64]| at + scale * a.iter().copied().fold(0.0, f64::max);
-        let y = part.amplitude[..shown].chunks(each).map(highest).collect();
-        let label = match (i, named) {
-            (0, true) => label.to_owned(),
-            (0, false) => format!("the highest line is {peak:.3e} {unit}"),
-            _ => String::new(),
+            line(m, label, vec![slope * low, slope * high], (low, high))
         };
-        let style = Style { colour: "#0072b2", dashes: &[], width: 0.9, marker: Marker::None };
-        series.push(Series { style, ..Series::new(0, label, x, y) });
-    }
-    let y = if over_speed { Axis::linear("speed", "rpm") } else { Axis::linear("time t", "s") };
-    Panel { y, series }
+        (1..=HARMONICS).map(each).collect::<Vec<_>>()
+    };
+    orders.iter().enumerate().flat_map(ray).collect()
 }
 
 #[cfg(test)]
@@ -166,13 +119,13 @@ mod tests {
         let x: Vec<f64> = up.t.iter().map(|t| 3.0 * (17.0 * TAU * (5.0 * t + 2.5 * t * t)).sin()).collect();
         let parts = parts(&run("up", &up), &x, &speed).unwrap();
         assert!(parts.len() >= PARTS, "{}", parts.len());
-        let resolution = parts[0].frequency[1];
+        let resolution = parts[0].place[1];
         for part in parts {
             let top =
                 (1..part.amplitude.len()).max_by(|&a, &b| part.amplitude[a].total_cmp(&part.amplitude[b])).unwrap();
             let expected = 17.0 * part.speed / TAU;
             // Within a part the order moves by 17 x 5 1/s² x 0.26 s = 22 Hz, which the window narrows.
-            assert!((part.frequency[top] - expected).abs() < 12.0 + resolution, "{} {expected}", part.frequency[top]);
+            assert!((part.place[top] - expected).abs() < 12.0 + resolution, "{} {expected}", part.place[top]);
             assert!(part.amplitude[top] < 3.0);
         }
     }

@@ -16,6 +16,7 @@ static ASKED: std::sync::LazyLock<Output> = std::sync::LazyLock::new(|| Output {
     rainflow: vec!["dte"],
     sound: None,
     csv: false,
+    from: 0.0,
     most_rows: 1_000_000,
 });
 
@@ -89,7 +90,7 @@ fn drawing_empty_or_inconsistent_data_is_an_error() {
     assert_eq!(
         message,
         "there is no plot `spectra`; there are `outputs`, `orders`, `energy`, `spectrum`, `motion`, \
-         `order_cuts`, `run_up`, `rainflow`, `load_duration`"
+         `order_cuts`, `order_waterfall`, `run_up`, `rainflow`, `load_duration`"
     );
     let series = Series::new(0, "odd", vec![0.0], vec![]);
     let panel = Panel { y: Axis::linear("y", "1"), series: vec![series] };

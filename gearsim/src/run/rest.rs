@@ -2,6 +2,7 @@
 
 use super::Entry;
 use crate::engine::error::Refusal;
+use crate::engine::known::Known;
 use crate::engine::start;
 use crate::model::Start;
 use crate::scene::Scene;
@@ -26,6 +27,6 @@ impl Entry {
         let equations = self.equations(&scene)?;
         let initial = start::begin(&*equations, &scene)?;
         let (q, q_dot, k) = (initial.absolute(), &initial.state.q_dot, initial.levels(&scene));
-        Ok((0..scene.model.outputs.len()).map(|i| equations.output(i, &q, q_dot, &k)).collect())
+        Ok((0..scene.model.outputs.len()).map(|i| equations.output(i, &q, q_dot, &k, &Known::default())).collect())
     }
 }

@@ -77,8 +77,18 @@ use crate::profile::Profile;
 use crate::train::Train;
 
 /// Plots that a scene may ask for.
-pub const PLOTS: &[&str] =
-    &["outputs", "orders", "energy", "spectrum", "motion", "order_cuts", "run_up", "rainflow", "load_duration"];
+pub const PLOTS: &[&str] = &[
+    "outputs",
+    "orders",
+    "energy",
+    "spectrum",
+    "motion",
+    "order_cuts",
+    "order_waterfall",
+    "run_up",
+    "rainflow",
+    "load_duration",
+];
 
 /// A scene, checked and ready to run.
 #[derive(Debug, Clone)]
@@ -169,6 +179,8 @@ pub struct Output {
     pub plots: Vec<String>,
     /// The outputs of the model that are recorded, by their numbers.
     pub record: Vec<usize>,
+    /// Time from which on statistics, load spectra and transforms take the run \[s\].
+    pub from: f64,
     /// Which spectra are drawn, and their scale.
     pub spectrum: Spectrum,
     /// Names of the recorded signals whose load spectra are counted.

@@ -16,8 +16,14 @@ pub(super) const END: &[Key] = &[key("t_end", Kind::Quantity("s"), REQUIRED, "en
 pub(super) const KEYS: &[Key] = &[
     key("rate", Kind::Quantity("Hz"), "10000 samples over the run", "samples per second"),
     key("events", Kind::Flag, "true", "record the state before and after each event"),
-    key("plots", Kind::List(&Kind::Choice(PLOTS)), "those with data, without order_cuts and run_up", "plots to draw"),
+    key(
+        "plots",
+        Kind::List(&Kind::Choice(PLOTS)),
+        "those with data, without order_cuts, order_waterfall and run_up",
+        "plots to draw",
+    ),
     key("record", Kind::List(&Kind::Name("an output of the model")), "all", "outputs to record"),
+    key("from", Kind::Quantity("s"), "0 s", "from which time on statistics, load spectra and transforms take the run"),
     key("spectrum", Kind::Table(&[spectrum::KEYS]), "all defaults", "which spectra are drawn, and their scale"),
     key("rainflow", Kind::List(&Kind::Name(spectrum::SIGNAL)), "none", "signals whose load cycles are counted"),
     key("sound", Kind::Table(&[sound::KEYS]), "none", "signals to write as WAV files"),
@@ -81,9 +87,13 @@ pub(super) fn read(
         Some(node) => read_record(node, model, effects, report),
         None => model.map(|model| available(model, effects)),
     };
+    let from = match keys::get(given, "from") {
+        Some(node) => read_from("output.from", node, t_end, report),
+        None => Some(0.0),
+    };
     let spectrum = match keys::get(given, "spectrum") {
-        Some(node) => spectrum::read(node, (model, record.as_deref()), t_end, report),
-        None => Some(Spectrum::DEFAULT),
+        Some(node) => spectrum::read(node, (model, record.as_deref()), (from.unwrap_or(0.0), t_end), report),
+        None => from.map(|from| Spectrum { from, ..Spectrum::DEFAULT }),
     };
     let signals = || Some(spectrum::signals(model?, record.as_deref()?));
     let rainflow = match keys::get(given, "rainflow") {
@@ -113,8 +123,8 @@ pub(super) fn read(
     };
     let plots = plots?.into_iter().map(|i| PLOTS[i].to_string()).collect();
     let (rate, events, csv, most_rows) = (rate?, events?, csv?, most_rows? as u64);
-    let (record, spectrum, rainflow, sound) = (record?, spectrum?, rainflow?, sound?);
-    Some(Output { rate, events, plots, record, spectrum, rainflow, sound, csv, most_rows })
+    let (record, from, spectrum, rainflow, sound) = (record?, from?, spectrum?, rainflow?, sound?);
+    Some(Output { rate, events, plots, record, from, spectrum, rainflow, sound, csv, most_rows })
 }
 
 /// What is drawn if the scene does not say: the outputs and, of a model with meshes, their orders; the motion if there are no outputs;
@@ -126,7 +136,7 @@ fn default_plots(model: Option<&Model>, record: Option<&[usize]>, counted: bool)
         "outputs" => recorded,
         "orders" => recorded && meshes,
         "motion" => !recorded,
-        "order_cuts" | "run_up" => false,
+        "order_cuts" | "order_waterfall" | "run_up" => false,
         "rainflow" | "load_duration" => counted,
         _ => true,
     };
@@ -153,6 +163,17 @@ fn read_record(
     let chosen = field::names("output.record", node, "output", &names, report)?;
     let available = available(model, effects);
     Some(chosen.into_iter().filter(|i| available.contains(i)).collect())
+}
+
+/// Reads a time within the run \[s\].
+pub(super) fn read_from(path: &str, node: &Node, t_end: Option<f64>, report: &mut Report) -> Option<f64> {
+    let from = field::quantity(path, node, "s", report)?;
+    let within = (0.0..t_end?).contains(&from);
+    if !within {
+        let help = "give the time at which the motion has settled, e.g. \"0.1 s\"";
+        field::out_of_range(path, node, "must lie within the run", help, report);
+    }
+    within.then_some(from)
 }
 
 fn read_most_rows(node: &Node, bytes: Option<f64>, report: &mut Report) -> Option<f64> {

@@ -6,7 +6,7 @@ use super::keys::{Key, Kind, key};
 use super::mistake::Report;
 use super::quantity::Quantity;
 use super::unit::Unit;
-use super::{field, keys};
+use super::{field, keys, output};
 use crate::model::Model;
 
 /// What signals are, in words.
@@ -18,7 +18,7 @@ pub(super) const KEYS: &[Key] = &[
     key("kind", Kind::Choice(&KIND_NAMES), "psd", "power spectral density, peak amplitude, or rms of a sine"),
     key("scale", Kind::Choice(&SCALES), "log", "a logarithmic axis, or levels"),
     key("reference", Kind::Either(&[Kind::Text, Kind::List(&Kind::Text)]), REFERENCES, "what levels refer to, by unit"),
-    key("from", Kind::Quantity("s"), "0 s", "where the transformed part of the record begins"),
+    key("from", Kind::Quantity("s"), "output.from", "where the transformed part of the record begins"),
 ];
 
 /// The usual references of levels, in words.
@@ -87,11 +87,11 @@ impl Spectrum {
     }
 }
 
-/// Reads the table. `record` has the numbers of the outputs that are recorded.
+/// Reads the table. `record` has the numbers of the outputs that are recorded; `from` is `output.from` \[s\].
 pub(super) fn read(
     node: &Node,
     (model, record): (Option<&'static Model>, Option<&[usize]>),
-    t_end: Option<f64>,
+    (from, t_end): (f64, Option<f64>),
     report: &mut Report,
 ) -> Option<Spectrum> {
     let given = field::table("output.spectrum", node, report)?;
@@ -120,16 +120,8 @@ pub(super) fn read(
         None => vec![],
     };
     let from = match keys::get(given, "from") {
-        Some(node) => field::quantity("output.spectrum.from", node, "s", report).and_then(|from| {
-            let within = (0.0..t_end?).contains(&from);
-            if !within {
-                let help = "give the time at which the motion has settled, e.g. \"0.1 s\"";
-                let must = "must lie within the run";
-                field::out_of_range("output.spectrum.from", node, must, help, report);
-            }
-            within.then_some(from)
-        })?,
-        None => 0.0,
+        Some(node) => output::read_from("output.spectrum.from", node, t_end, report)?,
+        None => from,
     };
     Some(Spectrum { of, kind: KINDS[kind].1, decibels, references, from })
 }

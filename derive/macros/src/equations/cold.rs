@@ -33,6 +33,8 @@ pub enum Takes {
     Index(&'static str),
     /// A number.
     Number(&'static str),
+    /// What the engine alone knows.
+    Known(&'static str),
 }
 
 /// A result.
@@ -56,6 +58,7 @@ impl Cold {
             Takes::Laws(name) => argument(name, quote!(&[#r])),
             Takes::Index(name) => argument(name, quote!(usize)),
             Takes::Number(name) => argument(name, r.clone()),
+            Takes::Known(name) => argument(name, quote!(&equations::Known)),
         });
         let returns = match &self.returns {
             Returns::Plain(plain) => plain.clone(),
@@ -76,9 +79,14 @@ impl Cold {
             Takes::Coordinates(name) | Takes::Laws(name) => argument(name, quote!(&[f64])),
             Takes::Index(name) => argument(name, quote!(usize)),
             Takes::Number(name) => argument(name, quote!(f64)),
+            Takes::Known(name) => argument(name, quote!(&equations::Known)),
         });
         let given = self.takes.iter().map(|takes| {
-            let (Takes::Coordinates(name) | Takes::Laws(name) | Takes::Index(name) | Takes::Number(name)) = takes;
+            let (Takes::Coordinates(name)
+            | Takes::Laws(name)
+            | Takes::Index(name)
+            | Takes::Number(name)
+            | Takes::Known(name)) = takes;
             let name = format_ident!("{name}");
             if let Takes::Coordinates(_) = takes { quote!(equations::array(#name)) } else { quote!(#name) }
         });
@@ -141,7 +149,7 @@ fn output(m: &Model) -> Option<Cold> {
     let output = by_index("output", format_ident!("i"), outputs);
     (!m.outputs.is_empty()).then(|| Cold {
         name: "output",
-        takes: &[Takes::Index("i"), Coordinates("q"), Coordinates("q_dot"), Laws("k")],
+        takes: &[Takes::Index("i"), Coordinates("q"), Coordinates("q_dot"), Laws("k"), Takes::Known("known")],
         returns: Returns::Plain(quote!(f64)),
         body: quote!(let output: f64 = #output; output + 0.0),
     })

@@ -4,10 +4,12 @@ use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
 use syn::{Ident, LitStr};
 
+use crate::equations::lets::{names, with_lets};
 use crate::equations::model::*;
+use crate::equations::sums::block;
 use crate::equations::varies::varies;
 
-/// The expression of type `crate::equations::model::Model`.
+/// The expression of type `gearsim::model::Model`.
 pub fn describe(m: &Model) -> TokenStream {
     let (name, title) = (m.name.to_string(), &m.title);
     let source = m.source.as_ref().map_or_else(String::new, LitStr::value);
@@ -36,7 +38,8 @@ pub fn describe(m: &Model) -> TokenStream {
     });
     let outputs = m.outputs.iter().map(|Output { unit, with, doc, value }| {
         let (name, with) = (value.name.to_string(), option(with));
-        quote!(model::Output { name: #name, unit: #unit, with: #with, doc: #doc })
+        let known = names(with_lets(m, block(&value.sum))).contains("known");
+        quote!(model::Output { name: #name, unit: #unit, with: #with, known: #known, doc: #doc })
     });
     let switches = m.switches.iter().map(switch);
     let nonlinear = m.nonlinear.as_ref().map_or_else(String::new, LitStr::value);

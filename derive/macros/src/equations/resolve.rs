@@ -57,7 +57,7 @@ pub fn resolve(m: &mut Model, errors: &mut Vec<Error>) {
     let motions = Scope::of(m, "motions");
     m.motions.iter_mut().flat_map(|x| &mut x.speeds).for_each(|s| motions.expression(&mut s.value, errors));
 
-    let mut outputs = powers.within("outputs");
+    let mut outputs = powers.within("outputs").known(m);
     for output in &mut m.outputs {
         outputs.sum(&mut output.value.sum, errors);
         outputs.declare(&output.value.name);

@@ -120,6 +120,17 @@ impl Scope {
         self
     }
 
+    /// Adds the reactions of held deflections and the powers of torques, which the engine gives to outputs.
+    pub fn known(mut self, model: &Model) -> Self {
+        for (i, switch) in model.switches.iter().enumerate().filter(|(_, s)| s.modes.iter().any(|mode| mode.held)) {
+            self.names.insert(format!("{}_reaction", switch.over), quote!(known.reaction(#i)));
+        }
+        for (i, torque) in model.torques.iter().enumerate() {
+            self.names.insert(format!("{}_power", torque.name), quote!(known.power(#i)));
+        }
+        self
+    }
+
     /// The same names for another block.
     pub fn within(&self, block: &str) -> Self {
         Self { block: block.to_string(), names: self.names.clone(), conditions: self.conditions.clone() }

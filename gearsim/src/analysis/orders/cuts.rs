@@ -1,6 +1,6 @@
-//! Order cuts: the amplitude of an order over the speed of a run-up, from windows of whole revolutions that overlap by half.
+//! Order spectra and order cuts of a run-up: amplitudes over the speed, from windows of whole revolutions that overlap by half.
 
-use super::Turning;
+use super::{Orders, Turning};
 use crate::analysis::spectrum::SpectrumError;
 
 /// The amplitudes in one window.
@@ -17,6 +17,29 @@ pub struct Cut {
 /// # Errors
 /// Those of [`Turning::orders`].
 pub fn cuts(turning: &Turning, column: &[f64], orders: &[f64], revolutions: usize) -> Result<Vec<Cut>, SpectrumError> {
+    let cut = |window: Window| {
+        let amplitude = orders.iter().map(|order| window.orders.at(*order).unwrap_or(f64::NAN)).collect();
+        Cut { speed: window.speed, amplitude }
+    };
+    Ok(windows(turning, column, revolutions)?.into_iter().map(cut).collect())
+}
+
+/// The order spectrum in one window.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Window {
+    /// Speed of the shaft in the middle of the window \[rad/s\].
+    pub speed: f64,
+    /// Time of the middle, from the first sample \[s\].
+    pub time: f64,
+    /// The spectrum.
+    pub orders: Orders,
+}
+
+/// The order spectra of a column in every window of `revolutions`.
+///
+/// # Errors
+/// Those of [`Turning::orders`].
+pub fn windows(turning: &Turning, column: &[f64], revolutions: usize) -> Result<Vec<Window>, SpectrumError> {
     let mut all = vec![];
     let mut begin = 0.0;
     while begin + revolutions as f64 <= turning.angle[turning.angle.len() - 1] {
@@ -37,9 +60,8 @@ pub fn cuts(turning: &Turning, column: &[f64], orders: &[f64], revolutions: usiz
         if window.revolutions() < 1 {
             continue;
         }
-        let spectrum = window.orders(column)?;
-        let amplitude = orders.iter().map(|order| spectrum.at(*order).unwrap_or(f64::NAN)).collect();
-        all.push(Cut { speed, amplitude });
+        let time = (from + middle) as f64 / turning.rate;
+        all.push(Window { speed, time, orders: window.orders(column)? });
     }
     Ok(all)
 }

@@ -5,7 +5,7 @@ use crate::model::{Model, Output};
 use crate::output::fixture::MODEL;
 use crate::trajectory::Moment;
 
-static OUTPUTS: [Output; 1] = [Output { name: "rotor_speed", unit: SHAFT, with: None, doc: "" }];
+static OUTPUTS: [Output; 1] = [Output { name: "rotor_speed", unit: SHAFT, with: None, known: false, doc: "" }];
 static TURNS: Model = Model { outputs: &OUTPUTS, ..MODEL };
 
 /// A run of `n` samples at `rate` with the rotor at the speed `speed(t)` [revolutions/s].

@@ -62,7 +62,7 @@ fn a_ramp_spends_the_same_time_in_every_class() {
     run.t = (0..=1000).map(|i| f64::from(i) * 2e-3).collect();
     run.moment = vec![Moment::Sample; 1001];
     let column: Vec<f64> = run.t.iter().map(|t| 3.0 + 5.0 * t).collect();
-    let durations = durations(&run, &column, 10);
+    let durations = durations(&run, 0.0, &column, 10);
     assert!((durations.iter().map(|d| d.time).sum::<f64>() - 2.0).abs() < 1e-12);
     assert!(durations.iter().all(|d| (d.time - 0.2).abs() < 0.0021), "{durations:?}");
     assert!((durations[0].low, durations[9].high) == (3.0, 13.0));

@@ -21,7 +21,8 @@ impl Simulation<'_> {
                 Some(recorder) => {
                     let mut arrived = self.now.state.clone();
                     let (t, dissipated) = kernel.arrive(&mut arrived);
-                    recorder.row(t, Moment::Before, &arrived, &self.now.k, (dissipated, self.now.ignored));
+                    let lost = (dissipated, self.now.ignored);
+                    recorder.row(&self.now, (t, Moment::Before), &arrived, &self.now.k, lost);
                     kernel.pass(self);
                     self.now.note(recorder, Moment::After);
                 }

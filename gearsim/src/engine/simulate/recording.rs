@@ -50,7 +50,7 @@ impl<'r, 'e> Recording<'r, 'e> {
             // A sample a rounding before the event that ends the motion is not noted after it.
             let at = at.min(end.now());
             let k = now.levels_at(&reached.state, at);
-            self.recorder.row(at, Moment::Sample, &reached.state, &k, lost);
+            self.recorder.row(now, (at, Moment::Sample), &reached.state, &k, lost);
             self.next += 1;
         }
     }
@@ -76,6 +76,6 @@ impl Hybrid<'_> {
         recorder.beyond.clone_from(&self.work);
         let t = self.clock.now();
         let k = self.levels_at(&self.state, t);
-        recorder.row(t, moment, &self.state, &k, (self.dissipated, self.ignored));
+        recorder.row(self, (t, moment), &self.state, &k, (self.dissipated, self.ignored));
     }
 }

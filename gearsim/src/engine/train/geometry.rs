@@ -10,9 +10,11 @@ use crate::engine::vector::Vector;
 use crate::tolerance::scene::CANCELLED;
 use crate::train::{Factor, Form, Row, Train};
 
-/// R of each part (its coordinates x those of the train), and the speeds of each rigid motion, in numbers of type R.
+/// R of each part (its coordinates x those of the train), the displacements of the products among the outputs by the coordinates of the
+/// train, and the speeds of each rigid motion, in numbers of type R.
 pub(super) struct Geometry<R> {
     pub rows: Vec<DMatrix<R>>,
+    pub products: Vec<Vec<R>>,
     pub motions: Vec<Vector>,
 }
 
@@ -42,12 +44,13 @@ impl<R: Sized64> Geometry<R> {
         let dense = |form: &Form| dense(form, n, parameters);
         let b: Vec<Vec<R>> = train.coordinates.iter().map(&dense).collect();
         let inverse = inverse(&b);
+        let by_coordinates = |form: &Form| {
+            let d = dense(form);
+            (0..n).map(|j| product(&d, |i| inverse[i][j])).collect::<Vec<R>>()
+        };
         let row = |row: &Row| match row {
-            Row::Coordinate(j) => (0..n).map(|i| R::from(f64::from(u8::from(i == *j)))).collect::<Vec<R>>(),
-            Row::Form(form) => {
-                let d = dense(form);
-                (0..n).map(|j| product(&d, |i| inverse[i][j])).collect()
-            }
+            Row::Coordinate(j) => (0..n).map(|i| R::from(f64::from(u8::from(i == *j)))).collect(),
+            Row::Form(form) => by_coordinates(form),
         };
         let rows = |rows: &Vec<Row>| {
             let rows: Vec<Vec<R>> = rows.iter().map(row).collect();
@@ -62,6 +65,7 @@ impl<R: Sized64> Geometry<R> {
         };
         Geometry {
             rows: train.parts.iter().map(|part| rows(&part.rows)).collect(),
+            products: train.products.iter().map(|(_, _, form)| by_coordinates(form)).collect(),
             motions: train.motions.iter().map(motion).collect(),
         }
     }

@@ -8,7 +8,7 @@ use crate::analysis::statistics::Statistics;
 use crate::model::Output;
 use crate::trajectory::Trajectory;
 
-/// Statistics of a recorded output, over the run.
+/// Statistics of a recorded output, from `output.from` to the end of the run.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Observed {
@@ -29,10 +29,12 @@ pub struct Observed {
 }
 
 impl Observed {
-    /// Those of the recorded outputs of a run that has samples, by name.
-    pub fn all(run: &Trajectory) -> IndexMap<String, Self> {
+    /// Those of the recorded outputs of a run that has samples, from the time `from` \[s\] on, by name.
+    pub fn all(run: &Trajectory, from: f64) -> IndexMap<String, Self> {
+        let begin = run.row_from(from);
         let statistics = |(output, column): &(&Output, Vec<f64>)| {
-            let [min, max, mean, rms, p01, p99] = Statistics::of(column, &run.moment)?.values().map(Number);
+            let [min, max, mean, rms, p01, p99] =
+                Statistics::of(&column[begin..], &run.moment[begin..])?.values().map(Number);
             Some((output.name.into(), Observed { unit: output.unit.into(), min, max, mean, rms, p01, p99 }))
         };
         run.outputs.iter().filter_map(statistics).collect()

@@ -7,9 +7,6 @@ use crate::output::number::short;
 use crate::page::html::{Cell, Html};
 use crate::trajectory::Trajectory;
 
-/// The unit of the outputs that are losses.
-const UNIT: &str = "W";
-
 /// Writes the table; nothing if no loss is recorded.
 pub(super) fn table(report: &Report<'_>, html: &mut Html) {
     let run = &report.run.outcome.trajectory;
@@ -37,7 +34,7 @@ pub(super) fn table(report: &Report<'_>, html: &mut Html) {
 
 /// Name, description and energy \[J\] of each recorded loss.
 fn by_cause(run: &Trajectory) -> Vec<(&'static str, &'static str, f64)> {
-    let losses = run.outputs.iter().filter(|(output, _)| output.unit == UNIT);
+    let losses = run.outputs.iter().filter(|(output, _)| output.is_loss());
     losses.map(|(output, power)| (output.name, output.doc, integral(&run.t, power))).collect()
 }
 

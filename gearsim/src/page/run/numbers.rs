@@ -7,9 +7,10 @@ use crate::page::html::{Cell, Html};
 
 /// Writes the section.
 pub(super) fn fill(report: &Report<'_>, html: &mut Html) {
-    let moments = &report.run.outcome.trajectory.moment;
+    let run = &report.run.outcome.trajectory;
+    let begin = run.row_from(report.run.scene.output.from);
     let row = |unit: &str, column: &Named<'_>| {
-        let numbers = Statistics::of(&column.values, moments)?.values();
+        let numbers = Statistics::of(&column.values[begin..], &run.moment[begin..])?.values();
         let numbers = numbers.into_iter().chain(column.values.last().copied()).map(Cell::Number);
         Some([Cell::text(column.name), Cell::text(unit)].into_iter().chain(numbers).collect::<Vec<_>>())
     };

@@ -62,7 +62,8 @@ impl Reader<'_> {
         let place = entry.place.clone();
         let (rows, called) = (vec![vec![Term::new(rotor, 1.0, &[])]], String::new());
         self.draft.rotors.push(Rotor { name: name.clone(), of: None });
-        self.draft.parts.push(DraftPart { element: "element_rotor", name, place, renamed: vec![], rows, called });
+        let (element, renamed, driving) = ("element_rotor", vec![], vec![]);
+        self.draft.parts.push(DraftPart { element, name, place, renamed, rows, driving, called });
     }
 
     pub(super) fn shaft(&mut self, item: &Item<'_>) {
@@ -82,6 +83,8 @@ impl Reader<'_> {
         self.value(named("k", item.name), item.get("stiffness"));
         let row = difference(ends);
         self.part(item, element, named("psi", item.name), vec![row.clone()]);
+        let first = ends[0].map(|rotor| Term::new(rotor, 1.0, &[]));
+        self.draft.parts.iter_mut().rev().take(1).for_each(|part| part.driving.extend(first.clone()));
         if let Some(node) = item.get("damping") {
             self.value(named("c", item.name), Some(node));
             self.part(item, "element_viscous", String::new(), vec![row]);

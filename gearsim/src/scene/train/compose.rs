@@ -73,6 +73,8 @@ pub(super) struct Composer<'a> {
     pub(super) switches: Vec<Switch>,
     pub(super) torques: Vec<Torque>,
     pub(super) outputs: Vec<Output>,
+    /// Outputs that are products: the output, another output, and the displacement with whose rate that is multiplied.
+    pub(super) products: Vec<(usize, usize, Terms)>,
     pub(super) nonlinear_with: Vec<(&'static str, &'static str)>,
 }
 
@@ -85,7 +87,7 @@ impl<'a> Composer<'a> {
         let of_parts = |part: &DraftPart| element(bare, part).1.effects.iter().filter(|e| e.of.is_some()).count();
         let merged = draft.parts.iter().map(of_parts).sum::<usize>() > EFFECTS - 12;
         let (parameters, owners, effects, laws) = (vec![], HashMap::new(), vec![], vec![]);
-        let (switches, torques, outputs, nonlinear_with) = (vec![], vec![], vec![], vec![]);
+        let (switches, torques, outputs, products, nonlinear_with) = (vec![], vec![], vec![], vec![], vec![]);
         Composer {
             bare,
             draft,
@@ -98,6 +100,7 @@ impl<'a> Composer<'a> {
             switches,
             torques,
             outputs,
+            products,
             nonlinear_with,
         }
     }
@@ -156,7 +159,10 @@ impl<'a> Composer<'a> {
             part.rows = rows.map(row).collect();
         }
         let motions = self.basis.motions.iter().map(|(_, forms)| forms.iter().map(|(f, x)| (form(f), *x)).collect());
+        let products = self.products.iter();
+        let products = products.map(|(output, of, speed)| (*output, *of, form(&resolve(self.draft, speed)))).collect();
         let train = Train {
+            products,
             coordinates: self.basis.coordinates.iter().map(|chosen| form(&chosen.form)).collect(),
             motions: motions.collect(),
             parts,

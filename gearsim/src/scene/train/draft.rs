@@ -45,6 +45,8 @@ pub(super) struct DraftPart {
     /// Parameters of the element with a name of their own, by the ends of their names.
     pub renamed: Vec<(&'static str, String)>,
     pub rows: Vec<Terms>,
+    /// The displacement of its first end, for the power that enters there.
+    pub driving: Terms,
     /// Names of its coordinates, where they can be coordinates of the train.
     pub called: String,
 }

@@ -24,6 +24,12 @@ const MESH: &[Key] = &[
     ),
     key("error", LAW, "in [laws]", "transmission error, with its effect: a constant, or a law"),
     key("backlash", Kind::Quantity("m"), ELSEWHERE, "play along the line of action, with the effect backlash"),
+    key(
+        "damping",
+        Kind::Quantity("N*m*s/rad"),
+        "none",
+        "viscous damping of the first gear's rotation against the second, in contact and out of it, with the effect viscous_friction",
+    ),
     key("friction", Kind::Number, ELSEWHERE, "coefficient of friction of the flanks, with the effect sliding_friction"),
 ];
 /// A law of a mesh, or its constant value.
@@ -56,6 +62,14 @@ impl Reader<'_> {
         self.value(named("alpha", item.name), angle.as_ref());
         self.geared(item.name.to_string(), item, gears, radius, internal);
         self.radius(item, &teeth[0]);
+        if let Some(node) = item.get("damping") {
+            self.value(named("c", item.name), Some(node));
+            // theta_1 - N2/N1 theta_2: the displacement along the line of action over the base radius of the first gear.
+            let ratio = [(teeth[1].as_str(), 1), (teeth[0].as_str(), -1)];
+            let terms = [(ends[0], 1.0, &[][..]), (ends[1], -1.0, &ratio[..])];
+            let row = terms.into_iter().filter_map(|(end, sign, powers)| Some(Term::new(end?, sign, powers)));
+            self.part(item, "element_viscous", String::new(), vec![row.collect()]);
+        }
     }
 
     /// The friction of the flanks of the mesh `name`. Its laws are those of the teeth of the stiffness, if that has teeth.
@@ -113,7 +127,7 @@ impl Reader<'_> {
 
     /// The rotor of one gear turns with that of the other.
     pub(super) fn rigid(&mut self, item: &Item<'_>, ends: [Option<usize>; 2], teeth: [String; 2]) {
-        let keys = ["base_radius", "module", "error", "backlash", "friction"];
+        let keys = ["base_radius", "module", "error", "backlash", "damping", "friction"];
         for key in keys.into_iter().filter(|key| item.get(key).is_some()) {
             let message = format!("{} has `stiffness = \"rigid\"` and `{key}`", item.title());
             let help = "leave it out, or give a stiffness";

@@ -62,6 +62,12 @@ impl Reader<'_> {
         // The rotation of the first gear relative to the second. A carrier turns both alike.
         let turns = |gear: &Gear, sign: f64| gear.rotor.map(|rotor| Term::new(rotor, sign * gear.sense, &[]));
         let psi = [turns(&gears[0], 1.0), turns(&gears[1], if internal { -1.0 } else { 1.0 })];
+        // The power is that of the gear that turns about a fixed axis: its flank moves by r theta. A ring meshes with planets as second gear.
+        let given = usize::from(internal && gears[0].carrier.is_some());
+        let flank = [&[(gears[given].teeth.as_str(), 1)], &h[..]].concat();
+        let side = [1.0, -1.0][given] * gears[given].sense;
+        let driving = gears[given].rotor.map(|rotor| Term::new(rotor, side, &flank));
+        let driving = driving.into_iter().collect();
         // The phase is set when all meshes of the group are known.
         let rows = vec![vec![], s, psi.into_iter().flatten().collect()];
         // An angle that the part states is its own.
@@ -70,7 +76,7 @@ impl Reader<'_> {
         of.parts.push(self.draft.parts.len());
         let (place, called) = (item.place.clone(), named("s", &name));
         let (element, renamed) = ("element_mesh_with_friction", angle.into_iter().collect());
-        self.draft.parts.push(DraftPart { element, name, place, renamed, rows, called });
+        self.draft.parts.push(DraftPart { element, name, place, renamed, rows, driving, called });
         group
     }
 

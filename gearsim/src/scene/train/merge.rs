@@ -4,13 +4,32 @@ use std::f64::consts::TAU;
 
 use super::compose::{Composer, element, leak, own, said, shown};
 use super::draft::{DraftPart, named};
-use crate::model::{Effect, Law, Output, Parameter, Switch, Torque};
+use crate::model::{Effect, Law, Model, Output, Parameter, Switch, Torque};
 use crate::scene::mistake::Report;
 use crate::train::Part;
 
 fn names(names: impl Iterator<Item = &'static str>) -> &'static [&'static str] {
     Box::leak(names.collect::<Vec<_>>().into_boxed_slice())
 }
+
+/// The name of a torque of an element in the train.
+fn torque_name(torque: &str, part: &DraftPart) -> String {
+    if torque == "x" { part.name.clone() } else { own(torque, &part.name) }
+}
+
+/// The forces whose powers are outputs of a train: the output of the force, that of its power, and what it is.
+const POWERS: [(&str, &str, &str); 2] = [
+    (
+        "shaft_torque_x",
+        "shaft_power",
+        "power that enters the shaft {} at its first end: torque times the speed of that end",
+    ),
+    (
+        "mesh_force_x",
+        "mesh_power",
+        "power that the first gear, or the ring of a planet set, gives to the mesh {}: force times the speed of its flank",
+    ),
+];
 
 impl Composer<'_> {
     /// Adds what the element of a part has to the train.
@@ -42,8 +61,7 @@ impl Composer<'_> {
         }
         let first = self.torques.len();
         for torque in model.torques {
-            let name = if torque.name == "x" { part.name.clone() } else { own(torque.name, &part.name) };
-            self.torques.push(Torque { name: leak(name), doc: said(torque.doc, part) });
+            self.torques.push(Torque { name: leak(torque_name(torque.name, part)), doc: said(torque.doc, part) });
         }
         for (effect, term) in model.nonlinear_with {
             let with = self.renamed(part, effect);
@@ -53,7 +71,8 @@ impl Composer<'_> {
             }
         }
         let torques = (first..self.torques.len()).collect();
-        let outputs = model.outputs.iter().map(|output| self.output(part, output)).collect();
+        let outputs: Vec<usize> = model.outputs.iter().map(|output| self.output(part, output)).collect();
+        self.power(part, model, &outputs);
         Part {
             element,
             rows: vec![],
@@ -114,10 +133,27 @@ impl Composer<'_> {
         })
     }
 
+    /// Adds the power that enters a part at its first end. `outputs` are those of its element `model`, in the train.
+    fn power(&mut self, part: &DraftPart, model: &Model, outputs: &[usize]) {
+        let forces = model.outputs.iter().zip(outputs);
+        let found = forces.filter(|_| !part.driving.is_empty()).find_map(|(output, &index)| {
+            let (_, name, doc) = POWERS.iter().find(|(force, ..)| *force == output.name)?;
+            Some((index, name, doc))
+        });
+        let Some((of, name, doc)) = found else { return };
+        let (name, doc) = (leak(format!("{name}_{}", part.name)), said(doc, part));
+        self.products.push((self.outputs.len(), of, part.driving.clone()));
+        self.outputs.push(Output { name, unit: "W", doc, ..self.outputs[of] });
+    }
+
     fn output(&mut self, part: &DraftPart, output: &Output) -> usize {
         let of_train = output.name == "inertia_damping_loss";
         let base = output.name.strip_suffix("_x").unwrap_or(output.name);
-        let name = if of_train { base.into() } else { format!("{base}_{}", part.name) };
+        let name = match output.name.strip_prefix("power_") {
+            Some(torque) => format!("power_{}", torque_name(torque, part)),
+            None if of_train => base.into(),
+            None => format!("{base}_{}", part.name),
+        };
         let known = self.outputs.iter().position(|known| known.name == name);
         known.unwrap_or_else(|| {
             let with = output.with.map(|with| self.renamed(part, with));

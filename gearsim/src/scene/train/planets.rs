@@ -88,7 +88,15 @@ impl Reader<'_> {
         let renamed = vec![("Zs_x", z_s.clone()), ("Zr_x", z_r.clone()), ("rs_x", r_s.clone())];
         let rows = vec![vec![Term::new(carrier, 1.0, &[])]];
         let (name, place, called) = (set.to_string(), item.place.clone(), String::new());
-        self.draft.parts.push(DraftPart { element: "element_planets", name, place, renamed, rows, called });
+        self.draft.parts.push(DraftPart {
+            element: "element_planets",
+            name,
+            place,
+            renamed,
+            rows,
+            driving: vec![],
+            called,
+        });
     }
 
     /// Adds planet `i` as a rotor, and returns its index.
@@ -102,6 +110,7 @@ impl Reader<'_> {
         self.draft.rotors.push(Rotor { name: name.clone(), of: None });
         let renamed = vec![("I_x", inertia)];
         self.draft.parts.push(DraftPart {
+            driving: vec![],
             element: "element_rotor",
             name,
             place,

@@ -166,7 +166,7 @@ impl Reader<'_> {
     /// Adds a part with one coordinate.
     pub fn part(&mut self, item: &Item<'_>, element: &'static str, called: String, rows: Vec<Terms>) {
         let (name, place) = (item.name.to_string(), item.place.clone());
-        self.draft.parts.push(DraftPart { element, name, place, renamed: vec![], rows, called });
+        self.draft.parts.push(DraftPart { element, name, place, renamed: vec![], rows, driving: vec![], called });
     }
 
     /// Notes that a part joins two rotors.

@@ -1,0 +1,58 @@
+//! What the engine alone knows of a state, for outputs: the reactions R of held deflections and the powers of the external torques.
+//!
+//! With the gradients N of what is held, R = (NᵀM⁻¹N)⁻¹ NᵀM⁻¹ F, see [`contact`](crate::engine::contact). The power of a torque has three
+//! parts: that of its value at the start, that which depends on the state, and that which varies in time.
+
+use crate::engine::contact;
+use crate::engine::hybrid::Hybrid;
+use crate::engine::record::State;
+
+/// Reactions and powers. What is not asked for is left out, and reads as zero.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Known {
+    /// By the switches of the model: the force along the deflection that its hold resists [N or N m].
+    pub reactions: Vec<f64>,
+    /// By the external torques of the model \[W\].
+    pub powers: Vec<f64>,
+}
+
+impl Known {
+    /// The reaction of the deflection of a switch [N or N m]; zero where it is not held.
+    pub fn reaction(&self, switch: usize) -> f64 {
+        self.reactions.get(switch).copied().unwrap_or(0.0)
+    }
+
+    /// The power of an external torque \[W\].
+    pub fn power(&self, torque: usize) -> f64 {
+        self.powers.get(torque).copied().unwrap_or(0.0)
+    }
+
+    /// What a run knows in a `state` of its present mode, with the law values `k`, at the time `t` \[s\]; `torques` is the number of
+    /// external torques of the model.
+    pub fn of(now: &Hybrid<'_>, t: f64, state: &State, k: &[f64], torques: usize) -> Self {
+        let State { q, q_dot, .. } = state;
+        let further = now.forcing.as_ref().map(|forcing| forcing.power(t, q_dot));
+        let power = |i: usize| {
+            let varying = further.as_ref().map_or(0.0, |further| further[i]);
+            now.equations.torque_work(i, q_dot) + now.equations.torque_power(i, q, q_dot, k) + varying
+        };
+        Known { reactions: reactions(now, t, state, k), powers: (0..torques).map(power).collect() }
+    }
+}
+
+fn reactions(now: &Hybrid<'_>, t: f64, State { q, q_dot, .. }: &State, k: &[f64]) -> Vec<f64> {
+    let Some(held) = now.contact.as_ref().filter(|contact| !contact.switches.is_empty()) else { return vec![] };
+    let slopes: Vec<f64> = now.laws.iter().map(|law| law.course(q[law.phase], t)[1]).collect();
+    let mut force = now.equations.force(q, q_dot, k, &slopes);
+    if let Some(forcing) = &now.forcing {
+        force += &forcing.load(t);
+    }
+    let (_, to_reactions) = contact::held(&now.equations.mobility(q), &held.normals);
+    let mut reactions = vec![];
+    for &(switch, row) in &held.switches {
+        let switch = now.switches[switch].index;
+        reactions.resize(reactions.len().max(switch + 1), 0.0);
+        reactions[switch] = (0..force.len()).map(|i| to_reactions[(row, i)] * force[i]).sum();
+    }
+    reactions
+}

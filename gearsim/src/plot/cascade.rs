@@ -1,0 +1,67 @@
+//! Cascades: spectra of successive parts of a run, each drawn at the speed of its part; at constant speed, at its time.
+
+use super::outputs::engineering;
+use super::{Axis, Marker, Panel, Series, Style};
+use crate::analysis::orders::SHAFT;
+
+/// Points of a curve: each is the largest line of several.
+const POINTS: usize = 500;
+/// Height of the highest line, in parts of the axis.
+const HEIGHT: f64 = 0.2;
+/// The speed varies if it does so by this share of its largest value.
+const VARIES: f64 = 0.05;
+
+/// A part of a run.
+pub(super) struct Part {
+    /// Mean speed of the shaft \[rad/s\].
+    pub speed: f64,
+    /// Time of its middle \[s\].
+    pub time: f64,
+    /// Frequencies \[Hz\], or orders.
+    pub place: Vec<f64>,
+    /// Peak amplitudes [unit of the signal].
+    pub amplitude: Vec<f64>,
+}
+
+/// A line behind the curves.
+pub(super) fn line(n: usize, label: String, x: Vec<f64>, (low, high): (f64, f64)) -> Series {
+    let mut line = Series::new(n, label, x, vec![low, high]);
+    line.style = Style { colour: "#999999", dashes: &[5.0, 3.0], width: 0.9, marker: Marker::None };
+    line
+}
+
+/// The cascade of the `parts` of a run up to the place `end`; the highest line has the amplitude `peak` \[`unit`\]. Where the speed varies,
+/// `marks` gives the lines behind the curves from the lowest to the highest speed \[rpm\].
+pub(super) fn panel(
+    parts: &[Part],
+    (label, named): (&str, bool),
+    (end, peak, unit): (f64, f64, &str),
+    marks: &dyn Fn((f64, f64)) -> Vec<Series>,
+) -> Panel {
+    let (_, rpm) = engineering(SHAFT);
+    let extreme = |of: fn(f64, f64) -> f64, start: f64| parts.iter().map(|part| part.speed).fold(start, of);
+    let (low, high) = (extreme(f64::min, f64::INFINITY), extreme(f64::max, 0.0));
+    let over_speed = high - low > VARIES * high;
+    let place = |part: &Part| if over_speed { rpm * part.speed } else { part.time };
+    let places: Vec<f64> = parts.iter().map(place).collect();
+    let (low, high) = places.iter().fold((f64::INFINITY, 0.0_f64), |(l, h), x| (l.min(*x), h.max(*x)));
+    let largest = parts.iter().flat_map(|part| &part.amplitude).copied().fold(f64::MIN_POSITIVE, f64::max);
+    let scale = HEIGHT * (high - low).max(f64::MIN_POSITIVE) / largest;
+    let mut series = if over_speed { marks((low, high)) } else { vec![] };
+    for (i, (part, at)) in parts.iter().zip(&places).enumerate() {
+        let shown = part.place.partition_point(|f| *f <= end);
+        let each = shown.div_ceil(POINTS).max(1);
+        let x = part.place[..shown].chunks(each).map(|f| f[f.len() / 2]).collect();
+        let highest = |a: &[f64]| at + scale * a.iter().copied().fold(0.0, f64::max);
+        let y = part.amplitude[..shown].chunks(each).map(highest).collect();
+        let label = match (i, named) {
+            (0, true) => label.to_owned(),
+            (0, false) => format!("the highest line is {peak:.3e} {unit}"),
+            _ => String::new(),
+        };
+        let style = Style { colour: "#0072b2", dashes: &[], width: 0.9, marker: Marker::None };
+        series.push(Series { style, ..Series::new(0, label, x, y) });
+    }
+    let y = if over_speed { Axis::linear("speed", "rpm") } else { Axis::linear("time t", "s") };
+    Panel { y, series }
+}

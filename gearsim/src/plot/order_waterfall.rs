@@ -1,0 +1,115 @@
+//! Waterfall of a run-up over orders: order spectra of windows of whole revolutions, each drawn at the speed of the first shaft there. Orders
+//! are vertical, natural frequencies are hyperbolas. At constant speed the windows are drawn at their times.
+
+use super::cascade::{Part, line, panel};
+use super::orders::{LONGEST, of, turnings};
+use super::outputs::{engineering, of_unit};
+use super::{Axis, Figure, Plot, PlotError, Run, Series, first_run, scene_names};
+use crate::analysis::orders::{Window, first_shaft, meshes, windows};
+
+/// The entry in [`super::PLOTS`].
+pub const PLOT: Plot = Plot {
+    name: "order_waterfall",
+    doc: "of a run-up: order spectra of a mesh force over the speed of the first shaft, with lines at the mesh orders",
+    draw,
+};
+
+/// Revolutions in a window: orders a quarter apart are separate lines, of which the Hann window's lobe takes four.
+const WINDOW: usize = 4;
+/// Windows that are drawn at most, evenly chosen.
+const MOST: usize = 40;
+/// Multiples of a mesh order that have a line.
+const HARMONICS: usize = 3;
+
+fn draw(runs: &[Run<'_>]) -> Result<Figure, PlotError> {
+    let first = first_run(PLOT.name, runs)?;
+    let run = first.trajectory;
+    let nothing = |why: &str| PlotError::Nothing { plot: PLOT.name, why: why.into() };
+    let shaft = first_shaft(run).ok_or_else(|| nothing("the run recorded no speed of a rotor"))?;
+    let turning = turnings(runs, shaft)?;
+    let meshes = meshes(run, first.asked.spectrum.from);
+    let orders: Vec<(&str, f64)> =
+        meshes.iter().map(|mesh| (mesh.name, mesh.frequency / turning[0].frequency())).collect();
+    let named = meshes.iter().filter_map(|mesh| mesh.force);
+    let chosen = first.asked.spectrum.of.iter().copied().chain(named);
+    let by_name = |name: &str| run.outputs.iter().map(|(output, _)| *output).find(|output| output.name == name);
+    let other = || ["N", "m", "rad", "N*m"].iter().find_map(|unit| of_unit(run, unit).first().copied());
+    let output = chosen.into_iter().find_map(by_name).or_else(other);
+    let output = output.ok_or_else(|| nothing("the run recorded no force or error"))?;
+    let (unit, factor) = engineering(output.unit);
+    let highest = orders.iter().map(|(_, order)| LONGEST * order).fold(0.0, f64::max);
+    let (mut all, mut end) = (vec![], 0.0_f64);
+    for (run, turning) in runs.iter().zip(&turning) {
+        let Some(column) = run.trajectory.output(output.name) else { continue };
+        let windows = windows(turning, column, WINDOW).map_err(of(run, output))?;
+        if windows.len() < 2 {
+            let why = format!("the run has {} revolutions of {}, and needs six", turning.revolutions(), shaft.name);
+            return Err(PlotError::Nothing { plot: PLOT.name, why });
+        }
+        let each = windows.len().div_ceil(MOST);
+        let parts: Vec<Part> = windows.into_iter().step_by(each).map(part).collect();
+        let longest = parts.iter().filter_map(|part| part.place.last().copied()).fold(0.0, f64::max);
+        end = end.max(if highest > 0.0 { longest.min(highest) } else { longest });
+        let peak = parts.iter().flat_map(|part| &part.amplitude).copied().fold(0.0, f64::max);
+        all.push((run, parts, factor * peak));
+    }
+    let panels = all.into_iter().map(|(run, parts, peak)| {
+        panel(&parts, (run.label, runs.len() > 1), (end, peak, unit), &|range| verticals(&orders, range))
+    });
+    let subtitle = format!(
+        "{}; {}, windows of {WINDOW} revolutions, Hann, peak amplitudes; speed of {}",
+        scene_names(runs),
+        output.name,
+        shaft.name
+    );
+    let x = Axis::linear(format!("order of {}", shaft.name), "").between(0.0, end);
+    Ok(Figure { title: "Waterfall over orders".into(), subtitle: Some(subtitle), x, panels: panels.collect() })
+}
+
+/// A window without its mean, which is order zero.
+fn part(Window { speed, time, orders }: Window) -> Part {
+    let (place, amplitude) = (orders.order[1..].to_vec(), orders.amplitude[1..].to_vec());
+    Part { speed: speed.abs(), time, place, amplitude }
+}
+
+/// The lines of the mesh orders and their multiples from the lowest to the highest speed \[rpm\].
+fn verticals(orders: &[(&str, f64)], range: (f64, f64)) -> Vec<Series> {
+    let of_mesh = |(m, (mesh, order)): (usize, &(&str, f64))| {
+        let each = move |harmonic: usize| {
+            let label = if harmonic == 1 { format!("1 to {HARMONICS} × {mesh}") } else { String::new() };
+            line(m, label, vec![harmonic as f64 * order; 2], range)
+        };
+        (1..=HARMONICS).map(each).collect::<Vec<_>>()
+    };
+    orders.iter().enumerate().flat_map(of_mesh).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use std::f64::consts::TAU;
+
+    use super::*;
+    use crate::analysis::orders::Turning;
+    use crate::output::fixture::MODEL;
+    use crate::trajectory::{Moment, Trajectory};
+
+    /// A run-up from 5 to 25 revolutions a second in 4 s with 17 pulses of amplitude 3 a revolution: the line stays at order 17 with its
+    /// amplitude in every window, where a spectrum over frequency smears it.
+    #[test]
+    fn an_order_stays_in_its_place_while_the_speed_rises() {
+        let mut up = Trajectory::new(&MODEL, &[0, 1]);
+        up.t = (0..=80_000).map(|i| f64::from(i) / 20e3).collect();
+        up.moment = vec![Moment::Sample; up.t.len()];
+        up.outputs[0].1 = up.t.iter().map(|t| TAU * (5.0 + 5.0 * t)).collect();
+        let x: Vec<f64> = up.t.iter().map(|t| 3.0 * (17.0 * TAU * (5.0 * t + 2.5 * t * t)).sin()).collect();
+        let turning = Turning::of(&up, "rotor_speed", 0.0).unwrap();
+        let parts: Vec<Part> = windows(&turning, &x, WINDOW).unwrap().into_iter().map(part).collect();
+        assert!(parts.len() > 25, "{}", parts.len());
+        for part in &parts {
+            let top = (0..part.place.len()).max_by(|&a, &b| part.amplitude[a].total_cmp(&part.amplitude[b])).unwrap();
+            assert!((part.place[top] - 17.0).abs() < 1e-9, "{}", part.place[top]);
+            assert!((part.amplitude[top] / 3.0 - 1.0).abs() < 1e-2, "{}", part.amplitude[top]);
+        }
+        assert!(parts.windows(2).all(|pair| pair[0].speed < pair[1].speed && pair[0].time < pair[1].time));
+    }
+}
