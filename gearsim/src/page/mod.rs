@@ -2,19 +2,28 @@
 //!
 //! A [`Page`] has sections of text, tables and plots. The numbers of its plots are embedded as base64 typed arrays ([`data`]). The plots
 //! are drawn by plotly.js, which the crate `plotly` brings, and by the scripts in `assets` ([`script`]). [`run`] makes the page of a run,
-//! [`explore`] the page that shows run after run.
+//! [`explore`] the page that shows run after run. The page of another command has a file of its own; [`shared`] has what they have in
+//! common.
 //!
 //! Whatever a scene says stays text: [`html`] escapes it in HTML, [`data::json`] in scripts. A Content-Security-Policy allows only the
 //! scripts of this module, by their hashes, and no network.
 
+pub mod advise;
+pub mod compare;
 pub mod data;
 pub mod explore;
+pub mod floquet;
 pub mod html;
+pub mod modes;
 pub mod plot;
+pub mod response;
 pub mod run;
 mod script;
+pub mod shared;
+pub mod sweep;
 #[cfg(test)]
 mod tests;
+pub mod work_precision;
 
 use std::collections::HashMap;
 use std::io::{self, Write};

@@ -30,7 +30,7 @@ pub(super) fn library() -> io::Result<&'static str> {
 
 /// The scripts of a page that is a file.
 pub(super) fn of_file() -> String {
-    own(&[include_str!("assets/page.js")])
+    own(&[include_str!("assets/heat.js"), include_str!("assets/page.js")])
 }
 
 /// The scripts of the page of `gearsim explore`.

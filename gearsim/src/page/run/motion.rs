@@ -48,12 +48,9 @@ pub(super) fn plot(
         let rows = html.embed(&report.rows.times(&outcome.trajectory.t), Counts::Long);
         Times { rows, events: (!events.is_empty()).then(|| html.embed(&events, Counts::Long)) }
     });
-    let curves = group.columns.iter().enumerate().map(|(i, column)| Curve {
-        name: column.name.to_owned(),
-        doc: column.doc.clone(),
-        x: times.rows.clone(),
-        y: html.embed(&report.rows.values(&column.values), Counts::Short),
-        shown: shown(i),
+    let curves = group.columns.iter().enumerate().map(|(i, column)| {
+        let y = html.embed(&report.rows.values(&column.values), Counts::Short);
+        Curve::new(column.name, &column.doc, times.rows.clone(), y, shown(i))
     });
     let curves = curves.collect();
     html.plot(&Plot {
@@ -61,7 +58,7 @@ pub(super) fn plot(
         x: Axis::linear("time t", "s"),
         y: Axis::linear("", group.unit),
         curves,
-        group: Some("time"),
+        group: Some("time".into()),
         events: times.events.clone(),
         lines: vec![],
         shaded_from: outcome.digits.and_then(|digits| digits.none_from),
