@@ -139,7 +139,8 @@ impl Html {
         self.figure("map", &map.title, map);
     }
 
-    fn figure(&mut self, class: &str, title: &str, specification: &impl Serialize) {
+    /// A figure that the script of its class draws in the place of its title.
+    pub(super) fn figure(&mut self, class: &str, title: &str, specification: &impl Serialize) {
         let (title, specification) = (symbols(title), data::json(specification));
         let _ = writeln!(
             self.text,

@@ -8,11 +8,14 @@ use base64::engine::general_purpose::STANDARD;
 use sha2::{Digest, Sha256};
 
 /// The scripts of all pages, in the order in which they run.
-const COMMON: [&str; 4] = [
+const COMMON: [&str; 7] = [
     include_str!("assets/data.js"),
     include_str!("assets/plot.js"),
     include_str!("assets/group.js"),
     include_str!("assets/table.js"),
+    include_str!("assets/mesh.js"),
+    include_str!("assets/picture.js"),
+    include_str!("assets/gears.js"),
 ];
 
 /// The script elements of the crate: plotly.js first, then MathJax, which pages do not need.

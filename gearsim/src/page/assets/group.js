@@ -15,6 +15,8 @@ class Group {
     this.x = x;
     this.panels = [];
     this.bars = [];
+    // What else moves with the cursor.
+    this.followers = [];
     this.cursor = null;
     this.revision = 0;
   }
@@ -129,6 +131,7 @@ class Group {
     requestAnimationFrame(() => {
       this.marking = false;
       this.panels.filter((panel) => panel.inSight).forEach((panel) => panel.mark());
+      this.followers.forEach((follow) => follow());
       this.tell();
     });
   }

@@ -14,7 +14,8 @@ for (const section of document.querySelectorAll("section")) {
     panel.group.tell();
   }
 }
-const draw = () => [...panels, ...maps].forEach((plot) => plot.draw());
+const drawings = [...document.querySelectorAll("figure.gears")].map((figure) => new Gears(figure));
+const draw = () => [...panels, ...maps, ...drawings].forEach((plot) => plot.draw());
 draw();
 document.querySelectorAll("table.sortable").forEach(sortable);
 matchMedia("(prefers-color-scheme: dark)").addEventListener("change", draw);

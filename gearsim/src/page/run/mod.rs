@@ -3,6 +3,7 @@
 mod columns;
 mod counts;
 mod energy;
+mod gears;
 mod losses;
 mod method;
 mod motion;
@@ -24,6 +25,7 @@ use columns::Group;
 const SECTIONS: &[Section] = &[
     Section { id: "method", title: "Result", fill: method::fill },
     Section { id: "motion", title: "Motion", fill: motion::fill },
+    Section { id: "gears", title: "Gears", fill: gears::fill },
     Section { id: "energy", title: "Energy", fill: energy::fill },
     Section { id: "spectra", title: "Spectra", fill: spectrum::fill },
     Section { id: "orders", title: "Orders", fill: orders::fill },
