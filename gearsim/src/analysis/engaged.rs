@@ -147,9 +147,11 @@ fn follow<'a>(
     let end = if known == Known::Teeth { profile.origin } else { fall(profile) };
     let at_start = contact.base_pitch * (pitches(0) - end / law.period) + contact.recess;
     let begin = (at_start + half - base * rotation[0]) % contact.base_pitch;
-    let play = model.parameters.iter().position(|p| p.name == format!("b{part}")).filter(|&i| {
-        model.parameters[i].with.is_some_and(|effect| scene.effects.has(effect, model))
-    });
+    let play = model
+        .parameters
+        .iter()
+        .position(|p| p.name == format!("b{part}"))
+        .filter(|&i| model.parameters[i].with.is_some_and(|effect| scene.effects.has(effect, model)));
     // In gear_pair play is an angle phi, as the lead is: b_t = 2 r_b1/N1 b.
     let play_length = match play.map(|i| model.parameters[i].unit) {
         Some("rad") => 2.0 * base / gears.teeth[0],

@@ -19,7 +19,7 @@ use crate::scene::Scene;
 use crate::sweep::Manifest;
 
 /// Name of the page in the folder of a result.
-pub(super) const FILE: &str = "page.html";
+pub(super) use crate::output::PAGE as FILE;
 
 /// The option of a command that has a page.
 #[derive(Args)]
@@ -68,14 +68,15 @@ fn made<'a>(scene: &'a Scene, solver: &str, files: &'a [String]) -> page::shared
     page::shared::Made { scene, provenance: super::provenance::of(scene, solver.into()), files }
 }
 
-/// Makes a method of [`Asked`] for the page of each command: it writes the page into the folder of the result.
+/// Makes a method of [`Asked`] for the page of each command: it writes the page into the folder of the result, whose index
+/// file it names.
 macro_rules! pages {
-    ($($command:ident in $folder:ident($($name:ident: $type:ty),* $(,)?) => |$files:ident| $page:expr;)*) => {
+    ($($command:ident of $index:literal in $folder:ident($($name:ident: $type:ty),* $(,)?) => |$files:ident| $page:expr;)*) => {
         #[cfg(feature = "html")]
         impl Asked {
             $(pub(super) fn $command(self, folder: &mut $folder, $($name: $type),*) -> Result<(), Failure> {
                 let $files = folder.files();
-                let page = $page?;
+                let page = $page?.of($index);
                 folder.write(FILE, |sink| Ok(page.write(sink)?))?;
                 Ok(())
             })*
@@ -92,24 +93,24 @@ macro_rules! pages {
 }
 
 pages! {
-    run in OutputFolder(results: &Results, summary: &Summary) => |_files|
+    run of "summary.json" in OutputFolder(results: &Results, summary: &Summary) => |_files|
         page::run::page(&page::run::Run { scene: &results.scene, outcome: &results.outcome, summary });
-    work_precision in OutputFolder(scene: &Scene, measured: &WorkPrecision) => |files|
+    work_precision of "work_precision.csv" in OutputFolder(scene: &Scene, measured: &WorkPrecision) => |files|
         page::work_precision::page(&made(scene, "each method in turn", files), measured);
-    response in OutputFolder(scene: &Scene, words: &str, drawn: Option<&Figure>, points: &Table) => |files|
+    response of "response.csv" in OutputFolder(scene: &Scene, words: &str, drawn: Option<&Figure>, points: &Table) => |files|
         page::response::page(&made(scene, "run by run, each from the end of the one before it", files), words, drawn, points);
-    modes in OutputFolder(scene: &Scene, springs: &[Spring], chosen: &CellModes, cells: &[CellModes], figures: &[Figure]) => |files|
+    modes of "modes.json" in OutputFolder(scene: &Scene, springs: &[Spring], chosen: &CellModes, cells: &[CellModes], figures: &[Figure]) => |files|
         page::modes::page(&made(scene, "modes of linear cells", files), &page::modes::Modes { springs, chosen, cells, figures });
-    floquet in OutputFolder(scene: &Scene, words: &str, floquet: &Floquet, chart: Option<(&Chart, &Table)>) => |files|
+    floquet of "floquet.json" in OutputFolder(scene: &Scene, words: &str, floquet: &Floquet, chart: Option<(&Chart, &Table)>) => |files|
         page::floquet::page(&made(scene, "product of exact cell propagators", files), words, floquet, chart);
-    compare in OutputFolder(scene: &Scene, runs: &[Run<'_>], summaries: &[Summary]) => |files|
+    compare of "compare.json" in OutputFolder(scene: &Scene, runs: &[Run<'_>], summaries: &[Summary]) => |files|
         page::compare::page(&made(scene, "the solver of each run", files), runs, summaries);
-    advise in OutputFolder(scene: &Scene, conclusions: &[(String, String)], drawn: Option<&Figure>, deviations: &Table) => |files|
+    advise of "advise.json" in OutputFolder(scene: &Scene, conclusions: &[(String, String)], drawn: Option<&Figure>, deviations: &Table) => |files|
         page::advise::page(
             &made(scene, "estimates, and runs with and without each effect", files),
             &page::advise::Advice { conclusions, drawn, deviations },
         );
-    sweep in WholeFiles(
+    sweep of "sweep.json" in WholeFiles(
         of: (&Manifest, &'static Model, Option<&str>),
         drawn: &[Drawn],
         answers: (&str, &[(&'static str, Table)]),

@@ -162,7 +162,6 @@ impl Checker<'_> {
             ));
         }
     }
-
 }
 
 impl Scene {

@@ -32,8 +32,21 @@ pub(super) fn write(root: &Path) -> anyhow::Result<PathBuf> {
         let scene = root.join("models/scenes").join(&name).with_extension("toml");
         let out = target.join(folder(&name));
         let mut gearsim = Command::new(env!("CARGO"));
-        gearsim.args(["run", "--quiet", "--release", "--features", "html", "--package", "gearsim", "--", "run", "--html", "-q"]);
-        let status = gearsim.arg(&scene).arg("--out").arg(&out).current_dir(root).status().context("cannot start cargo")?;
+        gearsim.args([
+            "run",
+            "--quiet",
+            "--release",
+            "--features",
+            "html",
+            "--package",
+            "gearsim",
+            "--",
+            "run",
+            "--html",
+            "-q",
+        ]);
+        let status =
+            gearsim.arg(&scene).arg("--out").arg(&out).current_dir(root).status().context("cannot start cargo")?;
         if !status.success() {
             bail!("the scene {name} failed; its message is above");
         }
@@ -78,7 +91,11 @@ fn about(scene: &str) -> String {
 /// The page.
 fn page(all: &[Shown]) -> String {
     let mut body = String::new();
-    let _ = write!(body, "<h1>Scenes of gearsim</h1>\n<p>{} scenes. Each name opens the interactive page of its run.</p>\n", all.len());
+    let _ = write!(
+        body,
+        "<h1>Scenes of gearsim</h1>\n<p>{} scenes. Each name opens the interactive page of its run.</p>\n",
+        all.len()
+    );
     body += "<nav><ul>\n";
     for shown in all {
         let _ = writeln!(body, "<li><a href=\"#{0}\">{1}</a></li>", folder(&shown.name), escape(&shown.name));
@@ -94,7 +111,11 @@ fn page(all: &[Shown]) -> String {
 
 fn section(Shown { name, about, summary }: &Shown) -> String {
     let id = folder(name);
-    let mut text = format!("<section id=\"{id}\">\n<h2><a href=\"{id}/page.html\">{}</a></h2>\n<p>{}</p>\n", escape(name), escape(about));
+    let mut text = format!(
+        "<section id=\"{id}\">\n<h2><a href=\"{id}/page.html\">{}</a></h2>\n<p>{}</p>\n",
+        escape(name),
+        escape(about)
+    );
     let drawn: Vec<&str> = summary["files"].as_array().into_iter().flatten().filter_map(Value::as_str).collect();
     let has = |plot: &&&str| drawn.contains(&format!("{plot}.svg").as_str());
     text += "<div class=\"plots\">\n";
@@ -123,7 +144,14 @@ fn facts(summary: &Value) -> Vec<(&'static str, String)> {
         ("model", text(&summary["model"])),
         ("effects", list(&summary["effects"])),
         ("method", format!("{}: {}", text(&summary["method"]["name"]), text(&summary["method"]["why"]))),
-        ("time", format!("{} s of motion in {} s of processor time", number(&summary["t_end"]), number(&summary["cpu_seconds"]))),
+        (
+            "time",
+            format!(
+                "{} s of motion in {} s of processor time",
+                number(&summary["t_end"]),
+                number(&summary["cpu_seconds"])
+            ),
+        ),
         ("events", format!("{} cell changes, {} reflections", summary["cell_changes"], summary["reflections"])),
         ("energy", format!("{} J unaccounted for, of {} J", number(&energy["residual"]), number(&energy["largest"]))),
     ];
@@ -190,7 +218,10 @@ mod tests {
         let text = page(&all);
         for Shown { name, about, .. } in &all {
             let id = folder(name);
-            assert!(text.contains(&format!("<section id=\"{id}\">")) && text.contains(&format!("href=\"{id}/page.html\"")), "{name}");
+            assert!(
+                text.contains(&format!("<section id=\"{id}\">")) && text.contains(&format!("href=\"{id}/page.html\"")),
+                "{name}"
+            );
             assert!(text.contains(&escape(about)) && text.contains(&format!("src=\"{id}/outputs.svg\"")), "{name}");
             assert_eq!(text.matches(&format!("src=\"{id}/")).count(), SHOWN, "{name}");
         }
@@ -204,7 +235,15 @@ mod tests {
         let hostile = Shown { name: "a".into(), about: "</p><script>alert(1)</script>".into(), summary: summary() };
         assert!(!page(&[hostile]).contains("<script"));
         let words: Vec<_> = facts(&summary()).into_iter().map(|(_, text)| text).collect();
-        assert_eq!(words[3..], ["0.1 s of motion in 0.002 s of processor time", "12 cell changes, 3 reflections",
-            "1.00e-13 J unaccounted for, of 2.5 J", "11.3 left at the end", "k: 1.5"]);
+        assert_eq!(
+            words[3..],
+            [
+                "0.1 s of motion in 0.002 s of processor time",
+                "12 cell changes, 3 reflections",
+                "1.00e-13 J unaccounted for, of 2.5 J",
+                "11.3 left at the end",
+                "k: 1.5"
+            ]
+        );
     }
 }

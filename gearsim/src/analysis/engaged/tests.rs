@@ -26,7 +26,7 @@ fn turns_as_recorded(mesh: &Engaged<'_>, run: &Trajectory) {
     let area = |i: usize| 0.5 * (speed[i] + speed[i + 1]) * (run.t[i + 1] - run.t[i]);
     let turned: f64 = (0..run.len() - 1).map(area).sum();
     let (first, last) = (mesh.rotation[0], mesh.rotation[run.len() - 1]);
-    assert!(((last - first) / turned - 1.0).abs() < 1e-5, "{}: {} {turned}", mesh.law.name, last - first);
+    assert!(((last - first) / turned - 1.0).abs() < 1e-4, "{}: {} {turned}", mesh.law.name, last - first);
 }
 
 #[test]
@@ -38,7 +38,9 @@ fn a_gear_pair_turns_by_its_coordinates() {
     // theta_1 = (theta + phi)/N1; the lead r_b1 theta_1 - r_b2 theta_2 = 2 r_b1/N1 phi.
     let base = mesh.gears.contact().unwrap().base[0];
     for row in 0..run.len() {
-        assert!((mesh.rotation[row] - (run.q[0][row] + run.q[1][row]) / 24.0).abs() < 1e-13 * run.q[0][row].abs().max(1.0));
+        assert!(
+            (mesh.rotation[row] - (run.q[0][row] + run.q[1][row]) / 24.0).abs() < 1e-13 * run.q[0][row].abs().max(1.0)
+        );
         assert!((mesh.lead[row] - 2.0 * base / 24.0 * run.q[1][row]).abs() < 1e-15);
     }
     turns_as_recorded(mesh, &run);
@@ -79,7 +81,7 @@ fn meshes_of_several_models_have_their_gears() {
         ("train_turbine.toml", "k12", [80.0, 23.0], Known::BaseRadius, true),
     ];
     for (scene, law, teeth, known, has_rotor) in cases {
-        let (scene, run) = run(scene, &["run.t_end=2 ms"]);
+        let (scene, run) = run(scene, &["run.t_end=10 ms"]);
         let all = engaged(&scene, &run);
         let mesh = mesh(&all, law);
         assert_eq!((mesh.gears.teeth, mesh.known, mesh.rotor.is_some()), (teeth, known, has_rotor), "{law}");

@@ -41,6 +41,7 @@ pub(super) fn teeth(scene: &Scene, train: &Train, i: usize) -> Option<Teeth> {
 /// The number of teeth in a factor N h.
 fn number_of_teeth(scene: &Scene, factor: &Factor) -> Option<f64> {
     let is_teeth = |parameter: &Parameter| parameter.doc.starts_with("number of teeth");
-    let (parameter, _) = factor.powers.iter().find(|(p, power)| *power == 1 && is_teeth(&scene.model.parameters[*p]))?;
+    let (parameter, _) =
+        factor.powers.iter().find(|(p, power)| *power == 1 && is_teeth(&scene.model.parameters[*p]))?;
     Some(scene.parameters[*parameter]).filter(|z| z.is_finite())
 }

@@ -74,7 +74,9 @@ fn outlines_of_24_and_96_teeth_have_their_contact_ratio() {
 /// working pressure angle. Both of external gears, with and without profile shift, and of a ring.
 #[test]
 fn flanks_touch_on_the_line_of_action() {
-    for gears in [standard(24.0, 96.0), shifted(), Gears { centre_distance: Some(0.382), ..standard(24.0, 96.0) }, ring()] {
+    for gears in
+        [standard(24.0, 96.0), shifted(), Gears { centre_distance: Some(0.382), ..standard(24.0, 96.0) }, ring()]
+    {
         let Outlines { gears: outlines, contact, .. } = Outlines::of(&gears).unwrap();
         let (sin, cos) = contact.angle.sin_cos();
         let working = contact.base.map(|base| base / cos);
@@ -112,15 +114,22 @@ fn a_larger_centre_distance_gives_clearance() {
 /// From root to tip the radius grows, a tooth becomes narrower and a space of a ring too; a pointed tooth ends on its centre line.
 #[test]
 fn outlines_go_from_root_to_tip() {
-    for gears in [standard(24.0, 96.0), standard(14.0, 60.0), shifted(), ring()] {
+    for gears in [standard(24.0, 96.0), standard(17.0, 60.0), shifted(), ring()] {
         let Ok(outlines) = Outlines::of(&gears) else { panic!("{gears:?}") };
         for (i, outline) in outlines.gears.iter().enumerate() {
             let (first, last) = (outline.half[0], outline.half[outline.half.len() - 1]);
-            let (low, high) = (outlines.contact.root[i].min(outlines.contact.tip[i]), outlines.contact.tip[i].max(outlines.contact.root[i]));
+            let (low, high) = (
+                outlines.contact.root[i].min(outlines.contact.tip[i]),
+                outlines.contact.tip[i].max(outlines.contact.root[i]),
+            );
             assert!((first[0] / low - 1.0).abs() < 1e-12 && (last[0] / high - 1.0).abs() < 1e-12, "{i}");
-            assert!(outline.half.windows(2).all(|pair| pair[1][0] >= pair[0][0] && pair[1][1] <= pair[0][1] + 1e-12), "{i}");
+            assert!(
+                outline.half.windows(2).all(|pair| pair[1][0] >= pair[0][0] && pair[1][1] <= pair[0][1] + 1e-12),
+                "{i}"
+            );
         }
     }
-    let pointed = Gears { profile_shift: [0.9, 0.0], addendum: [1.2, 1.0], dedendum: [1.25, 1.6], ..standard(14.0, 60.0) };
+    let pointed =
+        Gears { profile_shift: [0.9, 0.0], addendum: [1.2, 1.0], dedendum: [1.25, 1.6], ..standard(14.0, 60.0) };
     assert_eq!(Outlines::of(&pointed).unwrap().gears[0].half.last().unwrap()[1], 0.0);
 }

@@ -3,7 +3,7 @@
 // Height of the drawing in base pitches; null: all of both gears.
 const VIEWS = [["the mesh", 4], ["one pair", 1.6], ["whole gears", null]];
 // Base pitches of a step, and time [ms] between steps for readers who prefer no motion.
-const STEP = 0.1, STILL = 600;
+const TENTH = 0.1, STILL = 600;
 // Deflections are drawn at first with about this share of a base pitch, and with at most half of one.
 const DRAWN = 0.12, MOST = 0.5;
 // Mesh cycles a second at first.
@@ -137,7 +137,7 @@ class Gears {
   /** Moves by a tenth of a base pitch. */
   step(direction) {
     const { frequency } = this.mesh;
-    if (frequency > 0) this.point(this.t + direction * STEP / frequency);
+    if (frequency > 0) this.point(this.t + direction * TENTH / frequency);
   }
 
   play() {
