@@ -186,7 +186,7 @@ def gears_move_in_step_with_the_plots(browser, path):
         t = scrub(page, 0.4)
         assert page.evaluate("panels[0].group.cursor") == t
         covered, before = pixels(page)
-        assert 0.1 < covered < 0.95, covered
+        assert 0.1 < covered < 0.995, covered
         frame = page.locator("figure.gears .frame")
         frame.focus()
         page.keyboard.press("ArrowRight")

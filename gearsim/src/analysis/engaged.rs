@@ -49,6 +49,8 @@ pub struct Engaged<'a> {
     pub lead: Vec<f64>,
     /// Play along the line of action [length of `gears`]; `None` without the effect.
     pub play: Option<f64>,
+    /// Whether the scene has a transmission error of the mesh.
+    pub has_error: bool,
     /// X of a pair of teeth less r_b1 theta_1 [length of `gears`].
     pub begin: f64,
     /// The force of the mesh, if it is recorded.
@@ -158,8 +160,10 @@ fn follow<'a>(
         _ => 1.0,
     };
     let play = play.map(|i| play_length * scene.parameters[i]);
+    let error = format!("e{part}");
+    let has_error = scene.present().any(|(law, error_of)| law.name == error && error_of.extremes() != (0.0, 0.0));
     let force = force.and_then(|output| Some((output, run.output(output.name)?)));
-    Some(Engaged { law, gears, known, rotor, rotation, lead, play, begin, force })
+    Some(Engaged { law, gears, known, rotor, rotation, lead, play, has_error, begin, force })
 }
 
 /// The end of the name of an output of the part of a law: `_12` of `12` and of `_12`, nothing of nothing.

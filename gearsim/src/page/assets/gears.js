@@ -218,7 +218,7 @@ class Gears {
     };
     const pairs = contacts.length === 0 ? "no contact" : `${contacts.length} ${contacts.length === 1 ? "pair" : "pairs"} in contact${coasts ? " on the coast flanks" : ""}`;
     const parts = [`t = ${short(t)} s`, `driving gear at ${short(rotation)} rad`, `ahead by ${number(lead, mesh.unit, mesh.largest_lead)}`, pairs];
-    if (force !== null) parts.push(`${mesh.force.name} ${number(force, mesh.force.unit, mesh.force.largest)}`);
+    if (force !== null) parts.push(`${mesh.force.name} ${number(contacts.length ? force : 0, mesh.force.unit, mesh.force.largest)}`);
     this.readout.textContent = parts.join(" \u00b7 ");
     this.canvas.ariaLabel = `Teeth of both gears. ${this.readout.textContent}`;
   }

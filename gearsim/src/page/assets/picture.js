@@ -5,7 +5,8 @@ class Picture {
   constructor(context, mesh, state, high, [width, height]) {
     Object.assign(this, { context, mesh, state, width, height });
     const pitchPoint = mesh.gears[0].base / Math.cos(mesh.angle);
-    if (high !== null) {
+    this.whole = high === null;
+    if (!this.whole) {
       this.scale = height / (high * mesh.pitch);
       this.middle = [pitchPoint, 0];
     } else {
@@ -121,7 +122,7 @@ class Picture {
   contact({ point, force }) {
     const { context, mesh, state } = this;
     const [x, y] = this.at(point);
-    const size = 6.5;
+    const size = this.whole ? 4 : 6.5;
     context.setLineDash([]);
     context.beginPath();
     if (state.coasts) context.rect(x - size, y - size, 2 * size, 2 * size); else context.arc(x, y, size, 0, 2 * Math.PI);

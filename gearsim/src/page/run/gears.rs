@@ -140,19 +140,19 @@ fn mesh(report: &Report<'_>, html: &mut Html, engaged: &Engaged<'_>) -> Option<M
 /// What is known of the teeth, and what is assumed.
 fn note(engaged: &Engaged<'_>, ratio: f64) -> String {
     let (gears, name) = (&engaged.gears, engaged.law.name);
-    let heights = format!(
-        "teeth of the basic rack at {:.4} deg with addenda of {} and {} modules",
-        gears.pressure_angle.to_degrees(),
-        gears.addendum[0],
-        gears.addendum[1]
-    );
+    let degrees = (1e4 * gears.pressure_angle.to_degrees()).round() / 1e4;
+    let addenda = match gears.addendum {
+        [a, b] if a == b => format!("an addendum of {a}"),
+        [a, b] => format!("addenda of {a} and {b}"),
+    };
+    let heights = format!("teeth of the basic rack at {degrees} deg with {addenda}, in modules");
     let mut note = match engaged.known {
         Known::Teeth => format!("The teeth are those of laws.{name}."),
         Known::BaseRadius => {
             format!("The scene gives numbers of teeth and a base radius, not the teeth of {name}: these are {heights}.")
         }
         Known::Numbers => format!(
-            "The scene gives only the numbers of teeth of {name}: these are {heights}, and lengths are in modules."
+            "The scene gives only the numbers of teeth of {name}: these are {heights}, and all lengths are in modules."
         ),
     };
     note += &format!(" Their contact ratio is {ratio:.4}.");
@@ -161,6 +161,9 @@ fn note(engaged: &Engaged<'_>, ratio: f64) -> String {
     }
     if engaged.rotor.is_none() {
         note += " Rotations are relative to the line through both centres, as the mesh phase counts them.";
+    }
+    if engaged.has_error {
+        note += " Its transmission error is not drawn: pairs touch when their flanks are as far ahead as it says.";
     }
     match engaged.force {
         Some(_) => note += " The force of the mesh is divided equally among the pairs in contact.",
