@@ -164,6 +164,7 @@ impl Cell {
     fn html(&self) -> String {
         match self {
             Cell::Text(text) => format!("<td>{}</td>", escape(text)),
+            Cell::Number(x) if x.is_nan() => "<td class=\"number\" data-value=\"NaN\">-</td>".into(),
             // The sum makes -0 a 0.
             Cell::Number(x) => {
                 format!("<td class=\"number\" data-value=\"{x:e}\">{}</td>", short(x + 0.0))
