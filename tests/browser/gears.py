@@ -259,7 +259,7 @@ def every_mesh_can_be_chosen(browser, path, names):
         sums = set()
         for name in names:
             if len(names) > 1:
-                figure.get_by_label("mesh", exact=True).select_option(name)
+                figure.get_by_label("Mesh", exact=True).select_option(name)
             for view in range(3):
                 figure.get_by_label("View").select_option(index=view)
                 settle(page)

@@ -113,8 +113,9 @@ class Gears {
     const bar = element("span", { className: "colours", ariaHidden: "true" });
     bar.style.background = `linear-gradient(to right, ${FORCES.join(", ")})`;
     const what = force.unit === "N" ? "force of a pair" : `${force.name} of a pair`;
-    const sides = this.mesh.play === null ? "" : "; round: drive flanks, square: coast flanks";
-    this.scale.replaceChildren(element("span", { textContent: `${what}: 0` }), bar, element("span", { textContent: `${short(factor * force.largest)} ${unit}${sides}. Dashed: line of action; its thick part: path of contact.` }));
+    const sides = this.mesh.play === null ? "" : "Round: drive flanks, square: coast flanks. ";
+    const ends = element("span", { className: "ends" }, `${what}: 0`, bar, `${short(factor * force.largest)} ${unit}`);
+    this.scale.replaceChildren(ends, `${sides}Dashed: line of action; its thick part: path of contact.`);
   }
 
   fraction(part) {
