@@ -48,7 +48,7 @@ fn draw(results: &SweepResults<'_>) -> Result<Drawn, PlotError> {
                 false => cells(x, y, &values, (x_axis.scale, y_axis.scale)),
                 true => Marks::Dots { x: x.clone(), y: y.clone(), values },
             };
-            Ok(Drawn::Map(HeatMap { title, subtitle, x: x_axis, y: y_axis, colour, marks }))
+            Ok(Drawn::Map(Box::new(HeatMap { title, subtitle, x: x_axis, y: y_axis, colour, marks })))
         }
         _ => Err(nothing(format!("{} quantities were varied; a map needs one or two", along.len()))),
     }

@@ -68,7 +68,7 @@ pub enum Drawn {
     /// Curves.
     Curves(Figure),
     /// A map.
-    Map(HeatMap),
+    Map(Box<HeatMap>),
 }
 
 impl Drawn {

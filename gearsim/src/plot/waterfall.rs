@@ -59,14 +59,14 @@ fn draw(results: &SweepResults<'_>) -> Result<Drawn, PlotError> {
     let unit = results.layout.model.coordinates.iter().find(|c| c.name == results.quantity).map_or("1", |c| c.unit);
     let colour =
         Axis::log10(format!("PSD of {}", symbol(results.quantity)), format!("{unit}^2/Hz")).between(floor, peak);
-    Ok(Drawn::Map(HeatMap {
+    Ok(Drawn::Map(Box::new(HeatMap {
         title: format!("Spectra of {}", symbol(results.quantity)),
         subtitle: format!("{}; Welch, Hann window", subtitle(results)),
         x: axis,
         y: Axis::linear("frequency f", "Hz"),
         colour,
         marks: Marks::Cells { x, y, values },
-    }))
+    })))
 }
 
 /// The highest density of a spectrum between two frequencies. If it has no line between them, the next line above, or the last one.

@@ -84,16 +84,16 @@ fn flanks_touch_on_the_line_of_action() {
         for k in 0..=20 {
             let x = -contact.approach + (contact.approach + contact.recess) * f64::from(k) / 20.0;
             let point = [working[0] + x * sin, x * cos];
-            for i in 0..2 {
+            for (i, outline) in outlines.iter().enumerate() {
                 // Angle from the line through both centres, in the direction in which the gear turns.
                 let from = [point[0] - if i == 0 { 0.0 } else { centre }, point[1]];
                 let external = i == 1 && !gears.internal;
                 let angle = from[1].atan2(if external { -from[0] } else { from[0] });
                 let radius = from[0].hypot(from[1]);
                 let psi = half_angle(&gears, &contact, i, radius);
-                let flank = outlines[i].place + x / contact.base[i] + if external { -psi } else { psi };
+                let flank = outline.place + x / contact.base[i] + if external { -psi } else { psi };
                 assert!((flank - angle).abs() < 1e-12, "gear {i} at {x}: {flank} {angle}");
-                let drawn = between(&outlines[i].half, radius.min(outlines[i].half.last().unwrap()[0]));
+                let drawn = between(&outline.half, radius.min(outline.half.last().unwrap()[0]));
                 assert!(radius * (drawn - psi).abs() < 1e-3 * gears.module, "gear {i} at {x}");
             }
         }
