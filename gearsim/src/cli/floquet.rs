@@ -7,7 +7,7 @@ use super::failure::Failure;
 use super::number::short;
 use super::printing::Printing;
 use super::simulate::Source;
-use super::{Verb, files, provenance, report, terminal};
+use super::{Verb, files, page, provenance, report, terminal};
 use crate::analysis::floquet::{Chart, Floquet, Spot, Varied, Verdict};
 use crate::known;
 use crate::library::Error;
@@ -48,6 +48,8 @@ pub(super) struct FloquetCommand {
     #[arg(long, value_name = "KEY=VALUES")]
     vary: Vec<String>,
     #[command(flatten)]
+    html: page::Html,
+    #[command(flatten)]
     printing: Printing,
 }
 
@@ -81,16 +83,22 @@ struct Report<'a> {
 
 impl Verb for FloquetCommand {
     fn run(self) -> Result<(), Failure> {
+        let page = self.html.asked()?;
         let scene = self.source.load()?;
         let floquet = scene.floquet()?;
         let chart = self.chart(&scene)?;
         let path = self.source.folder(&scene, "_floquet")?;
         let mut folder = OutputFolder::create(path)?;
-        if let Some(chart) = &chart {
-            let table = table(chart)?;
-            folder.write("stability.csv", |sink| csv::write(&table, sink))?;
+        let points = chart.as_ref().map(table).transpose()?;
+        let charted = chart.as_ref().zip(points.as_ref());
+        if let Some((chart, table)) = charted {
+            folder.write("stability.csv", |sink| csv::write(table, sink))?;
             let figure = plot::floquet::draw(&chart.clone().by_ratio());
             files::figure(&mut folder, "stability", figure, terminal::warn)?;
+        }
+        let words = || describe(&floquet) + &chart.as_ref().map_or(String::new(), unstable_share);
+        if let Some(page) = page {
+            page.floquet(&mut folder, &scene, &words(), &floquet, charted)?;
         }
         let report = Report {
             scene: &scene.name,
@@ -111,10 +119,9 @@ impl Verb for FloquetCommand {
         folder.commit("floquet.json")?;
         let width = terminal::width();
         let text = || {
-            let text = describe(&floquet) + &chart.as_ref().map_or(String::new(), unstable_share);
             let written = report::files(folder.path(), folder.files(), width);
             let head = report::scene(&scene, width) + "\n" + &report::left_out(&scene, width);
-            format!("{head}{}\n{written}", terminal::wrap(&text, width))
+            format!("{head}{}\n{written}", terminal::wrap(&words(), width))
         };
         self.printing.print(|| Ok::<_, Failure>(json), text)
     }

@@ -8,7 +8,7 @@ use serde::Serialize;
 use super::failure::Failure;
 use super::printing::Printing;
 use super::simulate::Source;
-use super::{Verb, files, provenance, report, terminal};
+use super::{Verb, files, page, provenance, report, terminal};
 use crate::analysis::modes::springs::{self, Spring};
 use crate::analysis::modes::{self, CellModes};
 use crate::analysis::steady::{self, SteadyLaw};
@@ -40,6 +40,8 @@ pub(super) struct Modes {
     /// The level of each law, counted from 0, e.g. 1 or 0,1 [default: the mid stiffnesses]
     #[arg(long, value_name = "LEVEL,...", value_delimiter = ',')]
     cell: Option<Vec<usize>>,
+    #[command(flatten)]
+    html: page::Html,
     #[command(flatten)]
     printing: Printing,
 }
@@ -114,6 +116,7 @@ struct Meeting<'a> {
 
 impl Verb for Modes {
     fn run(self) -> Result<(), Failure> {
+        let page = self.html.asked()?;
         let scene = self.source.load()?;
         let refused = |refusal| Failure::Refused { scene: scene.name.clone(), refusal };
         let system = scene.entry()?.system(&scene).map_err(refused)?;
@@ -125,9 +128,15 @@ impl Verb for Modes {
         let cells = cells.map_err(refused)?;
         let path = self.source.folder(&scene, "_modes")?;
         let mut folder = OutputFolder::create(path)?;
-        files::figure(&mut folder, "shapes", plot::modes::draw(&scene, &chosen, &springs), terminal::warn)?;
+        let shapes = plot::modes::draw(&scene, &chosen, &springs);
+        let mut figures = vec![files::figure(&mut folder, "shapes", shapes, terminal::warn)?];
         if courses.iter().any(SteadyLaw::turns) {
-            files::figure(&mut folder, "campbell", plot::campbell::draw(&scene, &courses, &chosen), terminal::warn)?;
+            let campbell = plot::campbell::draw(&scene, &courses, &chosen);
+            figures.push(files::figure(&mut folder, "campbell", campbell, terminal::warn)?);
+        }
+        if let Some(page) = page {
+            let figures: Vec<_> = figures.into_iter().flatten().collect();
+            page.modes(&mut folder, &scene, &springs, &chosen, &cells, &figures)?;
         }
         let json = self.json(&scene, &courses, &springs, &chosen, &cells, folder.files())?;
         folder.write_bytes("modes.json", json.as_bytes())?;

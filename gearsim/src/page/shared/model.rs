@@ -1,11 +1,11 @@
 //! The model: its source, the effects of the scene, and its equations.
 
-use super::Report;
 use crate::page::html::{Cell, Html};
+use crate::scene::Scene;
 
 /// Writes the section.
-pub(super) fn fill(report: &Report<'_>, html: &mut Html) {
-    let (scene, model) = (report.run.scene, report.run.scene.model);
+pub fn fill(scene: &Scene, html: &mut Html) {
+    let model = scene.model;
     html.pairs([("model", model.name), ("title", model.title), ("source", model.source)]);
     let (active, others): (Vec<_>, Vec<_>) =
         model.effects.iter().enumerate().partition(|(i, _)| scene.effects.contains(*i));

@@ -1,14 +1,14 @@
-//! The rows of a table that a page contains: all rows or, if the run is very long, the smallest and the largest value of every few rows.
+//! The rows of a table that a page contains: all rows or, if there are very many, the smallest and the largest value of every few rows.
 
 use crate::output::Table;
 use crate::output::table::Values;
 
 /// Most numbers that a page embeds of a table: 80 MB as base64.
-const MOST: usize = 30_000_000;
+pub const MOST: usize = 30_000_000;
 
 /// How many rows of the table one step of the page covers.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Rows {
+pub struct Rows {
     /// 1: every row is in the page. Otherwise two rows stand for this many: the lowest and the highest value of each column, in order.
     pub every: usize,
 }
@@ -20,7 +20,8 @@ impl Rows {
         Self::at_most(MOST, table.rows(), columns)
     }
 
-    fn at_most(most: usize, rows: usize, columns: usize) -> Self {
+    /// As many of `rows` rows of each of `columns` columns as a page with `most` numbers may have.
+    pub fn at_most(most: usize, rows: usize, columns: usize) -> Self {
         let allowed = (most / columns.max(1)).max(2);
         Rows { every: if rows <= allowed { 1 } else { (2 * rows).div_ceil(allowed) } }
     }
