@@ -30,6 +30,7 @@ pub fn emit(mut m: Model) -> TokenStream {
     let calls = cells(m).iter().chain(&cold).map(Cold::call).collect::<Vec<_>>();
     let cold = cold.iter().map(|f| f.define(m, &quote!(f64)));
     let met = effects::met(m);
+    let switches = (!m.switches.is_empty()).then(switches);
     quote! {
         use ::gearsim::engine::{equations, real, vector::{Matrix, Vector}};
         use ::gearsim::model;
@@ -50,6 +51,7 @@ pub fn emit(mut m: Model) -> TokenStream {
             fn matrices<R: real::Real>(effects: u64, parameters: &[R], mids: &[R], k: &[R]) -> equations::Matrices<R> {
                 Numbers::<R>::new(parameters, mids).matrices(&Met::new(effects), k)
             }
+            #switches
         }
 
         #numbers
@@ -81,6 +83,26 @@ pub fn emit(mut m: Model) -> TokenStream {
                 self.numbers.dissipation(&self.met, equations::array(q_dot), k)
             }
             #(#calls)*
+        }
+    }
+}
+
+/// The functions of `Derived` for the modes of switches, in numbers of type R.
+fn switches() -> TokenStream {
+    quote! {
+        fn mode<R: real::Real>(effects: u64, parameters: &[R], mids: &[R], [i, mode]: [usize; 2]) -> Option<Vec<R>> {
+            Numbers::<R>::new(parameters, mids).mode(&Met::new(effects), i, mode)
+        }
+        fn exits<R: real::Real>(
+            effects: u64, parameters: &[R], mids: &[R], [i, mode]: [usize; 2], k: &[R],
+        ) -> Vec<equations::Exit<R>> {
+            Numbers::<R>::new(parameters, mids).exits(&Met::new(effects), i, mode, k)
+        }
+        fn switched<R: real::Real>(
+            effects: u64, parameters: &[R], mids: &[R], i: usize, k: &[R],
+        ) -> equations::Deflection<R> {
+            let (numbers, met) = (Numbers::<R>::new(parameters, mids), Met::new(effects));
+            numbers.deflection(&met, numbers.switched(&met, i), k)
         }
     }
 }

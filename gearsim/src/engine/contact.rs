@@ -44,6 +44,8 @@ pub enum Ending {
 pub struct Contact {
     /// The laws held, and at which side of their cell.
     pub laws: Vec<(usize, Side)>,
+    /// The switches whose deflections are held.
+    pub switches: Vec<usize>,
     /// N, the outward normals of the laws, then the gradients of the deflections (n, one a column).
     pub normals: DMatrix<f64>,
     /// P, the mobility that is left (n x n), where the hold began.
@@ -244,14 +246,22 @@ impl Holds {
         let Holds { held, normals, mobility, compliance, to_reactions } = self;
         let speeds = normals.transpose() * DVector::from(&now.state.q_dot);
         let impulses = compliance.solve(&speeds);
-        now.state.q_dot -= &Vector::from(&(&mobility * &impulses));
-        now.state.lost = Vector::zeros(now.state.q.len());
+        // With twice the digits, the solver brings them to rest.
+        if now.state.low.is_empty() {
+            now.state.q_dot -= &Vector::from(&(&mobility * &impulses));
+            now.state.lost = Vector::zeros(now.state.q.len());
+        }
         let neglected = 0.5 * speeds.dot(&impulses);
         let laws = held.iter().filter_map(|held| match held {
             Held::Law(law, side) => Some((*law, *side)),
             Held::Switch(_) => None,
         });
         let laws = laws.collect();
+        let switches = held.iter().filter_map(|held| match held {
+            Held::Switch(switch) => Some(*switch),
+            Held::Law(..) => None,
+        });
+        let switches = switches.collect();
         let mass = now.equations.mass(&now.state.q).cholesky().ok_or(Refusal::Mass)?;
         let columns: Vec<DVector<f64>> = normals.column_iter().map(|column| column.into_owned()).collect();
         let is_locked = |i: &usize| {
@@ -260,7 +270,7 @@ impl Holds {
         };
         let locked = (0..now.switches.len()).filter(is_locked).collect();
         let mobility = now.equations.mobility(&now.state.q) - &mobility * &to_reactions;
-        Ok((Some(Contact { laws, normals, mobility, watches, locked }), neglected))
+        Ok((Some(Contact { laws, switches, normals, mobility, watches, locked }), neglected))
     }
 }
 

@@ -142,15 +142,15 @@ pub trait Equations: Send + Sync {
     }
 }
 
-/// A named deflection, x = constant + sum(unit k\[law\]) + normal.q.
+/// A named deflection, x = constant + sum(unit k\[law\]) + normal.q, in numbers of type R.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Deflection {
+pub struct Deflection<R: Real = f64> {
     /// Its gradient (n).
-    pub normal: Vector,
+    pub normal: R::Row,
     /// Its value where the coordinates and the transmission errors are zero.
-    pub constant: f64,
+    pub constant: R,
     /// The transmission errors that shift it: index of the law, and shift per unit of the law.
-    pub errors: Vec<(usize, f64)>,
+    pub errors: Vec<(usize, R)>,
 }
 
 impl Deflection {
@@ -161,63 +161,67 @@ impl Deflection {
 }
 
 /// How far transmission errors shift a deflection.
-fn shift(errors: &[(usize, f64)], k: &[f64]) -> f64 {
-    errors.iter().map(|&(law, unit)| unit * k[law]).sum()
+fn shift<R: Real>(errors: &[(usize, R)], k: &[R]) -> R {
+    errors.iter().fold(R::from(0.0), |sum, &(law, unit)| sum + unit * k[law])
 }
 
-/// What ends a mode of a switch.
+/// What ends a mode of a switch, in numbers of type R.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Exit {
+pub struct Exit<R: Real = f64> {
     /// The mode that follows.
     pub beyond: usize,
     /// Whether only a sudden change of the state can violate the guard: in every motion another exit comes first.
     pub sudden: bool,
     /// The mode lasts while this is >= 0.
-    pub guard: Affine,
+    pub guard: Affine<R>,
 }
 
 /// A linear function of the state: constant + sum(unit k\[law\]) + on_q.q + on_speed.q' + on_reaction R.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Affine {
+pub struct Affine<R: Real = f64> {
     /// Its value in the state zero.
-    pub constant: f64,
+    pub constant: R,
     /// The transmission errors in it: index of the law, and factor.
-    pub errors: SmallVec<[(usize, f64); 1]>,
+    pub errors: SmallVec<[(usize, R); 1]>,
     /// Its slopes along the coordinates (n).
-    pub on_q: Vector,
+    pub on_q: R::Row,
     /// Its slopes along the speeds (n).
-    pub on_speed: Vector,
+    pub on_speed: R::Row,
     /// Its slope along the reaction of a held deflection.
-    pub on_reaction: f64,
+    pub on_reaction: R,
 }
 
-impl Affine {
+impl<R: Real> Affine<R> {
     /// Zero, for `n` coordinates.
     pub fn zero(n: usize) -> Self {
-        let (on_q, on_speed) = (Vector::zeros(n), Vector::zeros(n));
-        Affine { constant: 0.0, errors: SmallVec::new(), on_q, on_speed, on_reaction: 0.0 }
+        let zero = R::from(0.0);
+        let none: SmallVec<[R; 16]> = SmallVec::from_elem(zero, n);
+        let (on_q, on_speed) = (R::row(&none), R::row(&none));
+        Affine { constant: zero, errors: SmallVec::new(), on_q, on_speed, on_reaction: zero }
     }
 
     /// Adds a multiple of a deflection.
-    pub fn add(&mut self, factor: f64, x: &Deflection) {
+    pub fn add(&mut self, factor: R, x: &Deflection<R>) {
         self.constant += factor * x.constant;
-        self.errors.extend(x.errors.iter().map(|(law, unit)| (*law, factor * unit)));
-        self.on_q.add_times(factor, &x.normal);
+        self.errors.extend(x.errors.iter().map(|(law, unit)| (*law, factor * *unit)));
+        R::add_times(&mut self.on_q, factor, &x.normal);
     }
 
     /// Adds a multiple of the rate of a deflection.
-    pub fn add_rate(&mut self, factor: f64, x: &Deflection) {
-        self.on_speed.add_times(factor, &x.normal);
-    }
-
-    /// Its value without that of the reaction.
-    pub fn value(&self, q: &[f64], q_dot: &[f64], k: &[f64]) -> f64 {
-        self.constant_at(k) + self.on_q.dot(q) + self.on_speed.dot(q_dot)
+    pub fn add_rate(&mut self, factor: R, x: &Deflection<R>) {
+        R::add_times(&mut self.on_speed, factor, &x.normal);
     }
 
     /// Its value in the state zero at the law values `k`.
-    pub fn constant_at(&self, k: &[f64]) -> f64 {
+    pub fn constant_at(&self, k: &[R]) -> R {
         self.constant + shift(&self.errors, k)
+    }
+}
+
+impl Affine {
+    /// Its value without that of the reaction.
+    pub fn value(&self, q: &[f64], q_dot: &[f64], k: &[f64]) -> f64 {
+        self.constant_at(k) + self.on_q.dot(q) + self.on_speed.dot(q_dot)
     }
 
     /// The rounding error of its value near zero.
@@ -250,6 +254,19 @@ pub trait Derived: Sync {
 
     /// The matrices of a cell with law values `k`, in numbers of type R. The other arguments are those of [`Derived::equations`].
     fn matrices<R: Real>(effects: u64, parameters: &[R], mids: &[R], k: &[R]) -> Matrices<R>;
+
+    /// [`Equations::mode`] in numbers of type R, of the switch and the mode `at`.
+    fn mode<R: Real>(_effects: u64, _parameters: &[R], _mids: &[R], at: [usize; 2]) -> Option<Vec<R>> {
+        no_such("switch", at[0])
+    }
+    /// [`Equations::exits`] in numbers of type R, of the switch and the mode `at`.
+    fn exits<R: Real>(_effects: u64, _parameters: &[R], _mids: &[R], at: [usize; 2], _k: &[R]) -> Vec<Exit<R>> {
+        no_such("switch", at[0])
+    }
+    /// The deflection of switch `i` in numbers of type R.
+    fn switched<R: Real>(_effects: u64, _parameters: &[R], _mids: &[R], i: usize, _k: &[R]) -> Deflection<R> {
+        no_such("switch", i)
+    }
 }
 
 /// A linear cell, M q'' + C q' + K q = f, in numbers of type R.
@@ -265,27 +282,55 @@ pub struct Matrices<R> {
     pub stiffness: DMatrix<R>,
     /// f (n).
     pub load: DVector<R>,
+    /// V where all coordinates are zero: V = q.K q/2 - f.q + V(0) without the torques in f.
+    pub at_zero: R,
 }
 
 /// [`Derived::equations`] of a model.
 pub type EquationsOf = fn(u64, &[f64], &[f64]) -> Option<Box<dyn Equations>>;
-/// [`Derived::matrices`] of a model, in numbers of type R.
-pub type MatricesOf<R> = fn(u64, &[R], &[R], &[R]) -> Matrices<R>;
 
 /// The functions of a derived model as values. The engine is compiled once and calls the functions of each model by pointer.
 #[derive(Debug, Clone, Copy)]
 pub struct Functions {
     /// [`Derived::equations`].
     pub equations: EquationsOf,
-    /// [`Derived::matrices`] in double-double numbers.
-    pub exactly: MatricesOf<Df64>,
+    /// The functions of cells in double-double numbers.
+    pub exactly: Exactly,
+}
+
+/// [`Derived::matrices`] and the functions of switches in double-double numbers. Effects, parameters and mid values come first.
+#[derive(Debug, Clone, Copy)]
+#[allow(missing_docs, clippy::type_complexity)] // those of `Derived`
+pub struct Exactly {
+    pub matrices: fn(u64, &[Df64], &[Df64], &[Df64]) -> Matrices<Df64>,
+    pub mode: fn(u64, &[Df64], &[Df64], [usize; 2]) -> Option<Vec<Df64>>,
+    pub exits: fn(u64, &[Df64], &[Df64], [usize; 2], &[Df64]) -> Vec<Exit<Df64>>,
+    pub switched: fn(u64, &[Df64], &[Df64], usize, &[Df64]) -> Deflection<Df64>,
 }
 
 impl Functions {
     /// The functions of model `D`.
     pub const fn of<D: Derived>() -> Functions {
-        Functions { equations: D::equations, exactly: D::matrices::<Df64> }
+        let exactly = Exactly {
+            matrices: D::matrices::<Df64>,
+            mode: D::mode::<Df64>,
+            exits: D::exits::<Df64>,
+            switched: D::switched::<Df64>,
+        };
+        Functions { equations: D::equations, exactly }
     }
+}
+
+/// The linear cells of a scene in double-double numbers; `k` are the values of laws and switches.
+pub trait ExactCells {
+    /// The matrices of a cell.
+    fn matrices(&self, k: &[Df64]) -> Matrices<Df64>;
+    /// The values of the symbols of switch `i` in a mode; `None` if its effect is absent.
+    fn mode(&self, i: usize, mode: usize) -> Option<Vec<Df64>>;
+    /// What can end a mode of switch `i`.
+    fn exits(&self, i: usize, mode: usize, k: &[Df64]) -> Vec<Exit<Df64>>;
+    /// The deflection of switch `i`.
+    fn switched(&self, i: usize, k: &[Df64]) -> Deflection<Df64>;
 }
 
 /// Where the equations of a scene come from: a derived model, or parts that are put together ([`train`](crate::engine::train)).
@@ -293,8 +338,8 @@ pub trait Source: Sync {
     /// The equations of a scene with these values of its parameters [SI] and mid values of its laws; `None` if its effects contradict one
     /// another.
     fn equations(&self, scene: &Scene, parameters: &[f64], mids: &[f64]) -> Option<Box<dyn Equations>>;
-    /// The matrices of a cell with law values `k`, in double-double numbers.
-    fn exactly(&self, scene: &Scene, parameters: &[Df64], mids: &[Df64], k: &[Df64]) -> Matrices<Df64>;
+    /// The cells of a scene in double-double numbers.
+    fn exactly<'a>(&'a self, scene: &'a Scene, parameters: Vec<Df64>, mids: Vec<Df64>) -> Box<dyn ExactCells + 'a>;
 }
 
 impl Source for Functions {
@@ -302,8 +347,34 @@ impl Source for Functions {
         (self.equations)(scene.effects.0, parameters, mids)
     }
 
-    fn exactly(&self, scene: &Scene, parameters: &[Df64], mids: &[Df64], k: &[Df64]) -> Matrices<Df64> {
-        (self.exactly)(scene.effects.0, parameters, mids, k)
+    fn exactly<'a>(&'a self, scene: &'a Scene, parameters: Vec<Df64>, mids: Vec<Df64>) -> Box<dyn ExactCells + 'a> {
+        Box::new(OfModel { functions: self.exactly, effects: scene.effects.0, parameters, mids })
+    }
+}
+
+/// The cells of a derived model.
+pub(crate) struct OfModel {
+    pub functions: Exactly,
+    pub effects: u64,
+    pub parameters: Vec<Df64>,
+    pub mids: Vec<Df64>,
+}
+
+impl ExactCells for OfModel {
+    fn matrices(&self, k: &[Df64]) -> Matrices<Df64> {
+        (self.functions.matrices)(self.effects, &self.parameters, &self.mids, k)
+    }
+
+    fn mode(&self, i: usize, mode: usize) -> Option<Vec<Df64>> {
+        (self.functions.mode)(self.effects, &self.parameters, &self.mids, [i, mode])
+    }
+
+    fn exits(&self, i: usize, mode: usize, k: &[Df64]) -> Vec<Exit<Df64>> {
+        (self.functions.exits)(self.effects, &self.parameters, &self.mids, [i, mode], k)
+    }
+
+    fn switched(&self, i: usize, k: &[Df64]) -> Deflection<Df64> {
+        (self.functions.switched)(self.effects, &self.parameters, &self.mids, i, k)
     }
 }
 
