@@ -14,3 +14,5 @@ mod forced;
 mod friction;
 #[path = "compensated/play.rs"]
 mod play;
+#[path = "compensated/scenes.rs"]
+mod scenes;

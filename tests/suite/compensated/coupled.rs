@@ -9,17 +9,20 @@ use crate::digits::{apart, exact, in_both, judge, of};
 /// Powers of two, and few digits: every entry of the matrices is exact.
 const TRAIN: &str = r#"
 model = "train"
-effects = ["damping", "torques"]
+effects = ["viscous_friction", "torques"]
 [rotors]
-a = { inertia = "0.5 kg*m^2" }
-b = { inertia = "2 kg*m^2" }
-c = { inertia = "0.25 kg*m^2" }
+a = "0.5 kg*m^2"
+b = "2 kg*m^2"
+c = "0.25 kg*m^2"
 [shafts]
 ab = { between = ["a", "b"], stiffness = "4096 N*m/rad", damping = "8 N*m*s/rad" }
 bc = { between = ["b", "c"], stiffness = "1024 N*m/rad", damping = "0.5 N*m*s/rad" }
-[torques]
-motor = { on = "a", torque = "64 N*m" }
-load = { on = "c", torque = "-64 N*m" }
+[drives.motor]
+rotor = "a"
+torque = "64 N*m"
+[loads.load]
+rotor = "c"
+torque = "64 N*m"
 [run]
 t_end = "0.5 s"
 [output]
@@ -30,7 +33,9 @@ rate = "1 kHz"
 fn shafts_with_dampers_of_their_own_move_by_the_matrix_exponential() {
     for t in ["3 ms", "0.5 s"] {
         let set = [format!("run.t_end=\"{t}\"")];
-        let scene = Scene::parse("train", "train", TRAIN, &set, &models()).unwrap_or_else(|e| panic!("{}", e.render(100, false)));
+        let mut scene = Scene::parse("train", "train", TRAIN, &set, &models()).unwrap_or_else(|e| panic!("{}", e.render(100, false)));
+        // From the static equilibrium, with speeds of its own for each coordinate.
+        scene.start.q_dot = vec![Some(1.0), Some(-2.0), Some(0.5)];
         let entry = model("train");
         let equations = entry.equations(&scene).unwrap();
         let start = entry.simulation(&scene, &*equations).unwrap().now.state.clone();

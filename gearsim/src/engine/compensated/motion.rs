@@ -56,8 +56,16 @@ impl Motion for Refined<'_> {
                 self.guard(end, &reached).and_then(|guard| self.flight.meet(&guard, t))
             }
             (None, End::Hold(..) | End::Loose(..)) => {
-                *self.late = self.late(t, end, &reached);
-                None
+                let ended = self.guard(end, &reached).and_then(|guard| self.flight.meet(&guard, t));
+                // Plain numbers end a hold with a margin, late; without one, they may be early by their rounding.
+                let is_late = ended.as_ref().is_some_and(|(ended, _)| ended.hi() >= 0.0 && (Df64::from(t) - *ended).hi() > 0.0);
+                match ended {
+                    Some((ended, state)) if is_late => {
+                        *self.late = Some(Late { state, by: Df64::from(t) - ended });
+                        None
+                    }
+                    ended => ended.filter(|(ended, _)| ended.hi() >= 0.0),
+                }
             }
             (None, End::Open | End::Run | End::Breakpoint) => None,
         };
@@ -85,13 +93,5 @@ impl Refined<'_> {
             }
             _ => self.cells.held()?.guard(self.exact, now, &k(), (end, &State::of(&reached.state))),
         }
-    }
-
-    /// Where the hold ended that plain numbers end at the time `t` \[s\], with a margin.
-    fn late(&mut self, t: f64, end: End, reached: &Reached) -> Option<Late> {
-        let guard = self.guard(end, reached)?;
-        let (ended, state) = self.flight.meet(&guard, t)?;
-        let by = Df64::from(t) - ended;
-        (by.hi() >= 0.0 && ended.hi() >= 0.0).then_some(Late { state, by })
     }
 }
