@@ -161,6 +161,22 @@ impl Entry {
         System::of(&self.derived, scene)
     }
 
+    /// The equations of a scene about its steady motion.
+    ///
+    /// # Errors
+    /// Those of [`System::about_steady_motion`].
+    pub fn about_steady_motion(&self, scene: &Scene) -> Result<System, Refusal> {
+        System::about_steady_motion(&self.derived, scene)
+    }
+
+    /// The linear part of the equations of a scene.
+    ///
+    /// # Errors
+    /// Those of [`System::linear_part`].
+    pub fn linear_part(&self, scene: &Scene) -> Result<System, Refusal> {
+        System::linear_part(&self.derived, scene)
+    }
+
     /// The equations of a scene.
     ///
     /// # Errors
