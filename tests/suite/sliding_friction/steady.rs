@@ -12,7 +12,7 @@ fn pair(set: &[&str]) -> Scene {
     let mut all = vec![
         r#"effects=["stiffness_step", "sliding_friction", "torques", "damping"]"#,
         "parameters.mu=0.2",
-        "parameters.zeta=0.02",
+        "parameters.zeta=0.1",
         "parameters.T0=\"1e-3 N*m\"",
         r#"laws.side={teeth_of="k"}"#,
         r#"laws.arm={teeth_of="k"}"#,
@@ -44,14 +44,14 @@ fn end(scene: &Scene, t_end: f64, [phi, phi_dot]: [Option<f64>; 2]) -> [f64; 2] 
 /// The monodromy matrix of the analysis has the trace and the determinant of the differences of the motion over a period, by dop853.
 #[test]
 fn multipliers_are_those_of_the_flow_of_the_numerical_solver() {
-    for (mu, speed) in [("0.2", "3000 rpm"), ("0.2", "7000 rpm"), ("0", "3000 rpm")] {
+    for (mu, speed) in [("0", "3000 rpm"), ("0.2", "9000 rpm"), ("0.2", "3000 rpm")] {
         let scene = pair(&[&format!("parameters.mu={mu}"), &format!("start.speed=\"{speed}\"")]);
         let floquet = scene.floquet().unwrap();
         assert_eq!((floquet.multipliers.len(), floquet.rigid), (2, 1), "{:?}", floquet.multipliers);
         let steady = floquet.steady.as_ref().expect("friction is linearised");
         assert!(steady.terms.contains("F_mu") && steady.q_dot[0] > 0.0 && steady.q[1] > 0.0, "{steady:?}");
         let [phi, _] = end(&scene, 0.0, [None, None]);
-        let (h, omega) = (0.3 * phi, TAU * floquet.natural);
+        let (h, omega) = (0.01 * phi, TAU * floquet.natural);
         let flow = |start: [f64; 2]| end(&scene, floquet.period, start.map(Some));
         let [up, down] = [flow([phi + h, 0.0]), flow([phi - h, 0.0])];
         let [fast, slow] = [flow([phi, h * omega]), flow([phi, -h * omega])];

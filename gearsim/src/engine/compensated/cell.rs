@@ -11,7 +11,7 @@ use crate::engine::cell::remaining;
 use crate::engine::compensated::mode::Mode;
 use crate::engine::equations::Matrices;
 use crate::engine::forcing::linear::Linear;
-use crate::tolerance::modes::{COMPENSATED_COUPLED, COMPENSATED_JACOBI};
+use crate::tolerance::modes::{COMPENSATED_COUPLED, COMPENSATED_JACOBI, COMPENSATED_UNDAMPED};
 
 /// The modes of one cell.
 #[derive(Debug, Clone)]
@@ -50,12 +50,14 @@ impl Cell {
         for _ in 0..2 {
             x = orthonormal(&seen(mass), &x);
         }
-        let omega2 = diagonal(x.transpose() * seen(stiffness) * &x, &mut x);
+        let is_rigid = |i: usize| plain.omega2[i] == 0.0;
+        let omega2 = diagonal(x.transpose() * seen(stiffness) * &x, &mut x, is_rigid);
         let shapes = z.as_ref().map_or_else(|| x.clone(), |(z, _)| z * &x);
-        let (is_rigid, is_damped) = (|i: usize| plain.omega2[i] == 0.0, |i: usize| plain.damping[(i, i)] != 0.0);
         let modal = shapes.transpose() * damping * &shapes;
         let zero = Df64::from(0.0);
         let n = omega2.len();
+        let strongest = (0..n).map(|i| modal[(i, i)].hi()).fold(0.0, f64::max);
+        let is_damped = |i: usize| modal[(i, i)].hi() > COMPENSATED_UNDAMPED * strongest;
         let damping = DMatrix::from_fn(n, n, |i, j| if is_damped(i) && is_damped(j) { modal[(i, j)] } else { zero });
         let omega2: Vec<Df64> = (0..n).map(|i| if is_rigid(i) { zero } else { omega2[i] }).collect();
         let springs = shapes.transpose() * stiffness;
@@ -89,15 +91,17 @@ fn orthonormal(mass: &DMatrix<Df64>, x: &DMatrix<Df64>) -> DMatrix<Df64> {
     x * (&one - &e * Df64::from(0.5) + &e * &e * Df64::from(0.375))
 }
 
-/// The diagonal of a nearly diagonal symmetric matrix after Jacobi rotations. They are applied to the columns of `x` too.
-fn diagonal(mut a: DMatrix<Df64>, x: &mut DMatrix<Df64>) -> Vec<Df64> {
+/// The diagonal of a nearly diagonal symmetric matrix after Jacobi rotations. They are applied to the columns of `x` too. Rigid modes are
+/// not rotated among one another: between them the matrix is zero but for rounding.
+fn diagonal(mut a: DMatrix<Df64>, x: &mut DMatrix<Df64>, is_rigid: impl Fn(usize) -> bool) -> Vec<Df64> {
     let n = a.nrows();
     let one = Df64::from(1.0);
     for _ in 0..MOST_SWEEPS {
         let mut turned = false;
         for (p, q) in (0..n).flat_map(|p| (p + 1..n).map(move |q| (p, q))) {
             let (app, aqq, apq) = (a[(p, p)], a[(q, q)], (a[(p, q)] + a[(q, p)]) * 0.5);
-            if apq.hi().abs() <= COMPENSATED_JACOBI * app.hi().abs().max(aqq.hi().abs()) {
+            let is_small = apq.hi().abs() <= COMPENSATED_JACOBI * app.hi().abs().max(aqq.hi().abs());
+            if is_small || is_rigid(p) && is_rigid(q) {
                 continue;
             }
             turned = true;
