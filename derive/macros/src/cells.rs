@@ -8,10 +8,11 @@ use crate::cold::{Cold, Returns, Takes, in_any_number};
 use crate::effects::is_met;
 use crate::lets::{positions, with_lets};
 use crate::model::*;
+use crate::jumps;
 use crate::sums::{body, position};
 use crate::switches;
 
-/// The functions that give M, M⁻¹ if it is in the file, C, K, f and V, in numbers of type R; those of switches, if there are any.
+/// The functions that give M, M⁻¹ if it is in the file, C, K, f, V and its steps, in numbers of type R; those of switches, if there are any.
 pub fn cells(m: &Model) -> Vec<Cold> {
     let n = Index::from(m.coordinates.len());
     let square = |name, entries| Cold { name, takes: &[], returns: Returns::Matrix, body: matrix(m, entries) };
@@ -43,6 +44,7 @@ pub fn cells(m: &Model) -> Vec<Cold> {
         returns: Returns::In(Clone::clone),
         body: in_any_number(with_lets(m, body(&m.potential))),
     });
+    all.push(jumps::step(m));
     if !m.switches.is_empty() {
         all.extend(switches::cells(m));
     }

@@ -255,18 +255,8 @@ pub trait Derived: Sync {
     /// The matrices of a cell with law values `k`, in numbers of type R. The other arguments are those of [`Derived::equations`].
     fn matrices<R: Real>(effects: u64, parameters: &[R], mids: &[R], k: &[R]) -> Matrices<R>;
 
-    /// [`Equations::mode`] in numbers of type R, of the switch and the mode `at`.
-    fn mode<R: Real>(_effects: u64, _parameters: &[R], _mids: &[R], at: [usize; 2]) -> Option<Vec<R>> {
-        no_such("switch", at[0])
-    }
-    /// [`Equations::exits`] in numbers of type R, of the switch and the mode `at`.
-    fn exits<R: Real>(_effects: u64, _parameters: &[R], _mids: &[R], at: [usize; 2], _k: &[R]) -> Vec<Exit<R>> {
-        no_such("switch", at[0])
-    }
-    /// The deflection of switch `i` in numbers of type R.
-    fn switched<R: Real>(_effects: u64, _parameters: &[R], _mids: &[R], i: usize, _k: &[R]) -> Deflection<R> {
-        no_such("switch", i)
-    }
+    /// The cells in double-double numbers. The arguments are those of [`Derived::equations`].
+    fn exactly(effects: u64, parameters: &[Df64], mids: &[Df64]) -> Box<dyn ExactCells>;
 }
 
 /// A linear cell, M q'' + C q' + K q = f, in numbers of type R.
@@ -282,42 +272,29 @@ pub struct Matrices<R> {
     pub stiffness: DMatrix<R>,
     /// f (n).
     pub load: DVector<R>,
-    /// V where all coordinates are zero: V = q.K q/2 - f.q + V(0) without the torques in f.
+    /// V where all coordinates are zero.
     pub at_zero: R,
 }
 
 /// [`Derived::equations`] of a model.
 pub type EquationsOf = fn(u64, &[f64], &[f64]) -> Option<Box<dyn Equations>>;
 
+/// [`Derived::exactly`] of a model.
+pub type ExactlyOf = fn(u64, &[Df64], &[Df64]) -> Box<dyn ExactCells>;
+
 /// The functions of a derived model as values. The engine is compiled once and calls the functions of each model by pointer.
 #[derive(Debug, Clone, Copy)]
 pub struct Functions {
     /// [`Derived::equations`].
     pub equations: EquationsOf,
-    /// The functions of cells in double-double numbers.
-    pub exactly: Exactly,
-}
-
-/// [`Derived::matrices`] and the functions of switches in double-double numbers. Effects, parameters and mid values come first.
-#[derive(Debug, Clone, Copy)]
-#[allow(missing_docs, clippy::type_complexity)] // those of `Derived`
-pub struct Exactly {
-    pub matrices: fn(u64, &[Df64], &[Df64], &[Df64]) -> Matrices<Df64>,
-    pub mode: fn(u64, &[Df64], &[Df64], [usize; 2]) -> Option<Vec<Df64>>,
-    pub exits: fn(u64, &[Df64], &[Df64], [usize; 2], &[Df64]) -> Vec<Exit<Df64>>,
-    pub switched: fn(u64, &[Df64], &[Df64], usize, &[Df64]) -> Deflection<Df64>,
+    /// [`Derived::exactly`].
+    pub exactly: ExactlyOf,
 }
 
 impl Functions {
     /// The functions of model `D`.
     pub const fn of<D: Derived>() -> Functions {
-        let exactly = Exactly {
-            matrices: D::matrices::<Df64>,
-            mode: D::mode::<Df64>,
-            exits: D::exits::<Df64>,
-            switched: D::switched::<Df64>,
-        };
-        Functions { equations: D::equations, exactly }
+        Functions { equations: D::equations, exactly: D::exactly }
     }
 }
 
@@ -325,12 +302,22 @@ impl Functions {
 pub trait ExactCells {
     /// The matrices of a cell.
     fn matrices(&self, k: &[Df64]) -> Matrices<Df64>;
-    /// The values of the symbols of switch `i` in a mode; `None` if its effect is absent.
-    fn mode(&self, i: usize, mode: usize) -> Option<Vec<Df64>>;
-    /// What can end a mode of switch `i`.
-    fn exits(&self, i: usize, mode: usize, k: &[Df64]) -> Vec<Exit<Df64>>;
+    /// [`Equations::potential`].
+    fn potential(&self, q: &[Df64], k: &[Df64]) -> Df64;
+    /// [`Equations::step`].
+    fn step(&self, law: usize, q: &[Df64], k: &[Df64], dk: Df64) -> Df64;
+    /// [`Equations::mode`].
+    fn mode(&self, i: usize, _mode: usize) -> Option<Vec<Df64>> {
+        no_such("switch", i)
+    }
+    /// [`Equations::exits`].
+    fn exits(&self, i: usize, _mode: usize, _k: &[Df64]) -> Vec<Exit<Df64>> {
+        no_such("switch", i)
+    }
     /// The deflection of switch `i`.
-    fn switched(&self, i: usize, k: &[Df64]) -> Deflection<Df64>;
+    fn switched(&self, i: usize, _k: &[Df64]) -> Deflection<Df64> {
+        no_such("switch", i)
+    }
 }
 
 /// Where the equations of a scene come from: a derived model, or parts that are put together ([`train`](crate::engine::train)).
@@ -348,33 +335,7 @@ impl Source for Functions {
     }
 
     fn exactly<'a>(&'a self, scene: &'a Scene, parameters: Vec<Df64>, mids: Vec<Df64>) -> Box<dyn ExactCells + 'a> {
-        Box::new(OfModel { functions: self.exactly, effects: scene.effects.0, parameters, mids })
-    }
-}
-
-/// The cells of a derived model.
-pub(crate) struct OfModel {
-    pub functions: Exactly,
-    pub effects: u64,
-    pub parameters: Vec<Df64>,
-    pub mids: Vec<Df64>,
-}
-
-impl ExactCells for OfModel {
-    fn matrices(&self, k: &[Df64]) -> Matrices<Df64> {
-        (self.functions.matrices)(self.effects, &self.parameters, &self.mids, k)
-    }
-
-    fn mode(&self, i: usize, mode: usize) -> Option<Vec<Df64>> {
-        (self.functions.mode)(self.effects, &self.parameters, &self.mids, [i, mode])
-    }
-
-    fn exits(&self, i: usize, mode: usize, k: &[Df64]) -> Vec<Exit<Df64>> {
-        (self.functions.exits)(self.effects, &self.parameters, &self.mids, [i, mode], k)
-    }
-
-    fn switched(&self, i: usize, k: &[Df64]) -> Deflection<Df64> {
-        (self.functions.switched)(self.effects, &self.parameters, &self.mids, i, k)
+        (self.exactly)(scene.effects.0, &parameters, &mids)
     }
 }
 
@@ -447,7 +408,7 @@ fn solve(mass: &Matrix, f: &Vector) -> Vector {
 /// # Panics
 /// If its length is not N.
 #[inline]
-pub fn array<const N: usize>(numbers: &[f64]) -> &[f64; N] {
+pub fn array<R, const N: usize>(numbers: &[R]) -> &[R; N] {
     numbers.try_into().unwrap_or_else(|_| wrong_length(N, numbers.len()))
 }
 

@@ -8,6 +8,9 @@ use xprec::Df64;
 
 use crate::engine::vector::Vector;
 
+/// Double-double numbers, as derived equations name them.
+pub type Double = Df64;
+
 /// A real number with the operations that occur in derived equations.
 #[allow(missing_docs)] // those of f64
 pub trait Real:

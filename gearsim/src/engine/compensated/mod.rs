@@ -101,8 +101,7 @@ impl Solver for Compensated<'_> {
     /// As [`Hybrid::jump`] does.
     fn jump(&mut self, now: &mut Hybrid<'_>, law: usize, side: Side) -> Passage {
         let State { q, q_dot } = &State::of(&now.state);
-        let Some(step) = self.cells.step(&*self.given.cells, now, law, side) else { return now.jump(law, side) };
-        let dv = step.at(q);
+        let dv = step::barrier(&*self.given.cells, now, law, side, q);
         let surface = self.cells.surface(law);
         let v = q_dot[now.laws[law].phase];
         let lost = surface.compliance * dv * 2.0;

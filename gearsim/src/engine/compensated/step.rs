@@ -1,11 +1,15 @@
-//! The step of V between two cells at the same coordinates, in double-double precision: dV = q.dK q/2 - df.q + h.
+//! The step of V at a boundary of a law, in double-double precision; for a phase that is held there, as a form in the coordinates.
 
 use nalgebra::{DMatrix, DVector};
 use xprec::Df64;
 
-use crate::engine::equations::Matrices;
+use super::cells;
+use crate::engine::crossing::Side;
+use crate::engine::equations::{ExactCells, Matrices};
+use crate::engine::hybrid::Hybrid;
+use crate::engine::law;
 
-/// The step from one cell to another one.
+/// The step from one cell to another one in which the switches have the same modes: dV = q.dK q/2 - df.q + h.
 #[derive(Debug, Clone)]
 pub struct Step {
     /// dK (n x n).
@@ -25,12 +29,24 @@ impl Step {
             at_zero: beyond.at_zero - here.at_zero,
         }
     }
+}
 
-    /// dV at the coordinates `q` \[J\].
-    pub fn at(&self, q: &DVector<Df64>) -> Df64 {
-        let n = q.len();
-        let along = |r: usize| (0..n).fold(-self.load[r] * 2.0, |sum, c| sum + self.stiffness[(r, c)] * q[c]);
-        let twice = (0..n).fold(Df64::from(0.0), |sum, r| sum + q[r] * along(r));
-        twice * 0.5 + self.at_zero
+/// The change dV of the potential energy at the step of `law` that is met at `side` \[J\], at the coordinates `q`: as
+/// [`law::barrier`] computes it.
+pub fn barrier(exact: &dyn ExactCells, now: &Hybrid<'_>, law: usize, side: Side, q: &DVector<Df64>) -> Df64 {
+    let (laws, state, q) = (&now.laws[..], &now.state, q.as_slice());
+    let stand = (laws, &now.switches[..], &now.k[..]);
+    let mut k = cells::values(exact, &now.switches, &now.k);
+    if let Some(switches) = law::switches_beyond(now.equations, stand, law, side, state) {
+        let mut beyond = now.k.clone();
+        law::met(laws, law, side, state).for_each(|i| beyond[i] = laws[i].level_beyond(side));
+        return exact.potential(q, &cells::values(exact, &switches, &beyond)) - exact.potential(q, &k);
     }
+    let mut dv = Df64::from(0.0);
+    for i in law::met(laws, law, side, state) {
+        let step = Df64::from(laws[i].level_beyond(side)) - laws[i].level();
+        dv += exact.step(i, q, &k, step);
+        k[i] += step;
+    }
+    dv
 }

@@ -5,7 +5,7 @@ use xprec::Df64;
 
 use super::Elements;
 use super::geometry::{self, Geometry};
-use crate::engine::equations::{Affine, Deflection, ExactCells, Exit, Matrices, OfModel};
+use crate::engine::equations::{Affine, Deflection, ExactCells, Exit, Matrices};
 use crate::scene::Scene;
 use crate::train::{Part, Train};
 
@@ -13,7 +13,9 @@ use crate::train::{Part, Train};
 pub(super) struct Cells<'a> {
     train: &'a Train,
     /// The cells of each part, with R.
-    parts: Vec<(OfModel, DMatrix<Df64>)>,
+    parts: Vec<(Box<dyn ExactCells>, DMatrix<Df64>)>,
+    /// For each law its part, and its number there.
+    laws: Vec<[usize; 2]>,
     /// For each switch its part, and its number there.
     switches: Vec<[usize; 2]>,
 }
@@ -24,20 +26,28 @@ impl<'a> Cells<'a> {
         let zero = Df64::from(0.0);
         let Some(train) = scene.train.as_ref() else { unreachable!("the scene of a train lists its parts") };
         let rows = Geometry::<Df64>::of(train, &parameters).rows;
-        let of_part = |part: &Part| OfModel {
-            functions: elements.0[part.element].1.exactly,
-            effects: Elements::effects(part, scene).0,
-            parameters: part.parameters.iter().map(|i| i.map_or(zero, |i| parameters[i])).collect(),
-            mids: part.values[..part.laws].iter().map(|&i| mids[i]).collect(),
+        let of_part = |part: &Part| {
+            let own: Vec<Df64> = part.parameters.iter().map(|i| i.map_or(zero, |i| parameters[i])).collect();
+            let of_laws: Vec<Df64> = part.values[..part.laws].iter().map(|&i| mids[i]).collect();
+            (elements.0[part.element].1.exactly)(Elements::effects(part, scene).0, &own, &of_laws)
         };
+        let mut laws = vec![[0; 2]; train.counts[0]];
+        for (i, part) in train.parts.iter().enumerate() {
+            part.values[..part.laws].iter().enumerate().for_each(|(j, &law)| laws[law] = [i, j]);
+        }
         let parts = train.parts.iter().map(of_part).zip(rows).collect();
         let of_switches = |(i, part): (usize, &Part)| (0..part.switches).map(move |j| [i, j]).collect::<Vec<_>>();
-        Cells { train, parts, switches: train.parts.iter().enumerate().flat_map(of_switches).collect() }
+        Cells { train, parts, laws, switches: train.parts.iter().enumerate().flat_map(of_switches).collect() }
     }
 
     /// The values of the laws and symbols of a part.
     fn values(&self, part: usize, k: &[Df64]) -> Vec<Df64> {
         self.train.parts[part].values.iter().map(|&i| k[i]).collect()
+    }
+
+    /// The coordinates of a part.
+    fn at(&self, part: usize, q: &[Df64]) -> DVector<Df64> {
+        &self.parts[part].1 * DVector::from_column_slice(q)
     }
 
     /// A gradient by the coordinates of a part as one by those of the train.
@@ -63,6 +73,18 @@ impl ExactCells for Cells<'_> {
             all.at_zero += of_part.at_zero;
         }
         all
+    }
+
+    fn potential(&self, q: &[Df64], k: &[Df64]) -> Df64 {
+        let of = |(i, (cells, _)): (usize, &(Box<dyn ExactCells>, _))| {
+            cells.potential(self.at(i, q).as_slice(), &self.values(i, k))
+        };
+        self.parts.iter().enumerate().map(of).fold(Df64::from(0.0), |sum, x| sum + x)
+    }
+
+    fn step(&self, law: usize, q: &[Df64], k: &[Df64], dk: Df64) -> Df64 {
+        let [part, own] = self.laws[law];
+        self.parts[part].0.step(own, self.at(part, q).as_slice(), &self.values(part, k), dk)
     }
 
     fn mode(&self, i: usize, mode: usize) -> Option<Vec<Df64>> {
