@@ -6,9 +6,9 @@ use syn::{Expr, Index, Lit};
 
 use crate::cold::{Cold, Returns, Takes, in_any_number};
 use crate::effects::is_met;
+use crate::jumps;
 use crate::lets::{positions, with_lets};
 use crate::model::*;
-use crate::jumps;
 use crate::sums::{body, position};
 use crate::switches;
 

@@ -119,7 +119,10 @@ impl Verb for FloquetCommand {
         let text = || {
             let text = describe(&floquet) + &chart.as_ref().map_or(String::new(), unstable_share);
             let written = report::files(folder.path(), folder.files(), width);
-            let head = report::scene(&scene, width) + "\n" + &report::left_out(&scene, width) + &report::linearised(&scene, floquet.steady.as_ref(), width);
+            let head = report::scene(&scene, width)
+                + "\n"
+                + &report::left_out(&scene, width)
+                + &report::linearised(&scene, floquet.steady.as_ref(), width);
             format!("{head}{}\n{written}", terminal::wrap(&text, width))
         };
         self.printing.print(|| Ok::<_, Failure>(json), text)

@@ -7,8 +7,8 @@ use serde::Serialize;
 
 use super::failure::Failure;
 use super::printing::Printing;
-use super::simulate::Source;
 use super::report::Linearised;
+use super::simulate::Source;
 use super::{Verb, files, provenance, report, terminal};
 use crate::analysis::modes::springs::{self, Spring};
 use crate::analysis::modes::{self, CellModes};
@@ -141,7 +141,10 @@ impl Verb for Modes {
         let text = || {
             let text = table::render(&scene, &courses, &springs, &chosen, &cells, width);
             let written = report::files(folder.path(), folder.files(), width);
-            let head = report::scene(&scene, width) + "\n" + &report::left_out(&scene, width) + &report::linearised(&scene, system.steady(), width);
+            let head = report::scene(&scene, width)
+                + "\n"
+                + &report::left_out(&scene, width)
+                + &report::linearised(&scene, system.steady(), width);
             format!("{head}{text}\n{written}")
         };
         self.printing.print(|| Ok::<_, Failure>(json), text)

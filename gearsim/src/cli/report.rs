@@ -136,7 +136,10 @@ pub(super) fn linearised(scene: &Scene, steady: Option<&Steady>, width: usize) -
     let Some(Steady { q_dot, terms, outputs, .. }) = steady else { return String::new() };
     let speeds = scene.model.coordinates.iter().zip(q_dot.iter()).filter(|(_, v)| **v != 0.0);
     let speeds = speeds.map(|(c, v)| format!("{}' = {} {}/s", c.name, number::short(*v), c.unit));
-    let forces = outputs.iter().filter(|(.., x)| *x != 0.0).map(|(name, unit, x)| format!("{name} = {} {unit}", number::short(*x)));
+    let forces = outputs
+        .iter()
+        .filter(|(.., x)| *x != 0.0)
+        .map(|(name, unit, x)| format!("{name} = {} {unit}", number::short(*x)));
     let motion = speeds.chain(forces).collect::<Vec<_>>().join(", ");
     line("linearised", &format!("{terms}, about the steady motion {motion}"), width) + "\n"
 }

@@ -85,7 +85,8 @@ impl System {
         let is_there = |with: Option<&str>| with.is_none_or(|effect| scene.effects.has(effect, model));
         let outputs = model.outputs.iter().enumerate();
         let outputs = outputs.filter(|(_, output)| is_force(output.unit) && is_there(output.with));
-        let outputs = outputs.map(|(i, output)| (output.name, output.unit, equations.output(i, &q, &q_dot, &k))).collect();
+        let outputs =
+            outputs.map(|(i, output)| (output.name, output.unit, equations.output(i, &q, &q_dot, &k))).collect();
         Ok(System { equations, model, about: Some(Steady { q, q_dot, means, terms, outputs }) })
     }
 

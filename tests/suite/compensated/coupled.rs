@@ -33,13 +33,15 @@ rate = "1 kHz"
 fn shafts_with_dampers_of_their_own_move_by_the_matrix_exponential() {
     for t in ["3 ms", "0.5 s"] {
         let set = [format!("run.t_end=\"{t}\"")];
-        let mut scene = Scene::parse("train", "train", TRAIN, &set, &models()).unwrap_or_else(|e| panic!("{}", e.render(100, false)));
+        let mut scene = Scene::parse("train", "train", TRAIN, &set, &models())
+            .unwrap_or_else(|e| panic!("{}", e.render(100, false)));
         // From the static equilibrium, with speeds of its own for each coordinate.
         scene.start.q_dot = vec![Some(1.0), Some(-2.0), Some(0.5)];
         let entry = model("train");
         let equations = entry.equations(&scene).unwrap();
         let start = entry.simulation(&scene, &*equations).unwrap().now.state.clone();
-        let (m, c, k, f) = (equations.mass(&start.q), equations.damping(&[]), equations.stiffness(&[]), equations.load(&[]));
+        let (m, c, k, f) =
+            (equations.mass(&start.q), equations.damping(&[]), equations.stiffness(&[]), equations.load(&[]));
         let rows = |a: &nalgebra::DMatrix<f64>| std::array::from_fn(|i| std::array::from_fn(|j| a[(i, j)]));
         let load = std::array::from_fn(|i| f[i]);
         let [q, v] = of(&start);

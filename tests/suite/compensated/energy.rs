@@ -8,9 +8,8 @@ use crate::digits::{Digits, exact, in_both, judge, of, scene};
 
 /// T + V - W with T = (theta' + phi')²/(2 a) + (theta' - phi')²/(2 b), a, b = N²/I, V = k touch (phi - edge - e)² and W = 2 T0 phi.
 fn energy(scene: &Scene, now: &Hybrid<'_>) -> Digits {
-    let parameter = |name: &str| {
-        exact(scene.parameters[scene.model.parameters.iter().position(|p| p.name == name).unwrap()])
-    };
+    let parameter =
+        |name: &str| exact(scene.parameters[scene.model.parameters.iter().position(|p| p.name == name).unwrap()]);
     let [q, v] = of(&now.state);
     let law = |name: &str| now.laws[scene.model.laws.iter().position(|law| law.name == name).unwrap()].level();
     let [first, second] = [v[0].clone() + v[1].clone(), v[0].clone() - v[1].clone()];
@@ -62,7 +61,10 @@ fn play_keeps_the_energy_where_stiffness_and_errors_step() {
         ("[\"stiffness_step\", \"backlash\", \"torques\"]", "run.t_end=\"40 ms\""),
         ("[\"stiffness_step\", \"backlash\", \"transmission_error\", \"torques\"]", TEETH),
     ] {
-        let scene = scene("backlash", &[&format!("effects={effects}"), more, "start.speed=\"3000 rpm\"", "run.t_end=\"40 ms\""]);
+        let scene = scene(
+            "backlash",
+            &[&format!("effects={effects}"), more, "start.speed=\"3000 rpm\"", "run.t_end=\"40 ms\""],
+        );
         let impacts = |now: &Hybrid<'_>| now.counts.impacts > 3 && now.counts.cell_changes > 20;
         judge(&format!("play, {effects}"), drift(&scene, impacts), 1e4);
     }

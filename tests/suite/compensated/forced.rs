@@ -54,7 +54,8 @@ fn a_ramp_moves_a_free_rotor_along_a_cubic() {
     let (a, t, value) = (exact(0.7), exact(2.0), [exact(1.0), exact(3.0)]);
     let slope = (value[1].clone() - value[0].clone()) / a.clone();
     let six = exact(6.0);
-    let first = value[0].clone() * a.clone() * a.clone() / exact(2.0) + slope.clone() * a.clone() * a.clone() * a.clone() / six;
+    let first =
+        value[0].clone() * a.clone() * a.clone() / exact(2.0) + slope.clone() * a.clone() * a.clone() * a.clone() / six;
     let speed = value[0].clone() * a.clone() + slope * a.clone() * a.clone() / exact(2.0);
     let rest = t - a;
     let x = first + speed.clone() * rest.clone() + value[1].clone() * rest.clone() * rest.clone() / exact(2.0);

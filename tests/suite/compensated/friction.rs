@@ -31,8 +31,10 @@ fn vibration(phi: f64, rise: f64, t: f64) -> [Digits; 2] {
 #[test]
 fn the_vibration_of_den_hartog_has_all_digits() {
     for t in [0.1, 0.2, 0.45, 0.7, 2.0] {
-        let scene =
-            scene("friction_oscillator", &["start.phi=\"0.105 rad\"", "parameters.rise=0.25", &format!("run.t_end=\"{t:?} s\"")]);
+        let scene = scene(
+            "friction_oscillator",
+            &["start.phi=\"0.105 rad\"", "parameters.rise=0.25", &format!("run.t_end=\"{t:?} s\"")],
+        );
         let [x, v] = vibration(0.105, 0.25, t);
         let errors = in_both(&scene, |now| {
             let [q, q_dot] = of(&now.state);
@@ -62,7 +64,8 @@ fn a_release_by_a_rising_torque_has_all_digits() {
         let (omega, tau) = (exact(K).root(), exact(t) - torque / exact(slope));
         let (sine, cosine) = (omega.clone() * tau.clone()).sine_cosine();
         let jump = exact(rise) * exact(T_C) / exact(K);
-        let x = jump.clone() * (exact(1.0) - cosine.clone()) + exact(slope) / exact(K) * (tau - sine.clone() / omega.clone());
+        let x = jump.clone() * (exact(1.0) - cosine.clone())
+            + exact(slope) / exact(K) * (tau - sine.clone() / omega.clone());
         let v = jump * omega * sine + exact(slope) / exact(K) * (exact(1.0) - cosine);
         let errors = in_both(&scene, |now| {
             let [q, q_dot] = of(&now.state);

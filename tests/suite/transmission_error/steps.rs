@@ -122,4 +122,3 @@ fn a_constant_error_is_an_offset_of_phi() {
         }
     }
 }
-

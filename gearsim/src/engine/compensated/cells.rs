@@ -93,12 +93,7 @@ impl Cells {
         Ok(cell)
     }
 
-    fn meet_held(
-        &mut self,
-        exact: &dyn ExactCells,
-        now: &Hybrid<'_>,
-        contact: &Contact,
-    ) -> Result<Arc<Held>, Refusal> {
+    fn meet_held(&mut self, exact: &dyn ExactCells, now: &Hybrid<'_>, contact: &Contact) -> Result<Arc<Held>, Refusal> {
         let place = (now.cell(), contact.laws.clone(), contact.switches.clone());
         if let Some(held) = self.held.get(&place) {
             return Ok(held.clone());

@@ -41,12 +41,7 @@ const MOST_STEPS: usize = 8;
 impl<'a> Flight<'a> {
     /// The motion from `start` on at the time `since` \[s\], under `forces` whose fastest angular frequency is `fastest` \[rad/s\]; if
     /// `flat`, they do not change.
-    pub fn new(
-        cell: &'a Cell,
-        start: State,
-        since: Df64,
-        (forces, fastest, flat): (Forces<'a>, f64, bool),
-    ) -> Self {
+    pub fn new(cell: &'a Cell, start: State, since: Df64, (forces, fastest, flat): (Forces<'a>, f64, bool)) -> Self {
         let speed = &cell.momentum * &start.q_dot;
         let mut force = &cell.load - &cell.springs * &start.q;
         let course = match &cell.modes {

@@ -12,9 +12,9 @@ use super::cell::Cell;
 use super::guard::{Guard, dot};
 use super::step::Step;
 use crate::engine::contact::{Contact, Ending};
+use crate::engine::crossing::Side;
 use crate::engine::equations::{Affine, ExactCells};
 use crate::engine::hybrid::Hybrid;
-use crate::engine::crossing::Side;
 use crate::engine::motion::End;
 use crate::tolerance::events::DOUBLE_ZERO;
 
@@ -45,8 +45,7 @@ pub fn normals(exact: &dyn ExactCells, now: &Hybrid<'_>, contact: &Contact, k: &
         DVector::from_fn(n, |i, _| Df64::from(one(i)))
     };
     let of_switch = |&i: &usize| exact.switched(now.switches[i].index, k).normal;
-    let columns: Vec<_> =
-        contact.laws.iter().map(of_law).chain(contact.switches.iter().map(of_switch)).collect();
+    let columns: Vec<_> = contact.laws.iter().map(of_law).chain(contact.switches.iter().map(of_switch)).collect();
     DMatrix::from_fn(n, columns.len(), |i, c| columns[c][i])
 }
 

@@ -58,7 +58,8 @@ impl Motion for Refined<'_> {
             (None, End::Hold(..) | End::Loose(..)) => {
                 let ended = self.guard(end, &reached).and_then(|guard| self.flight.meet(&guard, t));
                 // Plain numbers end a hold with a margin, late; without one, they may be early by their rounding.
-                let is_late = ended.as_ref().is_some_and(|(ended, _)| ended.hi() >= 0.0 && (Df64::from(t) - *ended).hi() > 0.0);
+                let is_late =
+                    ended.as_ref().is_some_and(|(ended, _)| ended.hi() >= 0.0 && (Df64::from(t) - *ended).hi() > 0.0);
                 match ended {
                     Some((ended, state)) if is_late => {
                         *self.late = Some(Late { state, by: Df64::from(t) - ended });

@@ -43,8 +43,9 @@ impl<'a> Series<'a> {
 
     /// Coefficients about the start of the present window: (n+2)(n+1) c_(n+2) = W² (g_n - omega² c_n) - W (n+1) G c_(n+1).
     fn expand(&mut self) {
-        let Series { cell, forces, since, start: [speed, force], window: (begin, width), before: [moved, gained], .. } =
-            self;
+        let Series {
+            cell, forces, since, start: [speed, force], window: (begin, width), before: [moved, gained], ..
+        } = self;
         let (m, w) = (speed.len(), Df64::from(*width));
         let loads = forces.series(*since + *begin, *width);
         let push: Vec<DVector<Df64>> = forces.loads().map(|load| cell.shapes.transpose() * load).collect();
