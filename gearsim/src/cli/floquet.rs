@@ -28,9 +28,11 @@ const MOST: usize = 5000;
     after_help = "\
 Every mesh turns at the constant speed with which the scene starts it, so that the stiffnesses are
 periodic in time, k(Omega0 t). The monodromy matrix is the product of the exact propagators of the
-cells of a period. Friction of the flanks, and motors and loads whose torque depends on the speed, are linearised about the
-steady motion, which is printed. Its eigenvalues, the Floquet multipliers, say by which factor a small disturbance
+cells of a period. Its eigenvalues, the Floquet multipliers, say by which factor a small disturbance
 grows per period. Rigid motions always have the multiplier 1 and are left out.
+
+Friction of the flanks and torques that depend on the speed are linearised about the steady
+motion, whose speeds and mean forces are printed.
 
 --vary varies a quantity of the scene, by values as of `gearsim sweep`. Given twice, the first quantity is the x axis
 and the second the y axis of a stability chart. Writes floquet.json; with --vary also stability.csv

@@ -57,12 +57,15 @@ macro_rules! real {
             fn add_times($sum: &mut $row, $by: Self, $other: &$row) {
                 $add;
             }
+            #[inline]
             fn powi(self, n: i32) -> Self {
                 <$number>::powi(self, n)
             }
+            #[inline]
             fn powf(self, x: Self) -> Self {
                 <$number>::powf(self, x)
             }
+            #[inline]
             fn atan2(self, x: Self) -> Self {
                 <$number>::atan2(self, x)
             }
@@ -70,7 +73,8 @@ macro_rules! real {
         }
     };
     (of $number:ty: $($function:ident)*) => {
-        $(fn $function(self) -> Self {
+        $(#[inline]
+        fn $function(self) -> Self {
             <$number>::$function(self)
         })*
     };
