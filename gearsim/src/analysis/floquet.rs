@@ -2,7 +2,7 @@
 //! the cells of a period. Its eigenvalues are the Floquet multipliers, by which a small disturbance grows per period (Meissner's
 //! equation and its generalisations; G. Floquet, 1883).
 //!
-//! Forces that are not linear, as friction of the flanks, are linearised about the steady motion ([`about`]).
+//! Forces that are not linear, as friction of the flanks, are linearised about the steady motion (`about.rs`).
 //!
 //! Rigid motions, the null space of every K and of C, have the double multiplier 1. They are split off exactly, through their
 //! M-orthogonal complement. The verdict is on the other motions.

@@ -3,7 +3,7 @@
 //! A mode is a pair of eigenvalues lambda of M lambda² + C lambda + K: natural frequency |lambda|/2 pi, damping factor
 //! zeta = -Re lambda/|lambda|, damped frequency Im lambda/2 pi, mode shape phi, complex if damping couples the modes.
 //!
-//! About a steady motion C and K need not be symmetric ([`general`]). Energies are those of the linear part.
+//! About a steady motion C and K need not be symmetric (`general.rs`). Energies are those of the linear part.
 //!
 //! - Share of a stiffness law in the strain energy: phi* (K(k) - K(k without the law)) phi/(phi* K phi), since K is linear in
 //!   the laws. Share of a spring: phi* K_s phi/(phi* K phi), see [`springs`].

@@ -106,7 +106,7 @@ fn solve(mut a: DMatrix<Df64>, mut b: DMatrix<Df64>) -> Option<DMatrix<Df64>> {
             return None;
         }
         for x in a.row_mut(i).iter_mut().chain(b.row_mut(i).iter_mut()) {
-            *x = *x / pivot;
+            *x /= pivot;
         }
         for other in (0..n).filter(|other| *other != i) {
             let factor = a[(other, i)];

@@ -6,8 +6,8 @@
 //! scene are taken as they are read: the constants follow from them by the derived equations in the same arithmetic
 //! (Dekker, Numer. Math. 18, 1971; Hida, Li & Bailey, ARITH-15, 2001).
 //!
-//! Cells whose modes move by themselves under constant loads are solved in closed form ([`mode`]), others by power series
-//! ([`series`]). What the policies of the engine leave out stays left out: the energy of bounces that are not followed to their ends.
+//! Cells whose modes move by themselves under constant loads are solved in closed form (`mode.rs`), others by power series
+//! (`series.rs`). What the policies of the engine leave out stays left out: the energy of bounces that are not followed to their ends.
 
 mod cell;
 mod cells;
