@@ -6,6 +6,7 @@ use serde::Serialize;
 use super::failure::Failure;
 use super::number::short;
 use super::printing::Printing;
+use super::report::Linearised;
 use super::simulate::Source;
 use super::{Verb, files, page, provenance, report, terminal};
 use crate::analysis::floquet::{Chart, Floquet, Spot, Varied, Verdict};
@@ -29,6 +30,9 @@ Every mesh turns at the constant speed with which the scene starts it, so that t
 periodic in time, k(Omega0 t). The monodromy matrix is the product of the exact propagators of the
 cells of a period. Its eigenvalues, the Floquet multipliers, say by which factor a small disturbance
 grows per period. Rigid motions always have the multiplier 1 and are left out.
+
+Friction of the flanks and torques that depend on the speed are linearised about the steady
+motion, whose speeds and mean forces are printed.
 
 --vary varies a quantity of the scene, by values as of `gearsim sweep`. Given twice, the first quantity is the x axis
 and the second the y axis of a stability chart. Writes floquet.json; with --vary also stability.csv
@@ -73,6 +77,9 @@ struct Report<'a> {
     rigid_motions: usize,
     /// What the analysis leaves out because it is linear.
     left_out: Vec<&'static str>,
+    /// The steady motion about which forces are linearised that are not linear.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    linearised: Option<Linearised<'a>>,
     verdict: &'static str,
     /// Natural logarithm of the largest absolute value of a multiplier.
     growth_per_period: f64,
@@ -109,6 +116,7 @@ impl Verb for FloquetCommand {
             multipliers: floquet.multipliers.iter().map(|z| [z.re, z.im]).collect(),
             rigid_motions: floquet.rigid,
             left_out: scene.left_out_if_linear(),
+            linearised: Linearised::of(&scene, floquet.steady.as_ref()),
             verdict: word(floquet.verdict),
             growth_per_period: floquet.growth(),
             files: folder.files().to_vec(),
@@ -120,7 +128,10 @@ impl Verb for FloquetCommand {
         let width = terminal::width();
         let text = || {
             let written = report::files(folder.path(), folder.files(), width);
-            let head = report::scene(&scene, width) + "\n" + &report::left_out(&scene, width);
+            let head = report::scene(&scene, width)
+                + "\n"
+                + &report::left_out(&scene, width)
+                + &report::linearised(&scene, floquet.steady.as_ref(), width);
             format!("{head}{}\n{written}", terminal::wrap(&words(), width))
         };
         self.printing.print(|| Ok::<_, Failure>(json), text)

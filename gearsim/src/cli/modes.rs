@@ -7,6 +7,7 @@ use serde::Serialize;
 
 use super::failure::Failure;
 use super::printing::Printing;
+use super::report::Linearised;
 use super::simulate::Source;
 use super::{Verb, files, page, provenance, report, terminal};
 use crate::analysis::modes::springs::{self, Spring};
@@ -70,6 +71,9 @@ struct Report<'a> {
     meetings: Vec<Meeting<'a>>,
     /// What the analysis leaves out because it is linear.
     left_out: Vec<&'static str>,
+    /// The steady motion about which forces are linearised that are not linear.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    linearised: Option<Linearised<'a>>,
     /// Names of the other files in the same folder.
     files: &'a [String],
     provenance: Provenance,
@@ -119,7 +123,7 @@ impl Verb for Modes {
         let page = self.html.asked()?;
         let scene = self.source.load()?;
         let refused = |refusal| Failure::Refused { scene: scene.name.clone(), refusal };
-        let system = scene.entry()?.system(&scene).map_err(refused)?;
+        let system = scene.entry()?.about_steady_motion(&scene).map_err(refused)?;
         let courses = steady::courses(&scene, &system).map_err(refused)?;
         let springs = springs::of(&scene, scene.entry()?).map_err(refused)?;
         let chosen = modes::of(&system, &self.levels(&scene, &courses)?, &springs).map_err(refused)?;
@@ -138,14 +142,18 @@ impl Verb for Modes {
             let figures: Vec<_> = figures.into_iter().flatten().collect();
             page.modes(&mut folder, &scene, &springs, &chosen, &cells, &figures)?;
         }
-        let json = self.json(&scene, &courses, &springs, &chosen, &cells, folder.files())?;
+        let linearised = Linearised::of(&scene, system.steady());
+        let json = self.json(&scene, &courses, &springs, (&chosen, &cells, linearised), folder.files())?;
         folder.write_bytes("modes.json", json.as_bytes())?;
         folder.commit("modes.json")?;
         let width = terminal::width();
         let text = || {
             let text = table::render(&scene, &courses, &springs, &chosen, &cells, width);
             let written = report::files(folder.path(), folder.files(), width);
-            let head = report::scene(&scene, width) + "\n" + &report::left_out(&scene, width);
+            let head = report::scene(&scene, width)
+                + "\n"
+                + &report::left_out(&scene, width)
+                + &report::linearised(&scene, system.steady(), width);
             format!("{head}{text}\n{written}")
         };
         self.printing.print(|| Ok::<_, Failure>(json), text)
@@ -179,8 +187,7 @@ impl Modes {
         scene: &Scene,
         courses: &[SteadyLaw],
         springs: &[Spring],
-        chosen: &CellModes,
-        cells: &[CellModes],
+        (chosen, cells, linearised): (&CellModes, &[CellModes], Option<Linearised<'_>>),
         files: &[String],
     ) -> Result<String, Failure> {
         let meeting = |m: &modes::Meeting| Meeting {
@@ -200,6 +207,7 @@ impl Modes {
             mesh_frequencies: courses.iter().map(|c| c.steps.then(|| c.mesh_frequency())).collect(),
             meetings: modes::meetings(courses, chosen).iter().map(meeting).collect(),
             left_out: scene.left_out_if_linear(),
+            linearised,
             files,
             provenance: provenance::of(scene, "modes of linear cells".into()),
         };

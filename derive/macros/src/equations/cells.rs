@@ -1,16 +1,18 @@
-//! The matrices of a cell, for any type of number R.
+//! What describes a cell, for any type of number R: its matrices, its potential energy, the modes and guards of switches.
 
 use proc_macro2::TokenStream;
 use quote::quote;
 use syn::{Expr, Index, Lit};
 
-use crate::equations::cold::{Cold, Returns, Takes};
+use crate::equations::cold::{Cold, Returns, Takes, in_any_number};
 use crate::equations::effects::is_met;
+use crate::equations::jumps;
 use crate::equations::lets::{positions, with_lets};
 use crate::equations::model::*;
-use crate::equations::sums::position;
+use crate::equations::sums::{body, position};
+use crate::equations::switches;
 
-/// The functions that give M, M⁻¹ if it is in the file, C, K and f, in numbers of type R.
+/// The functions that give M, M⁻¹ if it is in the file, C, K, f, V and its steps, in numbers of type R; those of switches, if there are any.
 pub fn cells(m: &Model) -> Vec<Cold> {
     let n = Index::from(m.coordinates.len());
     let square = |name, entries| Cold { name, takes: &[], returns: Returns::Matrix, body: matrix(m, entries) };
@@ -36,6 +38,16 @@ pub fn cells(m: &Model) -> Vec<Cold> {
         returns: Returns::Vector,
         body: quote!(let zero = R::from(0.0); let mut v = [zero; #n]; #(#load)* v),
     }));
+    all.push(Cold {
+        name: "potential",
+        takes: &[Takes::Coordinates("q"), Takes::Laws("k")],
+        returns: Returns::In(Clone::clone),
+        body: in_any_number(with_lets(m, body(&m.potential))),
+    });
+    all.push(jumps::step(m));
+    if !m.switches.is_empty() {
+        all.extend(switches::cells(m));
+    }
     all
 }
 
@@ -59,6 +71,7 @@ pub fn matrices(m: &Model) -> TokenStream {
                 damping: equations::matrix(&self.damping(met, k)),
                 stiffness: equations::matrix(&self.stiffness(met, k)),
                 load: equations::vector(&self.load(met, k)),
+                at_zero: self.potential(met, &q, k),
             }
         }
     }

@@ -2,9 +2,9 @@
 
 use std::collections::BTreeSet;
 
-use proc_macro2::TokenStream;
+use proc_macro2::{Group, Literal, TokenStream, TokenTree};
 use quote::{format_ident, quote};
-use syn::Index;
+use syn::{Index, Lit};
 
 use self::Takes::{Coordinates, Laws};
 use crate::equations::effects::{self, has, is_met};
@@ -41,6 +41,8 @@ pub enum Takes {
 pub enum Returns {
     /// Of this type, inside and out.
     Plain(TokenStream),
+    /// Of a type that depends on that of the numbers, inside and out.
+    In(fn(&TokenStream) -> TokenStream),
     /// n numbers.
     Vector,
     /// n x n numbers.
@@ -62,6 +64,7 @@ impl Cold {
         });
         let returns = match &self.returns {
             Returns::Plain(plain) => plain.clone(),
+            Returns::In(of) => of(r),
             Returns::Vector => quote!([#r; #n]),
             Returns::Matrix => quote!([[#r; #n]; #n]),
             Returns::Matrices => quote!([[[#r; #n]; #n]; 2]),
@@ -93,6 +96,7 @@ impl Cold {
         let value = quote!(self.numbers.#name(&self.met, #(#given),*));
         let (returns, value) = match &self.returns {
             Returns::Plain(plain) => (plain.clone(), value),
+            Returns::In(of) => (of(&quote!(f64)), value),
             Returns::Vector => (quote!(Vector), quote!(#value.into())),
             Returns::Matrix => (quote!(Matrix), quote!(equations::matrix(&#value))),
             Returns::Matrices => (quote!([Matrix; 2]), quote!(#value.each_ref().map(equations::matrix))),
@@ -101,19 +105,40 @@ impl Cold {
     }
 }
 
+/// Code in f64 as code in any kind of number R: its numbers and types become those of R.
+pub fn in_any_number(code: TokenStream) -> TokenStream {
+    let each = |token| match token {
+        TokenTree::Group(group) => {
+            TokenTree::Group(Group::new(group.delimiter(), in_any_number(group.stream()))).into()
+        }
+        TokenTree::Literal(number) if is_float(&number) => quote!(R::from(#number)),
+        TokenTree::Ident(name) if name == "f64" => quote!(R),
+        other => other.into(),
+    };
+    code.into_iter().map(each).collect::<Vec<TokenStream>>().into_iter().collect()
+}
+
+/// Whether a literal is a number of type f64. One like `1f64` is read as an integer with a suffix.
+fn is_float(literal: &Literal) -> bool {
+    match syn::parse2(quote!(#literal)) {
+        Ok(Lit::Float(_)) => true,
+        Ok(Lit::Int(number)) => number.suffix() == "f64",
+        _ => false,
+    }
+}
+
 fn argument(name: &str, of: TokenStream) -> TokenStream {
     let name = format_ident!("{name}");
     quote!(#name: #of)
 }
 
-/// The functions in f64. Those that give the matrices of a cell, in any kind of number, are in [`crate::equations::cells`].
+/// The functions in f64. Those that describe a cell, in any kind of number, are in [`crate::equations::cells`].
 pub fn cold(m: &Model) -> Vec<Cold> {
     let n = Index::from(m.coordinates.len());
     let cold = |name, takes, returns, body| Cold { name, takes, returns, body };
     let number = || Returns::Plain(quote!(f64));
 
     let kinetic = with_lets(m, body(&m.kinetic));
-    let potential = body(&m.potential);
     let torques = m.torques.iter().map(|t| block(&t.work));
     let work = body(&work(m));
     let entries = m.jacobian.iter().flatten().map(|e| jacobian(m, e));
@@ -122,7 +147,6 @@ pub fn cold(m: &Model) -> Vec<Cold> {
     let i = || format_ident!("i");
     let mut all = vec![
         cold("kinetic", &[Coordinates("q"), Coordinates("q_dot")], number(), kinetic),
-        cold("potential", &[Coordinates("q"), Laws("k")], number(), with_lets(m, potential)),
         cold("torque_work", &[Takes::Index("i"), Coordinates("dq")], number(), by_index("torque", i(), torques)),
         cold("work", &[Coordinates("dq")], number(), work),
         cold(
@@ -138,7 +162,7 @@ pub fn cold(m: &Model) -> Vec<Cold> {
     all.extend(powers(m));
     all.extend(moving_inertia(m));
     all.extend(output(m));
-    all.extend(switches::cold(m));
+    all.extend(switches::lost(m));
     all
 }
 

@@ -30,6 +30,7 @@ pub fn emit(mut m: Model) -> TokenStream {
     let calls = cells(m).iter().chain(&cold).map(Cold::call).collect::<Vec<_>>();
     let cold = cold.iter().map(|f| f.define(m, &quote!(f64)));
     let met = effects::met(m);
+    let exactly = exactly(m);
     quote! {
         use ::gearsim::engine::{equations, real, vector::{Matrix, Vector}};
         use ::gearsim::model;
@@ -50,11 +51,19 @@ pub fn emit(mut m: Model) -> TokenStream {
             fn matrices<R: real::Real>(effects: u64, parameters: &[R], mids: &[R], k: &[R]) -> equations::Matrices<R> {
                 Numbers::<R>::new(parameters, mids).matrices(&Met::new(effects), k)
             }
+
+            fn exactly(
+                effects: u64, parameters: &[real::Double], mids: &[real::Double],
+            ) -> Box<dyn equations::ExactCells> {
+                Box::new(Exactly { numbers: Numbers::new(parameters, mids), met: Met::new(effects) })
+            }
         }
 
         #numbers
 
         #met
+
+        #exactly
 
         /// The equations of a scene.
         struct Equations {
@@ -81,6 +90,43 @@ pub fn emit(mut m: Model) -> TokenStream {
                 self.numbers.dissipation(&self.met, equations::array(q_dot), k)
             }
             #(#calls)*
+        }
+    }
+}
+
+/// The cells of a scene in double-double numbers.
+fn exactly(m: &Model) -> TokenStream {
+    let switches = (!m.switches.is_empty()).then(|| {
+        quote! {
+            fn mode(&self, i: usize, mode: usize) -> Option<Vec<real::Double>> {
+                self.numbers.mode(&self.met, i, mode)
+            }
+            fn exits(&self, i: usize, mode: usize, k: &[real::Double]) -> Vec<equations::Exit<real::Double>> {
+                self.numbers.exits(&self.met, i, mode, k)
+            }
+            fn switched(&self, i: usize, k: &[real::Double]) -> equations::Deflection<real::Double> {
+                self.numbers.deflection(&self.met, self.numbers.switched(&self.met, i), k)
+            }
+        }
+    });
+    quote! {
+        /// The cells of a scene in double-double numbers.
+        struct Exactly {
+            numbers: Numbers<real::Double>,
+            met: Met,
+        }
+
+        impl equations::ExactCells for Exactly {
+            fn matrices(&self, k: &[real::Double]) -> equations::Matrices<real::Double> {
+                self.numbers.matrices(&self.met, k)
+            }
+            fn potential(&self, q: &[real::Double], k: &[real::Double]) -> real::Double {
+                self.numbers.potential(&self.met, equations::array(q), k)
+            }
+            fn step(&self, law: usize, q: &[real::Double], k: &[real::Double], dk: real::Double) -> real::Double {
+                self.numbers.step(&self.met, law, equations::array(q), k, dk)
+            }
+            #switches
         }
     }
 }

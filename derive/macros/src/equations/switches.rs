@@ -4,7 +4,7 @@ use proc_macro2::TokenStream;
 use quote::quote;
 use syn::{Ident, Index};
 
-use crate::equations::cold::{Cold, Returns, Takes};
+use crate::equations::cold::{Cold, Returns, Takes, in_any_number};
 use crate::equations::effects::is_met;
 use crate::equations::gated::{self, Gated, gated};
 use crate::equations::lets::{names, with_lets};
@@ -15,19 +15,18 @@ use crate::equations::sums::block;
 pub const CONSTANT: &str = "one";
 pub const REACTION: &str = "reaction";
 
-/// The functions `mode`, `exits`, `lost`, `switched` and `deflection`, of the switches of `Equations`; none if the model has no switch.
-pub fn cold(m: &Model) -> Vec<Cold> {
-    if m.switches.is_empty() {
-        return vec![];
-    }
-    let of_each = |arm: &dyn Fn(&Switch) -> TokenStream| {
-        let arms = m.switches.iter().enumerate().map(|(i, switch)| {
-            let (i, arm) = (Index::from(i), arm(switch));
-            quote!(#i => #arm,)
-        });
-        quote!(match i { #(#arms)* _ => equations::no_such("switch", i) })
-    };
-    let values = of_each(&|switch| {
+/// A match over the switches.
+fn of_each(m: &Model, arm: impl Fn(&Switch) -> TokenStream) -> TokenStream {
+    let arms = m.switches.iter().enumerate().map(|(i, switch)| {
+        let (i, arm) = (Index::from(i), arm(switch));
+        quote!(#i => #arm,)
+    });
+    quote!(match i { #(#arms)* _ => equations::no_such("switch", i) })
+}
+
+/// The functions `mode`, `exits`, `switched` and `deflection` of the switches, in any kind of number.
+pub fn cells(m: &Model) -> Vec<Cold> {
+    let values = of_each(m, |switch| {
         let effect = is_met(&switch.effect);
         let modes = switch.modes.iter().enumerate().map(|(mode, of)| {
             let (mode, values) = (Index::from(mode), &of.values);
@@ -35,7 +34,7 @@ pub fn cold(m: &Model) -> Vec<Cold> {
         });
         quote!(match mode { _ if !#effect => None, #(#modes)* _ => equations::no_such("mode", mode) })
     });
-    let exits = of_each(&|switch| {
+    let exits = of_each(m, |switch| {
         let modes = switch.modes.iter().enumerate().map(|(mode, of)| {
             let mode = Index::from(mode);
             let exits = of.exits.iter().map(|exit| self::exit(m, switch, exit));
@@ -43,30 +42,43 @@ pub fn cold(m: &Model) -> Vec<Cold> {
         });
         quote!(match mode { #(#modes)* _ => equations::no_such("mode", mode) })
     });
-    let lost = of_each(&|switch| {
+    let over = of_each(m, |switch| {
+        let d = deflection_index(m, &switch.over);
+        quote!(#d)
+    });
+    let cold = |name, takes: &'static [Takes], returns, body| Cold { name, takes, returns, body };
+    vec![
+        cold(
+            "mode",
+            &[Takes::Index("i"), Takes::Index("mode")],
+            Returns::In(|r| quote!(Option<Vec<#r>>)),
+            in_any_number(values),
+        ),
+        cold(
+            "exits",
+            &[Takes::Index("i"), Takes::Index("mode"), Takes::Laws("k")],
+            Returns::In(|r| quote!(Vec<equations::Exit<#r>>)),
+            in_any_number(with_lets(m, exits)),
+        ),
+        cold("switched", &[Takes::Index("i")], Returns::Plain(quote!(usize)), over),
+        deflection(m),
+    ]
+}
+
+/// The function `lost` of `Equations`; none if the model has no switch.
+pub fn lost(m: &Model) -> Option<Cold> {
+    let lost = of_each(m, |switch| {
         let of =
             |name: &str| switch.loss.iter().find(|row| row.name == name).map_or(quote!(0.0), |row| block(&row.sum));
         let (constant, slope) = (of(CONSTANT), of(&switch.over.to_string()));
         quote!([#constant, #slope])
     });
-    let over = of_each(&|switch| {
-        let d = deflection_index(m, &switch.over);
-        quote!(#d)
-    });
-    let cold =
-        |name, takes: &'static [Takes], returns, body| Cold { name, takes, returns: Returns::Plain(returns), body };
-    vec![
-        cold("mode", &[Takes::Index("i"), Takes::Index("mode")], quote!(Option<Vec<f64>>), values),
-        cold(
-            "exits",
-            &[Takes::Index("i"), Takes::Index("mode"), Takes::Laws("k")],
-            quote!(Vec<equations::Exit>),
-            with_lets(m, exits),
-        ),
-        cold("lost", &[Takes::Index("i"), Takes::Laws("k")], quote!([f64; 2]), with_lets(m, lost)),
-        cold("switched", &[Takes::Index("i")], quote!(usize), over),
-        deflection(m),
-    ]
+    (!m.switches.is_empty()).then(|| Cold {
+        name: "lost",
+        takes: &[Takes::Index("i"), Takes::Laws("k")],
+        returns: Returns::Plain(quote!([f64; 2])),
+        body: with_lets(m, lost),
+    })
 }
 
 /// An exit of a mode: where it leads, and its guard.
@@ -130,15 +142,15 @@ fn deflection(m: &Model) -> Cold {
                 });
                 let mut errors = vec![];
                 #(#errors)*
-                equations::Deflection { normal: normal.into(), constant: #constant, errors }
+                equations::Deflection { normal: R::row(&normal), constant: #constant, errors }
             }
         }
     });
     Cold {
         name: "deflection",
         takes: &[Takes::Index("i"), Takes::Laws("k")],
-        returns: Returns::Plain(quote!(equations::Deflection)),
-        body: quote!(match i { #(#arms)* _ => equations::no_such("deflection", i) }),
+        returns: Returns::In(|r| quote!(equations::Deflection<#r>)),
+        body: in_any_number(quote!(match i { #(#arms)* _ => equations::no_such("deflection", i) })),
     }
 }
 
