@@ -178,8 +178,8 @@ fn coefficients(scene: &Scene, equations: &dyn Equations, output: usize, rates: 
     let k = scene.model.in_contact(scene.laws.iter().map(Profile::mid));
     let zero = vec![0.0; n];
     let at = |x: &[f64]| match rates {
-        true => equations.output(output, &zero, x, &k),
-        false => equations.output(output, x, &zero, &k),
+        true => equations.output(output, &zero, x, &k, &Default::default()),
+        false => equations.output(output, x, &zero, &k, &Default::default()),
     };
     let unit = |i: usize| (0..n).map(|j| f64::from(u8::from(i == j))).collect::<Vec<_>>();
     let found: Vec<f64> = (0..n).map(|i| at(&unit(i))).collect();

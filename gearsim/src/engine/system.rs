@@ -84,9 +84,10 @@ impl System {
         let is_force = |unit: &str| ["N", "N*m", "W"].contains(&unit);
         let is_there = |with: Option<&str>| with.is_none_or(|effect| scene.effects.has(effect, model));
         let outputs = model.outputs.iter().enumerate();
-        let outputs = outputs.filter(|(_, output)| is_force(output.unit) && is_there(output.with));
-        let outputs =
-            outputs.map(|(i, output)| (output.name, output.unit, equations.output(i, &q, &q_dot, &k))).collect();
+        // What a run alone knows, reactions and powers of torques, has no value here.
+        let outputs = outputs.filter(|(_, output)| is_force(output.unit) && is_there(output.with) && !output.known);
+        let value = |i: usize| equations.output(i, &q, &q_dot, &k, &Known::default());
+        let outputs = outputs.map(|(i, output)| (output.name, output.unit, value(i))).collect();
         Ok(System { equations, model, about: Some(Steady { q, q_dot, means, terms, outputs }) })
     }
 
