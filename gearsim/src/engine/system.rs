@@ -1,7 +1,7 @@
 //! The equations of a scene in the form that analyses use: matrices, propagators and the start.
 
 use crate::engine::cell::{self, Cell};
-use crate::engine::equations::{DerivedModel, Equations, Switching};
+use crate::engine::equations::{DerivedModel, Equations, Known, Switching};
 use crate::engine::error::Refusal;
 use crate::engine::modal::Matrices;
 use crate::engine::start;

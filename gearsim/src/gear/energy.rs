@@ -81,6 +81,7 @@ impl ToothPair {
     }
 
     /// Stiffness of all pairs in contact [N/m] when one of them is at the distance `x` [m] beyond the pitch point.
+    #[cfg(test)]
     pub fn mesh(&self, x: f64) -> f64 {
         let (p, c) = (self.contact.base_pitch, &self.contact);
         let first = ((-c.approach - x) / p).ceil() as i64;
