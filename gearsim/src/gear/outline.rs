@@ -75,7 +75,7 @@ impl Outlines {
 /// Half the angle of a tooth of gear `i`, or of a space of a ring, at the radius `r` of its flank \[rad\].
 fn half_angle(gears: &Gears, contact: &Contact, i: usize, r: f64) -> f64 {
     let (z, x, alpha) = (gears.teeth[i], gears.profile_shift[i], gears.pressure_angle);
-    let at_base = (PI / 2.0 + 2.0 * x * alpha.tan()) / z + involute(alpha);
+    let at_base = (PI / 2.0 + 2.0 * x * alpha.tan()) / z + involute(contact.transverse_angle);
     at_base - involute((contact.base[i] / r).min(1.0).acos())
 }
 
@@ -83,13 +83,15 @@ fn half(gears: &Gears, contact: &Contact, i: usize) -> Vec<[f64; 2]> {
     let (base, tip, root) = (contact.base[i], contact.tip[i], contact.root[i]);
     let ring = gears.internal && i == 1;
     let mut points = vec![];
-    let begin = match Tooth::of(gears, contact, i) {
+    // The fillet is known of spur gears alone.
+    let tooth = (gears.helix_angle == 0.0).then(|| Tooth::of(gears, contact, i).ok()).flatten();
+    let begin = match tooth {
         _ if ring => tip,
-        Ok(tooth) => {
+        Some(tooth) => {
             points.extend(tooth.fillet_points(FILLET).map(|(radius, angle)| [radius, angle]));
             tooth.form
         }
-        Err(_) => {
+        None => {
             let begin = base.max(root);
             points.extend((root < begin).then(|| [root, half_angle(gears, contact, i, begin)]));
             begin

@@ -179,6 +179,7 @@ impl Scene {
     }
 
     /// The first of its pressure angles that is given \[rad\].
+    #[cfg(feature = "html")]
     pub(crate) fn pressure_angle(&self) -> Option<f64> {
         let mut all = self.model.parameters.iter().zip(&self.parameters);
         all.find(|(parameter, x)| is_angle(parameter) && x.is_finite()).map(|(_, x)| *x)
