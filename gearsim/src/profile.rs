@@ -113,33 +113,34 @@ impl Profile {
             }))
             .collect();
         let period = bounds[self.steps.len()];
-        // Whole periods of the window contribute the mean, and only the rest has ramps.
-        let rest = window % period;
+        let turns = window / period;
+        if (turns - turns.round()).abs() < SAME_STEP * turns {
+            // The mean over whole periods is constant.
+            return Profile::stepping(vec![Step { value: self.mean(), width: period }]).with_pitches(self.pitches);
+        }
         let integral = |s: f64| {
             let (turns, s) = (s.div_euclid(period), s.rem_euclid(period));
             let parts =
                 self.steps.iter().zip(&bounds).map(|(step, begin)| step.value * (s - begin).clamp(0.0, step.width));
             turns * period * self.mean() + parts.sum::<f64>()
         };
-        let mean = |s: f64| {
-            let ramps = integral(s + rest / 2.0) - integral(s - rest / 2.0);
-            ((window - rest) * self.mean() + ramps) / window
-        };
-        let ends = bounds[..self.steps.len()].iter().flat_map(|b| [b - rest / 2.0, b + rest / 2.0]);
+        let mean = |s: f64| (integral(s + window / 2.0) - integral(s - window / 2.0)) / window;
+        let ends = bounds[..self.steps.len()].iter().flat_map(|b| [b - window / 2.0, b + window / 2.0]);
         let mut ends: Vec<f64> = ends.map(|s| s.rem_euclid(period)).collect();
         ends.sort_by(f64::total_cmp);
         ends.dedup_by(|b, a| *b - *a < SAME_STEP * period);
         if ends[0] + period - ends[ends.len() - 1] < SAME_STEP * period {
             ends.pop();
         }
-        let next = |i: usize| if i + 1 == ends.len() { ends[0] + period } else { ends[i + 1] };
+        let values: Vec<f64> = ends.iter().map(|s| mean(*s)).collect();
         let ramp = |i: usize| {
-            let (a, b) = (ends[i], next(i));
-            let (from, to) = (mean(a), mean(b));
-            (Curve::Cubic([from, (to - from) / (b - a), 0.0, 0.0]), b - a)
+            let next = (i + 1) % ends.len();
+            let width = ends[next] - ends[i] + if next == 0 { period } else { 0.0 };
+            (Curve::Cubic([values[i], (values[next] - values[i]) / width, 0.0, 0.0]), width)
         };
-        let ramps = (0..ends.len()).map(ramp).collect();
-        Profile::curved(ramps).with_origin(self.origin + ends[0]).with_pitches(self.pitches)
+        Profile::curved((0..ends.len()).map(ramp).collect())
+            .with_origin(self.origin + ends[0])
+            .with_pitches(self.pitches)
     }
 
     /// The periodic cubic spline through `points` (phase, value), twice continuously differentiable. `None` if there are fewer than three
