@@ -42,15 +42,13 @@ pub mod engine;
 pub mod ensemble;
 #[cfg(feature = "html")]
 mod explore;
-#[doc(hidden)]
-pub mod gear;
+mod gear;
 #[cfg(feature = "models")]
 #[doc(hidden)]
 pub mod generated;
 mod known;
 mod library;
-#[doc(hidden)]
-pub mod methods;
+mod methods;
 pub mod model;
 pub mod output;
 #[cfg(feature = "html")]

@@ -10,6 +10,8 @@ mod tests;
 use nalgebra::{DMatrix, DVector};
 use xprec::Df64;
 
+use crate::tolerance::scene::SAME_STEP;
+
 pub use curve::Curve;
 
 /// A stiffness, a transmission error or a friction law as a periodic function of the phase. The period is divided into cells; in each
@@ -93,6 +95,51 @@ impl Profile {
             }
         }
         Some(Profile::curved(cells).with_origin(self.origin).with_pitches(self.pitches))
+    }
+
+    /// The mean of a piecewise constant law over a window of width `window` about each phase [unit of the phase]: each step becomes a ramp of
+    /// this width. A law with curves, or a window of width 0, gives the law itself.
+    ///
+    /// With F the integral of the law, the mean is (F(s + w/2) - F(s - w/2))/w, linear between the places where one end of the window
+    /// is at a step.
+    pub fn averaged(&self, window: f64) -> Self {
+        if window <= 0.0 || !self.steps_only() || self.steps.len() == 1 {
+            return self.clone();
+        }
+        let bounds: Vec<f64> = std::iter::once(0.0)
+            .chain(self.steps.iter().scan(0.0, |end, step| {
+                *end += step.width;
+                Some(*end)
+            }))
+            .collect();
+        let period = bounds[self.steps.len()];
+        // Whole periods of the window contribute the mean, and only the rest has ramps.
+        let rest = window % period;
+        let integral = |s: f64| {
+            let (turns, s) = (s.div_euclid(period), s.rem_euclid(period));
+            let parts =
+                self.steps.iter().zip(&bounds).map(|(step, begin)| step.value * (s - begin).clamp(0.0, step.width));
+            turns * period * self.mean() + parts.sum::<f64>()
+        };
+        let mean = |s: f64| {
+            let ramps = integral(s + rest / 2.0) - integral(s - rest / 2.0);
+            ((window - rest) * self.mean() + ramps) / window
+        };
+        let ends = bounds[..self.steps.len()].iter().flat_map(|b| [b - rest / 2.0, b + rest / 2.0]);
+        let mut ends: Vec<f64> = ends.map(|s| s.rem_euclid(period)).collect();
+        ends.sort_by(f64::total_cmp);
+        ends.dedup_by(|b, a| *b - *a < SAME_STEP * period);
+        if ends[0] + period - ends[ends.len() - 1] < SAME_STEP * period {
+            ends.pop();
+        }
+        let next = |i: usize| if i + 1 == ends.len() { ends[0] + period } else { ends[i + 1] };
+        let ramp = |i: usize| {
+            let (a, b) = (ends[i], next(i));
+            let (from, to) = (mean(a), mean(b));
+            (Curve::Cubic([from, (to - from) / (b - a), 0.0, 0.0]), b - a)
+        };
+        let ramps = (0..ends.len()).map(ramp).collect();
+        Profile::curved(ramps).with_origin(self.origin + ends[0]).with_pitches(self.pitches)
     }
 
     /// The periodic cubic spline through `points` (phase, value), twice continuously differentiable. `None` if there are fewer than three

@@ -12,6 +12,7 @@ use cpu_time::ThreadTime;
 use xprec::Df64;
 
 use crate::engine::cell::Cell;
+use crate::engine::compensated::Given;
 use crate::engine::equations::{Derived, DerivedModel, Equations};
 use crate::engine::error::{Refusal, Stop};
 use crate::engine::forcing::Forcing;
@@ -160,6 +161,22 @@ impl Entry {
         System::of(&self.derived, scene)
     }
 
+    /// The equations of a scene about its steady motion.
+    ///
+    /// # Errors
+    /// Those of [`System::about_steady_motion`].
+    pub fn about_steady_motion(&self, scene: &Scene) -> Result<System, Refusal> {
+        System::about_steady_motion(&self.derived, scene)
+    }
+
+    /// The linear part of the equations of a scene.
+    ///
+    /// # Errors
+    /// Those of [`System::linear_part`].
+    pub fn linear_part(&self, scene: &Scene) -> Result<System, Refusal> {
+        System::linear_part(&self.derived, scene)
+    }
+
     /// The equations of a scene.
     ///
     /// # Errors
@@ -168,11 +185,19 @@ impl Entry {
         self.derived.equations(scene)
     }
 
+    /// A simulation of `scene` as [`Entry::run`] runs it, for programs that ask for its states; `equations` are those of the scene.
+    ///
+    /// # Errors
+    /// Those of [`Entry::run`].
+    pub fn simulation<'a>(&self, scene: &'a Scene, equations: &'a dyn Equations) -> Result<Simulation<'a>, Refusal> {
+        Ok(Prepared::new(&self.derived, scene, equations)?.simulation)
+    }
+
     /// A simulation of `scene` with state and time in twice the digits.
     ///
     /// # Errors
     /// Where its cells cannot be solved in twice the digits.
-    pub fn compensate<'a>(&self, simulation: Simulation<'a>, scene: &Scene) -> Result<Simulation<'a>, Refusal> {
+    pub fn compensate<'a>(&self, simulation: Simulation<'a>, scene: &'a Scene) -> Result<Simulation<'a>, Refusal> {
         compensate(&self.derived, simulation, scene)
     }
 }
@@ -180,11 +205,23 @@ impl Entry {
 fn compensate<'a>(
     derived: &DerivedModel,
     simulation: Simulation<'a>,
-    scene: &Scene,
+    scene: &'a Scene,
 ) -> Result<Simulation<'a>, Refusal> {
     let parameters: Vec<Df64> = scene.parameters.iter().copied().map(Df64::from).collect();
     let mids: Vec<Df64> = scene.laws.iter().map(|law| law.exact_mid()).collect();
-    simulation.compensate(&|k| derived.source.exactly(scene, &parameters, &mids, k))
+    let k: Vec<Df64> = simulation.now.k.iter().copied().map(Df64::from).collect();
+    let load = |parameters| derived.source.exactly(scene, parameters, mids.clone()).matrices(&k).load;
+    let varies = scene.model.parameters.iter().map(|p| p.varies);
+    let bare: Vec<Df64> = parameters.iter().zip(varies).map(|(x, v)| if v { Df64::from(0.0) } else { *x }).collect();
+    // The forces are linear in a torque: those of a unit less those of nothing.
+    let of_unit = |p: usize| {
+        let mut unit = bare.clone();
+        unit[p] = Df64::from(1.0);
+        load(unit) - load(bare.clone())
+    };
+    let loads = simulation.now.forcing.iter().flat_map(|forcing| forcing.parameters()).map(of_unit).collect();
+    let cells = derived.source.exactly(scene, parameters, mids.clone());
+    simulation.compensate(Given { cells, loads })
 }
 
 /// A scene that is ready to be run.
@@ -222,10 +259,7 @@ impl<'a> Prepared<'a> {
         let forcing = Forcing::of(derived, scene);
         let compensated = scene.solver.precision == Precision::Compensated;
         let simulation = match choice::numerical(&choice, scene) {
-            None if compensated => match scene.varying() {
-                Some(torques) => Err(Refusal::CompensatedVarying { torques }),
-                None => compensate(derived, Simulation::exact(equations, scene, begun, None)?, scene),
-            },
+            None if compensated => compensate(derived, Simulation::exact(equations, scene, begun, forcing)?, scene),
             None => Simulation::exact(equations, scene, begun, forcing),
             Some(_) if compensated => Err(Refusal::CompensatedNumerical(choice.why.clone())),
             Some((method, settings)) => {

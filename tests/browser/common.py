@@ -28,9 +28,19 @@ def opened(browser, url, allowed, **settings):
     page.goto(url)
     page.wait_for_selector("body[data-ready]")
     # Plots are drawn when they are in sight; on a phone the first one begins below the fold.
-    page.locator("figure.plot").first.scroll_into_view_if_needed()
-    page.wait_for_selector("figure.plot .main-svg")
+    page.locator("figure.plot, figure.map").first.scroll_into_view_if_needed()
+    page.wait_for_selector("figure .main-svg")
     yield page
     assert not messages, messages
     assert [other for other in requests if not other.startswith((*allowed, "data:", "blob:"))] == []
     context.close()
+
+
+def opened_file(browser, path, **settings):
+    """The page at `path`, without network."""
+    return opened(browser, path.as_uri(), allowed=("file:",), offline=True, **settings)
+
+
+def settle(page):
+    """Waits for the frames in which the page draws what was asked."""
+    page.evaluate("new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(() => setTimeout(done))))")

@@ -12,7 +12,7 @@ import tempfile
 from playwright.sync_api import sync_playwright
 
 import common
-from common import LAPTOP, PHONE, SCENES
+from common import LAPTOP, PHONE, SCENES, opened_file, settle
 
 # A file name that is HTML, and quotes.
 HOSTILE = "<img src=x onerror=document.body.dataset.hurt=1> \"a\" 'b' \u2028"
@@ -23,16 +23,6 @@ def run(gearsim, scene, folder, *sets):
     arguments = [argument for value in sets for argument in ("--set", value)]
     subprocess.run([gearsim, "run", scene, "--html", "-q", "--out", folder, "--set", "output.plots=[]", *arguments], check=True)
     return folder / "page.html"
-
-
-def opened(browser, path, **settings):
-    """The page at `path`, without network."""
-    return common.opened(browser, path.as_uri(), allowed=("file:",), offline=True, **settings)
-
-
-def settle(page):
-    """Waits for the frames in which the page draws what was asked."""
-    page.evaluate("new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(() => setTimeout(done))))")
 
 
 def drawn(page, panel=0):
@@ -49,7 +39,7 @@ def frame_of_first_plot(page):
 
 def zoom_shows_detail(browser, path, samples):
     """A drag zooms all time plots alike, and shows every row once they are few; a double click shows all again."""
-    with opened(browser, path, **LAPTOP) as page:
+    with opened_file(browser, path, **LAPTOP) as page:
         total = page.evaluate("column(panels[0].plot.curves[0].x).values.length")
         assert total >= samples, (total, samples)
         before = drawn(page)
@@ -77,7 +67,7 @@ def zoom_shows_detail(browser, path, samples):
 
 def extremes_are_drawn(browser, path):
     """The highest and the lowest of all rows are among the few points that are drawn."""
-    with opened(browser, path, **LAPTOP) as page:
+    with opened_file(browser, path, **LAPTOP) as page:
         rows, points = page.evaluate(
             """(() => {
                 const panel = panels[0], ends = (y) => y.reduce(([a, b], x) => [Math.min(a, x), Math.max(b, x)], [Infinity, -Infinity]);
@@ -89,7 +79,7 @@ def extremes_are_drawn(browser, path):
 
 def cursor_and_keys(browser, path):
     """The cursor shows values in all plots; keys move it, step through events and zoom."""
-    with opened(browser, path, **LAPTOP) as page:
+    with opened_file(browser, path, **LAPTOP) as page:
         box = frame_of_first_plot(page)
         page.mouse.move(box["x"] + box["width"] / 2, box["y"] + 20)
         settle(page)
@@ -117,7 +107,7 @@ def cursor_and_keys(browser, path):
 
 def columns_and_units_are_chosen(browser, path):
     """A check box adds a curve, a menu changes the unit of its numbers, and a table is sorted."""
-    with opened(browser, path, **LAPTOP) as page:
+    with opened_file(browser, path, **LAPTOP) as page:
         index = page.evaluate("panels.findIndex((panel) => panel.frame.hidden)")
         closed = page.locator("figure.plot").nth(index)
         closed.locator("input").first.check()
@@ -139,7 +129,7 @@ def columns_and_units_are_chosen(browser, path):
 
 def every_plot_is_drawn(browser, path, settings, scheme):
     """Every plot in every section is drawn when it is in sight, and nothing is wider than the screen."""
-    with opened(browser, path, color_scheme=scheme, **settings) as page:
+    with opened_file(browser, path, color_scheme=scheme, **settings) as page:
         for figure in page.locator("figure.plot").all():
             figure.scroll_into_view_if_needed()
             if figure.locator(".frame").is_visible():
@@ -155,7 +145,7 @@ def hostile_names_stay_text(browser, gearsim, folder):
     scene = folder / f"{HOSTILE}.toml"
     scene.write_text("\n".join([f'about = "{about}"', "# --> </title></style>", *lines]))
     path = run(gearsim, scene, folder / "hostile")
-    with opened(browser, path, **LAPTOP) as page:
+    with opened_file(browser, path, **LAPTOP) as page:
         assert page.evaluate("document.body.dataset.hurt") is None
         assert page.locator("h1").text_content() == HOSTILE
         assert page.locator(".subtitle").text_content() == about

@@ -3,8 +3,16 @@
 //! `cargo xtask fuzz` searches for new cases with libFuzzer. Put every crash that it finds into `tests/fuzz/corpus`: each run
 //! of the tests then repeats it.
 
+#[path = "../fuzz/bodies/axes.rs"]
+mod axes;
+#[path = "../fuzz/bodies/derived_file.rs"]
+mod derived_file;
 #[path = "../fuzz/bodies/engine.rs"]
 mod engine;
+#[path = "../../derive/macros/src/equations/mod.rs"]
+mod equations;
+#[path = "../fuzz/bodies/parts.rs"]
+mod parts;
 #[path = "../fuzz/bodies/scene.rs"]
 mod scene;
 
@@ -27,7 +35,7 @@ fn cases() -> u64 {
 /// The random numbers of a test with this `seed`; the environment variable `FUZZ_SEED` selects another sequence.
 fn random(seed: u64) -> Random {
     let other = std::env::var("FUZZ_SEED").ok().and_then(|n| n.parse().ok()).unwrap_or(0u64);
-    Random(seed ^ other.wrapping_mul(0x2545_f491_4f6c_dd1d))
+    Random::new(seed ^ other.wrapping_mul(0x2545_f491_4f6c_dd1d))
 }
 
 /// The committed corpus of a target.
@@ -47,20 +55,46 @@ fn run(body: fn(&[u8]), data: &[u8]) {
     }
 }
 
-#[test]
-fn scenes_of_the_corpus_are_read_or_refused() {
-    corpus("scene").iter().for_each(|data| run(scene::check, data));
-}
+/// The targets whose cases are texts or bytes in a format. `combination` is a suite of its own.
+const TARGETS: [(&str, fn(&[u8])); 5] = [
+    ("scene", scene::check),
+    ("axes", axes::check),
+    ("parts", parts::check),
+    ("derived_file", derived_file::check),
+    ("engine", engine::check),
+];
 
 #[test]
-fn runs_of_the_corpus_end_or_stop_with_an_error() {
-    corpus("engine").iter().for_each(|data| run(engine::check, data));
+fn cases_of_the_corpus_are_read_or_refused() {
+    for (target, body) in TARGETS {
+        corpus(target).iter().for_each(|data| run(body, data));
+    }
 }
 
 #[test]
 fn mutated_scenes_are_read_or_refused() {
-    let (corpus, mut random) = (corpus("scene"), random(1));
-    for _ in 0..cases() {
+    mutated("scene", scene::check, cases(), 1);
+}
+
+#[test]
+fn mutated_axes_are_read_or_refused() {
+    mutated("axes", axes::check, cases(), 3);
+}
+
+#[test]
+fn mutated_sweep_folders_are_read_as_written_or_refused() {
+    mutated("parts", parts::check, cases() / 3, 4);
+}
+
+#[test]
+fn mutated_derived_files_give_code_or_errors() {
+    mutated("derived_file", derived_file::check, cases() / 3, 5);
+}
+
+/// Runs a body on cases of its corpus with changes: a byte, a piece that is left out, a piece of another case.
+fn mutated(target: &str, body: fn(&[u8]), cases: u64, seed: u64) {
+    let (corpus, mut random) = (corpus(target), random(seed));
+    for _ in 0..cases {
         let mut data = corpus[random.below(corpus.len())].clone();
         for _ in 0..1 + random.below(6) {
             let at = random.below(data.len());
@@ -74,7 +108,7 @@ fn mutated_scenes_are_read_or_refused() {
                 _ => drop(data.splice(at..(at + piece.len()).min(data.len()), piece.iter().copied())),
             }
         }
-        run(scene::check, &data);
+        run(body, &data);
     }
 }
 

@@ -10,6 +10,8 @@ mod common;
 mod forces;
 #[path = "sliding_friction/loss.rs"]
 mod loss;
+#[path = "sliding_friction/steady.rs"]
+mod steady;
 
 use std::f64::consts::{PI, TAU};
 

@@ -1,4 +1,4 @@
-//! `cargo xtask fuzz`: search with libFuzzer for scenes and numbers that break the scene reader or the engine.
+//! `cargo xtask fuzz`: search with libFuzzer for inputs that break the readers or the engine. The targets: `tests/fuzz/README.md`.
 //!
 //! Builds the targets with cargo and the installed rustc. libFuzzer needs coverage instrumentation (basic blocks, comparisons), which
 //! any rustc can add; a sanitizer is not needed, since there is no unsafe code. Only gearsim and the targets are instrumented: this
@@ -12,11 +12,11 @@ use std::process::{Command, ExitCode};
 use anyhow::{Context, bail};
 
 /// The targets, `tests/fuzz/fuzz_targets`.
-const TARGETS: [&str; 2] = ["scene", "engine"];
+const TARGETS: [&str; 6] = ["scene", "axes", "parts", "derived_file", "engine", "combination"];
 /// Time limit for a single input [s].
 const TIMEOUT: u32 = 60;
 /// Crates that are instrumented.
-const INSTRUMENTED: [&str; 3] = ["gearsim", "scene", "engine"];
+const INSTRUMENTED: [&str; 2] = ["gearsim", "derived_file"];
 /// Environment variable that is set while this program runs as rustc wrapper.
 const COMPILING: &str = "GEARSIM_FUZZ_COMPILING";
 /// The flags that add coverage instrumentation: blocks reached, and numbers compared.
@@ -29,7 +29,7 @@ const INSTRUMENTATION: [&str; 6] = [
     "-Cllvm-args=-sanitizer-coverage-trace-compares",
 ];
 
-/// Search for inputs that break the scene reader or the engine.
+/// Search for inputs that break the readers or the engine.
 #[derive(clap::Args)]
 pub struct Fuzz {
     /// The target; without it, all targets.

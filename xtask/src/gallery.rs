@@ -1,5 +1,7 @@
 //! `cargo xtask gallery`: run the example scenes and write a plot of each to models/scenes/plots.
 
+mod html;
+
 use std::fs;
 use std::path::Path;
 use std::process::Command;
@@ -42,15 +44,23 @@ const RESPONSES: [(&str, &str, &str); 2] = [
 
 /// Run the example scenes; write a plot of each to models/scenes/plots.
 #[derive(clap::Args)]
-pub struct Gallery {}
+pub struct Gallery {
+    /// Instead write all scenes as a page, with plots, numbers and interactive pages, to target/gallery
+    #[arg(long)]
+    html: bool,
+}
 
 impl Gallery {
-    /// Runs the scenes one after another; their outputs go to out/gallery.
+    /// Runs the scenes one after another; their outputs go to out/gallery, or to target/gallery as a page.
     ///
     /// # Errors
     /// If a scene fails, or its plot cannot be copied.
     pub fn run(&self) -> anyhow::Result<()> {
         let root = Path::new(env!("CARGO_MANIFEST_DIR")).parent().context("xtask has a parent folder")?;
+        if self.html {
+            println!("{}", html::write(root)?.display());
+            return Ok(());
+        }
         let (scenes, plots) = (root.join("models/scenes"), root.join("models/scenes/plots"));
         fs::create_dir_all(&plots).with_context(|| format!("cannot make the folder {}", plots.display()))?;
         let draw = |command: &str, scene: &str, arguments: &[&str], plot: &str, name: &str| {

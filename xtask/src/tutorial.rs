@@ -50,6 +50,7 @@ impl Tutorial {
         let readme = fs::read_to_string(folder.join("README.md"))?;
         let steps = steps(&readme);
         ensure!(steps.len() >= 6, "the README has only {} steps", steps.len());
+        let before = symbolicas(&target);
         for step in steps {
             match step {
                 Step::Run(command) => {
@@ -60,8 +61,22 @@ impl Tutorial {
                 Step::Change(change) => apply(&folder, &change)?,
             }
         }
+        // It takes minutes: the features of `cargo derive`, of `cargo test --workspace` and of this workspace must stay the same.
+        let after = symbolicas(&target);
+        ensure!(
+            after <= before.max(1),
+            "Symbolica was compiled {} times, with other features: `cargo tree -e features`",
+            after - before
+        );
         Ok(())
     }
+}
+
+/// How often Symbolica was compiled for programs in a target folder, each time with other features of it or of its dependencies.
+fn symbolicas(target: &Path) -> usize {
+    let libraries = fs::read_dir(target.join("debug/deps")).into_iter().flatten().flatten();
+    let name = |entry: fs::DirEntry| entry.file_name().into_string().unwrap_or_default();
+    libraries.map(name).filter(|name| name.starts_with("libsymbolica-") && name.ends_with(".rlib")).count()
 }
 
 /// The steps of a README: indented lines are commands, blocks of the kind `diff` are changes.

@@ -104,6 +104,8 @@
 //!
 //! # Stages
 //!
+//! All of them are in the folder `equations`.
+//!
 //! | stage | files |
 //! | --- | --- |
 //! | parse tokens into the structs of `model` | `parse`, `items`, `tokens` |
@@ -111,30 +113,9 @@
 //! | replace constant factors by coefficients, computed once for each scene | `hoist` |
 //! | write the code | `emit`, `describe`, `varies`, `terms`, `cold`, `cells`, `jumps`, `lets`, `deflections`, `gated`, `switches`, `sums` |
 
-mod cells;
-mod check;
-mod cold;
-mod deflections;
-mod describe;
-mod effects;
-mod emit;
-mod expand;
-mod gated;
-mod hoist;
-mod items;
-mod jumps;
-mod lets;
-mod model;
-mod parse;
-mod resolve;
-mod scope;
-mod sums;
-mod switches;
-mod terms;
+mod equations;
 #[cfg(test)]
 mod tests;
-mod tokens;
-mod varies;
 
 use proc_macro::TokenStream;
 
@@ -147,5 +128,5 @@ use proc_macro::TokenStream;
 /// duplicate names, missing rows and blocks, empty ranges, and more than 64 effects.
 #[proc_macro]
 pub fn equations(input: TokenStream) -> TokenStream {
-    expand::expand(input.into()).into()
+    equations::expand(input.into()).into()
 }

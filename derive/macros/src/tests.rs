@@ -2,9 +2,9 @@
 
 use proc_macro2::TokenStream;
 
-use crate::check::check;
-use crate::expand::expand;
-use crate::model::Model;
+use crate::equations::check::check;
+use crate::equations::expand;
+use crate::equations::model::Model;
 
 const FILE: &str = include_str!("../../../gearsim/src/generated/gear_pair.rs");
 
@@ -214,7 +214,7 @@ fn the_documented_grammar_is_accepted() {
         .collect();
     let mut model = syn::parse_str::<Model>(&text).unwrap();
     check(&mut model).unwrap();
-    syn::parse2::<syn::File>(crate::emit::emit(model)).unwrap();
+    syn::parse2::<syn::File>(crate::equations::emit::emit(model)).unwrap();
 }
 
 /// Laws must have the same indices in scenes with and without their effects.

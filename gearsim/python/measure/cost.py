@@ -1,14 +1,16 @@
 """What executors cost, beside the threads of the command line: `python gearsim/python/measure/cost.py 10000 100000`.
 
-Every number of points is swept by every executor, all with the same number of workers, one after the other; the shortest of the
-repetitions counts. Clusters are started and used once before. The tables must have the same bytes. A line cost = a + b N is put through
-the differences to the command line: a is the cost of a sweep, b that of a point with its share of a task.
+Every number of points is swept by every executor, all with the same number of workers, one after the other, in several rounds; the tables
+must have the same bytes. Clusters are started and used once before. Two times are taken: that on the clock, and the processor time of this
+process and of all below it, the cluster's included. Ratios are those to the threads of the same round: the median, and the least and
+largest. On a machine that others use too, look at the processor time.
 """
 
 import argparse
 import contextlib
 import os
 import pathlib
+import statistics
 import subprocess
 import sys
 import tempfile
@@ -16,7 +18,7 @@ import time
 from concurrent.futures import ProcessPoolExecutor
 
 import gearsim
-import numpy as np
+import psutil
 
 SCENE = pathlib.Path(__file__).parents[3] / "models" / "scenes" / "oh2005" / "energy_300rpm.toml"
 T_END = "1 ms"
@@ -26,40 +28,64 @@ def axes(points):
     return [f"start.speed=100 rpm:900 rpm:{points // 10}", "parameters.zeta=0.01:0.1:10"]
 
 
-def command_line(points, workers, _, out):
-    command = [sys.executable, "-m", "gearsim", "sweep", SCENE, "--quiet", "--set", f"run.t_end={T_END}", "--record", "events"]
-    command += ["--threads", workers, "--out", out, *(part for axis in axes(points) for part in ("--vary", axis))]
-    subprocess.run([str(word) for word in command], check=True)
+class Plan:
+    """What is swept, and how: scene, end time, recorded quantities, workers, points of a task."""
 
+    def __init__(self, given):
+        self.t_end, self.record = given.t_end, given.record
+        self.workers, self.per_task = given.workers, given.per_task
 
-def by(executor):
-    def sweep(points, workers, per_task, out):
-        scene = gearsim.load(SCENE).replace({"run.t_end": T_END})
-        gearsim.sweep(scene, *axes(points), record=["events"], out=out, executor=executor, points_per_task=per_task)
+    def command_line(self, points, out):
+        command = [sys.executable, "-m", "gearsim", "sweep", SCENE, "--quiet", "--set", f"run.t_end={self.t_end}", "--record", self.record]
+        command += ["--threads", self.workers, "--out", out, *(part for axis in axes(points) for part in ("--vary", axis))]
+        subprocess.run([str(word) for word in command], check=True)
 
-    return sweep
+    def by(self, executor):
+        def sweep(points, out):
+            scene = gearsim.load(SCENE).replace({"run.t_end": self.t_end})
+            gearsim.sweep(scene, *axes(points), record=[self.record], out=out, executor=executor, points_per_task=self.per_task)
+
+        return sweep
 
 
 @contextlib.contextmanager
-def all_ways(workers):
+def all_ways(plan):
     """The command line, and one executor of each kind."""
     import distributed
     import ray
 
-    ray.init(num_cpus=workers, include_dashboard=False, log_to_driver=False, logging_level="error")
-    cluster = distributed.LocalCluster(n_workers=workers, threads_per_worker=1, dashboard_address=None)
-    with cluster, distributed.Client(cluster) as client, ProcessPoolExecutor(workers) as processes:
+    ray.init(num_cpus=plan.workers, include_dashboard=False, log_to_driver=False, logging_level="error")
+    cluster = distributed.LocalCluster(n_workers=plan.workers, threads_per_worker=1, dashboard_address=None)
+    with cluster, distributed.Client(cluster) as client, ProcessPoolExecutor(plan.workers) as processes:
         dask, by_ray = gearsim.executors.DaskExecutor(client), gearsim.executors.RayExecutor()
-        yield {"threads": command_line, "processes": by(processes), "Dask": by(dask), "Ray": by(by_ray)}
+        yield {"threads": plan.command_line, "processes": plan.by(processes), "Dask": plan.by(dask), "Ray": plan.by(by_ray)}
     ray.shutdown()
 
 
-def seconds(way, points, workers, per_task):
-    """Time of a sweep [s], and its table."""
+def processor_time():
+    """Processor time of this process and of all below it, those that have ended included [s]."""
+    here = psutil.Process()
+    total = 0.0
+    for process in [here, *here.children(recursive=True)]:
+        with contextlib.suppress(psutil.NoSuchProcess):
+            times = process.cpu_times()
+            total += times.user + times.system + times.children_user + times.children_system
+    return total
+
+
+def measured(way, points):
+    """Time on the clock [s], processor time [s], and table of a sweep."""
     with tempfile.TemporaryDirectory() as out:
-        begin = time.perf_counter()
-        way(points, workers, per_task, out)
-        return time.perf_counter() - begin, (pathlib.Path(out) / "sweep.parquet").read_bytes()
+        clock, processor = time.perf_counter(), processor_time()
+        way(points, out)
+        times = time.perf_counter() - clock, processor_time() - processor
+        return *times, (pathlib.Path(out) / "sweep.parquet").read_bytes()
+
+
+def ratios(times, base):
+    """Median of the times, and of their ratios to those of the same round, with the least and the largest."""
+    of = sorted(time_taken / other for time_taken, other in zip(times, base))
+    return f"{statistics.median(times):.2f} s, {statistics.median(of):.2f} ({of[0]:.2f} to {of[-1]:.2f})"
 
 
 def main():
@@ -67,29 +93,30 @@ def main():
     parser.add_argument("points", nargs="+", type=int, help="numbers of points, multiples of 10")
     parser.add_argument("--workers", type=int, default=os.cpu_count())
     parser.add_argument("--per-task", type=int, default=10_000)
-    parser.add_argument("--repeat", type=int, default=3)
+    parser.add_argument("--t-end", default=T_END, help="end of each run: the cost of a point grows with it")
+    parser.add_argument("--record", default="events", choices=["events", "outputs"])
+    parser.add_argument("--repeat", type=int, default=5)
     given = parser.parse_args()
-    print(f"{given.workers} workers, {given.per_task} points a task, shortest of {given.repeat}; load {os.getloadavg()[0]:.1f}")
-    print("| points | bytes a point |", *(f"{name} [s] |" for name in ("threads", "processes", "Dask", "Ray")), flush=True)
-    shortest = {}
-    with all_ways(given.workers) as ways:
+    plan = Plan(given)
+    print(f"{SCENE.stem} to {plan.t_end}, {plan.record} recorded; {plan.workers} workers, {plan.per_task} points a task; {given.repeat} rounds")
+    print(f"load of the machine before: {os.getloadavg()[0]:.1f}")
+    print("| points | way | clock, ratio | processor time, ratio | processor time a point |")
+    with all_ways(plan) as ways:
         for way in ways.values():
-            seconds(way, 100, given.workers, 10)
+            measured(way, 100)
         for points in given.points:
-            times, tables = {name: [] for name in ways}, set()
+            clock, processor, tables = {name: [] for name in ways}, {name: [] for name in ways}, set()
             for _ in range(given.repeat):
                 for name, way in ways.items():
-                    time_taken, table = seconds(way, points, given.workers, given.per_task)
-                    times[name].append(time_taken)
+                    on_clock, on_processor, table = measured(way, points)
+                    clock[name].append(on_clock)
+                    processor[name].append(on_processor)
                     tables.add(table)
             assert len(tables) == 1, "the tables differ"
-            best = shortest[points] = {name: min(all_times) for name, all_times in times.items()}
-            ratios = (f"{time_taken:.2f}, {time_taken / best['threads']:.2f} x |" for time_taken in best.values())
-            print(f"| {points} | {len(tables.pop()) / points:.1f} |", *ratios, flush=True)
-    if len(shortest) > 1:
-        for name in ("processes", "Dask", "Ray"):
-            b, a = np.polyfit(list(shortest), [best[name] - best["threads"] for best in shortest.values()], 1)
-            print(f"{name}: {a:.3f} s a sweep + {1e6 * b:.2f} µs a point more than threads")
+            for name in ways:
+                a_point = 1e6 * statistics.median(processor[name]) / points
+                both = f"{ratios(clock[name], clock['threads'])} | {ratios(processor[name], processor['threads'])}"
+                print(f"| {points} | {name} | {both} | {a_point:.1f} µs |", flush=True)
 
 
 if __name__ == "__main__":

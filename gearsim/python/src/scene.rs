@@ -1,5 +1,6 @@
 //! Scenes.
 
+use std::cell::RefCell;
 use std::path::PathBuf;
 
 use gearsim::Scene as Inner;
@@ -130,15 +131,26 @@ impl Scene {
     }
 
     /// Which effects the scene needs, as the text of `gearsim advise --json`.
-    fn _advise(&self, py: Python<'_>) -> PyResult<String> {
-        py.detach(|| self.inner.advise().and_then(|advice| advice.json(&self.inner))).map_err(raised)
+    #[pyo3(signature = (progress))]
+    fn _advise(&self, py: Python<'_>, progress: Option<Py<PyAny>>) -> PyResult<String> {
+        let advice = detached(py, progress, |watch| {
+            let watch = RefCell::new(watch);
+            self.inner
+                .advise_watched(&|t| watch.borrow_mut().at_or_unwind(t))
+                .and_then(|advice| advice.json(&self.inner))
+        })?;
+        advice.map_err(raised)
     }
 
-    /// The response curve over an axis, upward and downward, of the recorded outputs from `start` [s] of each point on.
-    #[pyo3(signature = (axis, start=0.0))]
-    fn response(&self, py: Python<'_>, axis: String, start: f64) -> PyResult<Table> {
+    /// The response curve over an axis, upward and downward, of the recorded outputs from `start` [s] of each point on. `progress` is
+    /// called with the number of finished points now and then.
+    #[pyo3(signature = (axis, start=0.0, progress=None))]
+    fn response(&self, py: Python<'_>, axis: String, start: f64, progress: Option<Py<PyAny>>) -> PyResult<Table> {
         let variation = self.inner.vary(&axis).from(start);
-        let table = py.detach(|| variation.response().and_then(|response| Ok(response.table()?)));
+        let table = detached(py, progress, |watch| {
+            let response = variation.response_watched(&mut |done| watch.at_or_unwind(done as f64))?;
+            Ok(response.table()?)
+        })?;
         Table::new(table.map_err(raised)?)
     }
 

@@ -7,19 +7,17 @@ use arrow_array::ffi_stream::FFI_ArrowArrayStream;
 use arrow_array::{ArrayRef, Float64Array, RecordBatch, RecordBatchIterator, StringArray};
 use arrow_schema::{DataType, Field, Schema};
 use gearsim::output::table::Values;
-use numpy::ndarray::ArrayView1;
-use numpy::{PyArray1, PyArrayMethods};
 use pyo3::exceptions::{PyKeyError, PyRuntimeError};
 use pyo3::prelude::*;
-use pyo3::types::PyCapsule;
+use pyo3::types::{PyCapsule, PyDict};
 
 use crate::error::raised;
 
 /// Key of the unit in the metadata of an Arrow field.
 const UNIT: &str = "unit";
 
-/// A table. Its columns are NumPy arrays by name, without a copy and not to be written to; as a whole it is an Arrow stream: `pyarrow.table(table)`, `polars.from_arrow(table)`,
-/// `pandas.DataFrame.from_arrow(table)`.
+/// A table. Its columns are NumPy arrays by name, without a copy and not to be written to; as a whole it is an Arrow stream:
+/// `pyarrow.table(table)` and `polars.DataFrame(table)` make no copy, `pandas.DataFrame.from_arrow(table)` makes one.
 #[pyclass(frozen, module = "gearsim")]
 pub struct Table {
     batch: RecordBatch,
@@ -97,12 +95,8 @@ impl Table {
         })?;
         match array.as_any().downcast_ref::<Float64Array>() {
             Some(numbers) => {
-                let view = ArrayView1::from(numbers.values().as_ref());
-                // SAFETY: the array keeps the table alive, whose numbers are neither moved nor changed: it is frozen, and the array
-                // refuses to be written to.
-                let shared = unsafe { PyArray1::borrow_from_array(&view, table.clone().into_any()) };
-                shared.readwrite().make_nonwriteable();
-                Ok(shared.into_any())
+                let column = Bound::new(table.py(), Column { numbers: numbers.clone() })?;
+                table.py().import("numpy")?.call_method1("asarray", (column,))
             }
             None => texts(array).collect::<Vec<_>>().into_pyobject(table.py()),
         }
@@ -123,5 +117,26 @@ impl Table {
 
     fn __repr__(&self) -> String {
         format!("gearsim.Table: {} rows of {}", self.batch.num_rows(), self.columns().join(", "))
+    }
+}
+
+/// A column of numbers. A NumPy array of it holds it, and reads its memory, which is neither moved nor changed.
+#[pyclass(frozen, module = "gearsim._gearsim")]
+struct Column {
+    numbers: Float64Array,
+}
+
+#[pymethods]
+impl Column {
+    /// Version 3 of NumPy's array interface: where the numbers are, not to be written to.
+    #[getter]
+    fn __array_interface__<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
+        let numbers = self.numbers.values();
+        let dict = PyDict::new(py);
+        dict.set_item("version", 3)?;
+        dict.set_item("shape", (numbers.len(),))?;
+        dict.set_item("typestr", if cfg!(target_endian = "little") { "<f8" } else { ">f8" })?;
+        dict.set_item("data", (numbers.as_ptr().addr(), true))?;
+        Ok(dict)
     }
 }

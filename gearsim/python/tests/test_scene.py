@@ -44,16 +44,24 @@ def test_columns_have_names_and_units():
         results["twist"]
 
 
-def test_arrow_needs_no_copy():
-    pyarrow = pytest.importorskip("pyarrow")
-    polars = pytest.importorskip("polars")
+def test_columns_have_one_place_in_memory():
+    """NumPy, pyarrow, polars and pandas read the same bytes; none has a copy."""
     table = struck().run().table
+    pyarrow, polars, pandas = (pytest.importorskip(name) for name in ("pyarrow", "polars", "pandas"))
+    address = lambda array: array.__array_interface__["data"][0]
     arrow = pyarrow.table(table)
     assert arrow.schema.field("t").metadata == {b"unit": b"s"}
-    again = pyarrow.table(table)
-    address = lambda t: t.column("t").chunk(0).buffers()[1].address
-    assert address(arrow) == address(again)
-    assert polars.DataFrame(arrow)["t"].to_numpy().tolist() == table["t"].tolist()
+    arrays = {
+        "pyarrow": arrow.column("t").chunk(0).to_numpy(zero_copy_only=True),
+        "polars": polars.DataFrame(table)["t"].to_numpy(allow_copy=False),
+        "pandas, of Arrow's types": arrow.to_pandas(types_mapper=pandas.ArrowDtype)["t"].array.__arrow_array__(),
+        "pandas, of a column": pandas.Series(table["t"], copy=False).to_numpy(),
+    }
+    arrays = {name: getattr(array, "chunks", [array])[0] for name, array in arrays.items()}
+    for name, array in arrays.items():
+        array = array.to_numpy() if isinstance(array, pyarrow.Array) else array
+        assert address(array) == address(table["t"]), name
+        assert array.tolist() == table["t"].tolist()
 
 
 def test_mistakes_show_their_line():
@@ -92,12 +100,21 @@ def long(t_end):
     return gearsim.load(SCENES / "two_stage.toml").replace(values)
 
 
-def test_ctrl_c_ends_a_run():
+@pytest.mark.parametrize(
+    "call",
+    [
+        lambda scene: scene.run(),
+        lambda scene: scene.advise(),
+        lambda scene: scene.response("start.speed=1000 rpm:2000 rpm:3"),
+    ],
+    ids=["run", "advise", "response"],
+)
+def test_ctrl_c_ends_a_call(call):
     scene = long("10000 s")
     threading.Timer(0.5, signal.raise_signal, [signal.SIGINT]).start()
     begin = time.monotonic()
     with pytest.raises(KeyboardInterrupt):
-        scene.run()
+        call(scene)
     assert time.monotonic() - begin < 10
 
 

@@ -59,7 +59,7 @@ fn iso6336(scene: &Scene, entry: &Entry, run: &Trajectory, i: usize, at_rest: f6
     let contact = gears.contact().map_err(|e| e.to_string())?;
     // In N m the model turns about the axis of the driving gear.
     let force = if law.unit == "N/m" { at_rest } else { at_rest / contact.base[0] };
-    let line_load = force * gears.pressure_angle.cos() / gears.face_width;
+    let line_load = force * contact.transverse_angle.cos() / gears.face_width;
     let single = Iso6336::of(gears, Some(line_load)).map_err(|e| e.to_string())?.single;
     let ratio = mesh_frequency(run, law)? / natural_frequency(scene, entry, i)?;
     let pitch_deviation = pitch_deviation(scene, law, gears);
@@ -67,7 +67,8 @@ fn iso6336(scene: &Scene, entry: &Entry, run: &Trajectory, i: usize, at_rest: f6
         ratio,
         line_load,
         single,
-        contact_ratio: contact.ratio(),
+        // The coefficients are those of the total contact ratio.
+        contact_ratio: contact.ratio() + contact.overlap,
         pitch_deviation,
         form_deviation: 0.0,
         tip_relief: 0.0,
@@ -102,8 +103,8 @@ fn pitch_deviation(scene: &Scene, law: &Law, gears: &Gears) -> f64 {
     let Some((error, profile)) = error.filter(|(_, profile)| profile.steps.len() == profile.pitches as usize) else {
         return 0.0;
     };
-    // In gear_pair the deflection phi is half the difference of pitch angles: delta = m cos(alpha) phi.
-    let length = if error.unit == "m" { 1.0 } else { gears.module * gears.pressure_angle.cos() };
+    // In gear_pair the deflection phi is half the difference of pitch angles: delta = 2 h phi, with the base radius h per tooth.
+    let length = if error.unit == "m" { 1.0 } else { 2.0 * gears.base_radius_per_tooth() };
     let next = profile.steps.iter().cycle().skip(1);
     let largest = profile.steps.iter().zip(next).map(|(a, b)| (b.value - a.value).abs()).fold(0.0, f64::max);
     length * largest

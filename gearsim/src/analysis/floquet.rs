@@ -2,6 +2,8 @@
 //! the cells of a period. Its eigenvalues are the Floquet multipliers, by which a small disturbance grows per period (Meissner's
 //! equation and its generalisations; G. Floquet, 1883).
 //!
+//! Forces that are not linear, as friction of the flanks, are linearised about the steady motion (`about.rs`).
+//!
 //! Rigid motions, the null space of every K and of C, have the double multiplier 1. They are split off exactly, through their
 //! M-orthogonal complement. The verdict is on the other motions.
 
@@ -10,10 +12,11 @@ use nalgebra::{Complex, DMatrix};
 use crate::analysis::steady::{self, SteadyLaw};
 use crate::engine::Refusal;
 use crate::engine::modal::Modal;
-use crate::engine::system::System;
+use crate::engine::system::{Steady, System};
 use crate::scene::Scene;
 use crate::tolerance::analysis;
 
+mod about;
 mod chart;
 mod period;
 
@@ -49,6 +52,8 @@ pub struct Floquet {
     pub natural: f64,
     /// Frequency of the first mesh that steps [Hz].
     pub mesh: f64,
+    /// The steady motion about which forces are linearised; `None` if all are linear.
+    pub steady: Option<Steady>,
 }
 
 /// How a small disturbance develops.
@@ -81,7 +86,7 @@ impl Floquet {
     /// # Errors
     /// If a cell has no modes, the stiffnesses have no common period, nothing vibrates, or the multipliers overflow.
     pub fn of(scene: &Scene, system: &System) -> Result<Floquet, FloquetError> {
-        let courses = steady::courses(scene, system)?;
+        let courses = steady::acting(scene, system)?;
         let (period, stretches) = stretches(&courses)?;
         let means: Vec<f64> = courses.iter().map(SteadyLaw::mean).collect();
         let lowest = Modal::of(&system.matrices(&means)?)?.modes.iter().map(|m| m.omega2).find(|w| *w > 0.0);
@@ -91,7 +96,11 @@ impl Floquet {
         let size = 2 * split.elastic;
         let mut monodromy = DMatrix::<f64>::identity(size, size);
         for stretch in &stretches {
-            monodromy = split.reduced(&system.propagator(&stretch.levels, stretch.time)?, omega) * monodromy;
+            let over = match system.steady() {
+                None => split.reduced(&system.propagator(&stretch.levels, stretch.time)?, omega),
+                Some(_) => about::propagator(system, &courses, stretch, &split, omega)?,
+            };
+            monodromy = over * monodromy;
         }
         if monodromy.iter().any(|x| !x.is_finite()) {
             return Err(FloquetError::Overflow);
@@ -113,7 +122,8 @@ impl Floquet {
         let verdict = if size == 2 { of_one(monodromy.trace(), monodromy.determinant()) } else { of_all(&multipliers) };
         let mesh = courses.iter().find(|c| c.steps).map_or(0.0, SteadyLaw::frequency);
         let natural = omega / std::f64::consts::TAU;
-        Ok(Floquet { period, multipliers, rigid: split.rigid, verdict, natural, mesh })
+        let steady = system.steady().cloned();
+        Ok(Floquet { period, multipliers, rigid: split.rigid, verdict, natural, mesh, steady })
     }
 
     /// Exponential growth of a disturbance per period: ln of the largest absolute value of a multiplier; negative if it decays.
@@ -181,7 +191,7 @@ struct Split {
 
 impl Split {
     fn of(system: &System, stretches: &[Stretch]) -> Result<Split, FloquetError> {
-        let first = system.matrices(&stretches[0].levels)?;
+        let first = system.linearised(&stretches[0].levels)?;
         let n = first.load.len();
         // Scale the coordinates so that M has a unit diagonal.
         let unit = first.mass.diagonal().map(|m| 1.0 / m.sqrt());
@@ -195,7 +205,7 @@ impl Split {
             all
         };
         for stretch in stretches {
-            springs = below(springs, &scaled(&system.matrices(&stretch.levels)?.stiffness));
+            springs = below(springs, &scaled(&system.linearised(&stretch.levels)?.stiffness));
         }
         let held = below(springs.clone(), &scaled(&first.damping));
         let (rigid, unheld) = (null_space(&held), null_space(&springs).ncols());

@@ -3,6 +3,8 @@
 pub mod advise;
 pub mod digits;
 pub mod dynamic_factor;
+#[cfg(feature = "html")]
+pub mod engaged;
 pub mod floquet;
 pub mod modes;
 pub mod orders;

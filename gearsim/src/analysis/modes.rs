@@ -3,11 +3,14 @@
 //! A mode is a pair of eigenvalues lambda of M lambda² + C lambda + K: natural frequency |lambda|/2 pi, damping factor
 //! zeta = -Re lambda/|lambda|, damped frequency Im lambda/2 pi, mode shape phi, complex if damping couples the modes.
 //!
+//! About a steady motion C and K need not be symmetric (`general.rs`). Energies are those of the linear part.
+//!
 //! - Share of a stiffness law in the strain energy: phi* (K(k) - K(k without the law)) phi/(phi* K phi), since K is linear in
 //!   the laws. Share of a spring: phi* K_s phi/(phi* K phi), see [`springs`].
 //! - Share of a coordinate in the kinetic energy: Re(conj(phi_i) (M phi)_i)/(phi* M phi). Shares add up to one. A share may be
 //!   negative if inertia couples coordinates.
 
+mod general;
 pub mod springs;
 
 use std::f64::consts::TAU;
@@ -85,6 +88,9 @@ pub fn of(system: &System, k: &[f64], springs: &[Spring]) -> Result<CellModes, R
         system.matrices(&k).map(|m| &matrices.stiffness - m.stiffness)
     };
     let laws = (0..k.len()).map(without).collect::<Result<Vec<_>, _>>()?;
+    if system.steady().is_some() {
+        return Ok(general::of(&matrices, &system.linearised(k)?, k, (&laws, springs)));
+    }
     of_matrices(&matrices, k, &laws, springs)
 }
 

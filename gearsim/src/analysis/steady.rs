@@ -4,8 +4,8 @@
 use crate::engine::equations::Switching;
 use crate::engine::error::Refusal;
 use crate::engine::system::System;
-use crate::model::Law;
-use crate::profile::Profile;
+use crate::model::{Law, Role};
+use crate::profile::{Curve, Profile};
 use crate::scene::Scene;
 
 /// A law in steady rotation.
@@ -25,6 +25,8 @@ pub struct SteadyLaw {
     pub speed: f64,
     /// Whether it steps in the scene's equations; else it is constant at its mid value.
     pub steps: bool,
+    /// The curve of each level; empty if the law is constant in each.
+    pub curves: Vec<Curve>,
 }
 
 impl SteadyLaw {
@@ -41,6 +43,14 @@ impl SteadyLaw {
     /// Whether it steps and its phase moves.
     pub fn turns(&self) -> bool {
         self.steps && self.speed != 0.0
+    }
+
+    /// Its value at the time `t` [s] [SI unit of the law].
+    pub fn at(&self, t: f64) -> f64 {
+        let phase = (self.start + self.speed * t).rem_euclid(self.period);
+        let here = self.levels.iter().position(|(_, end)| phase < *end).unwrap_or(self.levels.len() - 1);
+        let begin = if here == 0 { 0.0 } else { self.levels[here - 1].1 };
+        self.curves.get(here).map_or(self.levels[here].0, |curve| curve.at(phase - begin)[0])
     }
 
     /// Its mean over a period [SI unit of the law].
@@ -77,6 +87,22 @@ pub fn courses(scene: &Scene, system: &System) -> Result<Vec<SteadyLaw>, Refusal
     Ok(all)
 }
 
+/// The laws that act on small disturbances: the stiffnesses, and about a steady motion those of friction too. Transmission errors are zero
+/// there.
+///
+/// # Errors
+/// [`Refusal`] if the start of the scene cannot be determined.
+pub fn acting(scene: &Scene, system: &System) -> Result<Vec<SteadyLaw>, Refusal> {
+    if system.steady().is_none() {
+        return courses(scene, system);
+    }
+    let mut all = all_courses(scene, system)?;
+    for (course, _) in all.iter_mut().zip(scene.present()).filter(|(_, (law, _))| law.role == Role::Error) {
+        *course = SteadyLaw { levels: vec![(0.0, course.period)], steps: false, curves: vec![], ..course.clone() };
+    }
+    Ok(all)
+}
+
 /// All laws of a scene in steady rotation: the stiffnesses, then the transmission errors. The latter do not act on small disturbances.
 ///
 /// # Errors
@@ -102,7 +128,8 @@ pub fn all_courses(scene: &Scene, system: &System) -> Result<Vec<SteadyLaw>, Ref
             last.1 = period;
         }
         let start = (begin[phase] - given.origin).rem_euclid(period);
-        SteadyLaw { name: law.name, levels, period, pitches: given.pitches, start, speed: speeds[phase], steps }
+        let curves = if steps { given.curves.clone() } else { vec![] };
+        SteadyLaw { name: law.name, levels, period, pitches: given.pitches, start, speed: speeds[phase], steps, curves }
     };
     Ok(scene.present().enumerate().map(course).collect())
 }

@@ -1,15 +1,17 @@
 //! `gearsim advise`: which effects a scene needs, and which it can leave out.
 
+mod page;
 mod table;
-
-use std::path::PathBuf;
 
 use clap::Parser;
 
 use super::failure::Failure;
 use super::printing::Printing;
-use super::{Verb, known, report, terminal};
+use super::simulate::Source;
+use super::{Verb, report, terminal};
 use crate::analysis::advise;
+use crate::library::advise::Advice;
+use crate::output::OutputFolder;
 use crate::scene::Scene;
 
 /// Which effects matter to a scene, and which may be left out; checked by runs with and without each
@@ -22,29 +24,36 @@ recorded quantities would change without it: from the settled motion in steady r
 no run, or from a short run if that motion cannot be computed. Then runs the scene with and without
 each effect, and prints the true deviation, and the time saved, below the estimate.
 
+Writes advise.json if --out or --html is given.
+
 Examples:
   gearsim advise models/scenes/oh2005/spectrum_600rpm_exact.toml
   gearsim advise models/scenes/oh2005/spectrum_4500rpm_exact.toml --set parameters.T0=\"50 N*m\""
 )]
 pub(super) struct Advise {
-    /// The scene: a TOML file, or - for the standard input
-    scene: PathBuf,
-    /// Sets a value of the scene, e.g. --set parameters.T0="20 N*m"; may be repeated
-    #[arg(long = "set", value_name = "KEY=VALUE")]
-    overrides: Vec<String>,
+    #[command(flatten)]
+    source: Source,
+    #[command(flatten)]
+    html: super::page::Html,
     #[command(flatten)]
     printing: Printing,
 }
 
 impl Verb for Advise {
     fn run(self) -> Result<(), Failure> {
-        let models = known::descriptions();
-        let scene = Scene::load_with(&self.scene, &self.overrides, &models).map_err(|e| Failure::Scene(Box::new(e)))?;
-        scene.warnings.iter().for_each(|warning| terminal::warn(warning));
+        let page = self.html.asked()?;
+        let scene = self.source.load()?;
+        let writes = page.is_some() || self.source.names_folder();
+        let path = writes.then(|| self.source.folder(&scene, "_advise")).transpose()?;
         let advice = scene.advise()?;
+        let folder = path.map(|path| write(OutputFolder::create(path)?, &scene, &advice, page)).transpose()?;
         let width = terminal::width();
         let dropped = scene.effects != advise::base(&scene).effects;
-        let text = || format!("{}\n{}", report::scene(&scene, width), table::render(&advice, dropped, width));
+        let text = || {
+            let files = |folder: &OutputFolder| format!("\n{}", report::files(folder.path(), folder.files(), width));
+            let files = folder.as_ref().map_or(String::new(), files);
+            format!("{}\n{}{files}", report::scene(&scene, width), table::render(&advice, dropped, width))
+        };
         self.printing.print(|| advice.json(&scene), text)?;
         match (advice.stopped, advice.refuted) {
             (Some(stop), _) => Err(Failure::StoppedAdvice { scene: scene.name, stop }),
@@ -53,4 +62,20 @@ impl Verb for Advise {
             (None, None) => Ok(()),
         }
     }
+}
+
+/// Writes advise.json, and the page if it is asked for.
+fn write(
+    mut folder: OutputFolder,
+    scene: &Scene,
+    advice: &Advice,
+    page: Option<super::page::Asked>,
+) -> Result<OutputFolder, Failure> {
+    folder.write_bytes("advise.json", advice.json(scene)?.as_bytes())?;
+    if let Some(asked) = page {
+        let (conclusions, drawn) = (page::conclusions(advice), page::figure(&scene.name, advice));
+        asked.advise(&mut folder, scene, &conclusions, drawn.as_ref(), &page::deviations(advice)?)?;
+    }
+    folder.commit("advise.json")?;
+    Ok(folder)
 }

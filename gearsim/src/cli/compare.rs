@@ -9,7 +9,7 @@ use serde::Serialize;
 use super::failure::Failure;
 use super::printing::Printing;
 use super::simulate::{Source, simulate};
-use super::{Verb, files, report, terminal};
+use super::{Verb, files, page, report, terminal};
 use crate::library::Results;
 use crate::output::{OutputFolder, Summary, document};
 use crate::plot;
@@ -36,6 +36,8 @@ Examples:
 pub(super) struct Compare {
     #[command(flatten)]
     source: Source,
+    #[command(flatten)]
+    html: page::Html,
     #[command(flatten)]
     printing: Printing,
 }
@@ -70,6 +72,7 @@ struct Entry {
 
 impl Verb for Compare {
     fn run(self) -> Result<(), Failure> {
+        let page = self.html.asked()?;
         let scene = self.source.load()?;
         let scenes = equations::all(&scene)?;
         let path = self.source.folder(&scene, "_compare")?;
@@ -78,7 +81,7 @@ impl Verb for Compare {
             members.push(ComparedRun { set, results: simulate(&scene, self.printing.quiet)? });
         }
         let mut folder = OutputFolder::create(path)?;
-        let (summaries, json) = write(&mut folder, &scene, &members)?;
+        let (summaries, json) = write(&mut folder, &scene, &members, page)?;
         let width = terminal::width();
         let text = || {
             let written = report::files(folder.path(), folder.files(), width);
@@ -92,7 +95,12 @@ impl Verb for Compare {
 }
 
 /// Writes the files, and returns the summaries of the runs and the content of `compare.json`.
-fn write(folder: &mut OutputFolder, scene: &Scene, members: &[ComparedRun]) -> Result<(Vec<Summary>, String), Failure> {
+fn write(
+    folder: &mut OutputFolder,
+    scene: &Scene,
+    members: &[ComparedRun],
+    page: Option<page::Asked>,
+) -> Result<(Vec<Summary>, String), Failure> {
     let mut summaries = vec![];
     for ComparedRun { set, results: Results { scene, outcome } } in members {
         let before = folder.files().len();
@@ -111,6 +119,9 @@ fn write(folder: &mut OutputFolder, scene: &Scene, members: &[ComparedRun]) -> R
         runs: entries.map(|(m, s)| Entry { equations: m.set.label, summary: s.clone() }).collect(),
         plots: folder.files()[before..].to_vec(),
     };
+    if let Some(page) = page {
+        page.compare(folder, scene, &runs, &summaries)?;
+    }
     let json = document::json("compare", VERSION, &comparison)?;
     folder.write_bytes("compare.json", json.as_bytes())?;
     folder.commit("compare.json")?;

@@ -6,8 +6,9 @@ use serde::Serialize;
 use super::failure::Failure;
 use super::number::short;
 use super::printing::Printing;
+use super::report::Linearised;
 use super::simulate::Source;
-use super::{Verb, files, provenance, report, terminal};
+use super::{Verb, files, page, provenance, report, terminal};
 use crate::analysis::floquet::{Chart, Floquet, Spot, Varied, Verdict};
 use crate::known;
 use crate::library::Error;
@@ -30,6 +31,9 @@ periodic in time, k(Omega0 t). The monodromy matrix is the product of the exact 
 cells of a period. Its eigenvalues, the Floquet multipliers, say by which factor a small disturbance
 grows per period. Rigid motions always have the multiplier 1 and are left out.
 
+Friction of the flanks and torques that depend on the speed are linearised about the steady
+motion, whose speeds and mean forces are printed.
+
 --vary varies a quantity of the scene, by values as of `gearsim sweep`. Given twice, the first quantity is the x axis
 and the second the y axis of a stability chart. Writes floquet.json; with --vary also stability.csv
 and its plot.
@@ -47,6 +51,8 @@ pub(super) struct FloquetCommand {
     /// A key of the scene and its rising values, e.g. --vary start.speed="300 rpm:9000 rpm:400"; may be given twice
     #[arg(long, value_name = "KEY=VALUES")]
     vary: Vec<String>,
+    #[command(flatten)]
+    html: page::Html,
     #[command(flatten)]
     printing: Printing,
 }
@@ -71,6 +77,9 @@ struct Report<'a> {
     rigid_motions: usize,
     /// What the analysis leaves out because it is linear.
     left_out: Vec<&'static str>,
+    /// The steady motion about which forces are linearised that are not linear.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    linearised: Option<Linearised<'a>>,
     verdict: &'static str,
     /// Natural logarithm of the largest absolute value of a multiplier.
     growth_per_period: f64,
@@ -81,16 +90,22 @@ struct Report<'a> {
 
 impl Verb for FloquetCommand {
     fn run(self) -> Result<(), Failure> {
+        let page = self.html.asked()?;
         let scene = self.source.load()?;
         let floquet = scene.floquet()?;
         let chart = self.chart(&scene)?;
         let path = self.source.folder(&scene, "_floquet")?;
         let mut folder = OutputFolder::create(path)?;
-        if let Some(chart) = &chart {
-            let table = table(chart)?;
-            folder.write("stability.csv", |sink| csv::write(&table, sink))?;
+        let points = chart.as_ref().map(table).transpose()?;
+        let charted = chart.as_ref().zip(points.as_ref());
+        if let Some((chart, table)) = charted {
+            folder.write("stability.csv", |sink| csv::write(table, sink))?;
             let figure = plot::floquet::draw(&chart.clone().by_ratio());
             files::figure(&mut folder, "stability", figure, terminal::warn)?;
+        }
+        let words = || describe(&floquet) + &chart.as_ref().map_or(String::new(), unstable_share);
+        if let Some(page) = page {
+            page.floquet(&mut folder, &scene, &words(), &floquet, charted)?;
         }
         let report = Report {
             scene: &scene.name,
@@ -101,6 +116,7 @@ impl Verb for FloquetCommand {
             multipliers: floquet.multipliers.iter().map(|z| [z.re, z.im]).collect(),
             rigid_motions: floquet.rigid,
             left_out: scene.left_out_if_linear(),
+            linearised: Linearised::of(&scene, floquet.steady.as_ref()),
             verdict: word(floquet.verdict),
             growth_per_period: floquet.growth(),
             files: folder.files().to_vec(),
@@ -111,10 +127,12 @@ impl Verb for FloquetCommand {
         folder.commit("floquet.json")?;
         let width = terminal::width();
         let text = || {
-            let text = describe(&floquet) + &chart.as_ref().map_or(String::new(), unstable_share);
             let written = report::files(folder.path(), folder.files(), width);
-            let head = report::scene(&scene, width) + "\n" + &report::left_out(&scene, width);
-            format!("{head}{}\n{written}", terminal::wrap(&text, width))
+            let head = report::scene(&scene, width)
+                + "\n"
+                + &report::left_out(&scene, width)
+                + &report::linearised(&scene, floquet.steady.as_ref(), width);
+            format!("{head}{}\n{written}", terminal::wrap(&words(), width))
         };
         self.printing.print(|| Ok::<_, Failure>(json), text)
     }

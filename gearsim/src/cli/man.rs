@@ -20,6 +20,9 @@ Examples:
 pub(super) struct ManCommand {
     /// Folder for the pages; created if missing
     folder: PathBuf,
+    /// Print nothing but warnings and errors
+    #[arg(long, short)]
+    quiet: bool,
 }
 
 impl Verb for ManCommand {
@@ -32,7 +35,9 @@ impl Verb for ManCommand {
             page(&mut files, format!("gearsim-{}", command.get_name()), command)?;
         }
         files.commit("gearsim.1")?;
-        terminal::print_out(&format!("{} pages in {}\n", files.files().len(), self.folder.display()));
+        if !self.quiet {
+            terminal::print_out(&format!("{} pages in {}\n", files.files().len(), self.folder.display()));
+        }
         Ok(())
     }
 }

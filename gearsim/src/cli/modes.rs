@@ -7,8 +7,9 @@ use serde::Serialize;
 
 use super::failure::Failure;
 use super::printing::Printing;
+use super::report::Linearised;
 use super::simulate::Source;
-use super::{Verb, files, provenance, report, terminal};
+use super::{Verb, files, page, provenance, report, terminal};
 use crate::analysis::modes::springs::{self, Spring};
 use crate::analysis::modes::{self, CellModes};
 use crate::analysis::steady::{self, SteadyLaw};
@@ -41,6 +42,8 @@ pub(super) struct Modes {
     #[arg(long, value_name = "LEVEL,...", value_delimiter = ',')]
     cell: Option<Vec<usize>>,
     #[command(flatten)]
+    html: page::Html,
+    #[command(flatten)]
     printing: Printing,
 }
 
@@ -68,6 +71,9 @@ struct Report<'a> {
     meetings: Vec<Meeting<'a>>,
     /// What the analysis leaves out because it is linear.
     left_out: Vec<&'static str>,
+    /// The steady motion about which forces are linearised that are not linear.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    linearised: Option<Linearised<'a>>,
     /// Names of the other files in the same folder.
     files: &'a [String],
     provenance: Provenance,
@@ -114,9 +120,10 @@ struct Meeting<'a> {
 
 impl Verb for Modes {
     fn run(self) -> Result<(), Failure> {
+        let page = self.html.asked()?;
         let scene = self.source.load()?;
         let refused = |refusal| Failure::Refused { scene: scene.name.clone(), refusal };
-        let system = scene.entry()?.system(&scene).map_err(refused)?;
+        let system = scene.entry()?.about_steady_motion(&scene).map_err(refused)?;
         let courses = steady::courses(&scene, &system).map_err(refused)?;
         let springs = springs::of(&scene, scene.entry()?).map_err(refused)?;
         let chosen = modes::of(&system, &self.levels(&scene, &courses)?, &springs).map_err(refused)?;
@@ -125,18 +132,28 @@ impl Verb for Modes {
         let cells = cells.map_err(refused)?;
         let path = self.source.folder(&scene, "_modes")?;
         let mut folder = OutputFolder::create(path)?;
-        files::figure(&mut folder, "shapes", plot::modes::draw(&scene, &chosen, &springs), terminal::warn)?;
+        let shapes = plot::modes::draw(&scene, &chosen, &springs);
+        let mut figures = vec![files::figure(&mut folder, "shapes", shapes, terminal::warn)?];
         if courses.iter().any(SteadyLaw::turns) {
-            files::figure(&mut folder, "campbell", plot::campbell::draw(&scene, &courses, &chosen), terminal::warn)?;
+            let campbell = plot::campbell::draw(&scene, &courses, &chosen);
+            figures.push(files::figure(&mut folder, "campbell", campbell, terminal::warn)?);
         }
-        let json = self.json(&scene, &courses, &springs, &chosen, &cells, folder.files())?;
+        if let Some(page) = page {
+            let figures: Vec<_> = figures.into_iter().flatten().collect();
+            page.modes(&mut folder, &scene, &springs, &chosen, &cells, &figures)?;
+        }
+        let linearised = Linearised::of(&scene, system.steady());
+        let json = self.json(&scene, &courses, &springs, (&chosen, &cells, linearised), folder.files())?;
         folder.write_bytes("modes.json", json.as_bytes())?;
         folder.commit("modes.json")?;
         let width = terminal::width();
         let text = || {
             let text = table::render(&scene, &courses, &springs, &chosen, &cells, width);
             let written = report::files(folder.path(), folder.files(), width);
-            let head = report::scene(&scene, width) + "\n" + &report::left_out(&scene, width);
+            let head = report::scene(&scene, width)
+                + "\n"
+                + &report::left_out(&scene, width)
+                + &report::linearised(&scene, system.steady(), width);
             format!("{head}{text}\n{written}")
         };
         self.printing.print(|| Ok::<_, Failure>(json), text)
@@ -170,8 +187,7 @@ impl Modes {
         scene: &Scene,
         courses: &[SteadyLaw],
         springs: &[Spring],
-        chosen: &CellModes,
-        cells: &[CellModes],
+        (chosen, cells, linearised): (&CellModes, &[CellModes], Option<Linearised<'_>>),
         files: &[String],
     ) -> Result<String, Failure> {
         let meeting = |m: &modes::Meeting| Meeting {
@@ -191,6 +207,7 @@ impl Modes {
             mesh_frequencies: courses.iter().map(|c| c.steps.then(|| c.mesh_frequency())).collect(),
             meetings: modes::meetings(courses, chosen).iter().map(meeting).collect(),
             left_out: scene.left_out_if_linear(),
+            linearised,
             files,
             provenance: provenance::of(scene, "modes of linear cells".into()),
         };

@@ -27,6 +27,9 @@ pub(super) struct New {
     /// The checkout of gearsim on which the crate depends [default: the one that this program was built from]
     #[arg(long, value_name = "DIR")]
     gearsim: Option<PathBuf>,
+    /// Print nothing but warnings and errors
+    #[arg(long, short)]
+    quiet: bool,
 }
 
 /// The files of the crate: path, and text with the names of the template.
@@ -82,6 +85,9 @@ impl Verb for New {
             written.map_err(|error| error.moved(&from, &self.crate_folder))?;
         }
         std::fs::rename(files.path(), &self.crate_folder).map_err(failed)?;
+        if self.quiet {
+            return Ok(());
+        }
         let shown = self.crate_folder.display();
         terminal::print_out(&format!(
             "{shown} is a crate with the model `{snake}`. Next:\n\n  cd {shown}\n  cargo run --release -- run scenes/{snake}.toml\n\n\

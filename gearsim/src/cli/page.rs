@@ -1,10 +1,33 @@
 //! `--html`: the interactive page of a result. A program built without the feature `html` says how to add it.
+//!
+//! The page of a command is one module of `page`, and one entry in `pages!`.
+
+use clap::Args;
 
 use super::failure::Failure;
+use crate::analysis::floquet::{Chart, Floquet};
+use crate::analysis::modes::CellModes;
+use crate::analysis::modes::springs::Spring;
+use crate::analysis::work_precision::WorkPrecision;
+use crate::library::Results;
+use crate::model::Model;
+use crate::output::{OutputFolder, Summary, Table, WholeFiles};
+#[cfg(feature = "html")]
+use crate::page;
+use crate::plot::{Drawn, Figure, Run};
+use crate::scene::Scene;
+use crate::sweep::Manifest;
 
 /// Name of the page in the folder of a result.
-#[cfg(feature = "html")]
-const FILE: &str = "page.html";
+pub(super) use crate::output::PAGE as FILE;
+
+/// The option of a command that has a page.
+#[derive(Args)]
+pub(super) struct Html {
+    /// Also write page.html, an interactive page that needs no other file and no network
+    #[arg(long)]
+    html: bool,
+}
 
 /// The page asked for on the command line.
 #[cfg(feature = "html")]
@@ -13,6 +36,13 @@ pub(super) struct Asked;
 /// There is no value of this type: this program writes no pages.
 #[cfg(not(feature = "html"))]
 pub(super) enum Asked {}
+
+impl Html {
+    /// The page, if it is asked for. Errors: as of [`asked`].
+    pub(super) fn asked(&self) -> Result<Option<Asked>, Failure> {
+        asked(self.html)
+    }
+}
 
 /// The page, if `html` asks for it. Errors: [`Failure::Impossible`] if this program cannot write pages.
 #[cfg(not(feature = "html"))]
@@ -32,29 +62,62 @@ pub(super) fn asked(html: bool) -> Result<Option<Asked>, Failure> {
     Ok(html.then_some(Asked))
 }
 
-impl Asked {
-    /// Writes the page of a run.
-    #[cfg(feature = "html")]
-    pub(super) fn run(
-        self,
-        folder: &mut crate::output::OutputFolder,
-        results: &crate::library::Results,
-        summary: &crate::output::Summary,
-    ) -> Result<(), Failure> {
-        use crate::page;
-        let page = page::run::page(&page::run::Run { scene: &results.scene, outcome: &results.outcome, summary })?;
-        folder.write(FILE, |sink| Ok(page.write(sink)?))?;
-        Ok(())
-    }
+/// What the page of a result of `scene`, computed by `solver`, says of it. `files` are the other files of the result.
+#[cfg(feature = "html")]
+fn made<'a>(scene: &'a Scene, solver: &str, files: &'a [String]) -> page::shared::Made<'a> {
+    page::shared::Made { scene, provenance: super::provenance::of(scene, solver.into()), files }
+}
 
-    /// Not reached, because there is no value to call it on.
-    #[cfg(not(feature = "html"))]
-    pub(super) fn run(
-        self,
-        _folder: &mut crate::output::OutputFolder,
-        _results: &crate::library::Results,
-        _summary: &crate::output::Summary,
-    ) -> Result<(), Failure> {
-        match self {}
-    }
+/// Makes a method of [`Asked`] for the page of each command: it writes the page into the folder of the result, whose index
+/// file it names.
+macro_rules! pages {
+    ($($command:ident of $index:literal in $folder:ident($($name:ident: $type:ty),* $(,)?) => |$files:ident| $page:expr;)*) => {
+        #[cfg(feature = "html")]
+        impl Asked {
+            $(pub(super) fn $command(self, folder: &mut $folder, $($name: $type),*) -> Result<(), Failure> {
+                let $files = folder.files();
+                let page = $page?.of($index);
+                folder.write(FILE, |sink| Ok(page.write(sink)?))?;
+                Ok(())
+            })*
+        }
+
+        // Not reached, because there is no value to call these on.
+        #[cfg(not(feature = "html"))]
+        impl Asked {
+            $(pub(super) fn $command(self, _: &mut $folder, $(_: $type),*) -> Result<(), Failure> {
+                match self {}
+            })*
+        }
+    };
+}
+
+pages! {
+    run of "summary.json" in OutputFolder(results: &Results, summary: &Summary) => |_files|
+        page::run::page(&page::run::Run { scene: &results.scene, outcome: &results.outcome, summary });
+    work_precision of "work_precision.csv" in OutputFolder(scene: &Scene, measured: &WorkPrecision) => |files|
+        page::work_precision::page(&made(scene, "each method in turn", files), measured);
+    response of "response.csv" in OutputFolder(scene: &Scene, words: &str, drawn: Option<&Figure>, points: &Table) => |files|
+        page::response::page(&made(scene, "run by run, each from the end of the one before it", files), words, drawn, points);
+    modes of "modes.json" in OutputFolder(scene: &Scene, springs: &[Spring], chosen: &CellModes, cells: &[CellModes], figures: &[Figure]) => |files|
+        page::modes::page(&made(scene, "modes of linear cells", files), &page::modes::Modes { springs, chosen, cells, figures });
+    floquet of "floquet.json" in OutputFolder(scene: &Scene, words: &str, floquet: &Floquet, chart: Option<(&Chart, &Table)>) => |files|
+        page::floquet::page(&made(scene, "product of exact cell propagators", files), words, floquet, chart);
+    compare of "compare.json" in OutputFolder(scene: &Scene, runs: &[Run<'_>], summaries: &[Summary]) => |files|
+        page::compare::page(&made(scene, "the solver of each run", files), runs, summaries);
+    advise of "advise.json" in OutputFolder(scene: &Scene, conclusions: &[(String, String)], drawn: Option<&Figure>, deviations: &Table) => |files|
+        page::advise::page(
+            &made(scene, "estimates, and runs with and without each effect", files),
+            &page::advise::Advice { conclusions, drawn, deviations },
+        );
+    sweep of "sweep.json" in WholeFiles(
+        of: (&Manifest, &'static Model, Option<&str>),
+        drawn: &[Drawn],
+        answers: (&str, &[(&'static str, Table)]),
+        points: &Table,
+        files: &[String],
+    ) => |_files| {
+        let ((manifest, model, text), (words, answers)) = (of, answers);
+        page::sweep::page(&page::sweep::Sweep { manifest, model, text, drawn, words, answers, points, files })
+    };
 }

@@ -1,9 +1,13 @@
 //! The outcome of a run as text for the terminal.
 
+use std::collections::BTreeMap;
 use std::fmt::Write;
 use std::path::Path;
 
+use serde::Serialize;
+
 use super::{number, terminal};
+use crate::engine::system::Steady;
 use crate::output::summary::{Digits, Number, Observed, Summary};
 use crate::scene::Scene;
 
@@ -103,6 +107,41 @@ pub(super) fn left_out(scene: &Scene, width: usize) -> String {
             line("note", &says, width) + "\n"
         }
     }
+}
+
+/// The steady motion about which a linear analysis has linearised forces.
+#[derive(Serialize)]
+pub(super) struct Linearised<'a> {
+    /// The terms that are not linear.
+    terms: &'a str,
+    /// Coordinates, the elastic ones in static equilibrium [SI].
+    coordinates: BTreeMap<&'static str, f64>,
+    /// Speeds of the start [SI].
+    speeds: BTreeMap<&'static str, f64>,
+    /// Forces, torques and powers of the model's outputs there [SI].
+    forces: BTreeMap<&'static str, f64>,
+}
+
+impl<'a> Linearised<'a> {
+    pub(super) fn of(scene: &Scene, steady: Option<&'a Steady>) -> Option<Self> {
+        let Steady { q, q_dot, terms, outputs, .. } = steady?;
+        let named = |x: &[f64]| scene.model.coordinates.iter().map(|c| c.name).zip(x.iter().copied()).collect();
+        let forces = outputs.iter().map(|(name, _, value)| (*name, *value)).collect();
+        Some(Linearised { terms, coordinates: named(q), speeds: named(q_dot), forces })
+    }
+}
+
+/// The same in words; empty if everything is linear.
+pub(super) fn linearised(scene: &Scene, steady: Option<&Steady>, width: usize) -> String {
+    let Some(Steady { q_dot, terms, outputs, .. }) = steady else { return String::new() };
+    let speeds = scene.model.coordinates.iter().zip(q_dot.iter()).filter(|(_, v)| **v != 0.0);
+    let speeds = speeds.map(|(c, v)| format!("{}' = {} {}/s", c.name, number::short(*v), c.unit));
+    let forces = outputs
+        .iter()
+        .filter(|(.., x)| *x != 0.0)
+        .map(|(name, unit, x)| format!("{name} = {} {unit}", number::short(*x)));
+    let motion = speeds.chain(forces).collect::<Vec<_>>().join(", ");
+    line("linearised", &format!("{terms}, about the steady motion {motion}"), width) + "\n"
 }
 
 /// Lines that most runs do not have.

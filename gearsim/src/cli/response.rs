@@ -9,7 +9,7 @@ use serde_json::{Map, Value};
 use super::failure::Failure;
 use super::printing::Printing;
 use super::progress::PointsBar;
-use super::{Verb, files, known, number, report, terminal};
+use super::{Verb, files, known, number, page, report, terminal};
 use crate::output::{OutputFolder, csv, document, parquet};
 use crate::plot;
 use crate::sweep::response::{MEASURES, Response};
@@ -58,6 +58,8 @@ pub(super) struct ResponseCommand {
     #[arg(long = "set", value_name = "KEY=VALUE")]
     overrides: Vec<String>,
     #[command(flatten)]
+    html: page::Html,
+    #[command(flatten)]
     printing: Printing,
 }
 
@@ -79,6 +81,7 @@ struct Report<'a> {
 
 impl Verb for ResponseCommand {
     fn run(self) -> Result<(), Failure> {
+        let page = self.html.asked()?;
         let settle = crate::scene::quantity::parse_time(&self.settle).map_err(|why| Failure::Impossible {
             what: format!("--settle \"{}\" is not a time: {why}", self.settle),
             help: "write for example --settle \"0.1 s\"".into(),
@@ -102,8 +105,11 @@ impl Verb for ResponseCommand {
         let pairs = provenance.iter().map(|(name, value)| (*name, value.as_str()));
         folder.write("response.parquet", |sink| parquet::write(&table, pairs, sink))?;
         let figure = plot::response::figure(sweep.scene(), &response, &self.measure);
-        files::figure(&mut folder, "response", Ok(figure), terminal::warn)?;
+        let figure = files::figure(&mut folder, "response", Ok(figure), terminal::warn)?;
         folder.write("response.csv", |sink| csv::write(&table, sink))?;
+        if let Some(page) = page {
+            page.response(&mut folder, &sweep.first()?, &summary(&response, usize::MAX), figure.as_ref(), &table)?;
+        }
         folder.commit("response.csv")?;
         let width = terminal::width();
         let text = || summary(&response, width) + "\n" + &report::files(folder.path(), folder.files(), width);

@@ -38,9 +38,8 @@ pub(super) struct Run {
     /// Play sounds so many times as slowly; frequencies are divided by it
     #[arg(long, value_name = "FACTOR", default_value_t = 1.0, requires = "sound")]
     stretch: f64,
-    /// Also write page.html, an interactive page that needs no other file and no network
-    #[arg(long)]
-    html: bool,
+    #[command(flatten)]
+    html: page::Html,
     #[command(flatten)]
     printing: Printing,
 }
@@ -48,7 +47,7 @@ pub(super) struct Run {
 impl Verb for Run {
     fn run(mut self) -> Result<(), Failure> {
         self.source.overrides.extend(self.sounds());
-        let page = page::asked(self.html)?;
+        let page = self.html.asked()?;
         let scene = self.source.load()?;
         let path = self.source.folder(&scene, "")?;
         let results = simulate(&scene, self.printing.quiet)?;

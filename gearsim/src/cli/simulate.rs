@@ -33,6 +33,11 @@ impl Source {
         Ok(scene)
     }
 
+    /// Whether the command line names a folder.
+    pub(super) fn names_folder(&self) -> bool {
+        self.out.is_some()
+    }
+
     /// The folder for the results, `out/<scene><suffix>` if none is given. It is not created yet, but a folder that cannot be written
     /// to is an error now, not after a long run.
     pub(super) fn folder(&self, scene: &Scene, suffix: &str) -> Result<PathBuf, Failure> {

@@ -154,7 +154,13 @@ impl Verb for SweepCommand {
         let rows = folder.finish()?;
 
         let threads = threads.get();
-        let done = Progress { before, ran: todo.len(), seconds: begin.elapsed().as_secs_f64(), threads };
+        let done = Progress {
+            before,
+            ran: todo.len(),
+            seconds: begin.elapsed().as_secs_f64(),
+            threads,
+            text: sweep.text().to_owned(),
+        };
         self.evaluation.finish(&path, &manifest, &layout, &rows, Some(done), &self.printing)?;
         Failure::of_points(&rows, &path)
     }

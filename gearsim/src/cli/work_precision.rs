@@ -10,7 +10,7 @@ use super::compare::equations;
 use super::failure::Failure;
 use super::printing::Printing;
 use super::simulate::simulate;
-use super::{Verb, known, report, terminal};
+use super::{Verb, known, page, report, terminal};
 use crate::analysis::work_precision::{self, Scenes, table};
 use crate::engine::Refusal;
 use crate::output::{OutputError, OutputFolder};
@@ -49,11 +49,14 @@ pub(super) struct WorkPrecision {
     #[arg(long, default_value_t = 7, value_parser = clap::value_parser!(u16).range(1..))]
     repetitions: u16,
     #[command(flatten)]
+    html: page::Html,
+    #[command(flatten)]
     printing: Printing,
 }
 
 impl Verb for WorkPrecision {
     fn run(self) -> Result<(), Failure> {
+        self.html.asked()?;
         let models = known::descriptions();
         let load = |path: &PathBuf| {
             Scene::load_with(path, &self.overrides, &models).map_err(|errors| Failure::Scene(Box::new(errors)))
@@ -104,6 +107,9 @@ impl WorkPrecision {
         folder.write_bytes("work_precision.png", &drawn.png().map_err(failed)?)?;
         folder.write_bytes("work_precision.md", table::markdown(&measured).as_bytes())?;
         folder.write_bytes("work_precision.csv", table::csv(&measured).as_bytes())?;
+        if let Some(page) = self.html.asked()? {
+            page.work_precision(&mut folder, scene, &measured)?;
+        }
         folder.commit("work_precision.csv")?;
         let width = terminal::width();
         let text = || {

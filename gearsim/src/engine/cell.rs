@@ -14,6 +14,7 @@ use crate::engine::error::Refusal;
 use crate::engine::forcing::linear::Linear;
 use crate::engine::modal::{Coupled, Matrices, Modal, inverse_root};
 use crate::engine::mode::{Mode, Response};
+use crate::engine::real::Sized64;
 use crate::engine::vector::{Matrix, Vector, transposed};
 
 /// The modes of one cell.
@@ -349,25 +350,27 @@ impl<'a> Flight<'a> {
 /// A basis of the motions along which all `normals` (n, one per column) vanish, one per column, and the coordinates whose speeds are the
 /// components. Each normal is solved for the
 /// coordinate with its largest coefficient (Gauss and Jordan), so that a coordinate that is held by itself is at rest exactly.
-fn remaining(normals: &DMatrix<f64>) -> (DMatrix<f64>, Vec<usize>) {
-    let (mut rows, n) = (normals.transpose(), normals.nrows());
+pub(crate) fn remaining<R: Sized64>(normals: &DMatrix<R>) -> (DMatrix<R>, Vec<usize>) {
+    let n = normals.nrows();
+    let mut rows: Vec<Vec<R>> = (0..normals.ncols()).map(|c| normals.column(c).iter().copied().collect()).collect();
     let mut solved: Vec<usize> = vec![];
-    for i in 0..rows.nrows() {
+    for i in 0..rows.len() {
         let open = (0..n).filter(|j| !solved.contains(j));
-        let largest = open.max_by(|&a, &b| rows[(i, a)].abs().total_cmp(&rows[(i, b)].abs()));
+        let size = |j: usize| rows[i][j].rounded().abs();
+        let largest = open.max_by(|&a, &b| size(a).total_cmp(&size(b)));
         let Some(largest) = largest else { break };
-        let row = rows.row(i) / rows[(i, largest)];
-        rows.set_row(i, &row);
-        for other in (0..rows.nrows()).filter(|other| *other != i) {
-            let reduced = rows.row(other) - &row * rows[(other, largest)];
-            rows.set_row(other, &reduced);
+        let row: Vec<R> = rows[i].iter().map(|x| *x / rows[i][largest]).collect();
+        rows[i].clone_from(&row);
+        for (_, other) in rows.iter_mut().enumerate().filter(|(other, _)| *other != i) {
+            let factor = other[largest];
+            other.iter_mut().zip(&row).for_each(|(x, by)| *x = *x - *by * factor);
         }
         solved.push(largest);
     }
     let free: Vec<usize> = (0..n).filter(|j| !solved.contains(j)).collect();
     let basis = DMatrix::from_fn(n, free.len(), |i, c| match solved.iter().position(|&j| j == i) {
-        Some(row) => -rows[(row, free[c])],
-        None => f64::from(u8::from(free[c] == i)),
+        Some(row) => -rows[row][free[c]],
+        None => R::from(f64::from(u8::from(free[c] == i))),
     });
     (basis, free)
 }

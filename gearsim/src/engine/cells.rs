@@ -116,8 +116,14 @@ impl Prepared {
 /// The number of the cell in which laws and switches are: the first law's counts fastest.
 #[inline]
 pub fn index(laws: &[LawState], switches: &[Switch]) -> usize {
+    number(laws, switches, |law| laws[law].cell)
+}
+
+/// The same with the laws in the given cells.
+#[inline]
+pub fn number(laws: &[LawState], switches: &[Switch], cell: impl Fn(usize) -> usize) -> usize {
     let of_switches = switches.iter().rev().fold(0, |index, switch| index * switch.modes() + switch.mode);
-    laws.iter().rev().fold(of_switches, |index, law| index * law.pitch.cells() + law.cell)
+    laws.iter().enumerate().rev().fold(of_switches, |index, (i, law)| index * law.pitch.cells() + cell(i))
 }
 
 /// Puts laws and switches into the cell of a number.
@@ -142,12 +148,4 @@ pub fn write((laws, switches): (&[LawState], &[Switch]), (q, t): (&[f64], f64), 
 fn write_levels((laws, switches): (&[LawState], &[Switch]), k: &mut [f64]) {
     k.iter_mut().zip(laws).for_each(|(k, law)| *k = law.level());
     switches.iter().for_each(|switch| switch.write(k));
-}
-
-/// The law values in a cell without switches, by its number; `rest` stand behind those of the laws.
-pub fn levels(laws: &[LawState], index: usize, rest: &[f64]) -> Vec<f64> {
-    let (mut laws, mut k) = (laws.to_vec(), [&vec![0.0; laws.len()], rest].concat());
-    stand(&mut laws, &mut [], index);
-    write_levels((&laws, &[]), &mut k);
-    k
 }

@@ -143,15 +143,15 @@ pub trait Equations: Send + Sync {
     }
 }
 
-/// A named deflection, x = constant + sum(unit k\[law\]) + normal.q.
+/// A named deflection, x = constant + sum(unit k\[law\]) + normal.q, in numbers of type R.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Deflection {
+pub struct Deflection<R: Real = f64> {
     /// Its gradient (n).
-    pub normal: Vector,
+    pub normal: R::Row,
     /// Its value where the coordinates and the transmission errors are zero.
-    pub constant: f64,
+    pub constant: R,
     /// The transmission errors that shift it: index of the law, and shift per unit of the law.
-    pub errors: Vec<(usize, f64)>,
+    pub errors: Vec<(usize, R)>,
 }
 
 impl Deflection {
@@ -162,63 +162,67 @@ impl Deflection {
 }
 
 /// How far transmission errors shift a deflection.
-fn shift(errors: &[(usize, f64)], k: &[f64]) -> f64 {
-    errors.iter().map(|&(law, unit)| unit * k[law]).sum()
+fn shift<R: Real>(errors: &[(usize, R)], k: &[R]) -> R {
+    errors.iter().fold(R::from(0.0), |sum, &(law, unit)| sum + unit * k[law])
 }
 
-/// What ends a mode of a switch.
+/// What ends a mode of a switch, in numbers of type R.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Exit {
+pub struct Exit<R: Real = f64> {
     /// The mode that follows.
     pub beyond: usize,
     /// Whether only a sudden change of the state can violate the guard: in every motion another exit comes first.
     pub sudden: bool,
     /// The mode lasts while this is >= 0.
-    pub guard: Affine,
+    pub guard: Affine<R>,
 }
 
 /// A linear function of the state: constant + sum(unit k\[law\]) + on_q.q + on_speed.q' + on_reaction R.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Affine {
+pub struct Affine<R: Real = f64> {
     /// Its value in the state zero.
-    pub constant: f64,
+    pub constant: R,
     /// The transmission errors in it: index of the law, and factor.
-    pub errors: SmallVec<[(usize, f64); 1]>,
+    pub errors: SmallVec<[(usize, R); 1]>,
     /// Its slopes along the coordinates (n).
-    pub on_q: Vector,
+    pub on_q: R::Row,
     /// Its slopes along the speeds (n).
-    pub on_speed: Vector,
+    pub on_speed: R::Row,
     /// Its slope along the reaction of a held deflection.
-    pub on_reaction: f64,
+    pub on_reaction: R,
 }
 
-impl Affine {
+impl<R: Real> Affine<R> {
     /// Zero, for `n` coordinates.
     pub fn zero(n: usize) -> Self {
-        let (on_q, on_speed) = (Vector::zeros(n), Vector::zeros(n));
-        Affine { constant: 0.0, errors: SmallVec::new(), on_q, on_speed, on_reaction: 0.0 }
+        let zero = R::from(0.0);
+        let none: SmallVec<[R; 16]> = SmallVec::from_elem(zero, n);
+        let (on_q, on_speed) = (R::row(&none), R::row(&none));
+        Affine { constant: zero, errors: SmallVec::new(), on_q, on_speed, on_reaction: zero }
     }
 
     /// Adds a multiple of a deflection.
-    pub fn add(&mut self, factor: f64, x: &Deflection) {
+    pub fn add(&mut self, factor: R, x: &Deflection<R>) {
         self.constant += factor * x.constant;
-        self.errors.extend(x.errors.iter().map(|(law, unit)| (*law, factor * unit)));
-        self.on_q.add_times(factor, &x.normal);
+        self.errors.extend(x.errors.iter().map(|(law, unit)| (*law, factor * *unit)));
+        R::add_times(&mut self.on_q, factor, &x.normal);
     }
 
     /// Adds a multiple of the rate of a deflection.
-    pub fn add_rate(&mut self, factor: f64, x: &Deflection) {
-        self.on_speed.add_times(factor, &x.normal);
-    }
-
-    /// Its value without that of the reaction.
-    pub fn value(&self, q: &[f64], q_dot: &[f64], k: &[f64]) -> f64 {
-        self.constant_at(k) + self.on_q.dot(q) + self.on_speed.dot(q_dot)
+    pub fn add_rate(&mut self, factor: R, x: &Deflection<R>) {
+        R::add_times(&mut self.on_speed, factor, &x.normal);
     }
 
     /// Its value in the state zero at the law values `k`.
-    pub fn constant_at(&self, k: &[f64]) -> f64 {
+    pub fn constant_at(&self, k: &[R]) -> R {
         self.constant + shift(&self.errors, k)
+    }
+}
+
+impl Affine {
+    /// Its value without that of the reaction.
+    pub fn value(&self, q: &[f64], q_dot: &[f64], k: &[f64]) -> f64 {
+        self.constant_at(k) + self.on_q.dot(q) + self.on_speed.dot(q_dot)
     }
 
     /// The rounding error of its value near zero.
@@ -251,6 +255,9 @@ pub trait Derived: Sync {
 
     /// The matrices of a cell with law values `k`, in numbers of type R. The other arguments are those of [`Derived::equations`].
     fn matrices<R: Real>(effects: u64, parameters: &[R], mids: &[R], k: &[R]) -> Matrices<R>;
+
+    /// The cells in double-double numbers. The arguments are those of [`Derived::equations`].
+    fn exactly(effects: u64, parameters: &[Df64], mids: &[Df64]) -> Box<dyn ExactCells>;
 }
 
 /// A linear cell, M q'' + C q' + K q = f, in numbers of type R.
@@ -266,26 +273,51 @@ pub struct Matrices<R> {
     pub stiffness: DMatrix<R>,
     /// f (n).
     pub load: DVector<R>,
+    /// V where all coordinates are zero.
+    pub at_zero: R,
 }
 
 /// [`Derived::equations`] of a model.
 pub type EquationsOf = fn(u64, &[f64], &[f64]) -> Option<Box<dyn Equations>>;
-/// [`Derived::matrices`] of a model, in numbers of type R.
-pub type MatricesOf<R> = fn(u64, &[R], &[R], &[R]) -> Matrices<R>;
+
+/// [`Derived::exactly`] of a model.
+pub type ExactlyOf = fn(u64, &[Df64], &[Df64]) -> Box<dyn ExactCells>;
 
 /// The functions of a derived model as values. The engine is compiled once and calls the functions of each model by pointer.
 #[derive(Debug, Clone, Copy)]
 pub struct Functions {
     /// [`Derived::equations`].
     pub equations: EquationsOf,
-    /// [`Derived::matrices`] in double-double numbers.
-    pub exactly: MatricesOf<Df64>,
+    /// [`Derived::exactly`].
+    pub exactly: ExactlyOf,
 }
 
 impl Functions {
     /// The functions of model `D`.
     pub const fn of<D: Derived>() -> Functions {
-        Functions { equations: D::equations, exactly: D::matrices::<Df64> }
+        Functions { equations: D::equations, exactly: D::exactly }
+    }
+}
+
+/// The linear cells of a scene in double-double numbers; `k` are the values of laws and switches.
+pub trait ExactCells {
+    /// The matrices of a cell.
+    fn matrices(&self, k: &[Df64]) -> Matrices<Df64>;
+    /// [`Equations::potential`].
+    fn potential(&self, q: &[Df64], k: &[Df64]) -> Df64;
+    /// [`Equations::step`].
+    fn step(&self, law: usize, q: &[Df64], k: &[Df64], dk: Df64) -> Df64;
+    /// [`Equations::mode`].
+    fn mode(&self, i: usize, _mode: usize) -> Option<Vec<Df64>> {
+        no_such("switch", i)
+    }
+    /// [`Equations::exits`].
+    fn exits(&self, i: usize, _mode: usize, _k: &[Df64]) -> Vec<Exit<Df64>> {
+        no_such("switch", i)
+    }
+    /// The deflection of switch `i`.
+    fn switched(&self, i: usize, _k: &[Df64]) -> Deflection<Df64> {
+        no_such("switch", i)
     }
 }
 
@@ -294,8 +326,8 @@ pub trait Source: Sync {
     /// The equations of a scene with these values of its parameters [SI] and mid values of its laws; `None` if its effects contradict one
     /// another.
     fn equations(&self, scene: &Scene, parameters: &[f64], mids: &[f64]) -> Option<Box<dyn Equations>>;
-    /// The matrices of a cell with law values `k`, in double-double numbers.
-    fn exactly(&self, scene: &Scene, parameters: &[Df64], mids: &[Df64], k: &[Df64]) -> Matrices<Df64>;
+    /// The cells of a scene in double-double numbers.
+    fn exactly<'a>(&'a self, scene: &'a Scene, parameters: Vec<Df64>, mids: Vec<Df64>) -> Box<dyn ExactCells + 'a>;
 }
 
 impl Source for Functions {
@@ -303,8 +335,8 @@ impl Source for Functions {
         (self.equations)(scene.effects.0, parameters, mids)
     }
 
-    fn exactly(&self, scene: &Scene, parameters: &[Df64], mids: &[Df64], k: &[Df64]) -> Matrices<Df64> {
-        (self.exactly)(scene.effects.0, parameters, mids, k)
+    fn exactly<'a>(&'a self, scene: &'a Scene, parameters: Vec<Df64>, mids: Vec<Df64>) -> Box<dyn ExactCells + 'a> {
+        (self.exactly)(scene.effects.0, &parameters, &mids)
     }
 }
 
@@ -377,7 +409,7 @@ fn solve(mass: &Matrix, f: &Vector) -> Vector {
 /// # Panics
 /// If its length is not N.
 #[inline]
-pub fn array<const N: usize>(numbers: &[f64]) -> &[f64; N] {
+pub fn array<R, const N: usize>(numbers: &[R]) -> &[R; N] {
     numbers.try_into().unwrap_or_else(|_| wrong_length(N, numbers.len()))
 }
 

@@ -11,9 +11,9 @@ pub enum Refusal {
     )]
     Nonlinear { terms: String },
     #[error(
-        "precision = \"compensated\" allows at most a thousand cells, no play and no transmission error: set run.precision = \"plain\""
+        "the inertia depends on the position ({terms}): no motion of the model is steady, so that there are no constant matrices about one"
     )]
-    CompensatedCells,
+    MovingInertia { terms: String },
     #[error(
         "the mass matrix is not positive definite: check the inertias. One is zero or negative, or so much smaller than another that rounding removes it"
     )]
@@ -33,17 +33,9 @@ pub enum Refusal {
     )]
     Defective { condition: f64 },
     #[error(
-        "the damping couples the modes of a cell, which precision = \"compensated\" does not support: set run.precision = \"plain\""
-    )]
-    CompensatedCoupling,
-    #[error(
         "precision = \"compensated\" needs the exact method, and this scene is solved by another one ({0}): set run.precision = \"plain\""
     )]
     CompensatedNumerical(String),
-    #[error(
-        "precision = \"compensated\" needs constant torques, but one varies in time ({torques}): set run.precision = \"plain\", or give a number"
-    )]
-    CompensatedVarying { torques: String },
     #[error("this way of running a scene needs constant torques, but one varies in time ({torques}): give a number")]
     Varying { torques: String },
     #[error(

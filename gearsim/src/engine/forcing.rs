@@ -32,6 +32,8 @@ pub struct Forcing {
 /// A parameter that varies.
 #[derive(Debug, Clone)]
 struct Drive {
+    /// Its index.
+    parameter: usize,
     course: TimeHistory,
     /// T_p(0).
     at_start: f64,
@@ -65,7 +67,7 @@ impl Forcing {
             };
             let power = (0..scene.model.torques.len()).map(|i| Vector::from_fn(n, |j| along(i, j))).collect();
             let at_start = course.at(course.piece(0.0), 0.0);
-            (load.amax() > 0.0).then(|| Drive { course: course.clone(), at_start, load, power })
+            (load.amax() > 0.0).then(|| Drive { parameter: *p, course: course.clone(), at_start, load, power })
         };
         let drives: Arc<[_]> = scene.time_histories.iter().filter(|c| !c.1.is_constant()).filter_map(drive).collect();
         let pieces = drives.iter().map(|d| d.course.piece(0.0)).collect();
@@ -108,6 +110,16 @@ impl Forcing {
         self.drives.iter().zip(self.pieces.iter().copied())
     }
 
+    /// The time history of each, the piece in which it is, and its value at the start.
+    pub fn histories(&self) -> impl Iterator<Item = (&TimeHistory, usize, f64)> {
+        self.in_pieces().map(|(d, piece)| (&d.course, piece, d.at_start))
+    }
+
+    /// The parameters that vary, by their indices.
+    pub fn parameters(&self) -> impl Iterator<Item = usize> {
+        self.drives.iter().map(|d| d.parameter)
+    }
+
     /// The generalised forces beyond those of the start at the time `t` \[s\] (N).
     pub fn load(&self, t: f64) -> Vector {
         let n = self.drives.first().map_or(0, |drive| drive.load.len());
@@ -133,7 +145,7 @@ impl Forcing {
 }
 
 /// 2 pi in 32 digits: its rounding, and what that lacks.
-const TURN: (f64, f64) = (std::f64::consts::TAU, 2.449_293_598_294_706_4e-16);
+pub(crate) const TURN: (f64, f64) = (std::f64::consts::TAU, 2.449_293_598_294_706_4e-16);
 
 impl Drive {
     fn series(&self, piece: usize, clock: &Clock, width: f64) -> [f64; TERMS] {

@@ -3,7 +3,7 @@
 
 use xprec::Df64;
 
-use crate::engine::cells::Stand;
+use crate::engine::cells::{self, Stand};
 use crate::engine::crossing::Side;
 use crate::engine::equations::{Equations, Switching};
 use crate::engine::error::Refusal;
@@ -133,9 +133,9 @@ impl LawState {
         self.pitch.step(self.cell, side)
     }
 
-    /// The same in double-double precision.
-    pub fn exact_step(&self, side: Side) -> Df64 {
-        Df64::from(self.pitch.level(self.pitch.beyond(self.cell, side).0)) - self.level()
+    /// Its level beyond a side of the present cell.
+    pub fn level_beyond(&self, side: Side) -> f64 {
+        self.pitch.level(self.pitch.beyond(self.cell, side).0)
     }
 
     /// The boundary of the present cell at a side, in the coordinate without its turns.
@@ -294,6 +294,32 @@ pub fn beyond(
         switch::settle(&mut switch, equations, (&state.q, &state.q_dot), &mut beyond, None);
     }
     beyond
+}
+
+/// The number of the cell beyond the boundary, with the switches in the given modes.
+pub fn number_beyond(laws: &[LawState], switches: &[Switch], law: usize, side: Side, state: &State) -> usize {
+    let met = |i: usize| i == law || laws[i].joins(&laws[law], side, state);
+    let cell = |i: usize| if met(i) { laws[i].pitch.beyond(laws[i].cell, side).0 } else { laws[i].cell };
+    cells::number(laws, switches, cell)
+}
+
+/// The switches in the modes that follow beyond the boundary; `None` if no mode can change there.
+pub fn switches_beyond(
+    equations: &dyn Equations,
+    (laws, switches, k): Stand<'_>,
+    law: usize,
+    side: Side,
+    state: &State,
+) -> Option<Vec<Switch>> {
+    if !met(laws, law, side, state).any(|i| moves(&laws[i], switches)) {
+        return None;
+    }
+    let (mut beyond, mut switches) = (k.to_vec(), switches.to_vec());
+    met(laws, law, side, state).for_each(|i| beyond[i] += laws[i].step(side));
+    for switch in switches.iter_mut().filter(|switch| switch.is_shifted()) {
+        switch::settle(switch, equations, (&state.q, &state.q_dot), &mut beyond, None);
+    }
+    Some(switches)
 }
 
 /// The laws that are not constant within their cells, in words; `None` if all are constant.

@@ -32,7 +32,7 @@ pub trait Solver {
     fn rate(&self) -> f64;
 
     /// Changes the speeds at the step of `law` that is met at `side`.
-    fn jump(&self, now: &mut Hybrid<'_>, law: usize, side: Side) -> Passage {
+    fn jump(&mut self, now: &mut Hybrid<'_>, law: usize, side: Side) -> Passage {
         now.jump(law, side)
     }
 

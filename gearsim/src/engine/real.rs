@@ -1,8 +1,15 @@
 //! The types of numbers in which derived equations can be evaluated: f64, and double-double numbers.
 
+use std::fmt::Debug;
 use std::ops::{Add, AddAssign, Div, Mul, Neg, Sub};
 
+use nalgebra::DVector;
 use xprec::Df64;
+
+use crate::engine::vector::Vector;
+
+/// Double-double numbers, as derived equations name them.
+pub type Double = Df64;
 
 /// A real number with the operations that occur in derived equations.
 #[allow(missing_docs)] // those of f64
@@ -17,6 +24,14 @@ pub trait Real:
     + Div<Output = Self>
     + Neg<Output = Self>
 {
+    /// A vector of such numbers.
+    type Row: Clone + Debug + PartialEq + AsRef<[Self]>;
+
+    /// The vector of the given numbers.
+    fn row(numbers: &[Self]) -> Self::Row;
+    /// Adds `by` times `other` to a vector.
+    fn add_times(row: &mut Self::Row, by: Self, other: &Self::Row);
+
     fn powi(self, n: i32) -> Self;
     fn powf(self, x: Self) -> Self;
     fn atan2(self, x: Self) -> Self;
@@ -30,26 +45,59 @@ pub trait Real:
 }
 
 macro_rules! real {
-    ($number:ty) => {
+    ($number:ty: $row:ty, |$numbers:ident| $of:expr, |$sum:ident, $by:ident, $other:ident| $add:expr) => {
         impl Real for $number {
+            type Row = $row;
+
+            #[inline]
+            fn row($numbers: &[Self]) -> $row {
+                $of
+            }
+            #[inline]
+            fn add_times($sum: &mut $row, $by: Self, $other: &$row) {
+                $add;
+            }
+            #[inline]
             fn powi(self, n: i32) -> Self {
                 <$number>::powi(self, n)
             }
+            #[inline]
             fn powf(self, x: Self) -> Self {
                 <$number>::powf(self, x)
             }
+            #[inline]
             fn atan2(self, x: Self) -> Self {
                 <$number>::atan2(self, x)
             }
-            real!($number: sqrt exp ln sin cos tan recip);
+            real!(of $number: sqrt exp ln sin cos tan recip);
         }
     };
-    ($number:ty: $($function:ident)*) => {
-        $(fn $function(self) -> Self {
+    (of $number:ty: $($function:ident)*) => {
+        $(#[inline]
+        fn $function(self) -> Self {
             <$number>::$function(self)
         })*
     };
 }
 
-real!(f64);
-real!(Df64);
+real!(f64: Vector, |numbers| Vector::from(numbers), |row, by, other| row.add_times(by, other));
+real!(Df64: DVector<Df64>, |numbers| DVector::from_column_slice(numbers), |row, by, other| *row += other * by);
+
+/// Numbers that can be compared.
+pub trait Sized64: Real {
+    /// The number rounded to f64.
+    fn rounded(self) -> f64;
+}
+
+impl Sized64 for f64 {
+    #[inline]
+    fn rounded(self) -> f64 {
+        self
+    }
+}
+
+impl Sized64 for Df64 {
+    fn rounded(self) -> f64 {
+        self.hi()
+    }
+}

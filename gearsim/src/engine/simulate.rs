@@ -1,12 +1,10 @@
 //! The hybrid loop: solve, locate, propagate, record, jump. These are the six steps of Oh, Grosh & Barber (2005), for any number
 //! of coordinates, stiffnesses and levels a pitch, both directions of rotation, and any [`Solver`].
 
-use xprec::Df64;
-
 use crate::engine::cascade::Cascade;
 use crate::engine::cells::Cells;
-use crate::engine::compensated::Compensated;
-use crate::engine::equations::{Equations, Matrices, Switching};
+use crate::engine::compensated::{Compensated, Given};
+use crate::engine::equations::{Equations, Switching};
 use crate::engine::error::{Refusal, Stop};
 use crate::engine::exact::Exact;
 use crate::engine::forcing::Forcing;
@@ -82,12 +80,12 @@ impl<'a> Simulation<'a> {
         Ok(Simulation { now, solver, entered: true, cascade: Cascade::default(), kernel: None })
     }
 
-    /// The same simulation with state and time in twice the digits; `matrices` are those of a cell with given law values.
+    /// The same simulation with state and time in twice the digits; `given` are its cells.
     ///
     /// # Errors
     /// Where its cells cannot be solved in twice the digits.
-    pub fn compensate(mut self, matrices: &dyn Fn(&[Df64]) -> Matrices<Df64>) -> Result<Self, Refusal> {
-        self.solver = Box::new(Compensated::new(matrices, self.solver, &mut self.now)?);
+    pub fn compensate(mut self, given: Given<'a>) -> Result<Self, Refusal> {
+        self.solver = Box::new(Compensated::new(given, self.solver, &mut self.now)?);
         Ok(self)
     }
 

@@ -58,6 +58,11 @@ impl Switch {
         all
     }
 
+    /// Where its values begin among the law values.
+    pub fn place(&self) -> usize {
+        self.at
+    }
+
     /// Number of its modes.
     pub fn modes(&self) -> usize {
         self.modes.0.len()

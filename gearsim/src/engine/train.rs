@@ -5,6 +5,7 @@
 //! An element may have several coordinates, laws, switches, torques and outputs; their numbers in the train are in its
 //! [`Part`](crate::train::Part). This module contains no equation of an element.
 
+mod exact;
 mod geometry;
 mod linear;
 
@@ -13,7 +14,7 @@ use xprec::Df64;
 use self::geometry::Geometry;
 use self::linear::{Linear, Sparse};
 use crate::engine::equations::{
-    Affine, Deflection, Equations, Exit, Functions, Known, Matrices, Source, Switching, mobility,
+    Affine, Deflection, Equations, ExactCells, Exit, Functions, Known, Source, Switching, mobility,
 };
 use crate::engine::linear_forces::LinearForces;
 use crate::engine::vector::{Matrix, Vector};
@@ -51,32 +52,8 @@ impl Source for Elements {
         Some(Box::new(Assembly::new(train, parts?, geometry)))
     }
 
-    fn exactly(&self, scene: &Scene, parameters: &[Df64], mids: &[Df64], k: &[Df64]) -> Matrices<Df64> {
-        let zero = Df64::from(0.0);
-        let Some(train) = scene.train.as_ref() else { unreachable!("the scene of a train lists its parts") };
-        let geometry = Geometry::<Df64>::of(train, parameters);
-        let n = train.coordinates.len();
-        let square = || nalgebra::DMatrix::from_element(n, n, zero);
-        let load = nalgebra::DVector::from_element(n, zero);
-        let mut all = Matrices { mass: square(), mobility: None, damping: square(), stiffness: square(), load };
-        for (part, rows) in train.parts.iter().zip(&geometry.rows) {
-            let own: Vec<Df64> = part.parameters.iter().map(|i| i.map_or(zero, |i| parameters[i])).collect();
-            let of_laws: Vec<Df64> = part.values[..part.laws].iter().map(|&i| mids[i]).collect();
-            let values: Vec<Df64> = part.values.iter().map(|&i| k[i]).collect();
-            let of_part = (self.0[part.element].1.exactly)(Elements::effects(part, scene).0, &own, &of_laws, &values);
-            let add = |sum: &mut nalgebra::DMatrix<Df64>, of: &nalgebra::DMatrix<Df64>| {
-                geometry::add(sum, of, rows);
-            };
-            add(&mut all.mass, &of_part.mass);
-            add(&mut all.damping, &of_part.damping);
-            add(&mut all.stiffness, &of_part.stiffness);
-            for j in 0..n {
-                for i in 0..rows.nrows() {
-                    all.load[j] += rows[(i, j)] * of_part.load[i];
-                }
-            }
-        }
-        all
+    fn exactly<'a>(&'a self, scene: &'a Scene, parameters: Vec<Df64>, mids: Vec<Df64>) -> Box<dyn ExactCells + 'a> {
+        Box::new(exact::Cells::new(self, scene, parameters, mids))
     }
 }
 

@@ -103,6 +103,13 @@ impl DerefMut for Vector {
     }
 }
 
+impl AsRef<[f64]> for Vector {
+    #[inline]
+    fn as_ref(&self) -> &[f64] {
+        &self.0
+    }
+}
+
 impl From<&[f64]> for Vector {
     fn from(numbers: &[f64]) -> Self {
         Vector(SmallVec::from_slice(numbers))

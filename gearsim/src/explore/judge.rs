@@ -95,7 +95,6 @@ fn difference(outcome: &Outcome, reference: &Reference) -> String {
 fn against(reference: &Reference) -> String {
     let what = match &reference.by {
         By::Compensated => "exact cells in twice the digits",
-        By::Plain => "exact cells",
         By::Steps(_) => "dop853 at the tightest tolerance; there are no exact cells",
     };
     format!("against {what}, known to {}", short(reference.error))

@@ -50,6 +50,10 @@ impl ToothPair {
             let what = "the method \"energy\" needs external teeth, and the second gear is a ring";
             return Err(GearError::new(what, "use the method \"iso6336\""));
         }
+        if gears.helix_angle != 0.0 {
+            let what = "the method \"energy\" is for spur gears, and these have a helix angle";
+            return Err(GearError::new(what, "use the method \"iso6336\""));
+        }
         let contact = gears.contact()?;
         let begins = [contact.radii(-contact.approach)[0], contact.radii(contact.recess)[1]];
         let tooth = |i: usize| -> Result<_, GearError> {
@@ -77,6 +81,7 @@ impl ToothPair {
     }
 
     /// Stiffness of all pairs in contact [N/m] when one of them is at the distance `x` [m] beyond the pitch point.
+    #[cfg(test)]
     pub fn mesh(&self, x: f64) -> f64 {
         let (p, c) = (self.contact.base_pitch, &self.contact);
         let first = ((-c.approach - x) / p).ceil() as i64;

@@ -28,7 +28,7 @@ pub enum FrictionLaw {
 /// for [`StiffnessMethod::Iso6336`], proportional to the stiffnesses of the pairs for [`StiffnessMethod::Energy`].
 ///
 /// # Errors
-/// If the gears do not mesh, the second one is a ring, or they are outside the range of the method.
+/// If the gears do not mesh, are helical, the second one is a ring, or they are outside the range of the method.
 pub fn friction(
     gears: &Gears,
     method: StiffnessMethod,
@@ -38,6 +38,10 @@ pub fn friction(
 ) -> Result<Profile, GearError> {
     if gears.internal {
         let what = "friction laws need external teeth, and the second gear is a ring";
+        return Err(GearError::new(what, "give steps, a series or a table"));
+    }
+    if gears.helix_angle != 0.0 {
+        let what = "friction laws need spur gears: the flanks of helical gears slide in many directions at once";
         return Err(GearError::new(what, "give steps, a series or a table"));
     }
     let pairs = Pairs {

@@ -1,7 +1,7 @@
-//! Internal dynamic factor K_v by ISO 6336-1:2006, method B (clause 6.5), of spur gears.
+//! Internal dynamic factor K_v by ISO 6336-1:2006, method B (clause 6.5).
 //!
 //! With the resonance ratio N, the mesh frequency over the natural frequency of the gear pair on its mean mesh stiffness, and the line
-//! load w = F_t K_A/b:
+//! load w = F_t K_A/b; eps is the total contact ratio, transverse and overlap:
 //!
 //! ```text
 //! B_p = c' f_pb,eff/w        B_f = c' f_falpha,eff/w        B_k = |1 - c' C_a/w|
@@ -38,7 +38,7 @@ pub struct InternalDynamics {
     pub line_load: f64,
     /// Stiffness of one tooth pair per face width, c' [Pa].
     pub single: f64,
-    /// Contact ratio eps \[1\].
+    /// Total contact ratio eps \[1\].
     pub contact_ratio: f64,
     /// Effective base pitch deviation [m].
     pub pitch_deviation: f64,

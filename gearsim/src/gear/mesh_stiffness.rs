@@ -3,6 +3,10 @@
 //! One period of the phase is one base pitch along the line of action. The phase is 0 where a pair touches at the pitch point, and
 //! increases as the first gear drives. The first cell of the law is the one with the fewest pairs. It begins where a pair ends
 //! contact, at the phase 2 pi g_a/p_b.
+//!
+//! Helical gears touch along lines that are inclined across the face: the section at the distance x from the middle of the face is a spur
+//! gear whose phase is ahead by eps_beta x/b pitches. The stiffness is the mean over the sections, so that its steps become ramps of
+//! eps_beta pitches; it is constant if eps_beta or eps_alpha is a whole number. The phase 0 is that of the middle of the face.
 
 use super::energy::ToothPair;
 use super::iso6336::Iso6336;
@@ -36,7 +40,8 @@ const INTERVALS: usize = 64;
 /// The mesh stiffness of `gears` over a phase of the given period, times `scale`, which is 1 for a law in N/m.
 ///
 /// # Errors
-/// If the gears do not mesh or are outside the range of the method, or for curves with [`StiffnessMethod::Iso6336`].
+/// If the gears do not mesh or are outside the range of the method, for curves of spur gears with [`StiffnessMethod::Iso6336`], or for
+/// helical gears with [`StiffnessMethod::Energy`].
 pub fn stiffness(
     gears: &Gears,
     method: StiffnessMethod,
@@ -45,7 +50,7 @@ pub fn stiffness(
     scale: f64,
 ) -> Result<Profile, GearError> {
     match method {
-        StiffnessMethod::Iso6336(_) if shape == CellShape::Curves => {
+        StiffnessMethod::Iso6336(_) if shape == CellShape::Curves && gears.helix_angle == 0.0 => {
             let what = "ISO 6336-1 gives one stiffness for each number of pairs, and no curves between the steps";
             Err(GearError::new(what, "use the method \"energy\" for curves"))
         }
@@ -55,7 +60,8 @@ pub fn stiffness(
             let cells = cells(&contact)
                 .into_iter()
                 .map(|cell| Step { value: iso.pairs(cell.pairs) * width, width: cell.width(&contact, method, period) });
-            Ok(from_pitch_point(Profile::stepping(cells.collect()), &contact, period))
+            let section = from_pitch_point(Profile::stepping(cells.collect()), &contact, period);
+            Ok(section.averaged(contact.overlap * period))
         }
         StiffnessMethod::Energy => {
             let pair = ToothPair::of(gears)?;
@@ -182,6 +188,43 @@ mod tests {
         }
         assert_eq!(law.origin, levels.origin);
         assert!((law.mean() / levels.mean() - 1.0).abs() < 1e-5);
+    }
+
+    /// The law of helical gears is the mean over 2,000 sections of the face, each a spur gear with its own phase. It is continuous, its
+    /// mean is c_gamma b, and with a whole overlap ratio it is constant.
+    #[test]
+    fn helical_stiffness_is_the_mean_over_the_face() {
+        let gears = crate::gear::pair::iso_6336_30();
+        let law =
+            |gears: &Gears| stiffness(gears, StiffnessMethod::Iso6336(None), CellShape::Levels, TAU, 1.0).unwrap();
+        let (iso, contact) = (Iso6336::of(&gears, None).unwrap(), gears.contact().unwrap());
+        let helical = law(&gears);
+        let pairs = |s: f64| {
+            let x = s / TAU * contact.base_pitch;
+            let j = |end: f64| ((end - x) / contact.base_pitch).floor();
+            (j(contact.recess) - j(-contact.approach)) as usize
+        };
+        let n = 2000;
+        for s in [0.1, 1.0, 2.0, 3.5, 5.0, 6.0] {
+            let section = |i: usize| s + TAU * contact.overlap * ((i as f64 + 0.5) / n as f64 - 0.5);
+            let mean = (0..n).map(|i| iso.pairs(pairs(section(i)))).sum::<f64>() / n as f64 * gears.face_width;
+            assert!((value(&helical, s) / mean - 1.0).abs() < 2e-3, "{s}: {:e} {mean:e}", value(&helical, s));
+        }
+        assert!((helical.mean() / (iso.mean * gears.face_width) - 1.0).abs() < 1e-12);
+        let (low, high) = law(&Gears { face_width: 2.0 * gears.face_width / contact.overlap, ..gears }).extremes();
+        assert!((high / low - 1.0).abs() < 1e-12);
+    }
+
+    /// The value of a law with curves at a phase.
+    fn value(law: &Profile, s: f64) -> f64 {
+        let mut rest = (s - law.origin).rem_euclid(TAU);
+        for (curve, step) in law.curves.iter().zip(&law.steps) {
+            if rest <= step.width {
+                return curve.at(rest)[0];
+            }
+            rest -= step.width;
+        }
+        law.curves[0].at(0.0)[0]
     }
 
     /// At the phase 0 a pair is at the pitch point. With these gears it is the only pair in contact there.

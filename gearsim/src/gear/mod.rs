@@ -1,10 +1,11 @@
 //! Geometry of an involute spur gear pair, and the mesh stiffness and friction laws that follow from it. Pure functions, SI units.
 //!
 //! - `involute`: the involute function and its inverse;
-//! - `pair`: [`Gears`], the data of a drawing; [`Contact`], the path of contact and the contact ratio;
+//! - `pair`: [`Gears`], the data of a drawing; `Contact`, the path of contact and the contact ratio;
 //! - `iso6336`: the mesh stiffness by ISO 6336-1, method B; `internal_dynamics`: its dynamic factor;
 //! - `tooth`, `foundation`, `energy`: the stiffness of one tooth pair from its strain energy, along the path of contact;
 //! - `mesh_stiffness`: the stiffness of the mesh as a law over the phase, by either method;
+//! - `outline`: the outlines of the teeth, for drawings in pages;
 //! - `friction`: the friction laws, from the points of contact and the shares of the force.
 
 mod energy;
@@ -14,12 +15,17 @@ mod internal_dynamics;
 pub mod involute;
 mod iso6336;
 mod mesh_stiffness;
+#[cfg(feature = "html")]
+mod outline;
 mod pair;
 mod tooth;
 
-pub use energy::ToothPair;
 pub use friction::{FrictionLaw, friction};
 pub use internal_dynamics::InternalDynamics;
 pub use iso6336::{Iso6336, LINE_LOADS};
 pub use mesh_stiffness::{CellShape, StiffnessMethod, stiffness};
-pub use pair::{Contact, GearError, Gears, Material};
+#[cfg(feature = "html")]
+pub use outline::Outlines;
+#[cfg(feature = "html")]
+pub use pair::Contact;
+pub use pair::{GearError, Gears, Material};

@@ -1,16 +1,18 @@
-//! A pair of involute spur gears, and its path of contact.
+//! A pair of involute gears, spur or helical, and its path of contact in the transverse plane.
 //!
-//! With the base radii r_b = m z cos(alpha)/2, the working pressure angle alpha_w, the tip radii r_a = m (z/2 + h_a + x) and the
-//! base pitch p_b = pi m cos(alpha), the path of contact lies on the common tangent of the base circles, from the tip of the driven
-//! gear to the tip of the driving gear. Its lengths from the pitch point are
+//! With the helix angle beta at the reference cylinder, the transverse module m_t = m/cos(beta) and the transverse pressure angle
+//! tan(alpha_t) = tan(alpha)/cos(beta), the base radii are r_b = m_t z cos(alpha_t)/2, the tip radii r_a = m_t z/2 + m (h_a + x) and the
+//! base pitch p_b = pi m_t cos(alpha_t). The path of contact lies on the common tangent of the base circles, from the tip of the driven
+//! gear to the tip of the driving gear. With the working pressure angle alpha_w, its lengths from the pitch point are
 //!
 //! ```text
 //! approach   g_f = sqrt(r_a2² - r_b2²) - r_b2 tan(alpha_w)          of an internal gear: r_b2 tan(alpha_w) - sqrt(r_a2² - r_b2²)
 //! recess     g_a = sqrt(r_a1² - r_b1²) - r_b1 tan(alpha_w)
-//! contact ratio  (g_f + g_a)/p_b
+//! contact ratio  eps_alpha = (g_f + g_a)/p_b
+//! overlap ratio  eps_beta = b sin(beta)/(pi m)                      pitches by which the contact at one face is ahead of the other
 //! ```
 //!
-//! If no centre distance is given, the gears mesh without backlash: inv(alpha_w) = inv(alpha) + 2 tan(alpha) (x_1 + x_2)/(z_1 + z_2).
+//! If no centre distance is given, the gears mesh without backlash: inv(alpha_w) = inv(alpha_t) + 2 tan(alpha) (x_1 + x_2)/(z_1 + z_2).
 //! For an internal gear, z_2 + z_1 and x_2 + x_1 become z_2 - z_1 and x_2 - x_1, with x_2 positive if the teeth are shifted outwards,
 //! away from the centre of the ring. Source: ISO 21771-1:2024; G. Niemann, H. Winter, Maschinenelemente II.
 
@@ -26,10 +28,12 @@ pub struct Gears {
     pub teeth: [f64; 2],
     /// Whether the second gear is a ring with internal teeth.
     pub internal: bool,
-    /// Module [m].
+    /// Normal module [m].
     pub module: f64,
-    /// Pressure angle of the basic rack [rad].
+    /// Pressure angle of the basic rack, in the normal section [rad].
     pub pressure_angle: f64,
+    /// Helix angle at the reference cylinder, 0 of spur gears [rad].
+    pub helix_angle: f64,
     /// Addendum [modules], without the profile shift.
     pub addendum: [f64; 2],
     /// Dedendum [modules], without the profile shift.
@@ -93,8 +97,12 @@ pub struct Contact {
     pub angle: f64,
     /// Centre distance [m].
     pub centre_distance: f64,
-    /// Base pitch [m].
+    /// Transverse pressure angle at the reference circle [rad].
+    pub transverse_angle: f64,
+    /// Base pitch, in the transverse plane [m].
     pub base_pitch: f64,
+    /// Overlap ratio; 0 of spur gears.
+    pub overlap: f64,
     /// Length of the path of contact before the pitch point [m].
     pub approach: f64,
     /// Length of the path of contact after the pitch point [m].
@@ -109,6 +117,7 @@ impl Gears {
             internal: false,
             module,
             pressure_angle,
+            helix_angle: 0.0,
             addendum: [1.0; 2],
             dedendum: [1.25; 2],
             fillet: 0.38,
@@ -118,6 +127,18 @@ impl Gears {
             material: [Material::STEEL; 2],
             bore: [None; 2],
         }
+    }
+
+    /// Transverse module [m] and transverse pressure angle [rad].
+    pub fn transverse(&self) -> (f64, f64) {
+        let cos = self.helix_angle.cos();
+        (self.module / cos, (self.pressure_angle.tan() / cos).atan())
+    }
+
+    /// Base radius per tooth, m_t cos(alpha_t)/2 [m]: the length along the line of action per radian of the pitch angle, over the teeth.
+    pub fn base_radius_per_tooth(&self) -> f64 {
+        let (module, angle) = self.transverse();
+        module * angle.cos() / 2.0
     }
 
     /// The contact of the gears.
@@ -131,13 +152,14 @@ impl Gears {
             let what = format!("a ring of {z2} teeth has no room for a gear of {z1}");
             return Err(GearError::new(what, "the second gear is the ring: give it more teeth"));
         }
-        let reference = self.teeth.map(|z| m * z / 2.0);
-        let base = reference.map(|r| r * alpha.cos());
+        let (transverse_module, transverse_angle) = self.transverse();
+        let reference = self.teeth.map(|z| transverse_module * z / 2.0);
+        let base = reference.map(|r| r * transverse_angle.cos());
         let difference = base[1] + sign * base[0];
         let angle = match self.centre_distance {
             None => {
                 let shift = self.profile_shift[1] + sign * self.profile_shift[0];
-                let inv = involute(alpha) + 2.0 * alpha.tan() * shift / (z2 + sign * z1);
+                let inv = involute(transverse_angle) + 2.0 * alpha.tan() * shift / (z2 + sign * z1);
                 inverse(inv).ok_or_else(|| {
                     let what =
                         format!("with the profile shifts {:?} the gears have no pressure angle", self.profile_shift);
@@ -166,8 +188,21 @@ impl Gears {
         }
         let tangent = base.map(|r| r * angle.tan());
         let (approach, recess) = (sign * (along[1] - tangent[1]), along[0] - tangent[0]);
-        let base_pitch = PI * m * alpha.cos();
-        let contact = Contact { reference, base, tip, root, angle, centre_distance, base_pitch, approach, recess };
+        let base_pitch = PI * transverse_module * transverse_angle.cos();
+        let overlap = self.face_width * self.helix_angle.sin() / (PI * m);
+        let contact = Contact {
+            reference,
+            base,
+            tip,
+            root,
+            angle,
+            centre_distance,
+            transverse_angle,
+            base_pitch,
+            overlap,
+            approach,
+            recess,
+        };
         self.check(&contact, tangent)?;
         Ok(contact)
     }
@@ -210,7 +245,7 @@ impl Gears {
 }
 
 impl Contact {
-    /// Contact ratio: the mean number of tooth pairs in contact.
+    /// Transverse contact ratio: the mean number of tooth pairs in contact in a transverse plane.
     pub fn ratio(&self) -> f64 {
         (self.approach + self.recess) / self.base_pitch
     }
@@ -225,6 +260,19 @@ impl Contact {
     pub fn radii(&self, x: f64) -> [f64; 2] {
         let tangent = self.base.map(|r| r * self.angle.tan());
         [(self.base[0], tangent[0] + x), (self.base[1], tangent[1] - x)].map(|(b, t)| b.hypot(t))
+    }
+}
+
+/// Example 1 of ISO/TR 6336-30 (2017): 17 and 103 teeth, basic rack D of ISO 53, helix angle 15.8 deg.
+#[cfg(test)]
+pub(super) fn iso_6336_30() -> Gears {
+    Gears {
+        helix_angle: 15.8f64.to_radians(),
+        dedendum: [1.4; 2],
+        fillet: 0.39,
+        profile_shift: [0.145, 0.0],
+        centre_distance: Some(0.5),
+        ..Gears::standard([17.0, 103.0], 8e-3, 20f64.to_radians(), 0.1)
     }
 }
 
@@ -293,6 +341,24 @@ mod tests {
         assert!(near.ratio() > outside && near.tip[1] < near.reference[1] && near.root[1] > near.reference[1]);
         assert!((near.centre_distance - 6.35e-3 * 31.5).abs() < 1e-12);
         assert!(ring(30.0).contact().unwrap_err().what.contains("no room"));
+    }
+
+    /// Example 1 of ISO/TR 6336-30: 17 and 103 teeth, 8 mm, helix angle 15.8 deg, face width 100 mm, centre distance 500 mm. The transverse
+    /// contact ratio follows from its c_gamma_alpha/c' = 17.46485/12.37047 = 0.75 eps_alpha + 0.25.
+    #[test]
+    fn contact_of_the_helical_gears_of_iso_6336_30() {
+        let contact = iso_6336_30().contact().unwrap();
+        assert!((contact.ratio() - 1.549_09).abs() < 2e-3, "{}", contact.ratio());
+        assert!((contact.overlap - 100.0 * 15.8f64.to_radians().sin() / (8.0 * PI)).abs() < 1e-14);
+        assert!((contact.reference[0] - 17.0 * 8e-3 / 15.8f64.to_radians().cos() / 2.0).abs() < 1e-15);
+    }
+
+    /// As the helix angle goes to zero, the gears become spur gears.
+    #[test]
+    fn a_small_helix_angle_changes_little() {
+        let (spur, helical) = (standard(24.0, 96.0), Gears { helix_angle: 1e-6, ..standard(24.0, 96.0) });
+        let (spur, helical) = (spur.contact().unwrap(), helical.contact().unwrap());
+        assert!((spur.ratio() - helical.ratio()).abs() < 1e-11 && helical.overlap > 0.0 && spur.overlap == 0.0);
     }
 
     #[test]

@@ -98,10 +98,15 @@ impl Tooth {
         self.fillet(0.0).1
     }
 
+    /// `n` points of the fillet, from the root circle on, without the one where the flank begins: radius [m] and half angle [rad].
+    pub(super) fn fillet_points(&self, n: usize) -> impl Iterator<Item = (f64, f64)> + '_ {
+        (0..n).map(move |i| self.fillet(self.join * i as f64 / n as f64))
+    }
+
     /// Sections (height, half the thickness) [m] from the root to the radius `load` on the flank: `n` on the fillet, `n` + 1 on the flank.
     pub(super) fn sections(&self, load: f64, n: usize) -> impl Iterator<Item = (f64, f64)> + '_ {
         let part = move |i: usize| i as f64 / n as f64;
-        let fillet = (0..n).map(move |i| self.fillet(self.join * part(i)));
+        let fillet = self.fillet_points(n);
         let flank = (0..=n).map(move |i| self.form + (load - self.form) * part(i));
         let flank = flank.map(|radius| (radius, self.half_angle(radius)));
         fillet.chain(flank).map(|(radius, angle)| (radius * angle.cos(), radius * angle.sin()))

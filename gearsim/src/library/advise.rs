@@ -125,7 +125,10 @@ impl Scene {
     }
 
     /// The same; each of its runs calls `watch` with the time reached \[s\].
-    pub(crate) fn advise_watched(&self, watch: &dyn Fn(f64)) -> Result<Advice, Error> {
+    ///
+    /// # Errors
+    /// As [`Scene::advise`].
+    pub fn advise_watched(&self, watch: &dyn Fn(f64)) -> Result<Advice, Error> {
         of(&advise::base(self), watch)
     }
 }

@@ -10,7 +10,8 @@ impl Scene {
     /// Natural frequencies, damping, mode shapes and shares of energy of the cell of the mid stiffnesses, (max + min)/2 of each law.
     ///
     /// # Errors
-    /// If the equations are not linear in a cell.
+    /// If the inertia depends on the coordinates. Forces that are not linear are linearised about the steady motion at the speeds of the
+    /// start.
     pub fn modes(&self) -> Result<CellModes, Error> {
         let levels: Vec<f64> = self.stiffnesses().map(|(_, law)| law.mid()).collect();
         self.modes_at(&levels)
@@ -27,7 +28,7 @@ impl Scene {
             let what = format!("{} stiffnesses are given, but the scene has {laws}", levels.len());
             return Err(Error::impossible(what, "give one number for each stiffness of the model"));
         }
-        let system = entry.system(self).map_err(|refusal| self.refused(refusal))?;
+        let system = entry.about_steady_motion(self).map_err(|refusal| self.refused(refusal))?;
         let springs = springs::of(self, entry).map_err(|refusal| self.refused(refusal))?;
         modes::of(&system, levels, &springs).map_err(|refusal| self.refused(refusal))
     }
@@ -37,7 +38,7 @@ impl Scene {
     /// # Errors
     /// If a cell has no modes, the stiffnesses have no common period, nothing vibrates, or the multipliers overflow.
     pub fn floquet(&self) -> Result<Floquet, Error> {
-        let system = self.entry()?.system(self).map_err(|refusal| self.refused(refusal))?;
+        let system = self.entry()?.about_steady_motion(self).map_err(|refusal| self.refused(refusal))?;
         Floquet::of(self, &system).map_err(|error| match error {
             FloquetError::Refused(refusal) => self.refused(refusal),
             cause => Error::Floquet { scene: self.name.clone(), cause },

@@ -52,21 +52,22 @@ pub(crate) fn plots(folder: &mut OutputFolder, scene: &Scene, runs: &[Run<'_>]) 
     Ok(warnings)
 }
 
-/// Writes a figure as SVG and PNG. If it cannot be drawn, it only calls `warn`.
+/// Writes a figure as SVG and PNG, and returns it. If it cannot be drawn, it only calls `warn`.
 pub(crate) fn figure(
     folder: &mut OutputFolder,
     name: &str,
     figure: Result<Figure, PlotError>,
     warn: fn(&str),
-) -> Result<(), OutputError> {
-    match figure.and_then(|figure| Ok((figure.svg()?, figure.png()?))) {
-        Ok((svg, png)) => {
+) -> Result<Option<Figure>, OutputError> {
+    match figure.and_then(|figure| Ok((figure.svg()?, figure.png()?, figure))) {
+        Ok((svg, png, figure)) => {
             folder.write_bytes(&format!("{name}.svg"), svg.as_bytes())?;
-            folder.write_bytes(&format!("{name}.png"), &png)
+            folder.write_bytes(&format!("{name}.png"), &png)?;
+            Ok(Some(figure))
         }
         Err(error) => {
             warn(&format!("no plot `{name}`: {error}"));
-            Ok(())
+            Ok(None)
         }
     }
 }

@@ -86,7 +86,15 @@ impl Variation {
     /// # Errors
     /// If there is more than one axis, its values do not rise, or the scene records no output.
     pub fn response(&self) -> Result<Response, Error> {
-        Ok(self.sweep()?.response(true, &mut |_| {})?)
+        self.response_watched(&mut |_| {})
+    }
+
+    /// The same; `watch` is called many times with the number of finished points.
+    ///
+    /// # Errors
+    /// As [`Variation::response`].
+    pub fn response_watched(&self, watch: &mut dyn FnMut(usize)) -> Result<Response, Error> {
+        Ok(self.sweep()?.response(true, watch)?)
     }
 
     fn sweep(&self) -> Result<Sweep, Error> {

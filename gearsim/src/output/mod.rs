@@ -25,6 +25,7 @@ pub use error::OutputError;
 pub use files::OutputFolder;
 pub use marker::MARKER;
 pub use summary::Summary;
+pub use swap::{PAGE, belongs};
 pub use table::Table;
 pub use whole::{Sink, WholeFiles};
 

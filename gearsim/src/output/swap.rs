@@ -6,7 +6,7 @@
 
 use std::collections::BTreeSet;
 use std::fs;
-use std::io;
+use std::io::{self, Read};
 use std::path::Path;
 
 use serde_json::Value;
@@ -20,7 +20,9 @@ const SAYS: &str = "\
 gearsim was interrupted while it replaced the results in this folder.
 Every file is whole, but some may be missing. The same command run again replaces them:
 ";
-/// The index files of all commands.
+/// The page of a result, which says itself to which: [`belongs`].
+pub const PAGE: &str = "page.html";
+/// The index files of all commands that list their files.
 const INDEXES: [&str; 4] = ["summary.json", "compare.json", "modes.json", "floquet.json"];
 
 /// Replaces earlier results in `folder` by the files `new` in the folder `staging`; `index` is one of them.
@@ -65,11 +67,32 @@ fn earlier(folder: &Path, new: &[String], index: &str) -> Vec<String> {
             files.extend(owned);
         }
     }
+    let replaced = |owner: &String| owner == index || indexes.contains(owner);
+    if page_of(folder).as_ref().is_some_and(replaced) && !files.iter().any(|name| name == PAGE) {
+        files.push(PAGE.to_owned());
+    }
     let marked = marker::read(folder).unwrap_or_default();
     files.extend(marked.strip_prefix(SAYS).into_iter().flat_map(str::lines).map(str::to_owned));
     files.retain(|name| is_inside(name) && folder.join(name).is_file());
     indexes.extend(files);
     indexes
+}
+
+/// An element of the head of a page that says to which index file it belongs; it is among the first [`HEAD`] bytes.
+pub fn belongs(index: &str) -> String {
+    format!("{BELONGS}{index}\">")
+}
+
+const BELONGS: &str = "<meta name=\"gearsim-result\" content=\"";
+const HEAD: u64 = 1024;
+
+/// The index file to which the page in a folder belongs; `None` if there is no page of gearsim.
+fn page_of(folder: &Path) -> Option<String> {
+    let mut head = vec![];
+    fs::File::open(folder.join(PAGE)).ok()?.take(HEAD).read_to_end(&mut head).ok()?;
+    let head = String::from_utf8_lossy(&head);
+    let (_, rest) = head.split_once(BELONGS)?;
+    Some(rest.split_once('"')?.0.to_owned())
 }
 
 /// The files that an index names: those in its lists `files` and `plots`. `None` if it was not written by gearsim.

@@ -2,8 +2,10 @@
 
 use std::fmt::Write;
 
+use serde::Serialize;
+
 use super::data::{self, Column, Counts};
-use super::plot::Plot;
+use super::plot::{Map, Plot};
 use crate::output::number::short;
 use crate::scene::shown;
 
@@ -71,7 +73,7 @@ impl Html {
 
     /// A heading below that of the section.
     pub fn heading(&mut self, text: &str) {
-        self.element("h3", "", text);
+        let _ = writeln!(self.text, "<h3>{}</h3>", symbols(text));
     }
 
     /// Program text, e.g. a scene, behind a line that opens it.
@@ -122,13 +124,27 @@ impl Html {
         column
     }
 
+    /// Lines of text, each a paragraph.
+    pub fn lines(&mut self, text: &str) {
+        text.lines().for_each(|line| self.paragraph(line));
+    }
+
     /// A plot. The script draws it in the place of its title.
     pub fn plot(&mut self, plot: &Plot) {
-        let title = escape(&plot.title);
-        let specification = data::json(plot);
+        self.figure("plot", &plot.title, plot);
+    }
+
+    /// A map, drawn in the same way.
+    pub fn map(&mut self, map: &Map) {
+        self.figure("map", &map.title, map);
+    }
+
+    /// A figure that the script of its class draws in the place of its title.
+    pub(super) fn figure(&mut self, class: &str, title: &str, specification: &impl Serialize) {
+        let (title, specification) = (symbols(title), data::json(specification));
         let _ = writeln!(
             self.text,
-            "<figure class=\"plot\"><figcaption>{title}</figcaption><script type=\"application/json\">{specification}</script></figure>"
+            "<figure class=\"{class}\"><figcaption>{title}</figcaption><script type=\"application/json\">{specification}</script></figure>"
         );
     }
 
@@ -148,12 +164,27 @@ impl Cell {
     fn html(&self) -> String {
         match self {
             Cell::Text(text) => format!("<td>{}</td>", escape(text)),
+            Cell::Number(x) if x.is_nan() => "<td class=\"number\" data-value=\"NaN\">-</td>".into(),
             // The sum makes -0 a 0.
             Cell::Number(x) => {
                 format!("<td class=\"number\" data-value=\"{x:e}\">{}</td>", short(x + 0.0))
             }
         }
     }
+}
+
+/// `text`, escaped, with what stands in `_{...}` as an index.
+fn symbols(text: &str) -> String {
+    let escaped = escape(text);
+    let mut parts = escaped.split("_{");
+    let mut html = parts.next().unwrap_or("").to_owned();
+    for part in parts {
+        match part.split_once('}') {
+            Some((index, rest)) => html += &format!("<sub>{index}</sub>{rest}"),
+            None => html += &format!("_{{{part}"),
+        }
+    }
+    html
 }
 
 /// `text` with the characters that HTML gives a meaning, in elements and in attributes, as character references. Control characters

@@ -2,25 +2,35 @@
 //!
 //! A [`Page`] has sections of text, tables and plots. The numbers of its plots are embedded as base64 typed arrays ([`data`]). The plots
 //! are drawn by plotly.js, which the crate `plotly` brings, and by the scripts in `assets` ([`script`]). [`run`] makes the page of a run,
-//! [`explore`] the page that shows run after run.
+//! [`explore`] the page that shows run after run. The page of another command has a file of its own; [`shared`] has what they have in
+//! common.
 //!
 //! Whatever a scene says stays text: [`html`] escapes it in HTML, [`data::json`] in scripts. A Content-Security-Policy allows only the
 //! scripts of this module, by their hashes, and no network.
 
+pub mod advise;
+pub mod compare;
 pub mod data;
 pub mod explore;
+pub mod floquet;
 pub mod html;
+pub mod modes;
 pub mod plot;
+pub mod response;
 pub mod run;
 mod script;
+pub mod shared;
+pub mod sweep;
 #[cfg(test)]
 mod tests;
+pub mod work_precision;
 
 use std::collections::HashMap;
 use std::io::{self, Write};
 
 use serde::Serialize;
 
+use crate::output::belongs;
 use html::{Html, escape};
 
 /// Colours, type and layout.
@@ -30,6 +40,8 @@ const STYLE: &str = include_str!("assets/page.css");
 pub struct Page {
     title: String,
     subtitle: String,
+    /// The index file of the result to which it belongs.
+    index: Option<&'static str>,
     /// Identifier and title of each section, for the table of contents.
     contents: Vec<(&'static str, &'static str)>,
     body: Html,
@@ -38,7 +50,12 @@ pub struct Page {
 impl Page {
     /// A page without sections.
     pub fn new(title: impl Into<String>, subtitle: impl Into<String>) -> Self {
-        Page { title: title.into(), subtitle: subtitle.into(), contents: vec![], body: Html::default() }
+        Page { title: title.into(), subtitle: subtitle.into(), index: None, contents: vec![], body: Html::default() }
+    }
+
+    /// The page of the result with this index file, with which it is replaced.
+    pub fn of(self, index: &'static str) -> Self {
+        Page { index: Some(index), ..self }
     }
 
     /// Adds a section that `fill` writes. A section in which it writes nothing is left out.
@@ -54,7 +71,8 @@ impl Page {
     pub fn write(&self, sink: &mut dyn Write) -> io::Result<()> {
         let own = script::of_file();
         let policy = script::policy(&[script::library()?, &own]);
-        let meta = format!("<meta http-equiv=\"Content-Security-Policy\" content=\"{policy}\">");
+        let meta = self.index.map_or(String::new(), belongs);
+        let meta = format!("{meta}<meta http-equiv=\"Content-Security-Policy\" content=\"{policy}\">");
         let title = escape(&self.title);
         document(sink, &title, &meta, &own, &mut |sink| {
             writeln!(

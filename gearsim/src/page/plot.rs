@@ -16,7 +16,7 @@ pub struct Plot {
     /// The curves.
     pub curves: Vec<Curve>,
     /// Plots of the same group have the same limits of x and one cursor.
-    pub group: Option<&'static str>,
+    pub group: Option<String>,
     /// Values of x at which something happens, marked below the curves.
     pub events: Option<Column>,
     /// Vertical lines with names.
@@ -36,12 +36,14 @@ pub struct Axis {
     pub log: bool,
     /// Limits at first; `None`: those of the data.
     pub range: Option<(f64, f64)>,
+    /// Names shown at 0, 1, 2, ... instead of numbers; empty: numbers.
+    pub names: Vec<String>,
 }
 
 impl Axis {
     /// A linear axis with the limits of its data.
     pub fn linear(label: impl Into<String>, unit: impl Into<String>) -> Self {
-        Axis { label: label.into(), unit: unit.into(), log: false, range: None }
+        Axis { label: label.into(), unit: unit.into(), log: false, range: None, names: vec![] }
     }
 }
 
@@ -52,12 +54,48 @@ pub struct Curve {
     pub name: String,
     /// What it is, in words; may be empty.
     pub doc: String,
-    /// Abscissae, not decreasing.
+    /// Abscissae, not decreasing; on a logarithmic axis their decimal logarithms.
     pub x: Column,
-    /// Ordinates.
+    /// Ordinates; on a logarithmic axis their decimal logarithms.
     pub y: Column,
     /// Whether it is drawn at first.
     pub shown: bool,
+    /// How it looks; `None`: as its place among the curves says.
+    pub style: Option<Style>,
+    /// The curve that it is drawn with; it has no check box of its own. A curve without a name that has no such curve is always drawn.
+    pub with: Option<usize>,
+    /// Text at its last point; may be empty.
+    pub note: String,
+}
+
+impl Curve {
+    /// A curve that looks as its place among the curves says.
+    pub fn new(name: impl Into<String>, doc: impl Into<String>, x: Column, y: Column, shown: bool) -> Self {
+        Curve { name: name.into(), doc: doc.into(), x, y, shown, style: None, with: None, note: String::new() }
+    }
+}
+
+/// Colour, dashes, width and markers of a curve.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Style {
+    /// Its colour.
+    pub colour: Colour,
+    /// Lengths of dashes and gaps in turn, in plotly.js's notation.
+    pub dash: String,
+    /// Width of the line [pixels]; 0: no line.
+    pub width: f64,
+    /// plotly.js's name of the symbol at each point.
+    pub marker: Option<&'static str>,
+}
+
+/// A colour.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[serde(untagged)]
+pub enum Colour {
+    /// One of the colours of curves, which differ between light and dark pages.
+    Curve(usize),
+    /// A CSS colour, the same on all pages.
+    Fixed(&'static str),
 }
 
 /// A vertical line.
@@ -67,4 +105,25 @@ pub struct Line {
     pub x: f64,
     /// Its name.
     pub name: String,
+}
+
+/// A map: values as colours over two axes. Columns have decimal logarithms where their axis is logarithmic.
+#[derive(Debug, Clone, Serialize)]
+pub struct Map {
+    /// What it shows.
+    pub title: String,
+    /// The x axis.
+    pub x: Axis,
+    /// The y axis.
+    pub y: Axis,
+    /// The quantity that the colours show.
+    pub colour: Axis,
+    /// Whether the values are those of the cells of a grid, or of points.
+    pub cells: bool,
+    /// The n + 1 edges of the cells along x, or the abscissae of the points.
+    pub across: Column,
+    /// The m + 1 edges of the cells along y, or the ordinates of the points.
+    pub up: Column,
+    /// The values, row by row from the lowest y up.
+    pub values: Column,
 }

@@ -8,11 +8,14 @@ use base64::engine::general_purpose::STANDARD;
 use sha2::{Digest, Sha256};
 
 /// The scripts of all pages, in the order in which they run.
-const COMMON: [&str; 4] = [
+const COMMON: [&str; 7] = [
     include_str!("assets/data.js"),
     include_str!("assets/plot.js"),
     include_str!("assets/group.js"),
     include_str!("assets/table.js"),
+    include_str!("assets/mesh.js"),
+    include_str!("assets/picture.js"),
+    include_str!("assets/gears.js"),
 ];
 
 /// The script elements of the crate: plotly.js first, then MathJax, which pages do not need.
@@ -30,7 +33,7 @@ pub(super) fn library() -> io::Result<&'static str> {
 
 /// The scripts of a page that is a file.
 pub(super) fn of_file() -> String {
-    own(&[include_str!("assets/page.js")])
+    own(&[include_str!("assets/heat.js"), include_str!("assets/page.js")])
 }
 
 /// The scripts of the page of `gearsim explore`.

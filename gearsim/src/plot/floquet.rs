@@ -1,6 +1,7 @@
 //! Stability of steady rotation: growth per period as a curve over one varied quantity, or as a map over two.
 
-use super::{Axis, Figure, Marker, Panel, PlotError, Series, Style};
+use super::heat::{HeatMap, Marks, edges};
+use super::{Axis, Figure, Marker, Panel, PlotError, Scale, Series, Style};
 use crate::analysis::floquet::{Chart, Spot};
 
 /// Height of the frame [SVG units], divided among the rows of a map.
@@ -32,6 +33,27 @@ pub fn draw(chart: &Chart) -> Result<Figure, PlotError> {
         subtitle: Some(format!("{}; Floquet multipliers μ of the exact cells{blank}", chart.scene)),
         x: Axis::linear(chart.x.label(), chart.x.unit.clone()).between(chart.x.low(), chart.x.high()),
         panels: vec![panel],
+    })
+}
+
+/// A chart over two quantities as a map of the growth where a disturbance grows; `None` for a chart over one.
+pub fn heat(chart: &Chart) -> Option<HeatMap> {
+    let y = chart.y.as_ref()?;
+    let growth = |spot: &Option<Spot>| spot.filter(|s| s.unstable).map_or(f64::NAN, |s| s.growth);
+    Some(HeatMap {
+        title: "Stability of steady rotation".into(),
+        subtitle: format!(
+            "{}; Floquet multipliers μ of the exact cells. Without a colour: stable or refused",
+            chart.scene
+        ),
+        x: Axis::linear(chart.x.label(), chart.x.unit.clone()),
+        y: Axis::linear(y.label(), y.unit.clone()),
+        colour: Axis::linear("growth per period ln|μ|", ""),
+        marks: Marks::Cells {
+            x: edges(&chart.x.values, Scale::Linear),
+            y: edges(&y.values, Scale::Linear),
+            values: chart.rows.iter().flatten().map(growth).collect(),
+        },
     })
 }
 

@@ -22,23 +22,44 @@ const NONE: &str = "#d4d4d4";
 const DOT: f64 = 3.5;
 
 /// A heat map.
-pub(super) struct HeatMap {
+#[derive(Debug, Clone)]
+pub struct HeatMap {
+    /// Title, above everything.
     pub title: String,
+    /// A line below the title.
     pub subtitle: String,
+    /// The x axis.
     pub x: Axis,
+    /// The y axis.
     pub y: Axis,
     /// The quantity that the colours show.
     pub colour: Axis,
+    /// The coloured areas.
     pub marks: Marks,
 }
 
 /// The coloured areas.
-pub(super) enum Marks {
+#[derive(Debug, Clone)]
+pub enum Marks {
     /// A grid of cells. `x` (n + 1) and `y` (m + 1) are the edges of the cells in ascending order; `values` (n m) go row by row, from
     /// the lowest y up.
-    Cells { x: Vec<f64>, y: Vec<f64>, values: Vec<f64> },
+    Cells {
+        /// Edges along x.
+        x: Vec<f64>,
+        /// Edges along y.
+        y: Vec<f64>,
+        /// The values.
+        values: Vec<f64>,
+    },
     /// Points and their values (n).
-    Dots { x: Vec<f64>, y: Vec<f64>, values: Vec<f64> },
+    Dots {
+        /// Abscissae.
+        x: Vec<f64>,
+        /// Ordinates.
+        y: Vec<f64>,
+        /// The values.
+        values: Vec<f64>,
+    },
 }
 
 impl HeatMap {

@@ -2,7 +2,7 @@
 
 use super::figure::{Axis, Figure, Panel, Scale, Series, Style, extremes};
 use super::heat::{HeatMap, Marks, edges};
-use super::{Picture, PlotError, SweepPlot, SweepResults, symbol};
+use super::{Drawn, PlotError, SweepPlot, SweepResults, symbol};
 use crate::model::Model;
 use crate::sweep::axis;
 
@@ -13,7 +13,7 @@ pub const PLOT: SweepPlot =
 /// The colour scale is logarithmic if all values are positive and the largest exceeds the smallest by this factor.
 const DECADES: f64 = 1e3;
 
-fn draw(results: &SweepResults<'_>) -> Result<Picture, PlotError> {
+fn draw(results: &SweepResults<'_>) -> Result<Drawn, PlotError> {
     let nothing = |why: String| PlotError::Nothing { plot: PLOT.name, why };
     let layout = results.layout;
     let column = layout.columns.iter().position(|(name, _)| name == results.quantity);
@@ -34,8 +34,8 @@ fn draw(results: &SweepResults<'_>) -> Result<Picture, PlotError> {
             let (x, y) = points.into_iter().unzip();
             let series = Series { style: Style::PLAIN, ..Series::new(0, "", x, y) };
             let panel = Panel { y: Axis::linear(label, unit), series: vec![series] };
-            let figure = Figure { title, subtitle: Some(subtitle), x: varied(results, 0), panels: vec![panel] };
-            figure.picture()
+            let x = varied(results, 0);
+            Ok(Drawn::Curves(Figure { title, subtitle: Some(subtitle), x, panels: vec![panel] }))
         }
         [x, y] => {
             let (x_axis, y_axis) = (varied(results, 0), varied(results, 1));
@@ -48,7 +48,7 @@ fn draw(results: &SweepResults<'_>) -> Result<Picture, PlotError> {
                 false => cells(x, y, &values, (x_axis.scale, y_axis.scale)),
                 true => Marks::Dots { x: x.clone(), y: y.clone(), values },
             };
-            Ok(HeatMap { title, subtitle, x: x_axis, y: y_axis, colour, marks }.picture())
+            Ok(Drawn::Map(Box::new(HeatMap { title, subtitle, x: x_axis, y: y_axis, colour, marks })))
         }
         _ => Err(nothing(format!("{} quantities were varied; a map needs one or two", along.len()))),
     }

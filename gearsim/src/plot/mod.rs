@@ -7,7 +7,7 @@ mod decimate;
 mod energy;
 pub mod figure;
 pub mod floquet;
-mod heat;
+pub mod heat;
 mod load_duration;
 pub mod map;
 mod marks;
@@ -28,6 +28,7 @@ pub mod waterfall;
 pub mod work_precision;
 
 pub use figure::{Axis, Figure, Marker, Panel, Scale, Series, Style};
+use heat::HeatMap;
 pub use picture::Picture;
 
 use crate::analysis::spectrum::SpectrumError;
@@ -61,7 +62,26 @@ pub struct SweepPlot {
     /// One line saying what it shows.
     pub doc: &'static str,
     /// Draws it.
-    pub draw: fn(&SweepResults<'_>) -> Result<Picture, PlotError>,
+    pub draw: fn(&SweepResults<'_>) -> Result<Drawn, PlotError>,
+}
+
+/// What a plot of a sweep has drawn.
+#[derive(Debug, Clone)]
+pub enum Drawn {
+    /// Curves.
+    Curves(Figure),
+    /// A map.
+    Map(Box<HeatMap>),
+}
+
+impl Drawn {
+    /// It as a picture. Errors: [`PlotError::Ragged`].
+    pub fn picture(&self) -> Result<Picture, PlotError> {
+        match self {
+            Drawn::Curves(figure) => figure.picture(),
+            Drawn::Map(map) => Ok(map.picture()),
+        }
+    }
 }
 
 /// The results of a sweep, and the quantity to draw.

@@ -153,7 +153,8 @@ fn plots_of_sweeps_have_their_labels_and_units() {
             spectra: vec![spectrum(point)],
         };
         let rows: Rows = (0..manifest.points).map(|point| (point, row(point))).collect();
-        let picture = (plot.draw)(&SweepResults { scene: "case", layout: &layout, rows: &rows, quantity });
+        let drawn = (plot.draw)(&SweepResults { scene: "case", layout: &layout, rows: &rows, quantity });
+        let picture = drawn.and_then(|drawn| drawn.picture());
         picture.inspect(|picture| assert!(!picture.svg().contains("NaN") && !picture.svg().contains("inf")))
     };
     let (torque, speed) = ("parameters.T0=log:1 N*m:1000 N*m:4", "start.speed=100 rpm:300 rpm:3");

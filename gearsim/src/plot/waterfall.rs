@@ -3,7 +3,7 @@
 use super::figure::{Axis, Scale, extremes};
 use super::heat::{HeatMap, Marks, edges};
 use super::map::{places, subtitle, varied};
-use super::{Picture, PlotError, SweepPlot, SweepResults, symbol};
+use super::{Drawn, PlotError, SweepPlot, SweepResults, symbol};
 use crate::sweep::spectra::NamedSpectrum;
 
 /// The entry in [`super::SWEEP_PLOTS`].
@@ -20,7 +20,7 @@ const SHOWN: f64 = 1e-5;
 /// Number of cells along the frequency axis, 2 SVG units each: more would not be visible.
 const ROWS: usize = 215;
 
-fn draw(results: &SweepResults<'_>) -> Result<Picture, PlotError> {
+fn draw(results: &SweepResults<'_>) -> Result<Drawn, PlotError> {
     let nothing = |why: String| PlotError::Nothing { plot: PLOT.name, why };
     if results.layout.plan.axes.len() != 1 {
         return Err(nothing("it needs exactly one varied quantity".into()));
@@ -59,15 +59,14 @@ fn draw(results: &SweepResults<'_>) -> Result<Picture, PlotError> {
     let unit = results.layout.model.coordinates.iter().find(|c| c.name == results.quantity).map_or("1", |c| c.unit);
     let colour =
         Axis::log10(format!("PSD of {}", symbol(results.quantity)), format!("{unit}^2/Hz")).between(floor, peak);
-    Ok(HeatMap {
+    Ok(Drawn::Map(Box::new(HeatMap {
         title: format!("Spectra of {}", symbol(results.quantity)),
         subtitle: format!("{}; Welch, Hann window", subtitle(results)),
         x: axis,
         y: Axis::linear("frequency f", "Hz"),
         colour,
         marks: Marks::Cells { x, y, values },
-    }
-    .picture())
+    })))
 }
 
 /// The highest density of a spectrum between two frequencies. If it has no line between them, the next line above, or the last one.

@@ -119,7 +119,7 @@ impl Checker<'_> {
             report.warn(format!("`laws.{name}.module` is {:.4} mm, which is rare", 1e3 * gears.module));
         }
         for (i, gear) in of_mesh(name).into_iter().enumerate() {
-            let Some((z, said)) = self.teeth_of(&gear) else { continue };
+            let Some((z, said)) = self.scene.teeth_of(&gear) else { continue };
             if z != gears.teeth[i] {
                 let what = format!("`laws.{name}.teeth` has {} teeth for a gear with {said}", gears.teeth[i]);
                 let help = "give the teeth of the gears of this mesh, the driving gear first";
@@ -128,14 +128,14 @@ impl Checker<'_> {
             let radius =
                 model.parameters.iter().find(|p| p.doc.starts_with("base radius") && p.name == format!("r{gear}"));
             let Some((parameter, r)) = radius.and_then(|p| Some((p, self.scene.parameter(p.name)?))) else { continue };
-            let base = gears.module * z * gears.pressure_angle.cos() / 2.0;
+            let base = z * gears.base_radius_per_tooth();
             if (r / base - 1.0).abs() > BASE_RADIUS {
                 let place = self.node(parameter).map_or(reader.at(), |node| &node.place);
                 let what = format!(
                     "`parameters.{}` is {r} m, but the base radius of the teeth of `laws.{name}` is {base:.6} m",
                     parameter.name
                 );
-                let help = "the base radius is module x teeth/2 x cos(pressure angle)";
+                let help = "the base radius is module x teeth/2 x cos(pressure angle), both in the transverse plane if the gears are helical";
                 return report.add(place, what, "another gear", help);
             }
         }
@@ -162,10 +162,12 @@ impl Checker<'_> {
             ));
         }
     }
+}
 
+impl Scene {
     /// Number of teeth of a gear by its suffix, and where it comes from; `_p` is a planet.
-    fn teeth_of(&self, gear: &str) -> Option<(f64, String)> {
-        let of = |name: &str| self.scene.parameter(name);
+    pub(crate) fn teeth_of(&self, gear: &str) -> Option<(f64, String)> {
+        let of = |name: &str| self.parameter(name).filter(|x| x.is_finite());
         if gear == "_p" {
             let (sun, ring) = (of("Z_s")?, of("Z_r")?);
             return Some(((ring - sun) / 2.0, format!("(Z_r - Z_s)/2 = {}", (ring - sun) / 2.0)));
@@ -175,10 +177,17 @@ impl Checker<'_> {
             of(&name).map(|z| (z, format!("{name} = {z}")))
         })
     }
+
+    /// The first of its pressure angles that is given \[rad\].
+    #[cfg(feature = "html")]
+    pub(crate) fn pressure_angle(&self) -> Option<f64> {
+        let mut all = self.model.parameters.iter().zip(&self.parameters);
+        all.find(|(parameter, x)| is_angle(parameter) && x.is_finite()).map(|(_, x)| *x)
+    }
 }
 
 /// The suffixes of the two gears of the mesh of a law, the driving gear first.
-fn of_mesh(law: &str) -> [String; 2] {
+pub(crate) fn of_mesh(law: &str) -> [String; 2] {
     let part = law.trim_start_matches(|c: char| c.is_alphabetic());
     match part.as_bytes() {
         [a, b] if a.is_ascii_digit() && b.is_ascii_digit() => [part[..1].into(), part[1..].into()],

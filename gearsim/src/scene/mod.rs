@@ -59,6 +59,8 @@ mod train;
 mod transmission_error;
 pub mod unit;
 
+#[cfg(feature = "html")]
+pub(crate) use gear_data::of_mesh;
 pub use key_unit::unit_of;
 pub(crate) use keys::{reference, schema};
 pub use mistake::{Mistake, SceneMistakes};

@@ -4,7 +4,7 @@
 //! pitch p_b on the line of action. A stiffness
 //! - in N/m is the stiffness kt along the line of action, V = kt delta²/2, delta in metres (`components::mesh`, used by most models);
 //! - in N·m is that of Oh, Grosh & Barber, V = k phi², with the relative rotation N1 theta1 - N2 theta2 = 2 phi of the gears,
-//!   hence delta = 2 h phi with h = r_b1/N1 = m cos(alpha)/2, and k = 2 kt h² (`gear_pair`).
+//!   hence delta = 2 h phi with h = r_b1/N1, for spur gears m cos(alpha)/2, and k = 2 kt h² (`gear_pair`).
 //!
 //! A stiffness in another unit cannot be computed from teeth.
 
@@ -30,6 +30,7 @@ pub(super) const GEARS: &[Key] = &[
     key("module", Kind::Quantity("m"), "required with teeth", "normal module"),
     key("face_width", Kind::Quantity("m"), "required with teeth", "width of the common face"),
     key("pressure_angle", Kind::Quantity("rad"), "20 deg", "pressure angle of the basic rack"),
+    key("helix_angle", Kind::Quantity("rad"), "0 deg", "helix angle at the reference cylinder, method iso6336 only"),
     key("addendum", BOTH, "1", "height of the addendum of the basic rack, in modules"),
     key("dedendum", BOTH, "1.25", "depth of the dedendum of the basic rack, in modules"),
     key("fillet", Kind::Number, "0.38", "radius of the root fillet of the basic rack, in modules"),
@@ -49,7 +50,12 @@ pub(super) const SHARED: &[Key] = &[key(
 )];
 /// Keys that only a stiffness from teeth has.
 pub(super) const STIFFNESS: &[Key] = &[
-    key("course", Kind::Choice(&CELL_SHAPES), "levels", "curves: varies between the steps too, method energy only"),
+    key(
+        "course",
+        Kind::Choice(&CELL_SHAPES),
+        "levels",
+        "curves: varies between the steps too, method energy only; helical gears always have ramps",
+    ),
     key(
         "line_load",
         Kind::Quantity("N/m"),
@@ -106,7 +112,7 @@ impl TeethReader<'_> {
             (Role::Side, _) => (FrictionLaw::Side, 1.0),
             (_, "m") => (FrictionLaw::Arm, 1.0),
             // The deflection is a phase: one base pitch is one period of the phase.
-            _ => (FrictionLaw::Arm, self.law.period / (PI * gears.module * gears.pressure_angle.cos())),
+            _ => (FrictionLaw::Arm, self.law.period / (2.0 * PI * gears.base_radius_per_tooth())),
         };
         Some(gear::friction(&gears, method?, what, self.law.period, scale))
     }
@@ -115,7 +121,7 @@ impl TeethReader<'_> {
     fn scale(&self, report: &mut Report) -> Option<fn(&Gears) -> f64> {
         match self.law.unit {
             "N/m" => Some(|_| 1.0),
-            "N*m" => Some(|gears| 2.0 * (gears.module * gears.pressure_angle.cos() / 2.0).powi(2)),
+            "N*m" => Some(|gears| 2.0 * gears.base_radius_per_tooth().powi(2)),
             other => {
                 let message =
                     format!("`laws.{}` is measured in {other} and cannot be computed from teeth", self.law.name);
@@ -149,6 +155,8 @@ impl TeethReader<'_> {
         let face_width = one("face_width", "m", widths, None, report);
         let angles = ("must lie between 5 and 45 deg", 5f64.to_radians(), 45f64.to_radians());
         let pressure_angle = one("pressure_angle", "rad", angles, Some(20f64.to_radians()), report);
+        let helices = ("must lie between 0 and 45 deg", 0.0, 45f64.to_radians());
+        let helix_angle = one("helix_angle", "rad", helices, Some(0.0), report);
         let rounds = ("must lie between 0 and 1, in modules", 0.0, 1.0);
         let fillet = one("fillet", "1", rounds, Some(0.38), report);
         let centre_distance =
@@ -168,6 +176,7 @@ impl TeethReader<'_> {
             internal: internal?,
             module: module?,
             pressure_angle: pressure_angle?,
+            helix_angle: helix_angle?,
             addendum: addendum?,
             dedendum: dedendum?,
             fillet: fillet?,

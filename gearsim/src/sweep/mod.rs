@@ -157,6 +157,11 @@ impl Sweep {
         self.template.text()
     }
 
+    /// The scene at the first point. Errors: those of the scene.
+    pub fn first(&self) -> Result<Scene, Error> {
+        Ok(self.template.scene(&self.plan.overrides(0), &[self.entry.model])?)
+    }
+
     /// SHA-256 of the scene with its overrides, without the values of a point.
     pub fn hash(&self) -> String {
         self.template.hash()

@@ -53,7 +53,7 @@ struct Motion {
 
 impl Sweep {
     /// The response over the only axis of the sweep, of the recorded outputs over the time from [`Sweep::from`] on; then downward, if
-    /// `both`. `watch` is told the number of points done.
+    /// `both`. `watch` is told the number of points done, during the runs too.
     ///
     /// # Errors
     /// If there is not exactly one axis with numbers in rising order, or the scene records no output.
@@ -79,7 +79,7 @@ impl Sweep {
             if let Some(before) = &before {
                 motion.go_on(&mut scene, before, self.from);
             }
-            let outcome = self.entry.run(&scene, &mut |_| {});
+            let outcome = self.entry.run(&scene, &mut |_| watch(done));
             response.points.push(self.observed(upward, values[i], &motion, &outcome, response.outputs.len()));
             before = outcome.ok().filter(|o| o.stopped_by.is_none() && o.refuted.is_none()).map(|o| o.trajectory);
             watch(done + 1);

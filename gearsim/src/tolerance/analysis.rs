@@ -89,3 +89,15 @@ pub(crate) const CHAOTIC: f64 = 1e-2;
 /// the error caused by the ramp.
 pub(crate) const RAMP: f64 = 1e-2;
 pub(crate) const SMALLEST_RAMP: f64 = 1e-12;
+
+/// Steps of the propagator of a linearised system whose coefficients vary [1]: time times the norm of its matrix. The method is of the fourth
+/// order: 0.1⁵ per step leaves less than 1e-8. Larger: multipliers lose digits. Smaller: more steps.
+pub(crate) const MAGNUS_SPAN: f64 = 0.1;
+/// Most of these steps in a stretch [steps]: a second of computing time.
+pub(crate) const MAGNUS_STEPS: f64 = 1e5;
+/// Two eigenvalues are equal, or one is real, if they differ, or its imaginary part is, less than this [relative]. A double one splits by
+/// the root of a rounding, 1.5e-8. Smaller: its two shapes are one. Larger: neighbours share shapes.
+pub(crate) const EQUAL_EIGENVALUES: f64 = 1e-7;
+/// An eigenvalue of a direction without a spring is zero below this [relative to the fastest]: a double zero splits by the root of a
+/// rounding. Larger: a weak damper of a rigid motion is not seen. Smaller: rigid motions vibrate.
+pub(crate) const RIGID_EIGENVALUE: f64 = 1e-6;

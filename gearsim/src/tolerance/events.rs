@@ -70,6 +70,10 @@ pub(crate) const ROOT_HALVINGS: u32 = 52;
 /// fastest time of the cell, and its curvature. The omitted cube is 1e-30. Larger: digits are lost. Smaller: one more iteration.
 pub(crate) const COMPENSATED_TAYLOR: f64 = 1e-10;
 
+/// Largest correction of an event time by double-double numbers [fastest time of the cell]. Plain times have errors of a few roundings, and
+/// of their square root near a graze. Larger: the time of another event could be found. Smaller: an event near a graze keeps its plain time.
+pub(crate) const COMPENSATED_CORRECTION: f64 = 1e-6;
+
 /// A pressed phase is held if the energy of its normal motion is below this [relative to T + V]. The neglected energy is in the
 /// account. Larger: visible energy is neglected. Smaller: more bounces are computed, up to a cascade.
 pub(crate) const HOLD_ENERGY: f64 = 1e-12;
@@ -113,7 +117,7 @@ pub(crate) const EVENTS_AT_ONE_TIME: u32 = 16;
 pub(crate) const EDGE_ROUNDING: f64 = 16.0 * f64::EPSILON;
 
 /// Largest number of cells that are computed before the run [cells]: their modes take about a second. With more, each is computed when it
-/// is first entered, and double-double precision is refused.
+/// is first entered.
 pub(crate) const CELLS_IN_ADVANCE: usize = 1024;
 
 /// Rounding error of a sum over the modes in a window [relative to the sum of absolute values]. Mode shapes have some hundred roundings.

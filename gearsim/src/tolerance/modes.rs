@@ -86,10 +86,13 @@ pub(crate) const BIORTHOGONAL: f64 = 64.0 * f64::EPSILON;
 /// defective eigenvalues pass as regular. Smaller: close eigenvalues are refused.
 pub(crate) const NULL_SPACE: f64 = 1e-7;
 
-/// Damping between two modes in double-double numbers above this [relative to the strongest] couples them, and the cell is
-/// refused. Rounding errors are 1e-32 times the condition of the matrices. Larger: an ignored coupling would limit the digits of
-/// the result. Smaller: rounding errors could refuse a cell without coupling.
+/// Damping between two modes in double-double numbers above this [relative to the strongest] couples them, and the motion is computed
+/// by power series. Rounding errors are 1e-32 times the condition of the matrices. Larger: an ignored coupling would limit the digits of
+/// the result. Smaller: rounding errors would cost time.
 pub(crate) const COMPENSATED_COUPLED: f64 = 1e-18;
+/// Damping of a mode in double-double numbers below this [relative to the strongest] is zero: rounding errors are 1e4 times smaller. Larger:
+/// weak damping is lost. Smaller: rounding errors damp rigid motions, whose closed form then loses its digits.
+pub(crate) const COMPENSATED_UNDAMPED: f64 = 1e-28;
 /// Jacobi's method in double-double numbers ends below this [relative to the larger diagonal entry]: ten roundings.
 pub(crate) const COMPENSATED_JACOBI: f64 = 1e-31;
 

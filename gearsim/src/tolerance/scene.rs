@@ -66,6 +66,8 @@ pub(crate) const FILLET_CONTACT: f64 = 1e-3;
 pub(crate) const OVERLAP: f64 = 1e-9;
 /// Largest undercut that is accepted [modules]: the standard pinion of 17 teeth has 0.006.
 pub(crate) const UNDERCUT: f64 = 0.02;
+/// Steps of a law that are nearer than this are one step [periods of the law]: the rounding errors of the sums of widths.
+pub(crate) const SAME_STEP: f64 = 1e-12;
 /// Half the distance of the two points of a central difference [relative to the length of a curve]. The error of the slope, 1e-8,
 /// is far below that of the curve, 1e-4.
 pub(crate) const SLOPE_STEP: f64 = 1e-4;

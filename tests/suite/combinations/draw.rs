@@ -42,8 +42,13 @@ pub fn bases() -> Vec<Scene> {
 }
 
 /// Random scene `number`.
+#[allow(dead_code)] // the fuzz target draws by bytes
 pub fn case(bases: &[Scene], number: u64) -> Case {
-    let mut draw = Random(number.wrapping_mul(0x9e37_79b9_7f4a_7c15));
+    drawn(bases, Random::new(number.wrapping_mul(0x9e37_79b9_7f4a_7c15)))
+}
+
+/// The scene that these random numbers make.
+pub fn drawn(bases: &[Scene], mut draw: Random) -> Case {
     let base = bases[draw.below(bases.len())].clone();
     let names = set(base.model, &mut draw);
     let mut sets = effects::overrides(&base, &names);

@@ -43,7 +43,9 @@ fn base(model: &str) -> Scene {
 
 /// The committed scenes of a model, cut to at most `t_end` [s], without their choice of methods.
 pub fn committed(model: &str, t_end: f64) -> Vec<Scene> {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../models/scenes");
+    // The fuzz targets, in a folder below, include this file too.
+    let above = Path::new(env!("CARGO_MANIFEST_DIR")).ancestors();
+    let folder = above.map(|folder| folder.join("models/scenes")).find(|folder| folder.is_dir()).unwrap();
     let mut files: Vec<_> = ["", "oh2005", "drives"]
         .iter()
         .flat_map(|sub| std::fs::read_dir(folder.join(sub)).unwrap())

@@ -2,11 +2,10 @@
 
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_8, PI};
 
-use gearsim::engine::Refusal;
 use gearsim::engine::equations::DerivedModel;
 use gearsim::engine::simulate::Simulation;
 use gearsim::generated::gear_pair;
-use gearsim::scene::{Effects, Precision, Scene};
+use gearsim::scene::{Effects, Scene};
 
 use crate::case::{Case, NONE, WRONG, count, largest};
 use crate::common;
@@ -107,7 +106,7 @@ pub const CASES: &[Case] = &[
     },
     Case {
         row: "11",
-        name: "play in compensated precision, and play without a size",
+        name: "play without a size",
         proves: "refused before the run, with a named error",
         tolerance: 0.0,
         unit: "not refused",
@@ -374,12 +373,6 @@ fn by_steps(note: &mut String) -> f64 {
 }
 
 fn refused(_: &mut String) -> f64 {
-    let with = |change: fn(&mut Scene)| {
-        let mut scene = common::scene("backlash", &[]);
-        change(&mut scene);
-        common::model("gear_pair").run(&scene, &mut |_| {}).err()
-    };
-    let compensated = with(|scene| scene.solver.precision = Precision::Compensated);
     let without = |line: &str| {
         let path = common::root().join("models/scenes/backlash.toml");
         let text = std::fs::read_to_string(&path).expect("a scene");
@@ -387,5 +380,5 @@ fn refused(_: &mut String) -> f64 {
         let errors = Scene::parse("case", "case.toml", &text, &[], &common::models()).err();
         errors.map(|errors| errors.render(100, false)).unwrap_or_default()
     };
-    count([compensated != Some(Refusal::CompensatedCells), !without("b =").contains("`b`")])
+    count([!without("b =").contains("`b`")])
 }

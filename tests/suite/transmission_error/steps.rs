@@ -1,6 +1,5 @@
 //! Pitch errors of teeth: one step of e per pitch.
 
-use gearsim::engine::Refusal;
 use gearsim::run::Outcome;
 use gearsim::trajectory::Moment;
 
@@ -122,13 +121,4 @@ fn a_constant_error_is_an_offset_of_phi() {
             assert!((b.q_dot[0][i] - a.q_dot[0][i]).abs() < 1e-9 * a.q_dot[0][0], "{law}");
         }
     }
-}
-
-/// Compensated precision with a transmission error is refused before the run.
-#[test]
-fn compensated_precision_with_a_transmission_error_is_refused() {
-    let effects = r#"effects=["stiffness_step", "transmission_error"]"#;
-    let set = [effects.into(), OF_TEETH.into(), "run.precision=\"compensated\"".into()];
-    let refused = common::model("gear_pair").run(&common::scene("oh2005/energy_300rpm", &set), &mut |_| {});
-    assert_eq!(refused.err(), Some(Refusal::CompensatedCells));
 }

@@ -2,11 +2,9 @@
 
 use gearsim::analysis::digits;
 use gearsim::analysis::work_precision::error;
-use gearsim::run::{Digits, Outcome};
+use gearsim::run::{Digits, Entry, Outcome};
 use gearsim::scene::Scene;
 use gearsim::scene::solver::{Method, Precision, Solver};
-
-use crate::common;
 
 /// Tolerance of the step methods.
 const TOLERANCE: f64 = 1e-12;
@@ -17,6 +15,11 @@ const UNITS: f64 = 3e3;
 /// Smallest allowed difference, relative to the size of each coordinate and speed.
 const LEAST: f64 = 1e-8;
 
+/// The model of a scene, with its functions.
+fn entry(scene: &Scene) -> Entry {
+    *gearsim::models().iter().find(|entry| entry.model.name == scene.model.name).unwrap()
+}
+
 /// Runs `scene` by two methods, up to its end or up to a time at which it has enough digits left.
 ///
 /// # Errors
@@ -25,7 +28,7 @@ pub fn agree(scene: &Scene) -> Result<String, String> {
     let mut scene = scene.clone();
     scene.output.rate = 500.0 / scene.t_end;
     scene.solver = Solver { tolerance: TOLERANCE, precision: Precision::Plain, ..Solver::default() };
-    let run = |scene: &Scene| common::model(scene.model.name).run(scene, &mut |_| {});
+    let run = |scene: &Scene| entry(scene).run(scene, &mut |_| {});
     let (first, left) = loop {
         let outcome = digits::noted(&scene, run(&scene).map_err(|e| e.to_string())?, &run);
         let left = outcome.digits.ok_or("the companion was refused")?;

@@ -14,6 +14,7 @@ True
 
 from __future__ import annotations
 
+import os
 import signal
 import sys
 
@@ -43,6 +44,7 @@ __all__ = [
     "Scene",
     "SceneError",
     "Table",
+    "__version__",
     "executors",
     "load",
     "models",
@@ -50,15 +52,15 @@ __all__ = [
     "sweep",
 ]
 
-install(Results, Table, Scene)
+install()
 
 
-def load(path):
+def load(path: str | os.PathLike[str]) -> Scene:
     """Read a scene file."""
     return Scene.load(path)
 
 
-def _command_line():
+def _command_line() -> None:
     """The program `gearsim`."""
     # Ctrl-C ends the program at once, as without Python.
     signal.signal(signal.SIGINT, signal.SIG_DFL)

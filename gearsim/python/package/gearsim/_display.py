@@ -4,28 +4,35 @@ from __future__ import annotations
 
 import html
 import json
+from collections.abc import Callable, Iterable
+from typing import Any
+
+from gearsim._gearsim import Results, Scene, Table
 
 _ROWS = 10
 
 
-def _cells(values, tag="td"):
+def _cells(values: Iterable[object], tag: str = "td") -> str:
     return "".join(f"<{tag}>{html.escape(str(value))}</{tag}>" for value in values)
 
 
-def _table(table) -> str:
+def _number(value: object) -> object:
+    return f"{value:.6g}" if isinstance(value, float) else value
+
+
+def _table(self: Table) -> str:
     """The first rows of a table, with units."""
-    shown = min(len(table), _ROWS)
-    columns = [table[name][:shown] for name in table.columns]
-    head = _cells((f"{name} [{table.units[name]}]" if table.units[name] else name for name in table.columns), "th")
-    number = lambda value: f"{value:.6g}" if isinstance(value, float) else value
-    rows = "".join(f"<tr>{_cells(number(column[i]) for column in columns)}</tr>" for i in range(shown))
-    more = f"<p>{len(table)} rows, of which {shown} are shown</p>" if len(table) > shown else ""
+    shown = min(len(self), _ROWS)
+    columns = [self[name][:shown] for name in self.columns]
+    head = _cells((f"{name} [{self.units[name]}]" if self.units[name] else name for name in self.columns), "th")
+    rows = "".join(f"<tr>{_cells(_number(column[i]) for column in columns)}</tr>" for i in range(shown))
+    more = f"<p>{len(self)} rows, of which {shown} are shown</p>" if len(self) > shown else ""
     return f"<table><thead><tr>{head}</tr></thead><tbody>{rows}</tbody></table>{more}"
 
 
-def _results(results) -> str:
+def _results(self: Results) -> str:
     """The outputs of a run with their statistics, its energy account, and its first plot."""
-    summary = results.summary
+    summary = self.summary
     names = ["min", "max", "mean", "rms"]
     rows = "".join(
         f"<tr>{_cells([name, *(f'{output[key]:.6g}' for key in names), output['unit']])}</tr>"
@@ -36,7 +43,7 @@ def _results(results) -> str:
     account = f"unaccounted for {energy['residual']:.1e} J of {energy['largest']:.3g} J, by {summary['method']['name']}"
     state = summary["stopped_by"] or summary["refuted"] or "complete"
     try:
-        plot = results.plot().svg()
+        plot = self.plot().svg()
     except Exception as error:  # a run without outputs has no such plot
         plot = f"<p>{html.escape(str(error))}</p>"
     return (
@@ -45,23 +52,34 @@ def _results(results) -> str:
     )
 
 
-def _scene(scene) -> str:
-    rows = "".join(f"<tr>{_cells([name, f'{value:.6g}'])}</tr>" for name, value in scene.parameters.items())
-    about = html.escape(scene.about or scene.name)
-    return f"<p><b>{about}</b></p><p>{html.escape(repr(scene))}</p><table>{rows}</table>"
+def _scene(self: Scene) -> str:
+    rows = "".join(f"<tr>{_cells([name, f'{value:.6g}'])}</tr>" for name, value in self.parameters.items())
+    about = html.escape(self.about or self.name)
+    return f"<p><b>{about}</b></p><p>{html.escape(repr(self))}</p><table>{rows}</table>"
 
 
-def _advise(scene):
-    """Which effects the scene needs: estimated, and checked by runs with and without each. A dictionary."""
-    return json.loads(scene._advise())
+def _summary(self: Results) -> dict[str, Any]:
+    """End state, energies, statistics of the outputs, method."""
+    summary: dict[str, Any] = json.loads(self._summary())
+    return summary
 
 
-def install(results, table, scene):
-    """Add the display of notebooks to the classes of the extension module."""
-    results.summary = property(
-        lambda self: json.loads(self._summary()), doc="End state, energies, statistics of the outputs, method."
-    )
-    scene.advise = _advise
-    results._repr_html_ = _results
-    table._repr_html_ = _table
-    scene._repr_html_ = _scene
+def _advise(self: Scene, progress: Callable[[float], object] | None = None) -> dict[str, Any]:
+    """Which effects the scene needs: estimated, and checked by runs with and without each. A dictionary.
+
+    progress: called now and then with the time [s] that the present run has reached.
+    """
+    advice: dict[str, Any] = json.loads(self._advise(progress))
+    return advice
+
+
+def install() -> None:
+    """Add what is easier to say in Python to the classes of the extension module."""
+    added: dict[type, dict[str, object]] = {
+        Results: {"summary": property(_summary), "_repr_html_": _results},
+        Scene: {"advise": _advise, "_repr_html_": _scene},
+        Table: {"_repr_html_": _table},
+    }
+    for where, names in added.items():
+        for name, what in names.items():
+            setattr(where, name, what)

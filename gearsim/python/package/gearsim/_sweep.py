@@ -2,34 +2,44 @@
 
 from __future__ import annotations
 
+import os
 import tempfile
-from concurrent.futures import FIRST_COMPLETED, Executor, wait
+from collections.abc import Callable, Sequence
+from concurrent.futures import FIRST_COMPLETED, Executor, Future, wait
+from typing import TYPE_CHECKING, Any
 
-from gearsim._gearsim import GearsimError
+from gearsim._gearsim import Gathering, GearsimError, Job, Scene, Table
+
+if TYPE_CHECKING:
+    from gearsim._gearsim import _Design
 
 #: How often a range of points is tried, if its worker is lost.
 TRIES = 3
 
 
-def _part(scene, definition, first, end, threads):
+#: The numbers of the first point of a part, and of the one behind its last.
+_Part = tuple[int, int]
+
+
+def _part(scene: Scene, definition: dict[str, Any], first: int, end: int, threads: int | None) -> bytes:
     """Run points in a worker, and return their rows as bytes."""
     return scene.job(**definition).run(first, end, threads=threads)
 
 
 def sweep(
-    scene,
-    *axes,
-    record=(),
-    start=0.0,
-    samples=None,
-    seed=0,
-    design="random",
-    out=None,
+    scene: Scene,
+    *axes: str,
+    record: Sequence[str] = (),
+    start: float = 0.0,
+    samples: int | None = None,
+    seed: int = 0,
+    design: _Design = "random",
+    out: str | os.PathLike[str] | None = None,
     executor: Executor | None = None,
-    points_per_task=10_000,
-    threads_per_task=1,
-    progress=None,
-):
+    points_per_task: int = 10_000,
+    threads_per_task: int | None = 1,
+    progress: Callable[[int], object] | None = None,
+) -> Table:
     """Run a scene at many values, and return a table with one row a point.
 
     scene: a Scene.
@@ -48,7 +58,19 @@ def sweep(
     return _run(scene, job, definition, out, executor, points_per_task, threads_per_task, progress)
 
 
-def sensitivity(scene, *axes, samples, record=(), start=0.0, seed=0, out=None, **how):
+def sensitivity(
+    scene: Scene,
+    *axes: str,
+    samples: int,
+    record: Sequence[str] = (),
+    start: float = 0.0,
+    seed: int = 0,
+    out: str | os.PathLike[str] | None = None,
+    executor: Executor | None = None,
+    points_per_task: int = 10_000,
+    threads_per_task: int | None = 1,
+    progress: Callable[[int], object] | None = None,
+) -> Table:
     """Find which random axis causes which share of the variance of each recorded quantity.
 
     Runs samples * (number of random axes + 2) points, and returns a table with one row an axis and quantity: `first_order` is the share
@@ -57,16 +79,33 @@ def sensitivity(scene, *axes, samples, record=(), start=0.0, seed=0, out=None, *
     The arguments are those of `sweep`.
     """
     job, definition = _job(scene, axes, record, start, samples, seed, "saltelli")
-    return job.sensitivity(_run(scene, job, definition, out, **how))
+    return job.sensitivity(_run(scene, job, definition, out, executor, points_per_task, threads_per_task, progress))
 
 
-def _job(scene, axes, record, start, samples, seed, design):
+def _job(
+    scene: Scene,
+    axes: Sequence[str],
+    record: Sequence[str],
+    start: float,
+    samples: int | None,
+    seed: int,
+    design: _Design,
+) -> tuple[Job, dict[str, Any]]:
     """The sweep, and its definition for workers."""
-    definition = dict(axes=list(axes), record=list(record), start=start, samples=samples, seed=seed, design=design)
+    definition: dict[str, Any] = dict(axes=list(axes), record=list(record), start=start, samples=samples, seed=seed, design=design)
     return scene.job(**definition), definition
 
 
-def _run(scene, job, definition, out, executor=None, points_per_task=10_000, threads_per_task=1, progress=None):
+def _run(
+    scene: Scene,
+    job: Job,
+    definition: dict[str, Any],
+    out: str | os.PathLike[str] | None,
+    executor: Executor | None,
+    points_per_task: int,
+    threads_per_task: int | None,
+    progress: Callable[[int], object] | None,
+) -> Table:
     """Run the points of a job, and return their table."""
     with tempfile.TemporaryDirectory() as temporary:
         gathering = job.gather(out if out is not None else temporary)
@@ -75,11 +114,13 @@ def _run(scene, job, definition, out, executor=None, points_per_task=10_000, thr
             done = len(job) - sum(end - first for first, end in missing)
             if executor is None:
                 for first, end in missing:
-                    told = progress and (lambda count, before=done: progress(before + int(count)))
-                    job.keep(gathering, job.run(first, end, told))
+                    job.keep(gathering, job.run(first, end, _after(done, progress)))
                     done += end - first
             else:
-                submit = lambda part: executor.submit(_part, scene, definition, *part, threads_per_task)
+
+                def submit(part: _Part) -> Future[bytes]:
+                    return executor.submit(_part, scene, definition, *part, threads_per_task)
+
                 _gather(submit, job, gathering, missing, done, progress)
             return gathering.finish()
         finally:
@@ -87,13 +128,26 @@ def _run(scene, job, definition, out, executor=None, points_per_task=10_000, thr
             gathering.close()
 
 
-def _gather(submit, job, gathering, missing, done, progress):
+def _after(done: int, progress: Callable[[int], object] | None) -> Callable[[float], object] | None:
+    """What is told of a part, to be told of the sweep, of which `done` points were there before."""
+    return None if progress is None else lambda count: progress(done + int(count))
+
+
+def _gather(
+    submit: Callable[[_Part], Future[bytes]],
+    job: Job,
+    gathering: Gathering,
+    missing: list[_Part],
+    done: int,
+    progress: Callable[[int], object] | None,
+) -> None:
     """Let the executor run ranges of points, and keep their rows as they come. The range of a lost worker runs again."""
     running = {submit(part): (part, 1) for part in missing}
     try:
         while running:
             finished, _ = wait(running, return_when=FIRST_COMPLETED)
-            for future in finished:
+            # `finished` is a set; in the order of the points the same parts end a sweep each time.
+            for future in sorted(finished, key=lambda future: running[future]):
                 part, tries = running.pop(future)
                 try:
                     rows = future.result()
@@ -110,7 +164,9 @@ def _gather(submit, job, gathering, missing, done, progress):
             future.cancel()
 
 
-def _again(submit, part, tries, error):
+def _again(
+    submit: Callable[[_Part], Future[bytes]], part: _Part, tries: int, error: Exception
+) -> Future[bytes]:
     """Submit a range of points once more, and return its future. Raise an error if it was tried often, or nothing can be submitted."""
     try:
         if tries < TRIES:

@@ -26,6 +26,8 @@ pub enum Aperiodic {
 pub struct Stretch {
     /// The value of each law [SI].
     pub levels: Vec<f64>,
+    /// When it begins [s].
+    pub begin: f64,
     /// Its duration [s].
     pub time: f64,
 }
@@ -68,7 +70,8 @@ pub fn stretches(courses: &[SteadyLaw]) -> Result<(f64, Vec<Stretch>), Aperiodic
     cuts.dedup_by(|later, earlier| *later - *earlier <= analysis::SAME_TIME * period);
     let stretch = |pair: &[f64]| {
         let middle = 0.5 * (pair[0] + pair[1]);
-        Stretch { levels: courses.iter().map(|c| level(c, middle)).collect(), time: pair[1] - pair[0] }
+        let levels = courses.iter().map(|c| level(c, middle)).collect();
+        Stretch { levels, begin: pair[0], time: pair[1] - pair[0] }
     };
     Ok((period, cuts.windows(2).map(stretch).collect()))
 }
@@ -101,7 +104,8 @@ mod tests {
     use super::*;
 
     fn course(name: &'static str, speed: f64, start: f64) -> SteadyLaw {
-        SteadyLaw { name, levels: vec![(1.0, 0.25), (2.0, 1.0)], period: 1.0, pitches: 1, start, speed, steps: true }
+        let levels = vec![(1.0, 0.25), (2.0, 1.0)];
+        SteadyLaw { name, levels, period: 1.0, pitches: 1, start, speed, steps: true, curves: vec![] }
     }
 
     #[test]

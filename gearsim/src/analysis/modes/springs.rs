@@ -28,7 +28,7 @@ pub fn of(scene: &Scene, entry: &Entry) -> Result<Vec<Spring>, Refusal> {
         let mut scene = scene.clone();
         scene.parameters[parameter] *= times;
         let no_mesh = vec![0.0; scene.stiffnesses().count()];
-        entry.system(&scene)?.matrices(&no_mesh)
+        entry.linear_part(&scene)?.matrices(&no_mesh)
     };
     let mut springs = vec![];
     for (i, parameter) in scene.model.parameters.iter().enumerate() {

@@ -25,8 +25,6 @@ pub struct Reference {
 pub enum By {
     /// Exact cells in twice the digits.
     Compensated,
-    /// Exact cells in plain numbers.
-    Plain,
     /// Two numerical methods at the tightest tolerance. The text says why there are no exact cells.
     Steps(String),
 }
@@ -42,8 +40,8 @@ impl Reference {
 pub const SAMPLES: f64 = 2000.0;
 
 /// The reference for `scene`: the run of the exact engine in twice the digits, whose error is the rounding of the recorded values
-/// (`tests/suite/engine.rs` compares it with another engine in 50 digits). If the scene does not allow this, the plain run; if it has
-/// no exact cells, two numerical methods of different kinds.
+/// (`tests/suite/engine.rs` compares it with another engine in 50 digits). If the scene has no exact
+/// cells, two numerical methods of different kinds.
 ///
 /// # Errors
 /// Why no reference runs to its end, in words.
@@ -51,35 +49,12 @@ pub fn of(scene: &Scene, run: Runner<'_>) -> Result<Reference, String> {
     let mut scene = recorded(scene);
     scene.solver = Solver { method: Some(Method::Exact), precision: Precision::Compensated, ..Solver::default() };
     match run(&scene) {
-        Err(Refusal::CompensatedCoupling | Refusal::CompensatedCells | Refusal::CompensatedVarying { .. }) => {
-            plain(&scene, run)
-        }
         Err(Refusal::Nonlinear { terms } | Refusal::CompensatedNumerical(terms)) => by_steps(&scene, terms, run),
         outcome => {
             let outcome = complete(outcome)?;
             Ok(Reference { by: By::Compensated, outcome, error: analysis::SAMPLE_ROUNDINGS * f64::EPSILON })
         }
     }
-}
-
-/// The plain run. Its error consists of about one rounding error per event, each amplified by the motion. To estimate it, the scene
-/// is run again with speeds and parameters that are a few roundings larger. The resulting difference is scaled to one rounding, and
-/// multiplied by the square root of the number of events, since errors of random sign add up so.
-fn plain(scene: &Scene, run: Runner<'_>) -> Result<Reference, String> {
-    let mut scene = scene.clone();
-    scene.solver.precision = Precision::Plain;
-    let outcome = complete(run(&scene))?;
-    let mut moved = scene.clone();
-    for speed in moved.start.q_dot.iter_mut().flatten().chain(&mut moved.start.motions) {
-        *speed *= 1.0 + analysis::PERTURBATION * f64::EPSILON;
-    }
-    for parameter in &mut moved.parameters {
-        *parameter *= 1.0 + analysis::PERTURBATION * f64::EPSILON;
-    }
-    let away = complete(run(&moved))?;
-    let Errors { path, end, .. } = error::of(&away, &outcome, 0.0);
-    let carried = path.max(end) / analysis::PERTURBATION * (outcome.counts.events() as f64).sqrt().max(1.0);
-    Ok(Reference { by: By::Plain, outcome, error: carried.max(f64::EPSILON) })
 }
 
 /// The run by the explicit method of high order. Its error is the difference to an implicit method, which shares no formula with it.

@@ -130,9 +130,6 @@ pub fn markdown(measured: &WorkPrecision) -> String {
     );
     let reference = match &measured.reference {
         By::Compensated => "exact cells in twice the digits".to_string(),
-        By::Plain => {
-            "exact cells in plain numbers; its error is that of their roundings, amplified by the motion".into()
-        }
         By::Steps(why) => format!("dop853, since cells are not linear ({why}); its error is its distance from radau"),
     };
     text += &format!(

@@ -75,7 +75,7 @@ fn measured(scene: &str, overrides: &[&str]) -> WorkPrecision {
 #[test]
 fn errors_of_a_scene_with_play() {
     let measured = measured("backlash", &["run.t_end=6 ms"]);
-    assert_eq!(measured.reference, By::Plain);
+    assert_eq!(measured.reference, By::Compensated);
     assert!(measured.events > 20 && measured.floor < 1e-10, "{} {}", measured.events, measured.floor);
     for curve in measured.curves.iter().filter(|curve| curve.label.contains("order")) {
         // At a tolerance of 1e-3 or 1e-4, a step and a flank may be met in the wrong order.

@@ -14,13 +14,8 @@ pub(super) fn render(advice: &Advice, dropped: bool, width: usize) -> String {
         let says = "the terms that the scene's effects drop; leaving them out is among the candidates";
         text += &report::line("added", says, width);
     }
-    match &advice.groups {
-        Ok(groups) => text += &numbers(groups, width),
-        Err(why) => text += &report::line("no groups", why, width),
-    }
-    if let Some(why) = &advice.no_orbit {
-        let says = format!("from short runs, not from the settled motion: {why}");
-        text += &report::line("estimates", &says, width);
+    for (name, says) in groups(advice) {
+        text += &report::line(&name, &says, width);
     }
     text.push('\n');
     text += &row("", "without", Apart::NAMES.map(str::to_string), "time", "");
@@ -35,10 +30,21 @@ pub(super) fn render(advice: &Advice, dropped: bool, width: usize) -> String {
     text
 }
 
-/// The dimensionless groups, one per line.
-fn numbers(groups: &Groups, width: usize) -> String {
+/// The dimensionless groups and the origin of the estimates, each a name and a text.
+pub(super) fn groups(advice: &Advice) -> Vec<(String, String)> {
+    let mut lines = match &advice.groups {
+        Ok(groups) => numbers(groups),
+        Err(why) => vec![("no groups".to_owned(), why.clone())],
+    };
+    let says = |why: &String| format!("from short runs, not from the settled motion: {why}");
+    lines.extend(advice.no_orbit.iter().map(|why| ("estimates".to_owned(), says(why))));
+    lines
+}
+
+/// The dimensionless groups, each a name and a text.
+fn numbers(groups: &Groups) -> Vec<(String, String)> {
     let lowest = groups.modes.iter().map(|mode| mode.0).find(|f| *f > 0.0);
-    let mut text = String::new();
+    let mut lines = vec![];
     for mesh in &groups.meshes {
         let ratio =
             lowest.map_or(String::new(), |f| format!(", {} of the lowest mode", number::short(mesh.frequency / f)));
@@ -49,7 +55,7 @@ fn numbers(groups: &Groups, width: usize) -> String {
             number::short(mesh.ratio),
             number::short(mesh.frequency),
         );
-        text += &report::line(&format!("mesh {}", mesh.law), &says, width);
+        lines.push((format!("mesh {}", mesh.law), says));
     }
     if let (Some(first), Some(last)) = (groups.modes.first(), groups.modes.last()) {
         let zetas = groups.modes.iter().map(|mode| mode.1);
@@ -64,7 +70,7 @@ fn numbers(groups: &Groups, width: usize) -> String {
                 number::short(high)
             ),
         };
-        text += &report::line("modes", &says, width);
+        lines.push(("modes".into(), says));
     }
     if let Some((law, meeting)) = groups.meetings.first() {
         let says = format!(
@@ -73,12 +79,12 @@ fn numbers(groups: &Groups, width: usize) -> String {
             number::short(meeting.ratio),
             meeting.mode
         );
-        text += &report::line("near resonance", &says, width);
+        lines.push(("near resonance".into(), says));
     }
     for (name, gap) in &groups.gaps {
-        text += &report::line(name, &format!("{} of the static deflection", number::short(*gap)), width);
+        lines.push(((*name).to_owned(), format!("{} of the static deflection", number::short(*gap))));
     }
-    text
+    lines
 }
 
 /// The meaning of a jump strength J = 2 G dV/v².
@@ -129,7 +135,7 @@ fn row(name: &str, what: &str, cells: [String; 6], time: &str, says: &str) -> St
 }
 
 /// The conclusions, each a name and a text.
-fn conclusions(advice: &Advice) -> Vec<(&'static str, String)> {
+pub(super) fn conclusions(advice: &Advice) -> Vec<(&'static str, String)> {
     let mut lines = vec![];
     let named = |small: bool| {
         let verdicts = advice.verdicts.iter().filter(|v| v.negligible().1 == Some(small));
@@ -188,7 +194,8 @@ mod tests {
         let mesh = courses.iter().find(|course| course.name == law).unwrap().mesh_frequency();
         let frequency = cell.modes[meeting.mode].damped;
         assert!((meeting.harmonic as f64 * mesh / frequency / meeting.ratio - 1.0).abs() < 1e-12);
-        assert!(numbers(&groups, 200).contains(&format!("the frequency of mode {}:", meeting.mode)));
+        let mode = format!("the frequency of mode {}:", meeting.mode);
+        assert!(numbers(&groups).iter().any(|(_, says)| says.contains(&mode)));
         // The lowest vibrating mode comes after the rigid motions.
         let first = cell.modes.iter().position(|mode| mode.natural > 0.0).unwrap();
         let figure = shapes::draw(&scene, &cell, &springs).unwrap();

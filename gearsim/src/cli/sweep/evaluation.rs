@@ -9,6 +9,7 @@ use super::plots::PlotOptions;
 use super::report::{Progress, summary_text};
 use crate::cli::failure::Failure;
 use crate::cli::number::short;
+use crate::cli::page;
 use crate::cli::printing::Printing;
 use crate::cli::report::line;
 use crate::cli::terminal;
@@ -34,6 +35,8 @@ pub(in crate::cli) struct Evaluation {
     /// Also writes the table of the points as sweep.csv
     #[arg(long)]
     csv: bool,
+    #[command(flatten)]
+    html: page::Html,
 }
 
 impl Evaluation {
@@ -42,6 +45,7 @@ impl Evaluation {
     /// # Errors
     /// [`Failure::Impossible`].
     pub(in crate::cli) fn check(&self, layout: &Layout) -> Result<(), Failure> {
+        self.html.asked()?;
         self.plots.check(layout)?;
         self.limits(layout)?;
         Ok(())
@@ -68,8 +72,27 @@ impl Evaluation {
             let blocks = Block::all(layout, rows);
             answers = self.answers(layout, &blocks)?;
             files.extend(self.write(path, layout, rows, &answers)?);
-            files.extend(self.plots.draw(path, manifest, layout, rows)?);
+            let (names, drawn) = self.plots.draw(path, manifest, layout, rows)?;
+            files.extend(names);
             said = self.text(layout, &blocks, width);
+            if let Some(page) = self.html.asked()? {
+                let text = done.as_ref().map(|done| &*done.text).or(manifest.scene_text.as_deref());
+                let points = points(layout, rows)?;
+                let mut folder = WholeFiles::create(path)?;
+                page.sweep(
+                    &mut folder,
+                    (manifest, layout.model, text),
+                    &drawn,
+                    (said.as_str(), answers.as_slice()),
+                    &points,
+                    &files,
+                )?;
+                files.extend_from_slice(folder.files());
+            }
+        }
+        if !files.iter().any(|file| file == page::FILE) {
+            // A page of an earlier command does not belong to this result.
+            let _ = std::fs::remove_file(path.join(page::FILE));
         }
         folder::end(path)?;
         let text = || summary_text(path, &files, manifest, rows, done, &said);
@@ -101,8 +124,7 @@ impl Evaluation {
     ) -> Result<Vec<String>, OutputError> {
         let mut folder = WholeFiles::create(path)?;
         if self.csv {
-            let rows: Vec<_> = rows.values().collect();
-            let table = row::table(&layout.plan, &layout.columns, &layout.units, &rows)?;
+            let table = points(layout, rows)?;
             folder.write(POINTS, |sink| csv::write(&table, sink))?;
         }
         for (name, table) in answers {
@@ -192,6 +214,12 @@ impl Evaluation {
         }
         text
     }
+}
+
+/// The table of the points.
+fn points(layout: &Layout, rows: &Rows) -> Result<Table, OutputError> {
+    let rows: Vec<_> = rows.values().collect();
+    row::table(&layout.plan, &layout.columns, &layout.units, &rows)
 }
 
 /// How often a limit is broken, in words.

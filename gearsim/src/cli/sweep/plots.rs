@@ -7,7 +7,7 @@ use clap::Args;
 use crate::cli::failure::Failure;
 use crate::cli::terminal;
 use crate::output::{OutputError, WholeFiles};
-use crate::plot::{self, SweepResults};
+use crate::plot::{self, Drawn, SweepResults};
 use crate::sweep::Manifest;
 use crate::sweep::folder::Rows;
 use crate::sweep::manifest::Layout;
@@ -53,7 +53,7 @@ impl PlotOptions {
         Ok(())
     }
 
-    /// Draws the plots into the folder at `path`, and returns the names of the files. A plot that cannot be drawn gives a warning only.
+    /// Draws the plots into the folder at `path`, and returns them and the names of the files. A plot that cannot be drawn gives a warning only.
     ///
     /// # Errors
     /// [`OutputError`].
@@ -63,8 +63,8 @@ impl PlotOptions {
         manifest: &Manifest,
         layout: &Layout,
         rows: &Rows,
-    ) -> Result<Vec<String>, OutputError> {
-        let mut folder = WholeFiles::create(path)?;
+    ) -> Result<(Vec<String>, Vec<Drawn>), OutputError> {
+        let (mut folder, mut done) = (WholeFiles::create(path)?, vec![]);
         let mut jobs: Vec<(&plot::SweepPlot, String)> = vec![];
         if drawable(&layout.plan) {
             let maps = if self.map.is_empty() { default(layout).into_iter().collect() } else { self.map.clone() };
@@ -82,17 +82,19 @@ impl PlotOptions {
         for (plot, quantity) in jobs {
             let name = format!("{}_{quantity}", plot.name);
             let results = SweepResults { scene: &manifest.scene, layout, rows, quantity: &quantity };
-            match (plot.draw)(&results).and_then(|picture| Ok((picture.png()?, picture))) {
-                Ok((png, picture)) => {
+            let pictured = |drawn: Drawn| drawn.picture().and_then(|picture| Ok((picture.png()?, picture, drawn)));
+            match (plot.draw)(&results).and_then(pictured) {
+                Ok((png, picture, drawn)) => {
                     folder.write_bytes(&format!("{name}.svg"), picture.svg().as_bytes())?;
                     folder.write_bytes(&format!("{name}.png"), &png)?;
+                    done.push(drawn);
                 }
                 Err(error) => {
                     terminal::warn(&format!("no plot `{name}`: {error}"));
                 }
             }
         }
-        Ok(folder.files().to_vec())
+        Ok((folder.files().to_vec(), done))
     }
 }
 

@@ -22,6 +22,8 @@ pub(in crate::cli) struct Progress {
     pub(super) seconds: f64,
     /// Number of threads.
     pub(super) threads: usize,
+    /// The text of the scene.
+    pub(super) text: String,
 }
 
 /// The outcome of a sweep: its points, the time taken, the failures, the answers and the files. `done` is `None` for a merged sweep.

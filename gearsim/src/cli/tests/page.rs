@@ -1,7 +1,10 @@
-//! Tests of `gearsim run --html`.
+//! Tests of `--html`.
 
 use super::go;
+use crate::cli::compare::Compare;
+use crate::cli::modes::Modes;
 use crate::cli::run::Run;
+use crate::cli::sweep::SweepCommand;
 #[cfg(feature = "html")]
 use {
     super::scene,
@@ -14,10 +17,38 @@ use {
 #[test]
 fn a_program_without_pages_names_the_command_that_adds_them() {
     let root = tempfile::tempdir().unwrap();
-    let failure = go::<Run>(&root.path().join("out"), &["-q", "--html"]).unwrap_err();
-    assert_eq!(failure.code(), 2);
-    assert!(failure.to_string().contains("cargo build --release --features html"), "{failure}");
-    assert!(!root.path().join("out").exists());
+    let out = root.path().join("out");
+    let vary = ["-q", "--html", "--vary", "parameters.T0=1 N*m:2 N*m:2"];
+    let failures = [
+        go::<Run>(&out, &["-q", "--html"]),
+        go::<Compare>(&out, &["-q", "--html"]),
+        go::<Modes>(&out, &["-q", "--html"]),
+        go::<SweepCommand>(&out, &vary),
+    ];
+    for failure in failures.map(Result::unwrap_err) {
+        assert_eq!(failure.code(), 2);
+        assert!(failure.to_string().contains("cargo build --release --features html"), "{failure}");
+        assert!(!out.exists());
+    }
+}
+
+/// The page of a result is replaced with it: the same command without `--html` leaves none.
+#[cfg(feature = "html")]
+#[test]
+fn a_page_belongs_to_its_result() {
+    let root = tempfile::tempdir().unwrap();
+    let page = |out: &std::path::Path| std::fs::read_to_string(out.join("page.html")).ok();
+    let vary = ["-q", "--vary", "parameters.T0=1 N*m:2 N*m:2"];
+    for (html, name) in [(&["--html"][..], "with"), (&[], "without")] {
+        let (compared, modes, swept) = (root.path().join("c"), root.path().join("m"), root.path().join("s"));
+        go::<Compare>(&compared, &[&["-q"][..], html].concat()).unwrap();
+        go::<Modes>(&modes, &[&["-q"][..], html].concat()).unwrap();
+        go::<SweepCommand>(&swept, &[&vary[..], html].concat()).unwrap();
+        for out in [compared, modes, swept] {
+            assert_eq!(page(&out).is_some(), name == "with", "{name} --html in {}", out.display());
+            assert!(page(&out).is_none_or(|text| text.trim_end().ends_with("</html>")));
+        }
+    }
 }
 
 /// The page names every section and every column of the table; a hostile file name and a hostile text stay text.

@@ -55,7 +55,6 @@ pub(super) fn json(measured: &WorkPrecision) -> Result<String, OutputError> {
         methods.map(|curve| Method { name: curve.label, settings: curve.points.iter().map(setting).collect() });
     let reference = match &measured.reference {
         By::Compensated => "exact cells, compensated",
-        By::Plain => "exact cells",
         By::Steps(_) => "methods by steps",
     };
     let report = Report {

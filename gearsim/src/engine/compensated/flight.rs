@@ -1,63 +1,82 @@
-//! The motion in a cell in double-double precision, and the time at which a phase reaches a boundary.
+//! The motion in a cell in double-double precision, and the time at which a guard becomes zero.
 
 use nalgebra::DVector;
 use xprec::Df64;
 
-use crate::engine::compensated::cell::Cell;
-use crate::tolerance::events::COMPENSATED_TAYLOR;
-
-/// A state in double-double precision.
-#[derive(Debug, Clone)]
-pub struct State {
-    /// Coordinates without their whole pitches (N).
-    pub q: DVector<Df64>,
-    /// Speeds (N).
-    pub q_dot: DVector<Df64>,
-}
+use super::State;
+use super::cell::Cell;
+use super::forces::Forces;
+use super::guard::{Guard, dot};
+use super::series::Series;
+use crate::tolerance::events::{COMPENSATED_CORRECTION, COMPENSATED_TAYLOR};
 
 /// The motion in a cell from a given state on.
 pub struct Flight<'a> {
     cell: &'a Cell,
     start: State,
-    /// Modal speeds at the start.
-    speed: DVector<Df64>,
-    /// Modal forces g - omega² xi at the start.
-    force: DVector<Df64>,
+    course: Course<'a>,
+}
+
+/// How the modes move.
+enum Course<'a> {
+    /// Each by itself, in closed form: modal speeds and forces at the start.
+    Closed([DVector<Df64>; 2]),
+    /// By power series.
+    Series(Box<Series<'a>>),
+}
+
+/// The motion at one instant, in modes.
+pub struct Instant {
+    /// xi(t) - xi(0).
+    pub moved: DVector<Df64>,
+    /// xi'(t) - xi'(0).
+    pub gained: DVector<Df64>,
+    /// xi', xi'', xi'''.
+    pub rates: [DVector<Df64>; 3],
 }
 
 /// Maximum number of Newton steps. One is enough for a guess of 16 digits, a few near a graze.
 const MOST_STEPS: usize = 8;
 
 impl<'a> Flight<'a> {
-    /// The motion from `start` on.
-    pub fn new(cell: &'a Cell, start: State) -> Self {
+    /// The motion from `start` on at the time `since` \[s\], under `forces` whose fastest angular frequency is `fastest` \[rad/s\]; if
+    /// `flat`, they do not change.
+    pub fn new(cell: &'a Cell, start: State, since: Df64, (forces, fastest, flat): (Forces<'a>, f64, bool)) -> Self {
         let speed = &cell.momentum * &start.q_dot;
-        let xi = &cell.momentum * &start.q;
-        let force = DVector::from_fn(xi.len(), |i, _| cell.load[i] - cell.modes[i].omega2 * xi[i]);
-        Flight { cell, start, speed, force }
+        let mut force = &cell.load - &cell.springs * &start.q;
+        let course = match &cell.modes {
+            Some(_) if flat => {
+                for (load, series) in forces.loads().zip(forces.series(since, 1.0)) {
+                    force += cell.shapes.transpose() * load * series[0];
+                }
+                Course::Closed([speed, force])
+            }
+            _ => Course::Series(Box::new(Series::new(cell, forces, since, fastest, [speed, force]))),
+        };
+        Flight { cell, start, course }
     }
 
-    /// xi(t) - xi(0) and xi'(t) - xi'(0) of the modes after the time `t` [s].
-    fn modal(&self, t: Df64) -> (DVector<Df64>, DVector<Df64>) {
-        let n = self.speed.len();
-        let (mut moved, mut gained) = (DVector::from_element(n, t), DVector::from_element(n, t));
-        for (i, mode) in self.cell.modes.iter().enumerate() {
-            let (s1, s2) = mode.response(t);
-            let (v, f) = (self.speed[i], self.force[i]);
-            moved[i] = v * s1 + f * s2;
-            gained[i] = (f - mode.sigma * v * 2.0) * s1 - mode.omega2 * v * s2;
+    /// The modes after the time `t` \[s\].
+    fn look(&mut self, t: Df64) -> Instant {
+        match (&mut self.course, &self.cell.modes) {
+            (Course::Closed(start), Some(modes)) => {
+                let [speed, force] = &*start;
+                let n = speed.len();
+                let none = || DVector::from_element(n, t);
+                let (mut moved, mut gained, mut v, mut a, mut jerk) = (none(), none(), none(), none(), none());
+                for (i, mode) in modes.iter().enumerate() {
+                    let (s1, s2) = mode.response(t);
+                    moved[i] = speed[i] * s1 + force[i] * s2;
+                    gained[i] = (force[i] - mode.sigma * speed[i] * 2.0) * s1 - mode.omega2 * speed[i] * s2;
+                    v[i] = speed[i] + gained[i];
+                    a[i] = force[i] - mode.omega2 * moved[i] - mode.sigma * v[i] * 2.0;
+                    jerk[i] = -(mode.omega2 * v[i] + mode.sigma * a[i] * 2.0);
+                }
+                Instant { moved, gained, rates: [v, a, jerk] }
+            }
+            (Course::Series(series), _) => series.at(t),
+            (Course::Closed(_), None) => unreachable!("coupled modes move by series"),
         }
-        (moved, gained)
-    }
-
-    /// Speeds, accelerations and jerks of the modes.
-    fn rates(&self, moved: &DVector<Df64>, gained: &DVector<Df64>) -> [DVector<Df64>; 3] {
-        let v = &self.speed + gained;
-        let modes = &self.cell.modes;
-        let a =
-            DVector::from_fn(v.len(), |i, _| self.force[i] - modes[i].omega2 * moved[i] - modes[i].sigma * v[i] * 2.0);
-        let jerk = DVector::from_fn(v.len(), |i, _| -(modes[i].omega2 * v[i] + modes[i].sigma * a[i] * 2.0));
-        [v, a, jerk]
     }
 
     fn state(&self, moved: &DVector<Df64>, gained: &DVector<Df64>) -> State {
@@ -65,36 +84,40 @@ impl<'a> Flight<'a> {
     }
 
     /// The state after the time `t` [s].
-    pub fn at(&self, t: Df64) -> State {
-        let (moved, gained) = self.modal(t);
+    pub fn at(&mut self, t: Df64) -> State {
+        let Instant { moved, gained, .. } = self.look(t);
         self.state(&moved, &gained)
     }
 
-    /// The time near `t` [s] at which coordinate `phase` reaches `boundary`, and the state there. If it does not reach it, e.g.
-    /// at a graze, `t` and the state at `t`.
-    pub fn meet(&self, phase: usize, boundary: f64, t: f64) -> (Df64, State) {
-        let weight = |i: usize| self.cell.shapes[(phase, i)];
-        let along = |x: &DVector<Df64>| (0..x.len()).fold(Df64::from(0.0), |sum, i| sum + weight(i) * x[i]);
-        let (gap, begun) = (Df64::from(boundary) - self.start.q[phase], Df64::from(t));
+    /// The time near `t` [s] at which `guard` is zero, and the state there; `None` if it is not zero nearby, e.g. at a graze.
+    pub fn meet(&mut self, guard: &Guard, t: f64) -> Option<(Df64, State)> {
+        let [on_q, on_speed] = [&guard.on_q, &guard.on_speed].map(|on| self.cell.shapes.tr_mul(on));
+        let (value, begun) = (guard.value(&self.start), Df64::from(t));
         let mut t = begun;
         for _ in 0..MOST_STEPS {
-            let (mut moved, mut gained) = self.modal(t);
-            let [v, a, jerk] = self.rates(&moved, &gained);
-            let (gap, rate) = (gap - along(&moved), along(&v));
+            let Instant { mut moved, mut gained, rates: [v, a, jerk] } = self.look(t);
+            let [pushed, push_rate, push_curve] = match &self.course {
+                Course::Series(series) => series.pushed(&guard.on_force, t),
+                Course::Closed(_) => [Df64::from(0.0); 3],
+            };
+            let gap = -(value + dot(&on_q, &moved) + dot(&on_speed, &gained) + pushed);
+            let rate = dot(&on_q, &v) + dot(&on_speed, &a) + push_rate;
+            let curve = (dot(&on_q, &a) + dot(&on_speed, &jerk) + push_curve).hi();
             let newton = gap / rate;
-            // Relative correction of Newton's step to the root of gap - rate dt - a dt²/2.
-            let lacking = 0.5 * along(&a).hi() * newton.hi() / rate.hi();
+            // Relative correction of Newton's step to the root of gap - rate dt - curve dt²/2.
+            let lacking = 0.5 * curve * newton.hi() / rate.hi();
             let dt = newton - newton * lacking;
-            if !dt.hi().is_finite() {
+            let far = (t + dt - begun).hi().abs() * self.cell.rate;
+            if !dt.hi().is_finite() || far > COMPENSATED_CORRECTION {
                 break;
             }
             if dt.hi().abs() * self.cell.rate <= COMPENSATED_TAYLOR && lacking.abs() <= COMPENSATED_TAYLOR {
                 moved += (v + &a * (dt * 0.5)) * dt;
                 gained += (a + jerk * (dt * 0.5)) * dt;
-                return (t + dt, self.state(&moved, &gained));
+                return Some((t + dt, self.state(&moved, &gained)));
             }
             t += dt;
         }
-        (begun, self.at(begun))
+        None
     }
 }

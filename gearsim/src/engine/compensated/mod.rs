@@ -1,110 +1,97 @@
 //! The compensated mode: states, times and the constants of cells as double-double numbers, 32 digits.
 //!
 //! What limits a run in plain numbers is the rounding of its state at each event, amplified from there on, and that of the
-//! cells' constants, which makes energy drift. The plain engine goes on deciding which boundary is met first, and on which
-//! side; where it is met, the state there and the jump are then worked out anew in twice the digits. The numbers of the
+//! cells' constants, which makes energy drift. The plain engine goes on deciding which guard is met first, and on which
+//! side; when it is met, the state there and the jump are then worked out anew in twice the digits. The numbers of the
 //! scene are taken as they are read: the constants follow from them by the derived equations in the same arithmetic
 //! (Dekker, Numer. Math. 18, 1971; Hida, Li & Bailey, ARITH-15, 2001).
 //!
-//! While a phase is held at a step the run is in plain numbers.
+//! Cells whose modes move by themselves under constant loads are solved in closed form (`mode.rs`), others by power series
+//! (`series.rs`). What the policies of the engine leave out stays left out: the energy of bounces that are not followed to their ends.
 
 mod cell;
+mod cells;
 mod flight;
+mod forces;
+mod guard;
+mod held;
 mod mode;
+mod motion;
+mod series;
+mod step;
 
-use nalgebra::{DMatrix, DVector};
+use nalgebra::DVector;
 use xprec::Df64;
 
-use crate::engine::cells::{self, levels};
-use crate::engine::crossing::{Cost, SearchError, Side};
-use crate::engine::equations::Matrices;
+use crate::engine::crossing::Side;
+use crate::engine::equations::ExactCells;
 use crate::engine::error::{Refusal, Stop};
 use crate::engine::hybrid::Hybrid;
 use crate::engine::jump::Passage;
-use crate::engine::law;
-use crate::engine::motion::{End, Guard, Motion, Reached, Solver};
+use crate::engine::motion::{Motion, Solver};
 use crate::engine::record;
 use crate::engine::vector::Vector;
 
-use cell::Cell;
-use flight::{Flight, State};
+use cells::Cells;
+use flight::Flight;
+use forces::Forces;
+use held::Late;
+use motion::Refined;
+
+/// The cells of a scene in double-double numbers.
+pub struct Given<'a> {
+    /// Their matrices, and the modes of switches.
+    pub cells: Box<dyn ExactCells + 'a>,
+    /// Generalised forces of a unit of each torque that varies, in the order of [`Forcing`](crate::engine::forcing::Forcing) (n each).
+    pub loads: Vec<DVector<Df64>>,
+}
 
 /// A solver in plain numbers, whose results it works out anew in twice the digits.
 pub struct Compensated<'a> {
     plain: Box<dyn Solver + 'a>,
-    cells: Vec<Cell>,
-    surfaces: Vec<Surface>,
-}
-
-/// One law's steps.
-#[derive(Debug, Clone)]
-struct Surface {
-    /// Coordinate that is its phase.
-    phase: usize,
-    /// G.
-    compliance: Df64,
-    /// M⁻¹n / G (N).
-    direction: DVector<Df64>,
-    /// K per unit of the law.
-    stiffness: DMatrix<Df64>,
+    given: Given<'a>,
+    cells: Cells,
+    /// The hold that ended last, if the motion after it is still to be followed.
+    late: Option<Late>,
 }
 
 impl<'a> Compensated<'a> {
-    /// Continues the cells of the solver `plain` and the state `now` from their digits; `matrices` are those of a cell with
-    /// given law values.
+    /// Continues the cells of the solver `plain` and the state `now` from their digits.
     ///
     /// # Errors
-    /// If the scene has play or a transmission error, if it has too many cells, or if damping couples the modes.
-    pub fn new(
-        matrices: &dyn Fn(&[Df64]) -> Matrices<Df64>,
-        plain: Box<dyn Solver + 'a>,
-        now: &mut Hybrid<'_>,
-    ) -> Result<Self, Refusal> {
-        let laws = &now.laws;
-        let cells = plain.cells().and_then(cells::Cells::all);
-        let cells = cells.filter(|_| now.switches.is_empty() && !laws.iter().any(|law| law.is_error));
-        let cells = cells.ok_or(Refusal::CompensatedCells)?;
-        let rest = &now.k[laws.len()..];
-        let wide = |k: Vec<f64>| k.into_iter().map(Df64::from).collect::<Vec<_>>();
-        let cell = |i: usize| Cell::new(&matrices(&wide(levels(laws, i, rest))), &cells[i].cell);
-        let done = (0..cells.len()).map(cell).collect::<Result<Vec<_>, _>>()?;
-        let unit =
-            |l: usize| wide((0..laws.len()).map(|i| f64::from(u8::from(i == l))).chain(rest.iter().copied()).collect());
-        let none = matrices(&wide([&vec![0.0; laws.len()], rest].concat()));
-        let surface = |l: usize| {
-            let with = matrices(&unit(l));
-            // Column `phase` of M⁻¹ = X Xᵀ: the phase is a coordinate, n its unit vector.
-            let phase = laws[l].phase;
-            let x = &done[0].shapes;
-            let column = DVector::from_fn(x.nrows(), |i, _| x.row(i).dot(&x.row(phase)));
-            let compliance = column[phase];
-            Surface {
-                phase,
-                compliance,
-                direction: column.map(|w| w / compliance),
-                stiffness: with.stiffness - &none.stiffness,
-            }
-        };
-        let surfaces = (0..laws.len()).map(surface).collect();
+    /// If a cell has no modes.
+    pub fn new(given: Given<'a>, plain: Box<dyn Solver + 'a>, now: &mut Hybrid<'_>) -> Result<Self, Refusal> {
         now.state.low = Vector::zeros(now.state.q.len());
-        Ok(Compensated { plain, cells: done, surfaces })
+        let cells = Cells::new(&*given.cells, now)?;
+        let mut solver = Compensated { plain, given, cells, late: None };
+        solver.enter(now)?;
+        Ok(solver)
     }
 }
 
 impl Solver for Compensated<'_> {
     fn enter(&mut self, now: &mut Hybrid<'_>) -> Result<(), Refusal> {
-        self.plain.enter(now)
+        self.plain.enter(now)?;
+        self.cells.meet(&*self.given.cells, now)?;
+        if let Some(held) = self.cells.held() {
+            State::of(&now.state).at_rest(held).write(&mut now.state);
+        }
+        // A hold ended a little earlier: from there on the motion is the one of this mode.
+        if let Some(Late { state, by }) = self.late.take() {
+            let state = match self.cells.held() {
+                Some(held) => state.at_rest(held),
+                None => state,
+            };
+            flight(&self.cells, &self.given, now, (state, now.clock.0 - by)).at(by).write(&mut now.state);
+        }
+        Ok(())
     }
 
     fn solve<'s>(&'s mut self, now: &'s Hybrid<'_>, horizon: f64) -> Result<Box<dyn Motion + 's>, Stop> {
-        let Compensated { plain, cells, surfaces } = self;
+        let Compensated { plain, given, cells, late } = self;
         let plain = plain.solve(now, horizon)?;
-        // While a phase is held, the motion is in plain numbers.
-        if now.contact.is_some() {
-            return Ok(plain);
-        }
-        let flight = Flight::new(&cells[now.cell()], State::of(&now.state));
-        Ok(Box::new(Refined { plain, now, flight, surfaces }))
+        let flight = flight(cells, given, now, (State::of(&now.state), now.clock.0));
+        Ok(Box::new(Refined { plain, now, flight, exact: &*given.cells, cells, late }))
     }
 
     fn rate(&self) -> f64 {
@@ -112,19 +99,12 @@ impl Solver for Compensated<'_> {
     }
 
     /// As [`Hybrid::jump`] does.
-    fn jump(&self, now: &mut Hybrid<'_>, law: usize, side: Side) -> Passage {
+    fn jump(&mut self, now: &mut Hybrid<'_>, law: usize, side: Side) -> Passage {
         let State { q, q_dot } = &State::of(&now.state);
-        // V is a quadratic form in q between two steps, and linear in the laws.
-        let mut dv = Df64::from(0.0);
-        for i in law::met(&now.laws, law, side, &now.state) {
-            let stiffness = &self.surfaces[i].stiffness;
-            let along = |r: usize| (0..q.len()).fold(Df64::from(0.0), |sum, c| sum + stiffness[(r, c)] * q[c]);
-            let twice = (0..q.len()).fold(Df64::from(0.0), |sum, r| sum + q[r] * along(r));
-            dv += twice * now.laws[i].exact_step(side) * 0.5;
-        }
-        let Surface { phase, compliance, direction, .. } = &self.surfaces[law];
-        let v = q_dot[*phase];
-        let lost = *compliance * dv * 2.0;
+        let dv = step::barrier(&*self.given.cells, now, law, side, q);
+        let surface = self.cells.surface(law);
+        let v = q_dot[now.laws[law].phase];
+        let lost = surface.compliance * dv * 2.0;
         let square = v * v - lost;
         let (passage, gained) = if square.hi() < 0.0 {
             (Passage::Reflected, v * -2.0)
@@ -135,61 +115,49 @@ impl Solver for Compensated<'_> {
             (Passage::Transmitted, gained)
         };
         for i in 0..q_dot.len() {
-            let speed = q_dot[i] + direction[i] * gained;
+            let speed = q_dot[i] + surface.direction[i] * gained;
             (now.state.q_dot[i], now.state.lost[i]) = (speed.hi(), speed.lo());
         }
         passage
     }
 }
 
-/// A plain motion whose end is worked out anew in twice the digits.
-struct Refined<'s> {
-    plain: Box<dyn Motion + 's>,
-    now: &'s Hybrid<'s>,
-    flight: Flight<'s>,
-    surfaces: &'s [Surface],
+/// The motion in the present mode of `now` from a state at a time \[s\].
+fn flight<'s>(
+    cells: &'s Cells,
+    given: &'s Given<'_>,
+    now: &'s Hybrid<'_>,
+    (state, since): (State, Df64),
+) -> Flight<'s> {
+    let forces = Forces::of(now.forcing.as_deref(), &given.loads);
+    let fastest = now.forcing.as_ref().map_or(0.0, |forcing| forcing.fastest());
+    let flat = now.forcing.as_ref().is_none_or(|forcing| forcing.is_flat());
+    Flight::new(cells.here(), state, since, (forces, fastest, flat))
 }
 
-impl Motion for Refined<'_> {
-    fn length(&self) -> f64 {
-        self.plain.length()
-    }
-
-    fn first(&mut self, guard: Guard, until: f64, cost: &mut Cost) -> Result<Option<(f64, Side)>, SearchError> {
-        self.plain.first(guard, until, cost)
-    }
-
-    fn at(&mut self, t: f64) -> Reached {
-        self.plain.at(t)
-    }
-
-    fn arrive(&mut self, t: f64, end: End, cost: &mut Cost) -> (Df64, Reached) {
-        let (_, mut reached) = self.plain.arrive(t, end, cost);
-        let clock = &self.now.clock;
-        let at = |t: Df64| (t, self.flight.at(t));
-        let (t, state) = match end {
-            End::Step(i, side) => {
-                let law = &self.now.laws[i];
-                match law.next_switch() {
-                    None => self.flight.meet(self.surfaces[i].phase, law.boundary(side), t),
-                    Some((switch, _)) => at(clock.exactly_until(switch)),
-                }
-            }
-            End::Run => at(clock.exactly_until(self.now.t_end)),
-            End::Open | End::Hold(..) | End::Exit(..) | End::Loose(..) | End::Breakpoint => at(t.into()),
-        };
-        state.write(&mut reached.state);
-        (t, reached)
-    }
+/// A state in double-double precision.
+#[derive(Debug, Clone)]
+pub struct State {
+    /// Coordinates without their whole pitches (N).
+    pub q: DVector<Df64>,
+    /// Speeds (N).
+    pub q_dot: DVector<Df64>,
 }
 
 impl State {
     /// A state of a run, with all its digits.
-    fn of(state: &record::State) -> State {
+    pub fn of(state: &record::State) -> State {
         let exact = |x: &[f64], low: &[f64]| {
-            DVector::from_iterator(x.len(), x.iter().zip(low).map(|(x, low)| Df64::from(*x) + *low))
+            let digit = |i: usize| Df64::from(x[i]) + low.get(i).copied().unwrap_or(0.0);
+            DVector::from_fn(x.len(), |i, _| digit(i))
         };
         State { q: exact(&state.q, &state.low), q_dot: exact(&state.q_dot, &state.lost) }
+    }
+
+    /// The same with the held speeds at rest.
+    fn at_rest(mut self, held: &held::Held) -> State {
+        held.rest(&mut self);
+        self
     }
 
     /// Writes it to a state of a run: the rounded numbers, and what these lack.

@@ -136,15 +136,12 @@ fn a_run_in_parts_equals_the_whole_run() {
     }
 }
 
-/// Compensated runs and plain simulations refuse torques that vary. An ensemble runs such a scene alone.
+/// Plain simulations refuse torques that vary. An ensemble runs such a scene alone.
 #[test]
 fn other_solvers_refuse_torques_that_vary() {
-    let compensated = scene(&[&ALL[..], &["run.precision=compensated"]].concat());
-    let refusal = entry(&compensated).run(&compensated, &mut |_| {}).unwrap_err();
-    assert_eq!(refusal, Refusal::CompensatedVarying { torques: "`T0`".into() });
-    assert!(refusal.to_string().contains("varies in time (`T0`)"), "{refusal}");
-    let equations = DerivedModel::of::<GearPair>().equations(&compensated).unwrap();
-    let plain = Simulation::new(&*equations, &compensated).err();
+    let varying = scene(&ALL);
+    let equations = DerivedModel::of::<GearPair>().equations(&varying).unwrap();
+    let plain = Simulation::new(&*equations, &varying).err();
     assert_eq!(plain, Some(Refusal::Varying { torques: "`T0`".into() }));
     let scenes = [scene(&ALL), scene(&ALL[..3])];
     let together = entry(&scenes[0]).ends(&scenes);

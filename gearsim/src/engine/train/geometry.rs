@@ -5,7 +5,7 @@
 
 use nalgebra::DMatrix;
 
-use crate::engine::real::Real;
+use crate::engine::real::{Real, Sized64};
 use crate::engine::vector::Vector;
 use crate::tolerance::scene::CANCELLED;
 use crate::train::{Factor, Form, Row, Train};
@@ -16,24 +16,6 @@ pub(super) struct Geometry<R> {
     pub rows: Vec<DMatrix<R>>,
     pub products: Vec<Vec<R>>,
     pub motions: Vec<Vector>,
-}
-
-/// Numbers that can be compared.
-pub(super) trait Sized64: Real {
-    /// The number rounded to f64.
-    fn rounded(self) -> f64;
-}
-
-impl Sized64 for f64 {
-    fn rounded(self) -> f64 {
-        self
-    }
-}
-
-impl Sized64 for xprec::Df64 {
-    fn rounded(self) -> f64 {
-        self.hi()
-    }
 }
 
 impl<R: Sized64> Geometry<R> {

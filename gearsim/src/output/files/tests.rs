@@ -51,6 +51,28 @@ fn a_result_that_loses_a_file_loses_all() {
     assert_eq!(names(root.path()), expected);
 }
 
+/// A page goes with the result to which it belongs, whether the index of that lists it or not, and with no other.
+#[test]
+fn a_page_is_replaced_with_its_result() {
+    let root = tempfile::tempdir().unwrap();
+    let page = |index: &str| {
+        let mut folder = OutputFolder::create(root.path()).unwrap();
+        folder
+            .write_bytes("page.html", format!("<!DOCTYPE html>{}", crate::output::belongs(index)).as_bytes())
+            .unwrap();
+        folder.write_bytes(index, b"t").unwrap();
+        folder.commit(index).unwrap();
+    };
+    page("response.csv");
+    result(root.path(), "modes.json", &["shapes.svg"], "modes").unwrap();
+    assert!(names(root.path()).contains(&"page.html".into()));
+    result(root.path(), "response.csv", &["response.svg"], "2").unwrap();
+    assert_eq!(names(root.path()), ["modes.json", "response.csv", "response.svg", "shapes.svg"]);
+    std::fs::write(root.path().join("page.html"), "of the user").unwrap();
+    result(root.path(), "response.csv", &["response.svg"], "3").unwrap();
+    assert!(names(root.path()).contains(&"page.html".into()));
+}
+
 /// An index that another program wrote says nothing about files of gearsim.
 #[test]
 fn files_that_another_program_lists_are_left_alone() {

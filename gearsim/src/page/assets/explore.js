@@ -187,7 +187,7 @@ const narrow = matchMedia("(max-width: 60rem)");
 const fold = () => { byId("side").open = !narrow.matches; };
 narrow.addEventListener("change", fold);
 fold();
-const draw = () => panels.forEach((panel) => panel.draw());
+const draw = () => [...panels, ...drawings].forEach((drawn) => drawn.draw());
 matchMedia("(prefers-color-scheme: dark)").addEventListener("change", draw);
 addEventListener("resize", draw);
 changed();

@@ -15,6 +15,8 @@ class Group {
     this.x = x;
     this.panels = [];
     this.bars = [];
+    // What else moves with the cursor.
+    this.followers = [];
     this.cursor = null;
     this.revision = 0;
   }
@@ -22,9 +24,11 @@ class Group {
   /** Finds the limits of its panels. */
   begin() {
     const limits = this.panels.map((panel) => panel.limits());
+    const first = this.x.range?.map((x) => this.x.log ? Math.log10(x) : x);
+    if (first) limits.push(first);
     this.all = [Math.min(...limits.map(([from]) => from)), Math.max(...limits.map(([, to]) => to))];
     if (!(this.all[1] > this.all[0])) this.all[1] = this.all[0] + 1;
-    this.range = this.x.range ?? [...this.all];
+    this.range = first ?? [...this.all];
     const events = this.panels.find((panel) => panel.plot.events)?.plot.events;
     this.events = events ? column(events).values : null;
   }
@@ -127,15 +131,16 @@ class Group {
     requestAnimationFrame(() => {
       this.marking = false;
       this.panels.filter((panel) => panel.inSight).forEach((panel) => panel.mark());
+      this.followers.forEach((follow) => follow());
       this.tell();
     });
   }
 
   tell() {
     const [from, to] = this.range;
-    const unit = this.x.unit;
+    const unit = this.x.unit === "1" ? "" : this.x.unit;
     const digits = Math.max(5, Math.min(12, Math.ceil(Math.log10(Math.abs(to) / (to - from))) + 4));
-    const number = (x) => Number(x.toPrecision(digits));
+    const number = (x) => Number((this.x.log ? 10 ** x : x).toPrecision(digits));
     const parts = [`${number(from)} to ${number(to)} ${unit}`];
     if (this.cursor !== null) parts.push(`cursor ${number(this.cursor)} ${unit}`);
     if (this.events) parts.push(`${lowerBound(this.events, to) - lowerBound(this.events, from)} events in view`);

@@ -1,6 +1,7 @@
 // Starts the page.
 
 const panels = [...document.querySelectorAll("figure.plot")].map((figure) => new Panel(figure));
+const maps = [...document.querySelectorAll("figure.map")].map((figure) => new HeatMap(figure));
 for (const group of groups.values()) group.begin();
 
 // One bar a group in each section, before its first plot there.
@@ -13,7 +14,8 @@ for (const section of document.querySelectorAll("section")) {
     panel.group.tell();
   }
 }
-const draw = () => panels.forEach((panel) => panel.draw());
+const drawings = [...document.querySelectorAll("figure.gears")].map((figure) => new Gears(figure));
+const draw = () => [...panels, ...maps, ...drawings].forEach((plot) => plot.draw());
 draw();
 document.querySelectorAll("table.sortable").forEach(sortable);
 matchMedia("(prefers-color-scheme: dark)").addEventListener("change", draw);

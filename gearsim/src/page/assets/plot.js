@@ -25,8 +25,16 @@ const COLOURS = 7;
 // Width left of the frames, the same for all plots so that their times stand below each other.
 const MARGIN = 78;
 
+/** `text` with what stands in `_{...}` as an index, for plotly.js, which reads some HTML. */
+const formula = (text) => text.replaceAll("&", "&amp;").replaceAll("<", "&lt;").replace(/_\{([^}]*)\}/g, "<sub>$1</sub>");
+/** The same as elements. */
+const formulaElements = (text) => text.split(/_\{([^}]*)\}/).map((part, i) => i % 2 ? element("sub", { textContent: part }) : part);
+
 const css = (name) => getComputedStyle(document.documentElement).getPropertyValue(name).trim();
-const colour = (index) => css(`--curve-${index % COLOURS}`);
+/** The colour of a style: the number of one of the page, or a CSS colour. */
+const colour = (which) => typeof which === "number" ? css(`--curve-${which % COLOURS}`) : which;
+/** How the i-th curve looks if it does not say so itself. */
+const styleOf = (i) => ({ colour: i % COLOURS, dash: DASHES[i % DASHES.length], width: i === 0 ? 1.7 : 1.3, marker: null });
 
 /** A number with five digits. */
 function short(x) {
@@ -53,6 +61,7 @@ class Panel {
     this.figure = figure;
     this.plot = JSON.parse(figure.querySelector("script").textContent);
     this.shown = this.plot.curves.map((curve) => curve.shown);
+    this.styles = this.plot.curves.map((curve, i) => curve.style ?? styleOf(i));
     this.factor = 1;
     this.unit = this.plot.y.unit;
     this.inSight = false;
@@ -73,27 +82,32 @@ class Panel {
     // A few descriptions stand beside their curves, more of them in a list that opens.
     const inline = this.plot.curves.length <= 2;
     const boxes = this.plot.curves.map((curve, i) => {
+      if (!curve.name) return null;
       const box = element("input", { type: "checkbox", checked: this.shown[i] });
-      box.addEventListener("change", () => { this.shown[i] = box.checked; this.draw(); });
+      box.addEventListener("change", () => {
+        this.plot.curves.forEach((other, j) => { if (j === i || other.with === i) this.shown[j] = box.checked; });
+        this.draw();
+      });
       const value = element("output", { className: "value" });
-      this.values.push(value);
+      this.values[i] = value;
       const line = `<svg width="22" height="8" aria-hidden="true"><line x1="0" y1="4" x2="22" y2="4"/></svg>`;
       const swatch = element("span", { className: "swatch", innerHTML: line });
       const stroke = swatch.querySelector("line").style;
-      stroke.stroke = `var(--curve-${i % COLOURS})`;
-      stroke.strokeDasharray = i % DASHES.length === 0 ? "none" : DASHES[i % DASHES.length].replaceAll("px", "");
-      const name = element("span", { className: "name", textContent: curve.name });
+      const style = this.styles[i];
+      stroke.stroke = typeof style.colour === "number" ? `var(--curve-${style.colour % COLOURS})` : style.colour;
+      stroke.strokeDasharray = style.dash === "solid" ? "none" : style.dash.replaceAll("px", "");
+      const name = element("span", { className: "name" }, ...formulaElements(curve.name));
       const doc = element("span", { className: "doc", textContent: inline ? curve.doc : "" });
       return element("label", { title: curve.doc }, box, swatch, name, value, doc);
-    });
+    }).filter((label) => label);
     const head = element("div", { className: "head" }, caption);
     this.units = this.plot.y.log ? [] : UNITS[this.unit] ?? [];
     if (this.units.length > 1) head.append(this.unitMenu());
     const doc = this.plot.curves.filter((curve) => curve.doc && !inline).map((curve) => `${curve.name}: ${curve.doc}`).join("\n");
-    const key = element("div", { className: "curves", role: "group", ariaLabel: `Curves of ${this.plot.title}` }, ...boxes);
+    const key = element("div", { className: "curves", role: "group", ariaLabel: `Curves of ${caption.textContent}` }, ...boxes);
     this.frame = element("div", {
       className: "frame", tabIndex: 0, role: "group",
-      ariaLabel: `${this.plot.title}. Arrow keys move the cursor, plus and minus zoom, 0 shows all.`,
+      ariaLabel: `${caption.textContent}. Arrow keys move the cursor, plus and minus zoom, 0 shows all.`,
     });
     this.canvas = element("div", { className: "canvas" });
     this.line = element("div", { className: "cursor", hidden: true });
@@ -136,7 +150,7 @@ class Panel {
       const axis = this.canvas._fullLayout?.xaxis;
       if (!axis) return;
       const x = event.clientX - this.canvas.getBoundingClientRect().left - axis._offset;
-      if (x >= 0 && x <= axis._length) this.group.point(axis.p2d(x));
+      if (x >= 0 && x <= axis._length) this.group.point(axis.p2r(x));
     };
     this.frame.addEventListener("pointermove", place);
     this.frame.addEventListener("pointerdown", place);
@@ -176,9 +190,22 @@ class Panel {
     if (!this.shown[i]) return null;
     const points = visible(column(curve.x), column(curve.y), from, to, pixels);
     const y = this.plot.y.log ? points.y.map((value) => 10 ** value) : points.y.map((value) => this.factor * value);
-    const few = points.all && points.rows < pixels / 8;
-    const line = { color: colour(i), dash: DASHES[i % DASHES.length], width: i === 0 ? 1.7 : 1.3, simplify: false };
-    return { x: points.x, y, name: curve.name, mode: few ? "lines+markers" : "lines", marker: { size: 4 }, line, hoverinfo: "skip" };
+    const x = this.plot.x.log ? points.x.map((value) => 10 ** value) : points.x;
+    const style = this.styles[i];
+    const few = !curve.style && points.all && points.rows < pixels / 8;
+    const mode = [style.width > 0 && "lines", (few || style.marker) && "markers"].filter((part) => part).join("+") || "none";
+    const line = { color: colour(style.colour), dash: style.dash, width: style.width, simplify: false };
+    const marker = style.marker ? { symbol: style.marker, size: 7, color: line.color, line: { color: line.color, width: 1.5 } } : { size: 4 };
+    return { x, y, name: formula(curve.name), mode, marker, line, hoverinfo: "skip" };
+  }
+
+  /** The texts at the last points of curves. */
+  notes() {
+    const noted = this.plot.curves.map((curve, i) => [curve, this.shown[i]]).filter(([curve, shown]) => curve.note && shown);
+    return noted.map(([curve]) => {
+      const [x, y] = [column(curve.x).values.at(-1), column(curve.y).values.at(-1)];
+      return { x, y: this.plot.y.log ? y : this.factor * y, text: formula(curve.note), showarrow: false, xanchor: "right", yanchor: "bottom", font: { size: 11, color: css("--muted") } };
+    });
   }
 
   /** The marks of events: one a pixel at most. */
@@ -196,23 +223,26 @@ class Panel {
 
   layout(range) {
     const [grid, ink] = [css("--grid"), css("--text")];
+    const names = (names) => names?.length ? { tickvals: names.map((_, i) => i), ticktext: names.map(formula) } : {};
     const axis = { gridcolor: grid, linecolor: grid, zerolinecolor: grid, exponentformat: "power", minexponent: 4, ticks: "outside", tickcolor: grid, ...Panel.axis };
-    const title = (text, unit) => ({ text: unit && unit !== "1" ? `${text} [${unit}]`.trim() : text, standoff: 6 });
+    const title = (text, unit) => ({ text: formula(unit && unit !== "1" ? `${text} [${unit}]`.trim() : text), standoff: 6 });
     const y = { ...axis, title: title(this.plot.y.label, this.unit), uirevision: this.yRevision };
-    if (this.plot.y.log) Object.assign(y, { type: "log", dtick: undefined, nticks: 7, exponentformat: "power", minexponent: 2 });
-    if (this.plot.y.range) y.range = this.plot.y.range.map((value) => this.plot.y.log ? Math.log10(value) : value);
+    const logarithmic = { type: "log", dtick: undefined, nticks: 7, exponentformat: "power", minexponent: 2 };
+    if (this.plot.y.log) Object.assign(y, logarithmic);
+    if (this.plot.y.range) y.range = this.plot.y.range.map((value) => this.plot.y.log ? Math.log10(value) : this.factor * value);
     const line = (x, text) => ({ type: "line", x0: x, x1: x, y0: 0, y1: 1, yref: "paper", line: { color: css("--muted"), width: 1, dash: "dot" },
       label: { text, textposition: "end", textangle: 0, xanchor: "left", yanchor: "top", font: { size: 11, color: css("--muted") } } });
+    const data = (x) => this.plot.x.log ? 10 ** x : x;
     const shapes = this.plot.lines.filter(({ x }) => x > range[0] && x < range[1]).map(({ x, name }) => line(x, name));
     if (this.plot.shaded_from !== null) {
-      shapes.push({ type: "rect", x0: this.plot.shaded_from, x1: this.group.all[1], y0: 0, y1: 1, yref: "paper", line: { width: 0 }, fillcolor: css("--muted"), opacity: 0.15, layer: "below" });
+      shapes.push({ type: "rect", x0: this.plot.shaded_from, x1: data(this.group.all[1]), y0: 0, y1: 1, yref: "paper", line: { width: 0 }, fillcolor: css("--muted"), opacity: 0.15, layer: "below" });
     }
     return {
-      margin: { l: MARGIN, r: 14, t: 10, b: 44 }, height: 250, showlegend: false, hovermode: false, shapes,
+      margin: { l: MARGIN, r: 14, t: 10, b: 44 }, height: 250, showlegend: false, hovermode: false, shapes, annotations: this.notes(),
       dragmode: touch() ? false : "zoom", paper_bgcolor: "rgba(0,0,0,0)", plot_bgcolor: "rgba(0,0,0,0)",
       font: { family: getComputedStyle(document.body).fontFamily, size: 12, color: ink },
       modebar: { bgcolor: "rgba(0,0,0,0)", color: css("--muted"), activecolor: ink },
-      xaxis: { ...axis, range: [...range], title: title(this.plot.x.label, this.plot.x.unit), fixedrange: touch(), uirevision: this.group.revision },
+      xaxis: { ...axis, ...(this.plot.x.log ? logarithmic : {}), ...names(this.plot.x.names), range: [...range], title: title(this.plot.x.label, this.plot.x.unit), fixedrange: touch(), uirevision: this.group.revision },
       yaxis: { ...y, fixedrange: touch() },
       yaxis2: { overlaying: "y", range: [0, 1], fixedrange: true, visible: false },
     };
@@ -234,9 +264,9 @@ class Panel {
     const axis = this.canvas._fullLayout?.xaxis;
     const inside = x !== null && axis && x >= this.group.range[0] && x <= this.group.range[1];
     this.line.hidden = !inside;
-    if (inside) this.line.style.transform = `translateX(${axis._offset + axis.d2p(x)}px)`;
+    if (inside) this.line.style.transform = `translateX(${axis._offset + axis.r2p(x)}px)`;
     this.plot.curves.forEach((curve, i) => {
-      this.values[i].textContent = this.shown[i] && x !== null ? this.at(curve, x) : "";
+      if (this.values[i]) this.values[i].textContent = this.shown[i] && x !== null ? this.at(curve, x) : "";
     });
   }
 

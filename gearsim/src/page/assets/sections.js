@@ -1,6 +1,7 @@
 // Sections that show run after run: plots that stay keep their view, all else is replaced.
 
 const panels = [];
+let drawings = [];
 // To look for labels that are cut off takes a quarter of the time of drawing.
 Panel.axis = { ticklabeloverflow: "allow" };
 
@@ -26,6 +27,8 @@ function showSections(main, { html, arrays }) {
   }
   for (const group of groups.values()) regroup(group);
   bars(main);
+  drawings.filter(({ figure }) => !figure.isConnected).forEach((gone) => gone.leave());
+  drawings = [...main.querySelectorAll("figure.gears")].map((figure) => drawings.find((drawing) => drawing.figure === figure) ?? new Gears(figure));
   main.querySelectorAll("table.sortable").forEach((table) => { if (!table.dataset.sorts) { sortable(table); table.dataset.sorts = "1"; } });
   drawAll();
 }

@@ -3,39 +3,37 @@
 mod columns;
 mod counts;
 mod energy;
+mod gears;
 mod losses;
 mod method;
-mod model;
 mod motion;
 mod numbers;
 mod orders;
-mod provenance;
-mod rows;
-mod scene;
 mod spectrum;
 
 use std::cell::OnceCell;
 
-use super::Page;
 use super::html::Html;
+use super::shared::rows::Rows;
+use super::{Page, shared};
 use crate::output::{OutputError, Summary, Table};
 use crate::run::Outcome;
 use crate::scene::Scene;
 use columns::Group;
-use rows::Rows;
 
 /// The sections, from top to bottom.
 const SECTIONS: &[Section] = &[
     Section { id: "method", title: "Result", fill: method::fill },
     Section { id: "motion", title: "Motion", fill: motion::fill },
+    Section { id: "gears", title: "Gears", fill: gears::fill },
     Section { id: "energy", title: "Energy", fill: energy::fill },
     Section { id: "spectra", title: "Spectra", fill: spectrum::fill },
     Section { id: "orders", title: "Orders", fill: orders::fill },
     Section { id: "numbers", title: "Numbers", fill: numbers::fill },
     Section { id: "counts", title: "Counts", fill: counts::fill },
-    Section { id: "scene", title: "Scene", fill: scene::fill },
-    Section { id: "model", title: "Model", fill: model::fill },
-    Section { id: "provenance", title: "Provenance", fill: provenance::fill },
+    Section { id: "scene", title: "Scene", fill: |report, html| shared::scene::fill(report.run.scene, html) },
+    Section { id: "model", title: "Model", fill: |report, html| shared::model::fill(report.run.scene, html) },
+    Section { id: "provenance", title: "Provenance", fill: provenance },
 ];
 
 /// A section of the page of a run.
@@ -80,11 +78,15 @@ fn with_sections(run: &Run<'_>, sections: &[Section]) -> Result<Page, OutputErro
     let rows = Rows::of(&table);
     let groups = columns::groups(&run.outcome.trajectory, &table);
     let report = Report { run, groups, rows, times: OnceCell::new() };
-    let scene = run.scene;
-    let subtitle = if scene.about.is_empty() { scene.model.title } else { &scene.about };
-    let mut page = Page::new(&scene.name, subtitle);
+    let mut page = shared::begin(run.scene);
     for section in sections {
         page.section(section.id, section.title, |html| (section.fill)(&report, html));
     }
     Ok(page)
+}
+
+/// Writes the section of the provenance.
+fn provenance(report: &Report<'_>, html: &mut Html) {
+    let summary = report.run.summary;
+    shared::provenance::fill(&summary.provenance, &summary.files, html);
 }

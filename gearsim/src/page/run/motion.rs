@@ -7,10 +7,13 @@ use crate::page::html::Html;
 use crate::page::plot::{Axis, Curve, Plot};
 use crate::trajectory::Moment;
 
+/// The group of the plots over time, and of the gears.
+pub(super) const GROUP: &str = "time";
+
 /// Times in the page, embedded once for all plots.
 pub(super) struct Times {
     /// Those of the rows [s].
-    rows: Column,
+    pub(super) rows: Column,
     /// Those of the events [s]; `None` without events.
     events: Option<Column>,
 }
@@ -43,17 +46,10 @@ pub(super) fn plot(
     shown: &dyn Fn(usize) -> bool,
 ) {
     let outcome = report.run.outcome;
-    let times = report.times.get_or_init(|| {
-        let events = events(report);
-        let rows = html.embed(&report.rows.times(&outcome.trajectory.t), Counts::Long);
-        Times { rows, events: (!events.is_empty()).then(|| html.embed(&events, Counts::Long)) }
-    });
-    let curves = group.columns.iter().enumerate().map(|(i, column)| Curve {
-        name: column.name.to_owned(),
-        doc: column.doc.clone(),
-        x: times.rows.clone(),
-        y: html.embed(&report.rows.values(&column.values), Counts::Short),
-        shown: shown(i),
+    let times = times(report, html);
+    let curves = group.columns.iter().enumerate().map(|(i, column)| {
+        let y = html.embed(&report.rows.values(&column.values), Counts::Short);
+        Curve::new(column.name, &column.doc, times.rows.clone(), y, shown(i))
     });
     let curves = curves.collect();
     html.plot(&Plot {
@@ -61,11 +57,20 @@ pub(super) fn plot(
         x: Axis::linear("time t", "s"),
         y: Axis::linear("", group.unit),
         curves,
-        group: Some("time"),
+        group: Some(GROUP.into()),
         events: times.events.clone(),
         lines: vec![],
         shaded_from: outcome.digits.and_then(|digits| digits.none_from),
     });
+}
+
+/// The times, embedded when a plot first needs them.
+pub(super) fn times<'a>(report: &'a Report<'_>, html: &mut Html) -> &'a Times {
+    report.times.get_or_init(|| {
+        let events = events(report);
+        let rows = html.embed(&report.rows.times(&report.run.outcome.trajectory.t), Counts::Long);
+        Times { rows, events: (!events.is_empty()).then(|| html.embed(&events, Counts::Long)) }
+    })
 }
 
 /// The times of the events [s].

@@ -55,7 +55,7 @@ fn plot(
         let x = html.embed(&spectrum.order, Counts::Long);
         let logarithms: Vec<f64> = spectrum.amplitude.iter().map(|x| x.log10()).collect();
         let y = html.embed(&logarithms, Counts::Short);
-        curves.push(Curve { name: column.name.into(), doc: column.doc.clone(), x, y, shown: group.shown(i) });
+        curves.push(Curve::new(column.name, &column.doc, x, y, group.shown(i)));
     }
     let highest = meshes.iter().map(|mesh| mesh.frequency / turning.frequency()).fold(0.0, f64::max);
     let end = if highest > 0.0 { longest.min(LONGEST * highest) } else { longest };
@@ -68,7 +68,7 @@ fn plot(
             ..Axis::linear("", group.unit)
         },
         curves,
-        group: Some("order"),
+        group: Some("order".into()),
         events: None,
         lines: marks(meshes, turning),
         shaded_from: None,

@@ -58,7 +58,7 @@ fn plot(
         let x = html.embed(&spectrum.frequency, Counts::Long);
         let logarithms: Vec<f64> = spectrum.density.iter().map(|x| x.log10()).collect();
         let y = html.embed(&logarithms, Counts::Short);
-        curves.push(Curve { name: column.name.into(), doc: column.doc.clone(), x, y, shown: group.shown(i) });
+        curves.push(Curve::new(column.name, &column.doc, x, y, group.shown(i)));
     }
     let range = (lowest < peak).then(|| (lowest.max(peak / DECADES), 3.0 * peak));
     html.plot(&Plot {
@@ -66,7 +66,7 @@ fn plot(
         x: Axis::linear("frequency f", "Hz"),
         y: Axis { log: true, range, ..Axis::linear("", density_unit(group.unit)) },
         curves,
-        group: Some("frequency"),
+        group: Some("frequency".into()),
         events: None,
         lines: lines(report),
         shaded_from: None,

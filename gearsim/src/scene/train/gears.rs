@@ -14,7 +14,8 @@ const MESH: &[Key] = &[
     key("teeth", Kind::List(&Kind::Number), "of another mesh, or in [parameters]", "numbers of teeth of both gears"),
     key("base_radius", Kind::Quantity("m"), "from module", "base radius of the first gear"),
     key("module", Kind::Quantity("m"), "none", "normal module, instead of base_radius"),
-    key("pressure_angle", Kind::Quantity("rad"), "20 deg", "with module"),
+    key("helix_angle", Kind::Quantity("rad"), "0 deg", "helix angle at the reference cylinder"),
+    key("pressure_angle", Kind::Quantity("rad"), "20 deg", "pressure angle of the basic rack"),
     key(
         "stiffness",
         Kind::Either(&[Kind::Choice(&["rigid"]), LAW]),
@@ -57,7 +58,8 @@ impl Reader<'_> {
         let first = ends[0].map_or(GROUND, |i| &self.draft.rotors[i].name);
         let radius = named("r", if teeth[0] == named("N", first) { first } else { item.name });
         let radius = Geometry { name: radius, unit: "m", doc: format!("base radius of gear {first}") };
-        self.value(named("alpha", item.name), item.get("pressure_angle"));
+        let angle = self.transverse_angle(item);
+        self.value(named("alpha", item.name), angle.as_ref());
         self.geared(item.name.to_string(), item, gears, radius, internal);
         self.radius(item, &teeth[0]);
         if let Some(node) = item.get("damping") {

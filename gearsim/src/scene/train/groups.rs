@@ -2,6 +2,7 @@
 
 use super::draft::{DraftPart, Gear, Geometry, Group, Term, Terms, named};
 use super::read::{Item, Reader};
+use crate::gear::Gears;
 use crate::scene::document::{Node, Value};
 use crate::scene::field;
 
@@ -69,8 +70,9 @@ impl Reader<'_> {
         let driving = driving.into_iter().collect();
         // The phase is set when all meshes of the group are known.
         let rows = vec![vec![], s, psi.into_iter().flatten().collect()];
-        // A pressure angle that the part states is its own.
-        let angle = item.get("pressure_angle").map(|_| ("alpha", named("alpha", item.name)));
+        // An angle that the part states is its own.
+        let angle =
+            item.get("pressure_angle").or(item.get("helix_angle")).map(|_| ("alpha", named("alpha", item.name)));
         of.parts.push(self.draft.parts.len());
         let (place, called) = (item.place.clone(), named("s", &name));
         let (element, renamed) = ("element_mesh_with_friction", angle.into_iter().collect());
@@ -93,24 +95,44 @@ impl Reader<'_> {
         }
         match (base, module) {
             (Some(node), Some(_)) => {
-                let help = "leave out one of them: base radius = module teeth cos(pressure angle)/2";
+                let help =
+                    "leave out one of them: base radius = module teeth cos(pressure angle)/2, in the transverse plane";
                 self.report.add(&node.place, format!("{} has `base_radius` and `module`", item.title()), "twice", help);
             }
             (Some(node), None) => self.value(radius, Some(&node)),
             (None, Some(node)) => {
-                let m = field::quantity(&item.path("module"), &node, "m", self.report);
-                let angle = match item.get("pressure_angle") {
-                    Some(node) => field::quantity(&item.path("pressure_angle"), node, "rad", self.report),
-                    None => Some(20f64.to_radians()),
-                };
-                let teeth = self.draft.values.iter().find(|value| value.0 == teeth).cloned();
-                let teeth = teeth.map(|(_, node)| field::quantity(&item.path("teeth"), &node, "1", self.report));
-                if let (Some(m), Some(angle), Some(Some(teeth))) = (m, angle, teeth) {
-                    let value = Value::Text(format!("{} m", m * teeth * angle.cos() / 2.0));
+                if let Some(r) = self.radius_by_module(item, &node, teeth) {
+                    let value = Value::Text(format!("{r} m"));
                     self.value(radius, Some(&Node { value, place: node.place }));
                 }
             }
             (None, None) => {}
         }
+    }
+
+    /// The base radius of the gear whose number of teeth is called `teeth`, by the `module` of an item and its angles [m].
+    pub(super) fn radius_by_module(&mut self, item: &Item<'_>, module: &Node, teeth: &str) -> Option<f64> {
+        let module = field::quantity(&item.path("module"), module, "m", self.report);
+        let teeth = self.draft.values.iter().find(|value| value.0 == teeth).map(|value| value.1.clone());
+        let teeth = teeth.and_then(|node| field::quantity(&item.path("teeth"), &node, "1", self.report));
+        Some(teeth? * self.basic_rack(item, module?)?.base_radius_per_tooth())
+    }
+
+    /// The transverse pressure angle of an item that states an angle, as a value of the scene.
+    pub(super) fn transverse_angle(&mut self, item: &Item<'_>) -> Option<Node> {
+        let Some(helix) = item.get("helix_angle") else { return item.get("pressure_angle").cloned() };
+        let (_, angle) = self.basic_rack(item, 1.0)?.transverse();
+        Some(Node { value: Value::Text(format!("{angle} rad")), place: helix.place.clone() })
+    }
+
+    /// Gears with the angles of an item and a normal module [m].
+    fn basic_rack(&mut self, item: &Item<'_>, module: f64) -> Option<Gears> {
+        let mut angle = |key: &str, usual: f64| match item.get(key) {
+            Some(node) => field::quantity(&item.path(key), node, "rad", self.report),
+            None => Some(usual),
+        };
+        let (pressure, helix) = (angle("pressure_angle", 20f64.to_radians())?, angle("helix_angle", 0.0)?);
+        // Numbers of teeth and the face width do not count here.
+        Some(Gears { helix_angle: helix, ..Gears::standard([1.0; 2], module, pressure, 1.0) })
     }
 }

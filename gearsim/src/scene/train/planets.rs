@@ -20,6 +20,7 @@ const SET: &[Key] = &[
     key("at", Kind::List(&Kind::Quantity("rad")), "equally spaced", "places of the planets on the carrier"),
     key("base_radius", Kind::Quantity("m"), "from module", "base radius of the sun"),
     key("module", Kind::Quantity("m"), "none", "normal module, instead of base_radius"),
+    key("helix_angle", Kind::Quantity("rad"), "0 deg", "helix angle at the reference cylinder"),
     key("pressure_angle", Kind::Quantity("rad"), "20 deg", "pressure angle"),
     key("mass", Kind::Quantity("kg"), ELSEWHERE, "mass of a planet"),
     key("inertia", Kind::Quantity("kg*m^2"), ELSEWHERE, "moment of inertia of a planet"),
@@ -82,7 +83,8 @@ impl Reader<'_> {
             named("np", set),
             Some(&Node { value: Value::Number(places.len() as f64), place: item.place.clone() }),
         );
-        self.value(named("alpha", set), item.get("pressure_angle"));
+        let angle = self.transverse_angle(item);
+        self.value(named("alpha", set), angle.as_ref());
         let renamed = vec![("Zs_x", z_s.clone()), ("Zr_x", z_r.clone()), ("rs_x", r_s.clone())];
         let rows = vec![vec![Term::new(carrier, 1.0, &[])]];
         let (name, place, called) = (set.to_string(), item.place.clone(), String::new());
@@ -181,15 +183,8 @@ impl Reader<'_> {
             return self.value(r_s.into(), Some(node));
         }
         let Some(node) = item.get("module") else { return };
-        let module = field::quantity(&format!("planets.{}.module", item.name), node, "m", self.report);
-        let angle = match item.get("pressure_angle") {
-            Some(node) => field::quantity(&format!("planets.{}.pressure_angle", item.name), node, "rad", self.report),
-            None => Some(20f64.to_radians()),
-        };
-        let teeth = self.draft.values.iter().find(|value| value.0 == z_s).map(|value| value.1.clone());
-        let teeth = teeth.and_then(|node| field::quantity("teeth", &node, "1", self.report));
-        if let (Some(module), Some(angle), Some(teeth)) = (module, angle, teeth) {
-            let value = Value::Text(format!("{} m", module * teeth * angle.cos() / 2.0));
+        if let Some(radius) = self.radius_by_module(item, node, z_s) {
+            let value = Value::Text(format!("{radius} m"));
             self.value(r_s.into(), Some(&Node { value, place: node.place.clone() }));
         }
     }

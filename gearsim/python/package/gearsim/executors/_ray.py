@@ -2,6 +2,10 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from concurrent.futures import Future
+from typing import Any
+
 from gearsim.executors._remote import RemoteExecutor
 
 
@@ -12,7 +16,7 @@ class RayExecutor(RemoteExecutor):
     itself (`max_retries=0`), since `gearsim.sweep` does.
     """
 
-    def __init__(self, **options):
+    def __init__(self, **options: Any) -> None:
         super().__init__()
         import ray
 
@@ -21,12 +25,12 @@ class RayExecutor(RemoteExecutor):
         self._ray = ray
         self._remote = ray.remote(**{"max_retries": 0, **options})(_call)
 
-    def _start(self, future, call):
+    def _start(self, future: Future[Any], call: Callable[[], object]) -> Callable[[], object]:
         reference = self._remote.remote(call)
         reference.future().add_done_callback(lambda done: self._settle(future, done.result))
         # Its worker process ends, so that the cores are free at once.
         return lambda: self._ray.cancel(reference, force=True)
 
 
-def _call(call):
+def _call(call: Callable[[], object]) -> object:
     return call()

@@ -5,9 +5,13 @@ from __future__ import annotations
 import functools
 import threading
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from concurrent import futures
 from concurrent.futures import Executor, Future
+from typing import Any, ParamSpec, TypeVar
+
+_P = ParamSpec("_P")
+_T = TypeVar("_T")
 
 
 class RemoteExecutor(Executor):
@@ -17,25 +21,25 @@ class RemoteExecutor(Executor):
     interval: time between two calls of `_look` while tasks are open [s]; None for no calls.
     """
 
-    def __init__(self, interval=None):
+    def __init__(self, interval: float | None = None) -> None:
         self._interval = interval
         self._lock = threading.Lock()
-        self._open = set()
+        self._open: set[Future[Any]] = set()
         self._closed = False
-        self._thread = None
+        self._thread: threading.Thread | None = None
 
-    def _start(self, future: Future, call: Callable[[], object]) -> Callable[[], object]:
+    def _start(self, future: Future[Any], call: Callable[[], object]) -> Callable[[], object]:
         """Send `call`, have `_settle` called for `future` at its end, and return a function that cancels it."""
         raise NotImplementedError
 
-    def _look(self):
+    def _look(self) -> None:
         """Ask for the state of the open tasks."""
 
-    def submit(self, task, /, *arguments, **keywords):
+    def submit(self, task: Callable[_P, _T], /, *arguments: _P.args, **keywords: _P.kwargs) -> Future[_T]:
         """Send `task(*arguments, **keywords)`, and return its future."""
         if self._closed:
             raise RuntimeError("this executor is shut down: make another one")
-        future = Future()
+        future: Future[_T] = Future()
         with self._lock:
             self._open.add(future)
         try:
@@ -47,11 +51,11 @@ class RemoteExecutor(Executor):
         future.add_done_callback(lambda future: cancel() if future.cancelled() else None)
         with self._lock:
             if self._interval is not None and self._thread is None:
-                self._thread = threading.Thread(target=self._watch, name="gearsim-executor", daemon=True)
+                self._thread = threading.Thread(target=self._watch, args=[self._interval], name="gearsim-executor", daemon=True)
                 self._thread.start()
         return future
 
-    def shutdown(self, wait=True, *, cancel_futures=False):
+    def shutdown(self, wait: bool = True, *, cancel_futures: bool = False) -> None:
         """Take no more tasks. The cluster itself goes on."""
         self._closed = True
         with self._lock:
@@ -62,9 +66,10 @@ class RemoteExecutor(Executor):
         if wait:
             futures.wait(unfinished)
 
-    def _settle(self, future: Future, result: Callable[[], object]):
+    def _settle(self, future: Future[Any], result: Callable[[], object]) -> None:
         """End a future by the value that `result` returns, or by the exception that it raises. The first call for a future counts."""
-        value, error = None, None
+        value: object = None
+        error: BaseException | None = None
         try:
             value = result()
         except BaseException as raised:
@@ -80,19 +85,19 @@ class RemoteExecutor(Executor):
         else:
             future.set_exception(error)
 
-    def _fail(self, unfinished, error: Exception):
+    def _fail(self, unfinished: Iterable[Future[Any]], error: Exception) -> None:
         """End futures by an error."""
 
-        def result():
+        def result() -> object:
             raise error
 
         for future in unfinished:
             self._settle(future, result)
 
-    def _watch(self):
+    def _watch(self, interval: float) -> None:
         """Call `_look` until no task is open."""
         while True:
-            time.sleep(self._interval)
+            time.sleep(interval)
             with self._lock:
                 unfinished = list(self._open)
                 if not unfinished:

@@ -2,6 +2,10 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from concurrent.futures import Future
+from typing import Any
+
 from gearsim.executors._remote import RemoteExecutor
 
 
@@ -13,24 +17,24 @@ class SubmititExecutor(RemoteExecutor):
     interval: time between two questions [s]. submitit itself asks Slurm once a minute.
     """
 
-    def __init__(self, executor, interval=1.0):
+    def __init__(self, executor: Any, interval: float = 1.0) -> None:
         super().__init__(interval)
         self._executor = executor
-        self._new = []
-        self._jobs = {}
+        self._new: list[tuple[Future[Any], Callable[[], object]]] = []
+        self._jobs: dict[Future[Any], Any] = {}
 
-    def _start(self, future, call):
+    def _start(self, future: Future[Any], call: Callable[[], object]) -> Callable[[], object]:
         with self._lock:
             self._new.append((future, call))
         return lambda: self._cancel(future)
 
-    def _cancel(self, future):
+    def _cancel(self, future: Future[Any]) -> None:
         with self._lock:
             job = self._jobs.get(future)
         if job is not None:
             job.cancel()
 
-    def _look(self):
+    def _look(self) -> None:
         with self._lock:
             new, self._new = self._new, []
         try:

@@ -1,0 +1,129 @@
+//! What describes a cell, for any type of number R: its matrices, its potential energy, the modes and guards of switches.
+
+use proc_macro2::TokenStream;
+use quote::quote;
+use syn::{Expr, Index, Lit};
+
+use crate::equations::cold::{Cold, Returns, Takes, in_any_number};
+use crate::equations::effects::is_met;
+use crate::equations::jumps;
+use crate::equations::lets::{positions, with_lets};
+use crate::equations::model::*;
+use crate::equations::sums::{body, position};
+use crate::equations::switches;
+
+/// The functions that give M, M⁻¹ if it is in the file, C, K, f, V and its steps, in numbers of type R; those of switches, if there are any.
+pub fn cells(m: &Model) -> Vec<Cold> {
+    let n = Index::from(m.coordinates.len());
+    let square = |name, entries| Cold { name, takes: &[], returns: Returns::Matrix, body: matrix(m, entries) };
+    let at = |cold: Cold| {
+        let (positions, body) = (positions(m, &cold.body), cold.body);
+        Cold { takes: &[Takes::Coordinates("q")], body: quote!(#positions #body), ..cold }
+    };
+    // What depends on the values of laws and switches.
+    let of_values = |cold: Cold| {
+        let body = with_lets(m, cold.body);
+        Cold { takes: &[Takes::Laws("k")], body, ..cold }
+    };
+    let mut all = vec![at(square("mass", &m.mass))];
+    all.extend(m.mobility.as_ref().map(|entries| at(square("mobility", entries))));
+    all.extend([square("damping", &m.damping), square("stiffness", &m.stiffness)].map(of_values));
+    let load = m.load.iter().map(|row| {
+        let (i, value) = (position(m, &row.name), sum(&row.sum));
+        quote!(v[#i] = #value;)
+    });
+    all.push(of_values(Cold {
+        name: "load",
+        takes: &[],
+        returns: Returns::Vector,
+        body: quote!(let zero = R::from(0.0); let mut v = [zero; #n]; #(#load)* v),
+    }));
+    all.push(Cold {
+        name: "potential",
+        takes: &[Takes::Coordinates("q"), Takes::Laws("k")],
+        returns: Returns::In(Clone::clone),
+        body: in_any_number(with_lets(m, body(&m.potential))),
+    });
+    all.push(jumps::step(m));
+    if !m.switches.is_empty() {
+        all.extend(switches::cells(m));
+    }
+    all
+}
+
+/// These functions for `Numbers<R>`, and `matrices`, which calls all of them.
+pub fn matrices(m: &Model) -> TokenStream {
+    let mobility = match &m.mobility {
+        Some(_) => quote!(Some(equations::matrix(&self.mobility(met, &q)))),
+        None => quote!(None),
+    };
+    let n = Index::from(m.coordinates.len());
+    let each = cells(m).into_iter().map(|f| f.define(m, &quote!(R)));
+    quote! {
+        #(#each)*
+
+        fn matrices(&self, met: &Met, k: &[R]) -> equations::Matrices<R> {
+            // In linear cells M is the same everywhere.
+            let q = [R::from(0.0); #n];
+            equations::Matrices {
+                mass: equations::matrix(&self.mass(met, &q)),
+                mobility: #mobility,
+                damping: equations::matrix(&self.damping(met, k)),
+                stiffness: equations::matrix(&self.stiffness(met, k)),
+                load: equations::vector(&self.load(met, k)),
+                at_zero: self.potential(met, &q, k),
+            }
+        }
+    }
+}
+
+/// The statements of a function that returns a symmetric matrix; `entries` has one of each pair of equal entries.
+fn matrix(m: &Model, entries: &[Entry]) -> TokenStream {
+    let n = Index::from(m.coordinates.len());
+    let entries = entries.iter().map(|e| {
+        let (i, j, value) = (position(m, &e.row), position(m, &e.column), sum(&e.sum));
+        let mirror = (i != j).then(|| quote!(v[#j][#i] = v[#i][#j];));
+        quote!(v[#i][#j] = #value; #mirror)
+    });
+    quote!(let zero = R::from(0.0); let mut v = [[zero; #n]; #n]; #(#entries)* v)
+}
+
+fn sum(sum: &Sum) -> TokenStream {
+    if let [Term { condition: None, value }] = &sum[..] {
+        return any_number(value);
+    }
+    let terms = sum.iter().map(|Term { condition, value }| {
+        let value = any_number(value);
+        match condition.as_ref().map(is_met) {
+            Some(met) => quote!(if #met { sum += #value; }),
+            None => quote!(sum += #value;),
+        }
+    });
+    quote!({ let mut sum = zero; #(#terms)* sum })
+}
+
+/// The expression with its literals as numbers of type R.
+pub fn any_number(e: &Expr) -> TokenStream {
+    match e {
+        Expr::Lit(lit) if matches!(lit.lit, Lit::Float(_)) => quote!(R::from(#lit)),
+        Expr::Paren(e) => {
+            let e = any_number(&e.expr);
+            quote!((#e))
+        }
+        Expr::Group(e) => any_number(&e.expr),
+        Expr::Unary(e) => {
+            let (op, e) = (&e.op, any_number(&e.expr));
+            quote!(#op #e)
+        }
+        Expr::Binary(e) => {
+            let (left, op, right) = (any_number(&e.left), &e.op, any_number(&e.right));
+            quote!(#left #op #right)
+        }
+        Expr::MethodCall(e) => {
+            let (receiver, method) = (any_number(&e.receiver), &e.method);
+            let arguments = e.args.iter().map(any_number);
+            quote!(#receiver.#method(#(#arguments),*))
+        }
+        _ => quote!(#e),
+    }
+}

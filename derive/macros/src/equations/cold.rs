@@ -1,0 +1,288 @@
+//! The functions that are not called at every step.
+
+use std::collections::BTreeSet;
+
+use proc_macro2::{Group, Literal, TokenStream, TokenTree};
+use quote::{format_ident, quote};
+use syn::{Index, Lit};
+
+use self::Takes::{Coordinates, Laws};
+use crate::equations::effects::{self, has, is_met};
+use crate::equations::jumps::jumps;
+use crate::equations::lets::with_lets;
+use crate::equations::model::*;
+use crate::equations::scope::speed;
+use crate::equations::sums::{block, body, by_index, position};
+use crate::equations::switches;
+
+/// A function of `Numbers` with `met` as its first argument, and without it a function of `Equations`.
+pub struct Cold {
+    pub name: &'static str,
+    pub takes: &'static [Takes],
+    pub returns: Returns,
+    pub body: TokenStream,
+}
+
+/// An argument.
+pub enum Takes {
+    /// Coordinates or speeds: n numbers.
+    Coordinates(&'static str),
+    /// Values of the laws.
+    Laws(&'static str),
+    /// Which of several.
+    Index(&'static str),
+    /// A number.
+    Number(&'static str),
+    /// What the engine alone knows.
+    Known(&'static str),
+}
+
+/// A result.
+pub enum Returns {
+    /// Of this type, inside and out.
+    Plain(TokenStream),
+    /// Of a type that depends on that of the numbers, inside and out.
+    In(fn(&TokenStream) -> TokenStream),
+    /// n numbers.
+    Vector,
+    /// n x n numbers.
+    Matrix,
+    /// Two matrices.
+    Matrices,
+}
+
+impl Cold {
+    /// Itself, in numbers of type `r`.
+    pub fn define(&self, m: &Model, r: &TokenStream) -> TokenStream {
+        let (name, body, n) = (format_ident!("{}", self.name), &self.body, Index::from(m.coordinates.len()));
+        let takes = self.takes.iter().map(|takes| match takes {
+            Takes::Coordinates(name) => argument(name, quote!(&[#r; #n])),
+            Takes::Laws(name) => argument(name, quote!(&[#r])),
+            Takes::Index(name) => argument(name, quote!(usize)),
+            Takes::Number(name) => argument(name, r.clone()),
+            Takes::Known(name) => argument(name, quote!(&equations::Known)),
+        });
+        let returns = match &self.returns {
+            Returns::Plain(plain) => plain.clone(),
+            Returns::In(of) => of(r),
+            Returns::Vector => quote!([#r; #n]),
+            Returns::Matrix => quote!([[#r; #n]; #n]),
+            Returns::Matrices => quote!([[[#r; #n]; #n]; 2]),
+        };
+        quote! {
+            #[inline(never)]
+            fn #name(&self, met: &Met, #(#takes),*) -> #returns { #body }
+        }
+    }
+
+    /// The function of `Equations` that calls it. There vectors are slices, and matrices are those of the engine.
+    pub fn call(&self) -> TokenStream {
+        let name = format_ident!("{}", self.name);
+        let takes = self.takes.iter().map(|takes| match takes {
+            Takes::Coordinates(name) | Takes::Laws(name) => argument(name, quote!(&[f64])),
+            Takes::Index(name) => argument(name, quote!(usize)),
+            Takes::Number(name) => argument(name, quote!(f64)),
+            Takes::Known(name) => argument(name, quote!(&equations::Known)),
+        });
+        let given = self.takes.iter().map(|takes| {
+            let (Takes::Coordinates(name)
+            | Takes::Laws(name)
+            | Takes::Index(name)
+            | Takes::Number(name)
+            | Takes::Known(name)) = takes;
+            let name = format_ident!("{name}");
+            if let Takes::Coordinates(_) = takes { quote!(equations::array(#name)) } else { quote!(#name) }
+        });
+        let value = quote!(self.numbers.#name(&self.met, #(#given),*));
+        let (returns, value) = match &self.returns {
+            Returns::Plain(plain) => (plain.clone(), value),
+            Returns::In(of) => (of(&quote!(f64)), value),
+            Returns::Vector => (quote!(Vector), quote!(#value.into())),
+            Returns::Matrix => (quote!(Matrix), quote!(equations::matrix(&#value))),
+            Returns::Matrices => (quote!([Matrix; 2]), quote!(#value.each_ref().map(equations::matrix))),
+        };
+        quote!(fn #name(&self, #(#takes),*) -> #returns { #value })
+    }
+}
+
+/// Code in f64 as code in any kind of number R: its numbers and types become those of R.
+pub fn in_any_number(code: TokenStream) -> TokenStream {
+    let each = |token| match token {
+        TokenTree::Group(group) => {
+            TokenTree::Group(Group::new(group.delimiter(), in_any_number(group.stream()))).into()
+        }
+        TokenTree::Literal(number) if is_float(&number) => quote!(R::from(#number)),
+        TokenTree::Ident(name) if name == "f64" => quote!(R),
+        other => other.into(),
+    };
+    code.into_iter().map(each).collect::<Vec<TokenStream>>().into_iter().collect()
+}
+
+/// Whether a literal is a number of type f64. One like `1f64` is read as an integer with a suffix.
+fn is_float(literal: &Literal) -> bool {
+    match syn::parse2(quote!(#literal)) {
+        Ok(Lit::Float(_)) => true,
+        Ok(Lit::Int(number)) => number.suffix() == "f64",
+        _ => false,
+    }
+}
+
+fn argument(name: &str, of: TokenStream) -> TokenStream {
+    let name = format_ident!("{name}");
+    quote!(#name: #of)
+}
+
+/// The functions in f64. Those that describe a cell, in any kind of number, are in [`crate::equations::cells`].
+pub fn cold(m: &Model) -> Vec<Cold> {
+    let n = Index::from(m.coordinates.len());
+    let cold = |name, takes, returns, body| Cold { name, takes, returns, body };
+    let number = || Returns::Plain(quote!(f64));
+
+    let kinetic = with_lets(m, body(&m.kinetic));
+    let torques = m.torques.iter().map(|t| block(&t.work));
+    let work = body(&work(m));
+    let entries = m.jacobian.iter().flatten().map(|e| jacobian(m, e));
+    let jacobian = with_lets(m, quote!(let mut v = [[[0.0; #n]; #n]; 2]; #(#entries)* v));
+    let motions = m.motions.iter().map(|x| motion(m, x));
+    let i = || format_ident!("i");
+    let mut all = vec![
+        cold("kinetic", &[Coordinates("q"), Coordinates("q_dot")], number(), kinetic),
+        cold("torque_work", &[Takes::Index("i"), Coordinates("dq")], number(), by_index("torque", i(), torques)),
+        cold("work", &[Coordinates("dq")], number(), work),
+        cold(
+            "jacobian",
+            &[Coordinates("q"), Coordinates("q_dot"), Laws("k"), Laws("dk"), Laws("ddk")],
+            Returns::Matrices,
+            jacobian,
+        ),
+        cold("motion", &[Takes::Index("i")], Returns::Vector, by_index("motion", i(), motions)),
+        cold("switching", &[Takes::Index("law")], Returns::Plain(quote!(equations::Switching)), switching(m)),
+    ];
+    all.extend(jumps(m));
+    all.extend(powers(m));
+    all.extend(moving_inertia(m));
+    all.extend(output(m));
+    all.extend(switches::lost(m));
+    all
+}
+
+/// The function that computes an output from its number; none if the model has no outputs. The sum with 0.0 turns the -0.0 of a sum
+/// without terms into 0.0.
+fn output(m: &Model) -> Option<Cold> {
+    let outputs = m.outputs.iter().map(|output| with_lets(m, block(&output.value.sum))).map(|value| quote!({ #value }));
+    let output = by_index("output", format_ident!("i"), outputs);
+    (!m.outputs.is_empty()).then(|| Cold {
+        name: "output",
+        takes: &[Takes::Index("i"), Coordinates("q"), Coordinates("q_dot"), Laws("k"), Takes::Known("known")],
+        returns: Returns::Plain(quote!(f64)),
+        body: quote!(let output: f64 = #output; output + 0.0),
+    })
+}
+
+/// The power of each torque that is not constant, and whether such a torque is present; nothing if the model has none.
+fn powers(m: &Model) -> Vec<Cold> {
+    let terms: Vec<_> = m.torques.iter().flat_map(|t| &t.power).collect();
+    if terms.is_empty() {
+        return vec![];
+    }
+    let power = by_index("torque", format_ident!("i"), m.torques.iter().map(|t| block(&t.power)));
+    let always = terms.iter().any(|t| t.condition.is_none());
+    let present = terms.iter().filter_map(|t| t.condition.as_ref()).map(is_met);
+    vec![
+        Cold {
+            name: "torque_power",
+            takes: &[Takes::Index("i"), Coordinates("q"), Coordinates("q_dot"), Laws("k")],
+            returns: Returns::Plain(quote!(f64)),
+            body: with_lets(m, power),
+        },
+        Cold {
+            name: "has_powers",
+            takes: &[],
+            returns: Returns::Plain(quote!(bool)),
+            body: quote!(#always #(|| #present)*),
+        },
+    ]
+}
+
+/// The derivatives of M q'' by the coordinates, and whether M is constant; nothing if it is so with any effects.
+fn moving_inertia(m: &Model) -> Vec<Cold> {
+    let terms: Vec<_> = m.inertia.iter().flat_map(|e| &e.sum).collect();
+    if terms.is_empty() {
+        return vec![];
+    }
+    let n = Index::from(m.coordinates.len());
+    let entries = m.inertia.iter().map(|e| {
+        let (i, j, value) = (position(m, &e.row), position(m, &e.column), block(&e.sum));
+        quote!(v[#i][#j] = #value;)
+    });
+    let always = terms.iter().any(|t| t.condition.is_none());
+    let present: BTreeSet<_> = terms.iter().filter_map(|t| t.condition.clone()).collect();
+    let present = present.iter().map(is_met);
+    vec![
+        Cold {
+            name: "inertia",
+            takes: &[Coordinates("q"), Coordinates("q_ddot")],
+            returns: Returns::Matrix,
+            body: with_lets(m, quote!(let mut v = [[0.0; #n]; #n]; #(#entries)* v)),
+        },
+        Cold {
+            name: "is_inertia_constant",
+            takes: &[],
+            returns: Returns::Plain(quote!(bool)),
+            body: quote!(!(#always #(|| #present)*)),
+        },
+    ]
+}
+
+/// The work of all constant torques: every generalised force times the change of its coordinate.
+fn work(m: &Model) -> Sum {
+    let terms = m.work.iter().flat_map(|row| {
+        let i = position(m, &row.name);
+        row.sum.iter().map(move |t| {
+            let force = &t.value;
+            Term { condition: t.condition.clone(), value: syn::parse_quote!((#force) * dq[#i]) }
+        })
+    });
+    terms.collect()
+}
+
+fn motion(m: &Model, motion: &Motion) -> TokenStream {
+    let n = Index::from(m.coordinates.len());
+    let speeds = motion.speeds.iter().map(|Assignment { name, value }| {
+        let i = m.coordinates.iter().position(|c| *name == speed(&c.name)).map(Index::from);
+        quote!(q_dot[#i] = #value;)
+    });
+    quote!({ let mut q_dot = [0.0; #n]; #(#speeds)* q_dot })
+}
+
+/// Sets one entry of the derivatives by coordinates, v[0], or by speeds, v[1].
+fn jacobian(m: &Model, e: &Entry) -> TokenStream {
+    let by_speed = m.coordinates.iter().position(|c| e.column == speed(&c.name));
+    let (which, j) = match by_speed {
+        Some(j) => (Index::from(1), Index::from(j)),
+        None => (Index::from(0), position(m, &e.column)),
+    };
+    let (i, value) = (position(m, &e.row), block(&e.sum));
+    quote!(v[#which][#i][#j] = #value;)
+}
+
+fn switching(m: &Model) -> TokenStream {
+    let otherwise = |effect: &str, case: TokenStream| {
+        has(m, effect).then(|| {
+            let name = is_met(&format_ident!("{effect}"));
+            quote!(if #name { equations::Switching::#case } else)
+        })
+    };
+    if !has(m, effects::STIFFNESS_STEP) {
+        return quote!(equations::Switching::Never);
+    }
+    let step = is_met(&format_ident!("{}", effects::STIFFNESS_STEP));
+    let by_time = otherwise(effects::FROZEN_PHASE, quote!(ByTime));
+    let without = otherwise(effects::RIGID_KINEMATICS, quote!(WithoutJump));
+    // A law whose effect is absent is zero, and never switches.
+    let gated = m.laws.iter().enumerate().filter_map(|(i, law)| Some((Index::from(i), is_met(law.with.as_ref()?))));
+    let (gated, there): (Vec<_>, Vec<_>) = gated.unzip();
+    quote! {
+        if !#step #(|| law == #gated && !#there)* { equations::Switching::Never } else #by_time #without { equations::Switching::WithJump }
+    }
+}

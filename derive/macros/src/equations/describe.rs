@@ -1,0 +1,145 @@
+//! The description of a model, `crate::equations::model::Model`: scenes are checked against it, and the command line prints it.
+
+use proc_macro2::TokenStream;
+use quote::{format_ident, quote};
+use syn::{Ident, LitStr};
+
+use crate::equations::lets::{names, with_lets};
+use crate::equations::model::*;
+use crate::equations::sums::block;
+use crate::equations::varies::varies;
+
+/// The expression of type `gearsim::model::Model`.
+pub fn describe(m: &Model) -> TokenStream {
+    let (name, title) = (m.name.to_string(), &m.title);
+    let source = m.source.as_ref().map_or_else(String::new, LitStr::value);
+    let coordinates = m.coordinates.iter().map(coordinate);
+    let parameters = m.parameters.iter().map(|p| parameter(p, varies(m, &p.name)));
+    let laws = m.laws.iter().map(|Law { name, unit, phase, period, rolling, with, role, doc }| {
+        let (name, phase, with) = (name.to_string(), phase.to_string(), option(with));
+        let role = format_ident!("{role:?}");
+        quote!(model::Law {
+            name: #name, unit: #unit, phase: #phase, period: #period, rolling: #rolling, with: #with,
+            role: model::Role::#role, doc: #doc
+        })
+    });
+    let motions = m.motions.iter().map(|Motion { name, unit, doc, .. }| {
+        let name = name.to_string();
+        quote!(model::Motion { name: #name, unit: #unit, doc: #doc })
+    });
+    let effects = m.effects.iter().map(|e| {
+        let (name, doc, requires, excludes) = (e.name.to_string(), &e.doc, strings(&e.requires), strings(&e.excludes));
+        let of = option(&e.of);
+        quote!(model::Effect { name: #name, of: #of, doc: #doc, requires: #requires, excludes: #excludes })
+    });
+    let torques = m.torques.iter().map(|Torque { name, doc, .. }| {
+        let name = name.to_string();
+        quote!(model::Torque { name: #name, doc: #doc })
+    });
+    let outputs = m.outputs.iter().map(|Output { unit, with, doc, value }| {
+        let (name, with) = (value.name.to_string(), option(with));
+        let known = names(with_lets(m, block(&value.sum))).contains("known");
+        quote!(model::Output { name: #name, unit: #unit, with: #with, known: #known, doc: #doc })
+    });
+    let switches = m.switches.iter().map(switch);
+    let nonlinear = m.nonlinear.as_ref().map_or_else(String::new, LitStr::value);
+    let nonlinear_with = m.nonlinear_with.iter().map(|NonlinearWith { effect, text }| {
+        let effect = effect.to_string();
+        quote!((#effect, #text))
+    });
+    let (equations, latex) = (included(&m.text), included(&m.latex));
+    quote! {
+        model::Model {
+            name: #name,
+            title: #title,
+            source: #source,
+            coordinates: &[#(#coordinates),*],
+            parameters: &[#(#parameters),*],
+            laws: &[#(#laws),*],
+            motions: &[#(#motions),*],
+            effects: &[#(#effects),*],
+            torques: &[#(#torques),*],
+            outputs: &[#(#outputs),*],
+            switches: &[#(#switches),*],
+            nonlinear: #nonlinear,
+            nonlinear_with: &[#(#nonlinear_with),*],
+            equations: #equations,
+            latex: #latex,
+            elements: &[],
+        }
+    }
+}
+
+fn switch(Switch { over, unit, symbols, effect, doc, modes, .. }: &Switch) -> TokenStream {
+    let (name, with) = (over.to_string(), effect.to_string());
+    let neutral = symbols.iter().map(|(_, neutral)| number(*neutral));
+    let modes = modes.iter().map(|Mode { name, held, rests, counts, .. }| {
+        let name = name.to_string();
+        let counts = counts.as_ref().map_or(quote!(None), |counts| quote!(Some(#counts)));
+        quote!(model::Mode { name: #name, held: #held, rests: #rests, counts: #counts })
+    });
+    quote!(model::Switch {
+        name: #name, unit: #unit, with: #with, neutral: &[#(#neutral),*], modes: &[#(#modes),*], doc: #doc
+    })
+}
+
+fn coordinate(c: &Coordinate) -> TokenStream {
+    let (name, unit, doc) = (c.name.to_string(), &c.unit, &c.doc);
+    let start = match c.start {
+        Some(x) => {
+            let x = number(x);
+            quote!(model::Start::At(#x))
+        }
+        None => quote!(model::Start::Static),
+    };
+    quote!(model::Coordinate { name: #name, unit: #unit, doc: #doc, start: #start })
+}
+
+fn parameter(p: &Parameter, varies: bool) -> TokenStream {
+    let Parameter { unit, low_included, high_included, doc, .. } = p;
+    let (name, low, high) = (p.name.to_string(), number(p.low), number(p.high));
+    let default = match p.default.map(number) {
+        Some(x) => quote!(Some(#x)),
+        None => quote!(None),
+    };
+    let with = option(&p.with);
+    quote! {
+        model::Parameter {
+            name: #name,
+            unit: #unit,
+            default: #default,
+            with: #with,
+            varies: #varies,
+            range: model::Range {
+                low: #low,
+                high: #high,
+                low_included: #low_included,
+                high_included: #high_included,
+            },
+            doc: #doc,
+        }
+    }
+}
+
+/// A number as tokens. Infinities have no literal, and a negative number is two tokens.
+fn number(x: f64) -> TokenStream {
+    let (minus, size) = (x.is_sign_negative().then(|| quote!(-)), x.abs());
+    if size.is_infinite() { quote!(#minus f64::INFINITY) } else { quote!(#minus #size) }
+}
+
+fn option(effect: &Option<Ident>) -> TokenStream {
+    match effect.as_ref().map(Ident::to_string) {
+        Some(effect) => quote!(Some(#effect)),
+        None => quote!(None),
+    }
+}
+
+fn strings(names: &[Ident]) -> TokenStream {
+    let names = names.iter().map(Ident::to_string);
+    quote!(&[#(#names),*])
+}
+
+/// The contents of a file beside that of the model.
+fn included(path: &Option<LitStr>) -> TokenStream {
+    path.as_ref().map_or(quote!(""), |path| quote!(include_str!(#path)))
+}

@@ -1,0 +1,84 @@
+//! Effects: checks of them, and the fields by which generated code tests them.
+
+use proc_macro2::{Literal, TokenStream};
+use quote::quote;
+use syn::{Error, Ident};
+
+use crate::equations::check::unique;
+use crate::equations::model::Model;
+
+/// Laws switch where the phase reaches a boundary. This effect and the next two have the same meaning in every model.
+pub const STIFFNESS_STEP: &str = "stiffness_step";
+/// Laws switch where the phase reaches a boundary, without the impulse.
+pub const RIGID_KINEMATICS: &str = "rigid_kinematics";
+/// Laws switch at the times of a steady rotation.
+pub const FROZEN_PHASE: &str = "frozen_phase";
+
+/// Largest number of effects: a set of them is 64 bits.
+const MOST_EFFECTS: usize = 64;
+
+/// Whether the model offers an effect.
+pub fn has(m: &Model, effect: &str) -> bool {
+    m.effects.iter().any(|e| e.name == effect)
+}
+
+/// Effects and conditions must refer to effects that exist, and a set of effects must have room for all of them.
+pub fn check(m: &Model, errors: &mut Vec<Error>) {
+    unique(
+        "effect or condition",
+        m.effects.iter().map(|e| &e.name).chain(m.conditions.iter().map(|c| &c.name)),
+        errors,
+    );
+    let related = m.effects.iter().flat_map(|e| e.requires.iter().chain(&e.excludes));
+    let related = related.chain(m.nonlinear_with.iter().map(|n| &n.effect));
+    let related = related.chain(m.parameters.iter().filter_map(|p| p.with.as_ref()));
+    let related = related.chain(m.laws.iter().filter_map(|l| l.with.as_ref()));
+    let related = related.chain(m.switches.iter().map(|switch| &switch.effect));
+    for name in related.chain(m.conditions.iter().flat_map(|c| c.effects.iter().map(|(_, name)| name))) {
+        if index(m, name).is_none() {
+            errors.push(Error::new(name.span(), format!("there is no effect `{name}`")));
+        }
+    }
+    if let Some(beyond) = m.effects.get(MOST_EFFECTS) {
+        let message = format!("{} effects: a set of effects has room for {MOST_EFFECTS}", m.effects.len());
+        errors.push(Error::new(beyond.name.span(), message));
+    }
+}
+
+/// `struct Met`: for each effect and condition whether a scene meets it, and its constructor from a set of effects.
+pub fn met(m: &Model) -> TokenStream {
+    let effects: Vec<_> = m.effects.iter().map(|e| &e.name).collect();
+    let bits = (0..effects.len()).map(|i| Literal::u64_unsuffixed(1 << i));
+    let conditions: Vec<_> = m.conditions.iter().map(|c| &c.name).collect();
+    let factors = m.conditions.iter().map(|c| {
+        let factors = c.effects.iter().map(|(present, effect)| {
+            let not = (!present).then(|| quote!(!));
+            quote!(#not #effect)
+        });
+        quote!(#(#factors)&&*)
+    });
+    quote! {
+        /// Which effects and conditions a scene meets.
+        #[allow(dead_code, reason = "not every effect has its own terms")]
+        struct Met { #(#effects: bool,)* #(#conditions: bool,)* }
+
+        impl Met {
+            /// With the effects of the bit set `effects`.
+            #[allow(unused_variables, reason = "a model may have no effects")]
+            fn new(effects: u64) -> Self {
+                #(let #effects = effects & #bits != 0;)*
+                #(let #conditions = #factors;)*
+                Self { #(#effects,)* #(#conditions,)* }
+            }
+        }
+    }
+}
+
+/// The boolean expression for an effect or condition, in a function that has `met`.
+pub fn is_met(condition: &Ident) -> TokenStream {
+    quote!(met.#condition)
+}
+
+fn index(m: &Model, name: &Ident) -> Option<usize> {
+    m.effects.iter().position(|e| e.name == *name)
+}

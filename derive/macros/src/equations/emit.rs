@@ -1,0 +1,184 @@
+//! Writes the code of a checked model.
+
+use proc_macro2::TokenStream;
+use quote::quote;
+use syn::{Expr, Ident, Index};
+
+use crate::equations::cells::{any_number, cells, matrices};
+use crate::equations::cold::{Cold, cold};
+use crate::equations::describe::describe;
+use crate::equations::effects;
+use crate::equations::hoist::hoist;
+use crate::equations::model::*;
+use crate::equations::terms::{Terms, functions};
+
+/// All items that the macro defines for a model.
+pub fn emit(mut m: Model) -> TokenStream {
+    let n = Index::from(m.coordinates.len());
+    let name = camel_case(&m.name);
+    let doc = format!("The model `{}`: {}.", m.name, m.title.value());
+    let describe = describe(&m);
+    let (mut force, mut dissipation) = (Terms::of_force(&m), Terms::of_dissipation(&m));
+    let terms = force.values().chain(dissipation.values());
+    let variables = m.deflections.iter_mut().chain(&mut m.rates).chain(&mut m.functions).map(|d| &mut d.value);
+    let forces = m.forces.iter_mut().flat_map(|force| force.sum.iter_mut().map(|term| &mut term.value));
+    let coefficients = hoist(variables.chain(forces).chain(terms).collect());
+    let m = &m;
+    let numbers = numbers(m, &coefficients);
+    let functions = functions(m, &force, &dissipation);
+    let cold = cold(m);
+    let calls = cells(m).iter().chain(&cold).map(Cold::call).collect::<Vec<_>>();
+    let cold = cold.iter().map(|f| f.define(m, &quote!(f64)));
+    let met = effects::met(m);
+    let exactly = exactly(m);
+    quote! {
+        use ::gearsim::engine::{equations, real, vector::{Matrix, Vector}};
+        use ::gearsim::model;
+
+        #[doc = #doc]
+        #[derive(Debug, Clone, Copy)]
+        pub struct #name;
+
+        #[allow(clippy::all, reason = "numbers and code are written as derived")]
+        impl equations::Derived for #name {
+            const MODEL: model::Model = #describe;
+
+            fn equations(effects: u64, parameters: &[f64], mids: &[f64]) -> Option<Box<dyn equations::Equations>> {
+                let equations = || Equations { numbers: Numbers::new(parameters, mids), met: Met::new(effects) };
+                Self::MODEL.admits(effects).then(|| Box::new(equations()) as Box<dyn equations::Equations>)
+            }
+
+            fn matrices<R: real::Real>(effects: u64, parameters: &[R], mids: &[R], k: &[R]) -> equations::Matrices<R> {
+                Numbers::<R>::new(parameters, mids).matrices(&Met::new(effects), k)
+            }
+
+            fn exactly(
+                effects: u64, parameters: &[real::Double], mids: &[real::Double],
+            ) -> Box<dyn equations::ExactCells> {
+                Box::new(Exactly { numbers: Numbers::new(parameters, mids), met: Met::new(effects) })
+            }
+        }
+
+        #numbers
+
+        #met
+
+        #exactly
+
+        /// The equations of a scene.
+        struct Equations {
+            numbers: Numbers<f64>,
+            met: Met,
+        }
+
+        #[allow(
+            non_snake_case, unused_variables, clippy::all,
+            reason = "code is written as derived, and most terms use few of the variables",
+        )]
+        impl Numbers<f64> {
+            #functions
+            #(#cold)*
+        }
+
+        impl equations::Equations for Equations {
+            fn coordinates(&self) -> usize { #n }
+            fn write_force(&self, q: &[f64], q_dot: &[f64], k: &[f64], dk: &[f64], force: &mut [f64]) {
+                let (q, q_dot) = (equations::array(q), equations::array(q_dot));
+                self.numbers.force(&self.met, q, q_dot, k, dk, equations::array_mut(force));
+            }
+            fn dissipation(&self, q_dot: &[f64], k: &[f64]) -> f64 {
+                self.numbers.dissipation(&self.met, equations::array(q_dot), k)
+            }
+            #(#calls)*
+        }
+    }
+}
+
+/// The cells of a scene in double-double numbers.
+fn exactly(m: &Model) -> TokenStream {
+    let switches = (!m.switches.is_empty()).then(|| {
+        quote! {
+            fn mode(&self, i: usize, mode: usize) -> Option<Vec<real::Double>> {
+                self.numbers.mode(&self.met, i, mode)
+            }
+            fn exits(&self, i: usize, mode: usize, k: &[real::Double]) -> Vec<equations::Exit<real::Double>> {
+                self.numbers.exits(&self.met, i, mode, k)
+            }
+            fn switched(&self, i: usize, k: &[real::Double]) -> equations::Deflection<real::Double> {
+                self.numbers.deflection(&self.met, self.numbers.switched(&self.met, i), k)
+            }
+        }
+    });
+    quote! {
+        /// The cells of a scene in double-double numbers.
+        struct Exactly {
+            numbers: Numbers<real::Double>,
+            met: Met,
+        }
+
+        impl equations::ExactCells for Exactly {
+            fn matrices(&self, k: &[real::Double]) -> equations::Matrices<real::Double> {
+                self.numbers.matrices(&self.met, k)
+            }
+            fn potential(&self, q: &[real::Double], k: &[real::Double]) -> real::Double {
+                self.numbers.potential(&self.met, equations::array(q), k)
+            }
+            fn step(&self, law: usize, q: &[real::Double], k: &[real::Double], dk: real::Double) -> real::Double {
+                self.numbers.step(&self.met, law, equations::array(q), k, dk)
+            }
+            #switches
+        }
+    }
+}
+
+/// `struct Numbers<R>`, of numbers of type R.
+fn numbers(m: &Model, coefficients: &[Expr]) -> TokenStream {
+    let (fields, values) = (m.numbers(), m.numbers());
+    let parameters = m.parameters.iter().enumerate().map(|(i, p)| {
+        let (name, i) = (&p.name, Index::from(i));
+        quote!(let #name = parameters[#i];)
+    });
+    let mids = m.stiffnesses().enumerate().map(|(i, law)| {
+        let (name, i) = (law.mid(), Index::from(i));
+        quote!(let #name = mids[#i];)
+    });
+    let constants = m.constants.iter().map(|Assignment { name, value }| {
+        let value = any_number(value);
+        quote!(let #name = #value;)
+    });
+    let matrices = matrices(m);
+    let count = coefficients.len();
+    let coefficients = coefficients.iter().map(any_number);
+    quote! {
+        /// The constant numbers in the equations, of type R: parameters, mid values, constants.
+        #[allow(non_snake_case, dead_code, reason = "symbols of the source, some are unused")]
+        struct Numbers<R> {
+            #(#fields: R,)*
+            /// Constant factors in the functions that are called at every step.
+            coefficients: [R; #count],
+            kind: std::marker::PhantomData<R>,
+        }
+
+        #[allow(
+            non_snake_case, unused_variables, unused_mut, clippy::all, reason = "symbols and constants of the source, some are unused",
+        )]
+        impl<R: real::Real> Numbers<R> {
+            fn new(parameters: &[R], mids: &[R]) -> Self {
+                #(#parameters)*
+                #(#mids)*
+                #(#constants)*
+                let coefficients = [#(#coefficients),*];
+                Self { #(#values,)* coefficients, kind: std::marker::PhantomData }
+            }
+
+            #matrices
+        }
+    }
+}
+
+/// `GearPair` for `gear_pair`.
+fn camel_case(name: &Ident) -> Ident {
+    let upper = |word: &str| word[..1].to_uppercase() + &word[1..];
+    let name_in_camel_case: String = name.to_string().split('_').filter(|w| !w.is_empty()).map(upper).collect();
+    Ident::new(&name_in_camel_case, name.span())
+}

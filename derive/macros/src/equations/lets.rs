@@ -1,0 +1,125 @@
+//! The variables in which equations are written: values that exist only with an effect, deflections, their rates, functions of
+//! positions, named forces, their partial derivatives, and outputs.
+//! A piece of code defines those that it names, and no others.
+
+use std::collections::BTreeSet;
+
+use proc_macro2::{Literal, TokenStream, TokenTree};
+use quote::{ToTokens, quote};
+use syn::Ident;
+
+use crate::equations::cells::any_number;
+use crate::equations::deflections::{Offsets, deflection};
+use crate::equations::effects::is_met;
+use crate::equations::gated::{Gated, gated};
+use crate::equations::model::{Assignment, Model, Row};
+use crate::equations::sums::block;
+
+/// `let over = ..;` for each variable that `code` names, after those in which it is written itself; without those that
+/// [`lets`] defines for the code `before`.
+pub fn lets(m: &Model, code: &TokenStream, before: &TokenStream) -> TokenStream {
+    let known = used(m, before);
+    let known: BTreeSet<_> = known.iter().map(Variable::name).collect();
+    let (mut values, mut offsets, mut functions, mut forces) = (quote!(), Offsets::new(), quote!(), quote!());
+    for variable in used(m, code).into_iter().filter(|variable| !known.contains(variable.name())) {
+        match variable {
+            Variable::Gated(Gated { name, effect, place, neutral }) => {
+                let (met, neutral) = (is_met(effect), Literal::f64_suffixed(neutral));
+                values.extend(quote!(let #name = if #met { k[#place] } else { #neutral.into() };));
+            }
+            Variable::Linear(linear) => values.extend(deflection(m, linear, &mut offsets)),
+            Variable::Function(Assignment { name, value }) => functions.extend(quote!(let #name: f64 = #value;)),
+            Variable::Force(Row { name, sum }) => {
+                let value = block(sum);
+                forces.extend(quote!(let #name: f64 = #value;));
+            }
+        }
+    }
+    let offsets = offsets.into_iter().map(|(effect, add)| {
+        let met = is_met(&effect);
+        quote!(if #met { #add })
+    });
+    quote!(#values #(#offsets)* #functions #forces)
+}
+
+/// The functions of positions that `code` names and their positions, in any kind of number R.
+pub fn positions(m: &Model, code: &TokenStream) -> TokenStream {
+    let plain = used(m, code).into_iter().filter_map(|variable| match variable {
+        Variable::Linear(assignment) | Variable::Function(assignment) => Some(assignment),
+        _ => None,
+    });
+    let each = plain.map(|Assignment { name, value }| {
+        let value = any_number(value);
+        quote!(let #name: R = #value;)
+    });
+    quote!(#(#each)*)
+}
+
+/// `code` after the variables that it names.
+pub fn with_lets(m: &Model, code: TokenStream) -> TokenStream {
+    let lets = lets(m, &code, &quote!());
+    quote!(#lets #code)
+}
+
+/// A variable.
+enum Variable<'a> {
+    Gated(Gated<'a>),
+    /// A deflection or a rate.
+    Linear(&'a Assignment),
+    /// A function of a position, or a derivative of it.
+    Function(&'a Assignment),
+    /// A named force, a partial derivative of one, or an output.
+    Force(&'a Row),
+}
+
+/// The variables that `code` names, and those in which they are written, in the order in which they are defined.
+fn used<'a>(m: &'a Model, code: &TokenStream) -> Vec<Variable<'a>> {
+    let linear = m.deflections.iter().chain(&m.rates).map(Variable::Linear);
+    let functions = m.functions.iter().map(Variable::Function);
+    let outputs = m.outputs.iter().map(|output| &output.value);
+    let forces = m.forces.iter().chain(&m.partials).chain(outputs).map(Variable::Force);
+    let all = gated(m).map(Variable::Gated).chain(linear).chain(functions).chain(forces);
+    let mut used: Vec<_> = all.collect();
+    let mut names = names(code);
+    used.reverse();
+    used.retain(|variable| {
+        let named = names.contains(&variable.name().to_string());
+        if named {
+            names.extend(self::names(variable.written()));
+        }
+        named
+    });
+    used.reverse();
+    used
+}
+
+/// All names in a piece of code.
+pub fn names(code: impl ToTokens) -> BTreeSet<String> {
+    let each = |token| match token {
+        TokenTree::Ident(name) => BTreeSet::from([name.to_string()]),
+        TokenTree::Group(group) => names(group.stream()),
+        _ => BTreeSet::new(),
+    };
+    code.into_token_stream().into_iter().flat_map(each).collect()
+}
+
+impl Variable<'_> {
+    fn name(&self) -> &Ident {
+        match self {
+            Variable::Gated(gated) => gated.name,
+            Variable::Linear(Assignment { name, .. }) | Variable::Function(Assignment { name, .. }) => name,
+            Variable::Force(Row { name, .. }) => name,
+        }
+    }
+
+    /// The expressions of its value.
+    fn written(&self) -> TokenStream {
+        match self {
+            Variable::Gated(_) => quote!(),
+            // Without offsets: the deflection itself sees to them.
+            Variable::Linear(_) => quote!(),
+            Variable::Function(function) => function.value.to_token_stream(),
+            Variable::Force(row) => row.sum.iter().map(|term| term.value.to_token_stream()).collect(),
+        }
+    }
+}

@@ -1,0 +1,107 @@
+//! Resolves the names in every block: a block may use the arguments of its generated function and the numbers of the scene.
+
+use quote::{format_ident, quote};
+use syn::Error;
+
+use crate::equations::model::{Assignment, Entry, Model, Row};
+use crate::equations::scope::{Scope, speed};
+
+/// Resolves every expression of the model in place.
+pub fn resolve(m: &mut Model, errors: &mut Vec<Error>) {
+    let mut constants = Scope::of_constants(m);
+    for c in &mut m.constants {
+        constants.expression(&mut c.value, errors);
+        constants.declare(&c.name);
+    }
+
+    // Deflections are linear: with speeds in place of coordinates, and edges and errors zero, they give the rates. Errors in them are
+    // reported once, with the deflections.
+    m.rates = m
+        .deflections
+        .iter()
+        .map(|d| Assignment { name: format_ident!("{}", speed(&d.name)), value: d.value.clone() })
+        .collect();
+    let rates = Scope::of(m, "deflections").coordinates(m, "q_dot").offsets(m, quote!(0.0));
+    m.rates.iter_mut().for_each(|d| rates.expression(&mut d.value, &mut vec![]));
+    let deflections = Scope::of(m, "deflections").coordinates(m, "q").gated(m);
+    m.deflections.iter_mut().for_each(|d| deflections.expression(&mut d.value, errors));
+    let (constants, moving) = (Scope::of(m, "the values of a mode"), Scope::of(m, "switches").laws(m, 0).gated(m));
+    for switch in &mut m.switches {
+        switch.modes.iter_mut().flat_map(|mode| &mut mode.values).for_each(|value| constants.expression(value, errors));
+        let guards = switch.modes.iter_mut().flat_map(|mode| &mut mode.exits).flat_map(|exit| &mut exit.guard);
+        rows(guards.chain(&mut switch.loss), &moving, errors);
+    }
+
+    let functions = Scope::of(m, "functions").coordinates(m, "q").deflections(m);
+    m.functions.iter_mut().for_each(|f| functions.expression(&mut f.value, errors));
+    let kinetic = Scope::of(m, "kinetic").coordinates(m, "q").speeds(m).functions(m);
+    kinetic.sum(&mut m.kinetic, errors);
+    let potential = Scope::of(m, "potential").coordinates(m, "q").deflections(m).functions(m).laws(m, 0).gated(m);
+    potential.sum(&mut m.potential, errors);
+    let dissipation = Scope::of(m, "dissipation").speeds(m).rates(m).gated(m);
+    dissipation.sum(&mut m.dissipation, errors);
+
+    // In the work of a constant torque the coordinates stand for their changes.
+    let torques = Scope::of(m, "torques").coordinates(m, "dq");
+    m.torques.iter_mut().for_each(|t| torques.sum(&mut t.work, errors));
+    let mut forces = Scope::of(m, "forces").coordinates(m, "q").speeds(m).deflections(m).rates(m).laws(m, 0).gated(m);
+    for force in &mut m.forces {
+        forces.sum(&mut force.sum, errors);
+        forces.declare(&force.name);
+    }
+    let powers = forces.within("power").functions(m);
+    m.torques.iter_mut().for_each(|t| powers.sum(&mut t.power, errors));
+    rows(&mut m.partials, &powers.within("partials"), errors);
+    let work = Scope::of(m, "work");
+    rows(&mut m.work, &work, errors);
+    let motions = Scope::of(m, "motions");
+    m.motions.iter_mut().flat_map(|x| &mut x.speeds).for_each(|s| motions.expression(&mut s.value, errors));
+
+    let mut outputs = powers.within("outputs").known(m);
+    for output in &mut m.outputs {
+        outputs.sum(&mut output.value.sum, errors);
+        outputs.declare(&output.value.name);
+    }
+
+    let mass = Scope::of(m, "mass").coordinates(m, "q").functions(m);
+    entries(&mut m.mass, &mass, errors);
+    let inertia = Scope::of(m, "inertia").coordinates(m, "q").accelerations(m).functions(m);
+    entries(&mut m.inertia, &inertia, errors);
+    let mobility = Scope::of(m, "mobility").coordinates(m, "q").functions(m);
+    entries(m.mobility.iter_mut().flatten(), &mobility, errors);
+    let moving = |block: &str, order| {
+        let scope = Scope::of(m, block).coordinates(m, "q").speeds(m).deflections(m).rates(m).functions(m);
+        scope.laws(m, order).gated(m)
+    };
+    let (force, jacobian) = (moving("force", 1).forces(m), moving("jacobian", 2).forces(m).partials(m));
+    rows(m.force.iter_mut().flatten(), &force, errors);
+    entries(m.jacobian.iter_mut().flatten(), &jacobian, errors);
+
+    let stiffness = Scope::of(m, "cell stiffness").laws(m, 0).gated(m);
+    entries(&mut m.stiffness, &stiffness, errors);
+    let damping = Scope::of(m, "cell damping").gated(m);
+    entries(&mut m.damping, &damping, errors);
+    let load = Scope::of(m, "cell load").laws(m, 0).gated(m);
+    rows(&mut m.load, &load, errors);
+
+    let impulse = Scope::of(m, "the impulse of a jump");
+    let steps: Vec<_> = m
+        .jumps
+        .iter()
+        .map(|j| Scope::of(m, "step").coordinates(m, "q").deflections(m).functions(m).laws(m, 0).gated(m).step(&j.law))
+        .collect();
+    for (j, step) in m.jumps.iter_mut().zip(steps) {
+        rows(j.normal.iter_mut().flatten(), &impulse, errors);
+        j.compliance.iter_mut().for_each(|sum| impulse.sum(sum, errors));
+        rows(j.direction.iter_mut().flatten(), &impulse, errors);
+        j.step.iter_mut().for_each(|sum| step.sum(sum, errors));
+    }
+}
+
+fn rows<'a>(rows: impl IntoIterator<Item = &'a mut Row>, scope: &Scope, errors: &mut Vec<Error>) {
+    rows.into_iter().for_each(|r| scope.sum(&mut r.sum, errors));
+}
+
+fn entries<'a>(entries: impl IntoIterator<Item = &'a mut Entry>, scope: &Scope, errors: &mut Vec<Error>) {
+    entries.into_iter().for_each(|e| scope.sum(&mut e.sum, errors));
+}

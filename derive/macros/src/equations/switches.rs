@@ -1,0 +1,160 @@
+//! The functions that describe the switches of a scene to the engine.
+
+use proc_macro2::TokenStream;
+use quote::quote;
+use syn::{Ident, Index};
+
+use crate::equations::cold::{Cold, Returns, Takes, in_any_number};
+use crate::equations::effects::is_met;
+use crate::equations::gated::{self, Gated, gated};
+use crate::equations::lets::{names, with_lets};
+use crate::equations::model::{Exit, Model, Row, Switch};
+use crate::equations::sums::block;
+
+/// The rows of a linear form that are no deflection and no rate.
+pub const CONSTANT: &str = "one";
+pub const REACTION: &str = "reaction";
+
+/// A match over the switches.
+fn of_each(m: &Model, arm: impl Fn(&Switch) -> TokenStream) -> TokenStream {
+    let arms = m.switches.iter().enumerate().map(|(i, switch)| {
+        let (i, arm) = (Index::from(i), arm(switch));
+        quote!(#i => #arm,)
+    });
+    quote!(match i { #(#arms)* _ => equations::no_such("switch", i) })
+}
+
+/// The functions `mode`, `exits`, `switched` and `deflection` of the switches, in any kind of number.
+pub fn cells(m: &Model) -> Vec<Cold> {
+    let values = of_each(m, |switch| {
+        let effect = is_met(&switch.effect);
+        let modes = switch.modes.iter().enumerate().map(|(mode, of)| {
+            let (mode, values) = (Index::from(mode), &of.values);
+            quote!(#mode => Some(vec![#(#values),*]),)
+        });
+        quote!(match mode { _ if !#effect => None, #(#modes)* _ => equations::no_such("mode", mode) })
+    });
+    let exits = of_each(m, |switch| {
+        let modes = switch.modes.iter().enumerate().map(|(mode, of)| {
+            let mode = Index::from(mode);
+            let exits = of.exits.iter().map(|exit| self::exit(m, switch, exit));
+            quote!(#mode => vec![#(#exits),*],)
+        });
+        quote!(match mode { #(#modes)* _ => equations::no_such("mode", mode) })
+    });
+    let over = of_each(m, |switch| {
+        let d = deflection_index(m, &switch.over);
+        quote!(#d)
+    });
+    let cold = |name, takes: &'static [Takes], returns, body| Cold { name, takes, returns, body };
+    vec![
+        cold(
+            "mode",
+            &[Takes::Index("i"), Takes::Index("mode")],
+            Returns::In(|r| quote!(Option<Vec<#r>>)),
+            in_any_number(values),
+        ),
+        cold(
+            "exits",
+            &[Takes::Index("i"), Takes::Index("mode"), Takes::Laws("k")],
+            Returns::In(|r| quote!(Vec<equations::Exit<#r>>)),
+            in_any_number(with_lets(m, exits)),
+        ),
+        cold("switched", &[Takes::Index("i")], Returns::Plain(quote!(usize)), over),
+        deflection(m),
+    ]
+}
+
+/// The function `lost` of `Equations`; none if the model has no switch.
+pub fn lost(m: &Model) -> Option<Cold> {
+    let lost = of_each(m, |switch| {
+        let of =
+            |name: &str| switch.loss.iter().find(|row| row.name == name).map_or(quote!(0.0), |row| block(&row.sum));
+        let (constant, slope) = (of(CONSTANT), of(&switch.over.to_string()));
+        quote!([#constant, #slope])
+    });
+    (!m.switches.is_empty()).then(|| Cold {
+        name: "lost",
+        takes: &[Takes::Index("i"), Takes::Laws("k")],
+        returns: Returns::Plain(quote!([f64; 2])),
+        body: with_lets(m, lost),
+    })
+}
+
+/// An exit of a mode: where it leads, and its guard.
+fn exit(m: &Model, switch: &Switch, Exit { to, sudden, guard }: &Exit) -> TokenStream {
+    let beyond = Index::from(switch.modes.iter().position(|mode| mode.name == *to).expect("checked"));
+    let parts = guard.iter().map(|Row { name, sum }| {
+        let coefficient = block(sum);
+        if name == CONSTANT {
+            return quote!(guard.constant += #coefficient;);
+        }
+        if name == REACTION {
+            return quote!(guard.on_reaction += #coefficient;);
+        }
+        match m.rates.iter().position(|rate| rate.name == *name).map(Index::from) {
+            Some(d) => quote!(guard.add_rate(#coefficient, &self.deflection(met, #d, k));),
+            None => {
+                let d = deflection_index(m, name);
+                quote!(guard.add(#coefficient, &self.deflection(met, #d, k));)
+            }
+        }
+    });
+    let n = Index::from(m.coordinates.len());
+    quote! {
+        equations::Exit {
+            beyond: #beyond,
+            sudden: #sudden,
+            guard: { let mut guard = equations::Affine::zero(#n); #(#parts)* guard },
+        }
+    }
+}
+
+/// The function `deflection`: the linear form of each deflection, at the law values `k`.
+fn deflection(m: &Model) -> Cold {
+    let n = Index::from(m.coordinates.len());
+    let arms = m.deflections.iter().zip(&m.rates).enumerate().map(|(d, (deflection, rate))| {
+        let (d, value, slope) = (Index::from(d), &deflection.value, &rate.value);
+        let used = names(value);
+        let with = |values: &dyn Fn(&Gated<'_>) -> TokenStream| {
+            let offsets = gated(m).filter(|gated| used.contains(&gated.name.to_string()));
+            let lets = offsets.map(|gated| {
+                let (name, value) = (gated.name, values(&gated));
+                quote!(let #name = #value;)
+            });
+            quote!({ #(#lets)* let q = [0.0; #n]; #value })
+        };
+        let is_error = |name: &Ident| gated::errors(m).any(|(_, law)| law.name == *name);
+        let constant = with(&|Gated { name, effect, place, neutral }| {
+            let met = is_met(effect);
+            if is_error(name) { quote!(0.0) } else { quote!(if #met { k[#place] } else { #neutral }) }
+        });
+        let errors = gated::errors(m).filter(|(_, law)| used.contains(&law.name.to_string())).map(|(i, law)| {
+            let (i, met) = (Index::from(i), law.with.as_ref().map(is_met));
+            let unit = with(&|gated| if *gated.name == law.name { quote!(1.0) } else { quote!(0.0) });
+            quote!(if #met { errors.push((#i, #unit)); })
+        });
+        quote! {
+            #d => {
+                let normal: [f64; #n] = std::array::from_fn(|j| {
+                    let q_dot: [f64; #n] = std::array::from_fn(|i| if i == j { 1.0 } else { 0.0 });
+                    #slope
+                });
+                let mut errors = vec![];
+                #(#errors)*
+                equations::Deflection { normal: R::row(&normal), constant: #constant, errors }
+            }
+        }
+    });
+    Cold {
+        name: "deflection",
+        takes: &[Takes::Index("i"), Takes::Laws("k")],
+        returns: Returns::In(|r| quote!(equations::Deflection<#r>)),
+        body: in_any_number(quote!(match i { #(#arms)* _ => equations::no_such("deflection", i) })),
+    }
+}
+
+/// The index of a deflection; `check` has made sure that it exists.
+fn deflection_index(m: &Model, name: &Ident) -> Index {
+    Index::from(m.deflections.iter().position(|d| d.name == *name).expect("checked"))
+}

@@ -1,0 +1,110 @@
+//! The functions that are called at every step. Each is compiled once for a model: one block of code for each effect or condition,
+//! with all terms that it adds, behind one test. Code grows with the number of effects, not with that of their sets, and a
+//! scene executes no terms of absent effects.
+
+use proc_macro2::TokenStream;
+use quote::quote;
+use syn::{Expr, Ident, Index};
+
+use crate::equations::effects::is_met;
+use crate::equations::lets::lets;
+use crate::equations::model::{Model, Sum};
+use crate::equations::sums::position;
+
+/// The terms of a sum or of a vector of sums.
+pub struct Terms {
+    /// By condition, in an order in which those of each sum are in the file; first those that are always present.
+    blocks: Vec<(Option<Ident>, Vec<Addend>)>,
+}
+
+/// A term: the index of its sum, and its value.
+type Addend = (usize, Expr);
+
+impl Terms {
+    /// Those of the generalised forces.
+    pub fn of_force(m: &Model) -> Self {
+        let rows = m.force.iter().flatten();
+        let index = |name| position(m, name).index as usize;
+        Self::of(rows.map(|row| (index(&row.name), &row.sum)))
+    }
+
+    /// Those of Rayleigh's dissipation function.
+    pub fn of_dissipation(m: &Model) -> Self {
+        Self::of([(0, &m.dissipation)])
+    }
+
+    fn of<'a>(sums: impl IntoIterator<Item = (usize, &'a Sum)>) -> Self {
+        let mut blocks: Vec<(Option<Ident>, Vec<Addend>)> = vec![(None, vec![])];
+        for (i, sum) in sums {
+            let mut before = 0;
+            for term in sum {
+                let block = blocks.iter().position(|(condition, _)| *condition == term.condition);
+                before = block.unwrap_or_else(|| {
+                    blocks.insert(before + 1, (term.condition.clone(), vec![]));
+                    before + 1
+                });
+                blocks[before].1.push((i, term.value.clone()));
+            }
+        }
+        Self { blocks }
+    }
+
+    /// Their values.
+    pub fn values(&mut self) -> impl Iterator<Item = &mut Expr> {
+        self.blocks.iter_mut().flat_map(|(_, addends)| addends).map(|(_, value)| value)
+    }
+
+    /// The statements that add them up; `at` is the place of a sum.
+    fn add(&self, m: &Model, at: impl Fn(usize) -> TokenStream) -> TokenStream {
+        let add = |addends: &[Addend]| -> TokenStream {
+            let add = addends.iter().map(|(i, value)| {
+                let at = at(*i);
+                quote!(#at += #value;)
+            });
+            add.collect()
+        };
+        // The variables of the terms that are always present serve all; others are computed where they are needed.
+        let always = add(&self.blocks[0].1);
+        let blocks = self.blocks.iter().map(|(condition, addends)| match condition.as_ref().map(is_met) {
+            None => {
+                let lets = lets(m, &always, &quote!());
+                quote!(#lets #always)
+            }
+            Some(met) => {
+                let add = add(addends);
+                let lets = lets(m, &add, &always);
+                quote!(if #met { #lets #add })
+            }
+        });
+        quote!(#(#blocks)*)
+    }
+}
+
+/// The functions `force` and `dissipation` of `Numbers`, of these terms.
+pub fn functions(m: &Model, force: &Terms, dissipation: &Terms) -> TokenStream {
+    let n = Index::from(m.coordinates.len());
+    let stiffnesses = Index::from(m.stiffnesses().count());
+    let force = force.add(m, |i| {
+        let i = Index::from(i);
+        quote!(v[#i])
+    });
+    let dissipation = dissipation.add(m, |_| quote!(v));
+    quote! {
+        #[inline(always)]
+        fn force(&self, met: &Met, q: &[f64; #n], q_dot: &[f64; #n], k: &[f64], dk: &[f64], force: &mut [f64; #n]) {
+            // One bounds check for all stiffnesses.
+            assert!(k.len() >= #stiffnesses, "there are too few laws");
+            // -0.0 + x is x for every x, so that the compiler drops the addition; 0.0 + x is not for x = -0.0.
+            let mut v = [-0.0; #n];
+            #force
+            *force = v;
+        }
+
+        #[inline(always)]
+        fn dissipation(&self, met: &Met, q_dot: &[f64; #n], k: &[f64]) -> f64 {
+            let mut v = 0.0;
+            #dissipation
+            v
+        }
+    }
+}

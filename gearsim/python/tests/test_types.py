@@ -1,0 +1,51 @@
+"""The types that editors and type checkers see: the package has types throughout, and its stub is that of the extension module."""
+
+import subprocess
+import sys
+
+import pytest
+
+pytest.importorskip("mypy")
+
+#: Uses what the package shows. Each `reveal_type` has the type on its right.
+USE = """
+import gearsim
+scene = gearsim.load("scene.toml").replace({"run.t_end": "1 s"}, parameters={"zeta": 0.1})
+reveal_type(scene)  # gearsim._gearsim.Scene
+reveal_type(scene.run(progress=print).summary)  # dict[str, Any]
+reveal_type(gearsim.sweep(scene, "run.t_end=1 s,2 s"))  # gearsim._gearsim.Table
+reveal_type(gearsim.executors.RayExecutor(num_cpus=1).submit(len, "abc"))  # Future[int]
+scene.run(progress=1)  # incompatible type
+gearsim.sweep(scene, "run.t_end=1 s,2 s", design="latin")  # incompatible type
+"""
+
+
+@pytest.fixture(scope="module")
+def mypy(tmp_path_factory):
+    """Runs a module of mypy in a folder of its own. What it has read of NumPy stays there."""
+    folder = tmp_path_factory.mktemp("mypy")
+    (folder / "use.py").write_text(USE)
+
+    def run(*words):
+        return subprocess.run([sys.executable, "-m", *words], cwd=folder, capture_output=True, text=True)
+
+    return run
+
+
+def test_the_package_has_types_throughout(mypy):
+    ended = mypy("mypy", "--strict", "-p", "gearsim")
+    assert ended.returncode == 0, ended.stdout + ended.stderr
+
+
+def test_the_stub_is_that_of_the_extension_module(mypy):
+    ended = mypy("mypy.stubtest", "gearsim._gearsim")
+    assert ended.returncode == 0, ended.stdout + ended.stderr
+
+
+def test_a_program_that_uses_the_package_is_checked(mypy):
+    said = mypy("mypy", "--strict", "use.py").stdout.splitlines()
+    expected = [(number, line.split("  # ")[1]) for number, line in enumerate(USE.splitlines(), 1) if "  # " in line]
+    for number, what in expected:
+        assert any(line.startswith(f"use.py:{number}: ") and what in line for line in said), f"{number}: {what} in {said}"
+    messages = [line for line in said if line.startswith("use.py:") and "help" not in line]
+    assert {int(line.split(":")[1]) for line in messages} == {number for number, _ in expected}, said

@@ -1,0 +1,51 @@
+"""One grammar of values: what one place accepts or refuses, every other does too."""
+
+import re
+import subprocess
+import sys
+
+import gearsim
+import pytest
+from conftest import SCENE
+
+GOOD = {
+    "start.speed": ["600rpm", "600 rpm", "6e2 rpm", "+600 rpm", "62.8 rad/s", "3600 deg/s", " 600 rpm "],
+    "parameters.zeta": ["0.05", ".05", "5e-2", "5 %", "5%"],
+    "parameters.T0": ["10 N*m", "10N*m", "10 Nm", "10 N m", "10 N·m", "10 kg*m^2/s^2"],
+}
+BAD = {
+    "start.speed": ["600", "600 RPM", "10 Hz", "1_000 rpm", "nan rpm", "1e999 rpm", "0x10 rpm", "600 rpmm", "10 N*m"],
+    "parameters.zeta": ["5 rpm", "half", ""],
+    "parameters.T0": ["10", "10 N", "ten N*m"],
+}
+#: A second value for charts, larger than any above.
+LARGER = {"start.speed": "900 rpm", "parameters.zeta": "0.5", "parameters.T0": "20 N*m"}
+CASES = [(key, value, good) for good, of in ((True, GOOD), (False, BAD)) for key, values in of.items() for value in values]
+
+
+def command(*words):
+    return subprocess.run([sys.executable, "-m", "gearsim", *map(str, words)], capture_output=True).returncode == 0
+
+
+def accepts(call, *arguments):
+    try:
+        call(*arguments)
+    except gearsim.SceneError:
+        return False
+    return True
+
+
+@pytest.mark.parametrize("key, value, good", CASES)
+def test_a_value_is_accepted_everywhere_or_nowhere(key, value, good, tmp_path):
+    name = key.rpartition(".")[2]
+    text, count = re.subn(rf"(?m)^{name} *=.*$", lambda _: f'{name} = "{value}"', SCENE.read_text())
+    assert count == 1
+    scene = gearsim.load(SCENE)
+    places = {
+        "the scene": accepts(gearsim.Scene.from_toml, text),
+        "--set": command("check", SCENE, "--quiet", "--set", f"{key}={value}"),
+        "Scene.replace": accepts(scene.replace, {key: value}),
+        "sweep --vary": accepts(scene.job, [f"{key}={value},{LARGER[key]}"]),
+        "floquet --vary": command("floquet", SCENE, "--quiet", "--vary", f"{key}={value},{LARGER[key]}", "--out", tmp_path / "chart"),
+    }
+    assert set(places.values()) == {good}, places

@@ -1,0 +1,158 @@
+//! The cells that a run meets, in double-double precision, and the steps of V between them. Each is computed when it is first met.
+
+use std::collections::HashMap;
+use std::sync::Arc;
+
+use nalgebra::DVector;
+use xprec::Df64;
+
+use super::cell::Cell;
+use super::held::{self, Held};
+use super::step::Step;
+use crate::engine::cell;
+use crate::engine::contact::Contact;
+use crate::engine::crossing::Side;
+use crate::engine::equations::ExactCells;
+use crate::engine::error::Refusal;
+use crate::engine::forcing::linear::Linear;
+use crate::engine::hybrid::Hybrid;
+use crate::engine::law;
+use crate::engine::switch::Switch;
+
+/// The cells.
+pub struct Cells {
+    /// By their numbers.
+    met: HashMap<usize, Arc<Cell>>,
+    /// Those in which motions are held.
+    held: HashMap<Place, Arc<Held>>,
+    /// Steps from one cell to another one.
+    steps: HashMap<(usize, usize), Step>,
+    /// Geometry of the steps of each law.
+    surfaces: Vec<Surface>,
+    /// The present one.
+    here: Arc<Cell>,
+    /// The present one with what is held in it.
+    present: Option<Arc<Held>>,
+}
+
+/// The number of a cell, and the phases and switches held in it.
+type Place = (usize, Vec<(usize, Side)>, Vec<(usize, usize)>);
+
+/// Geometry of the steps of a law.
+pub struct Surface {
+    /// G.
+    pub compliance: Df64,
+    /// M⁻¹n / G (N).
+    pub direction: DVector<Df64>,
+}
+
+impl Cells {
+    /// The present cell of `now`.
+    ///
+    /// # Errors
+    /// If it has no modes.
+    pub fn new(exact: &dyn ExactCells, now: &Hybrid<'_>) -> Result<Self, Refusal> {
+        let here = Arc::new(cell(exact, now, (&now.switches, &now.k))?);
+        let mobility = here.mobility();
+        // The phase is a coordinate, n its unit vector: M⁻¹n is a column of M⁻¹.
+        let surface = |phase: usize| Surface {
+            compliance: mobility[(phase, phase)],
+            direction: mobility.column(phase) / mobility[(phase, phase)],
+        };
+        let surfaces = now.laws.iter().map(|law| surface(law.phase)).collect();
+        let met = HashMap::from([(now.cell(), here.clone())]);
+        Ok(Cells { met, held: HashMap::new(), steps: HashMap::new(), surfaces, here, present: None })
+    }
+
+    /// Makes the mode of `now` the present one.
+    ///
+    /// # Errors
+    /// If its cell has no modes.
+    pub fn meet(&mut self, exact: &dyn ExactCells, now: &Hybrid<'_>) -> Result<(), Refusal> {
+        self.here = self.cell(exact, now, now.cell(), (&now.switches, &now.k))?;
+        self.present = match &now.contact {
+            Some(contact) => Some(self.meet_held(exact, now, contact)?),
+            None => None,
+        };
+        Ok(())
+    }
+
+    /// The cell with these switches and law values, by its number.
+    fn cell(
+        &mut self,
+        exact: &dyn ExactCells,
+        now: &Hybrid<'_>,
+        number: usize,
+        stand: (&[Switch], &[f64]),
+    ) -> Result<Arc<Cell>, Refusal> {
+        if let Some(cell) = self.met.get(&number) {
+            return Ok(cell.clone());
+        }
+        let cell = Arc::new(cell(exact, now, stand)?);
+        self.met.insert(number, cell.clone());
+        Ok(cell)
+    }
+
+    fn meet_held(&mut self, exact: &dyn ExactCells, now: &Hybrid<'_>, contact: &Contact) -> Result<Arc<Held>, Refusal> {
+        let place = (now.cell(), contact.laws.clone(), contact.switches.clone());
+        if let Some(held) = self.held.get(&place) {
+            return Ok(held.clone());
+        }
+        let k = values(exact, &now.switches, &now.k);
+        let normals = held::normals(exact, now, contact, &k);
+        let (_, plain) = cell::Cell::held(now.equations, &now.k, &contact.normals)?;
+        let cell = Cell::new(self.here.matrices.clone(), &plain, Some(&normals));
+        let steps = contact.laws.iter().map(|&(law, side)| self.step(exact, now, law, side).cloned()).collect();
+        let held = Arc::new(Held::new(cell, &self.here, &normals, steps).ok_or(Refusal::Mass)?);
+        self.held.insert(place, held.clone());
+        Ok(held)
+    }
+
+    /// The present cell, with what is held in it.
+    pub fn here(&self) -> &Cell {
+        self.present.as_ref().map_or(&self.here, |held| &held.cell)
+    }
+
+    /// What is held in the present cell.
+    pub fn held(&self) -> Option<&Held> {
+        self.present.as_deref()
+    }
+
+    /// Geometry of the steps of a law.
+    pub fn surface(&self, law: usize) -> &Surface {
+        &self.surfaces[law]
+    }
+
+    /// The step of V where `law` meets `side` of its cell; `None` if the cell beyond has no modes.
+    pub fn step(&mut self, exact: &dyn ExactCells, now: &Hybrid<'_>, law: usize, side: Side) -> Option<&Step> {
+        let stand = (&now.laws[..], &now.switches[..], &now.k[..]);
+        let switches = law::switches_beyond(now.equations, stand, law, side, &now.state);
+        let switches = switches.as_deref().unwrap_or(&now.switches);
+        let (here, beyond) = (now.cell(), law::number_beyond(&now.laws, switches, law, side, &now.state));
+        if !self.steps.contains_key(&(here, beyond)) {
+            let mut k = now.k.clone();
+            law::met(&now.laws, law, side, &now.state).for_each(|i| k[i] = now.laws[i].level_beyond(side));
+            switches.iter().for_each(|switch| switch.write(&mut k));
+            let from = self.cell(exact, now, here, (&now.switches, &now.k)).ok()?;
+            let to = self.cell(exact, now, beyond, (switches, &k)).ok()?;
+            self.steps.insert((here, beyond), Step::between(&from.matrices, &to.matrices));
+        }
+        self.steps.get(&(here, beyond))
+    }
+}
+
+/// A cell with these switches and law values.
+fn cell(exact: &dyn ExactCells, now: &Hybrid<'_>, (switches, k): (&[Switch], &[f64])) -> Result<Cell, Refusal> {
+    let matrices = exact.matrices(&values(exact, switches, k));
+    Ok(Cell::new(matrices, &Linear::new(now.equations, k)?, None))
+}
+
+/// The law values in all digits: the levels of the laws as the scene has them, and the values of the modes of switches.
+pub fn values(exact: &dyn ExactCells, switches: &[Switch], k: &[f64]) -> Vec<Df64> {
+    let mut wide: Vec<Df64> = k.iter().copied().map(Df64::from).collect();
+    for switch in switches {
+        let mode = exact.mode(switch.index, switch.mode).unwrap_or_default();
+        wide[switch.place()..][..mode.len()].copy_from_slice(&mode);
+    }
+    wide
+}

@@ -1,0 +1,61 @@
+//! A linear function of the state whose zero ends a motion, in double-double precision.
+
+use nalgebra::DVector;
+use xprec::Df64;
+
+use super::State;
+use crate::engine::equations::Affine;
+
+/// Its value and its slopes.
+#[derive(Debug, Clone)]
+pub struct Guard {
+    /// Value in the state zero, without forces that vary.
+    pub constant: Df64,
+    /// Slopes along the coordinates (N).
+    pub on_q: DVector<Df64>,
+    /// Slopes along the speeds (N).
+    pub on_speed: DVector<Df64>,
+    /// Slopes along the generalised forces that vary (N).
+    pub on_force: DVector<Df64>,
+}
+
+impl Guard {
+    /// The distance of coordinate `phase` of `n` from `boundary`.
+    pub fn phase(n: usize, phase: usize, boundary: f64) -> Self {
+        let zero = Df64::from(0.0);
+        let none = DVector::from_element(n, zero);
+        let mut on_q = none.clone();
+        on_q[phase] = Df64::from(1.0);
+        Guard { constant: -Df64::from(boundary), on_q, on_speed: none.clone(), on_force: none }
+    }
+
+    /// The guard of an exit at the law values `k`, without its reaction.
+    pub fn affine(of: &Affine<Df64>, k: &[Df64]) -> Self {
+        let none = DVector::from_element(of.on_q.len(), Df64::from(0.0));
+        Guard { constant: of.constant_at(k), on_q: of.on_q.clone(), on_speed: of.on_speed.clone(), on_force: none }
+    }
+
+    /// The same function and `factor` times `w`.F, where F are the generalised forces F = f - K q - C q' and those that vary.
+    pub fn with_forces(
+        mut self,
+        factor: Df64,
+        w: &DVector<Df64>,
+        cell: &crate::engine::equations::Matrices<Df64>,
+    ) -> Self {
+        self.constant += factor * dot(w, &cell.load);
+        self.on_q -= cell.stiffness.transpose() * w * factor;
+        self.on_speed -= cell.damping.transpose() * w * factor;
+        self.on_force += w * factor;
+        self
+    }
+
+    /// Its value, without forces that vary.
+    pub fn value(&self, state: &State) -> Df64 {
+        self.constant + dot(&self.on_q, &state.q) + dot(&self.on_speed, &state.q_dot)
+    }
+}
+
+/// The scalar product.
+pub fn dot(a: &DVector<Df64>, b: &DVector<Df64>) -> Df64 {
+    a.iter().zip(b.iter()).fold(Df64::from(0.0), |sum, (a, b)| sum + *a * *b)
+}

@@ -1,0 +1,111 @@
+//! The outlines of the teeth of two gears, and where each lies when they touch: for drawings.
+//!
+//! A tooth is symmetric about its centre line. With the angles psi from it, its flank is
+//!
+//! ```text
+//! psi(r) = (pi/2 + 2 x tan(alpha))/z + inv(alpha) - inv(alpha_r),    cos(alpha_r) = r_b/r
+//! ```
+//!
+//! Below the flank is the fillet that the basic rack cuts; of an undercut tooth a straight line to the root, in its place. A ring has as its
+//! spaces the teeth of an external gear with the same z and x, so its outline is that of a space, without fillets.
+//!
+//! The driving gear turns counterclockwise about the origin, the centre of the other gear is on the x axis. A pair touches at the distance
+//! X from the pitch point, in the direction of motion along the line of action, when the centre lines of its tooth and of its mate
+//! (a ring: the space) are at the angles
+//!
+//! ```text
+//! c_1 = X/r_b1 - psi_1(r_w1),    c_2 = X/r_b2 + psi_2(r_w2)    of a ring: - psi_2(r_w2)
+//! ```
+//!
+//! from the line through both centres, where r_w are the working pitch radii; c_2 is positive in the direction in which the second gear
+//! turns. This follows from psi + inv(alpha_r) = const along a flank. Source: ISO 21771-1:2024.
+
+use std::f64::consts::PI;
+
+use super::involute::involute;
+use super::pair::{Contact, GearError, Gears};
+use super::tooth::Tooth;
+
+/// Points of a flank, and of a fillet.
+const FLANK: usize = 12;
+const FILLET: usize = 6;
+
+/// The outline of one gear.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Outline {
+    /// Half of a tooth, from root to tip; of a ring, half of a space, from the tips of the teeth outwards: radius \[m\] and angle from
+    /// the centre line \[rad\].
+    pub half: Vec<[f64; 2]>,
+    /// Angle of the centre line from the line through both centres when the pair touches at the pitch point \[rad\].
+    pub place: f64,
+}
+
+/// The outlines of two gears.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Outlines {
+    /// Those of the driving and of the driven gear.
+    pub gears: [Outline; 2],
+    /// Their contact.
+    pub contact: Contact,
+    /// Backlash along the line of action that the teeth have at their centre distance \[m\].
+    pub clearance: f64,
+}
+
+impl Outlines {
+    /// The outlines of `gears`.
+    ///
+    /// # Errors
+    /// If the gears do not mesh.
+    pub fn of(gears: &Gears) -> Result<Outlines, GearError> {
+        let contact = gears.contact()?;
+        let working = contact.base.map(|base| base / contact.angle.cos());
+        let at_pitch_point = [0, 1].map(|i| half_angle(gears, &contact, i, working[i]));
+        let side = [-1.0, if gears.internal { -1.0 } else { 1.0 }];
+        let outline = |i: usize| Outline { half: half(gears, &contact, i), place: side[i] * at_pitch_point[i] };
+        // Thickness and space at the working pitch circles; of a ring, the space is that of the outline.
+        let space = match gears.internal {
+            true => 2.0 * at_pitch_point[1],
+            false => 2.0 * (PI / gears.teeth[1] - at_pitch_point[1]),
+        };
+        let clearance = (space * working[1] - 2.0 * at_pitch_point[0] * working[0]) * contact.angle.cos();
+        Ok(Outlines { gears: [outline(0), outline(1)], contact, clearance })
+    }
+}
+
+/// Half the angle of a tooth of gear `i`, or of a space of a ring, at the radius `r` of its flank \[rad\].
+fn half_angle(gears: &Gears, contact: &Contact, i: usize, r: f64) -> f64 {
+    let (z, x, alpha) = (gears.teeth[i], gears.profile_shift[i], gears.pressure_angle);
+    let at_base = (PI / 2.0 + 2.0 * x * alpha.tan()) / z + involute(contact.transverse_angle);
+    at_base - involute((contact.base[i] / r).min(1.0).acos())
+}
+
+fn half(gears: &Gears, contact: &Contact, i: usize) -> Vec<[f64; 2]> {
+    let (base, tip, root) = (contact.base[i], contact.tip[i], contact.root[i]);
+    let ring = gears.internal && i == 1;
+    let mut points = vec![];
+    // The fillet is known of spur gears alone.
+    let tooth = (gears.helix_angle == 0.0).then(|| Tooth::of(gears, contact, i).ok()).flatten();
+    let begin = match tooth {
+        _ if ring => tip,
+        Some(tooth) => {
+            points.extend(tooth.fillet_points(FILLET).map(|(radius, angle)| [radius, angle]));
+            tooth.form
+        }
+        None => {
+            let begin = base.max(root);
+            points.extend((root < begin).then(|| [root, half_angle(gears, contact, i, begin)]));
+            begin
+        }
+    };
+    // Evenly spaced along the line of action, on which the flank is r² = r_b² + t².
+    let [from, to] = [begin, if ring { root } else { tip }].map(|r| (r * r - base * base).max(0.0).sqrt());
+    for k in 0..=FLANK {
+        let radius = base.hypot(from + (to - from) * k as f64 / FLANK as f64);
+        // Flanks that would cross beyond a pointed tip end on the centre line.
+        points.push([radius, half_angle(gears, contact, i, radius).max(0.0)]);
+    }
+    points
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,99 @@
+//! The page of `gearsim modes`: shapes by energy, the Campbell diagram, the modes of the chosen cell and the frequencies of all cells.
+
+use super::Page;
+use super::html::{Cell, Html};
+use super::shared::{self, Made, figure};
+use crate::analysis::modes::springs::Spring;
+use crate::analysis::modes::{CellModes, Vibration};
+use crate::output::OutputError;
+use crate::plot::Figure;
+use crate::scene::Scene;
+
+/// The modes of a scene.
+pub struct Modes<'a> {
+    /// Its springs.
+    pub springs: &'a [Spring],
+    /// The cell shown in full.
+    pub chosen: &'a CellModes,
+    /// All cells; empty if there are too many.
+    pub cells: &'a [CellModes],
+    /// The figures.
+    pub figures: &'a [Figure],
+}
+
+/// The page of the modes of a scene. Errors: none.
+pub fn page(made: &Made<'_>, modes: &Modes<'_>) -> Result<Page, OutputError> {
+    let mut page = shared::begin(made.scene);
+    page.section("modes", "Modes", |html| {
+        let left_out = made.scene.left_out_if_linear();
+        if !left_out.is_empty() {
+            html.note(&format!("Left out, because modes are linear: {}.", left_out.join(", ")));
+        }
+        frequencies(html, made.scene, modes.chosen);
+    });
+    page.section("plots", "Plots", |html| {
+        for (drawn, group) in modes.figures.iter().zip(["first", "second"]) {
+            figure::fill(html, group, drawn);
+        }
+    });
+    page.section("energies", "Energies and shapes", |html| energies(html, made.scene, modes));
+    page.section("cells", "Cells", |html| cells(html, made.scene, modes.cells));
+    shared::end(&mut page, made);
+    Ok(page)
+}
+
+/// The names of the laws with their units.
+fn laws(scene: &Scene) -> Vec<String> {
+    scene.stiffnesses().map(|(law, _)| format!("{} [{}]", law.name, law.unit)).collect()
+}
+
+fn frequencies(html: &mut Html, scene: &Scene, cell: &CellModes) {
+    let levels = laws(scene).into_iter().zip(&cell.levels);
+    html.pairs(levels.map(|(law, level)| (law, crate::output::number::short(*level))));
+    if cell.coupled {
+        html.paragraph("Damping couples the modes of the undamped system: shapes are complex.");
+    }
+    let row = |(i, mode): (usize, &Vibration)| {
+        let numbers = [i as f64, mode.natural, mode.damped, mode.zeta.unwrap_or(f64::NAN)];
+        let kind = match (mode.natural > 0.0, mode.damped > 0.0) {
+            (false, _) => "rigid motion",
+            (true, true) => "vibrates",
+            (true, false) => "overdamped",
+        };
+        numbers.into_iter().map(Cell::Number).chain([Cell::text(kind)]).collect()
+    };
+    let rows: Vec<Vec<Cell>> = cell.modes.iter().enumerate().map(row).collect();
+    html.table("Modes of this cell", &["mode", "natural [Hz]", "damped [Hz]", "damping factor", "kind"], &rows);
+}
+
+fn energies(html: &mut Html, scene: &Scene, modes: &Modes<'_>) {
+    let mut rows = vec![];
+    let elastic: Vec<&str> = scene.stiffnesses().map(|(law, _)| law.name).collect();
+    let elastic: Vec<&str> = elastic.into_iter().chain(modes.springs.iter().map(|spring| spring.name)).collect();
+    for (i, mode) in modes.chosen.modes.iter().enumerate() {
+        for ((coordinate, shape), share) in scene.model.coordinates.iter().zip(&mode.shape).zip(&mode.kinetic) {
+            let numbers = [100.0 * share, shape.re, shape.im].map(Cell::Number);
+            let names = [Cell::Number(i as f64), Cell::text(coordinate.name), Cell::text("kinetic")];
+            rows.push(names.into_iter().chain(numbers).collect());
+        }
+        for (name, share) in elastic.iter().zip(mode.strain.iter().chain(&mode.springs)) {
+            let numbers = [100.0 * share, f64::NAN, f64::NAN].map(Cell::Number);
+            let names = [Cell::Number(i as f64), Cell::text(*name), Cell::text("strain")];
+            rows.push(names.into_iter().chain(numbers).collect());
+        }
+    }
+    let head = ["mode", "coordinate, mesh or spring", "energy", "share [%]", "shape, real", "shape, imaginary"];
+    html.table("Shares of the energies, and shapes", &head, &rows);
+}
+
+fn cells(html: &mut Html, scene: &Scene, cells: &[CellModes]) {
+    let Some(first) = cells.first() else { return };
+    let head = laws(scene).into_iter().chain((0..first.modes.len()).map(|i| format!("mode {i} [Hz]")));
+    let head: Vec<String> = head.collect();
+    let row = |cell: &CellModes| {
+        let numbers = cell.levels.iter().copied().chain(cell.modes.iter().map(|mode| mode.natural));
+        numbers.map(Cell::Number).collect()
+    };
+    let rows: Vec<Vec<Cell>> = cells.iter().map(row).collect();
+    html.table("Natural frequencies of every cell", &head.iter().map(String::as_str).collect::<Vec<_>>(), &rows);
+}

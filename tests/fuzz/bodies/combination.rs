@@ -1,0 +1,21 @@
+//! A scene of any model with any effects, numbers, method and precision: what must hold of every scene holds of it.
+
+use std::sync::LazyLock;
+
+use gearsim::Scene;
+
+use crate::checks::{CHECKS, Checked};
+use crate::draw;
+use crate::random::Random;
+
+static BASES: LazyLock<Vec<Scene>> = LazyLock::new(draw::bases);
+
+/// The bytes are the random numbers by which the scene is drawn.
+pub fn check(data: &[u8]) {
+    let case = draw::drawn(&BASES, Random::of_bytes(data));
+    for (name, check) in CHECKS {
+        if let Checked::Wrong(why) = check(&case) {
+            panic!("{name}: {why}\n{}", case.command());
+        }
+    }
+}
