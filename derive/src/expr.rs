@@ -68,6 +68,8 @@ pub enum Kind {
     Reaction,
     /// What a run can record.
     Output,
+    /// What the engine alone knows, for outputs: the reaction of a held deflection, the power of a torque.
+    Known,
     /// The force of the springs of a deflection; replaced by its value before anything is derived.
     Spring,
     /// The force of its dampers, likewise.
@@ -76,7 +78,7 @@ pub enum Kind {
     Free,
 }
 
-const KINDS: [(Kind, &str); 25] = [
+const KINDS: [(Kind, &str); 26] = [
     (Kind::Marker, "marker"),
     (Kind::Mobility, "mobility"),
     (Kind::Constant, "constant"),
@@ -99,6 +101,7 @@ const KINDS: [(Kind, &str); 25] = [
     (Kind::Acceleration, "acceleration"),
     (Kind::Reaction, "reaction"),
     (Kind::Output, "output"),
+    (Kind::Known, "known"),
     (Kind::Spring, "spring"),
     (Kind::Damper, "damper"),
     (Kind::Free, "free"),
@@ -292,6 +295,16 @@ pub(crate) fn partial_name(force: &str, by: &str) -> String {
 /// The name of the speed of a coordinate.
 pub(crate) fn speed_name(coordinate: &str) -> String {
     format!("{coordinate}_dot")
+}
+
+/// The name of the reaction that holds the deflection of a switch, in outputs.
+pub(crate) fn reaction_name(over: &str) -> String {
+    format!("{over}_reaction")
+}
+
+/// The name of the power of a torque, in outputs.
+pub(crate) fn power_name(torque: &str) -> String {
+    format!("{torque}_power")
 }
 
 /// The name of the acceleration of a coordinate.

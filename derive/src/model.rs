@@ -291,10 +291,12 @@ impl Model {
     /// Adds an external torque (or force) of size `value` that works through the displacement `through`. The torque is constant or
     /// depends on speeds; only with a friction law as a factor may it depend on deflections and stiffnesses too. A torque that is not
     /// constant, or whose displacement is not linear in the coordinates, makes the cells nonlinear. If it is linear in the speed of `through`,
-    /// avoid this by writing it as a constant torque and a dissipation: T = c (n - omega) is the torque c n and D = c omega^2/2.
+    /// avoid this by writing it as a constant torque and a dissipation: T = c (n - omega) is the torque c n and D = c omega^2/2. Its power
+    /// is the output `power_NAME` [W].
     pub fn torque(&mut self, name: &str, value: Expr, through: Expr, doc: &str) {
         let value = self.marked(value);
         self.torques.push(Torque { name: name.into(), value, through, along: None, doc: doc.into() });
+        self.power_output(name, doc);
     }
 
     /// Adds an external torque (or force) of size `value` that works along `speed`, a linear form of the speeds with factors that may
@@ -303,6 +305,13 @@ impl Model {
     pub fn torque_along(&mut self, name: &str, value: Expr, speed: Expr, doc: &str) {
         let (value, through) = (self.marked(value), Expr::from(0));
         self.torques.push(Torque { name: name.into(), value, through, along: Some(speed), doc: doc.into() });
+        self.power_output(name, doc);
+    }
+
+    /// Declares the power of an external torque as an output. Their sum is the rate of the work in the energy account.
+    fn power_output(&mut self, name: &str, doc: &str) {
+        let power = self.power(name);
+        self.output(&format!("power_{name}"), "W", power, &format!("power of the {doc}: positive if it drives"));
     }
 
     /// Names a force, for example a friction force, that is a factor in several torques or acts on several coordinates. It may

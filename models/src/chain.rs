@@ -19,7 +19,7 @@ pub fn chain(m: &mut Model, n: usize) {
         rotor(m, &i.to_string(), &format!("disc {i}"), *theta);
     }
     for (i, ends) in (1..).zip(theta.windows(2)) {
-        shaft(m, &i.to_string(), &format!("shaft between discs {i} and {}", i + 1), ends[0] - ends[1]);
+        shaft(m, &i.to_string(), &format!("shaft between discs {i} and {}", i + 1), ends[0] - ends[1], ends[0]);
     }
     drive(m, "motor", "first disc", theta[0]);
     load(m, "load", "last disc", theta[n - 1]);

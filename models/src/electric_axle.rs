@@ -24,8 +24,8 @@ pub fn electric_axle(m: &mut Model) {
     }
     rotor(m, "w", "wheel and vehicle", wheel);
     overrunning_clutch(m, "", "clutch between motor and gear 1", theta_m - first.theta1);
-    shaft(m, "c", "intermediate shaft", first.theta2 - second.theta1);
-    shaft(m, "h", "half shaft", psi);
+    shaft(m, "c", "intermediate shaft", first.theta2 - second.theta1, first.theta2);
+    shaft(m, "h", "half shaft", psi, second.theta2);
 
     let tangent = pressure_tangent(m);
     first.mesh(m, "12", "mesh of gears 1 and 2", tangent);

@@ -11,7 +11,7 @@ pub fn friction_oscillator(m: &mut Model) {
 
     let phi = m.coordinate("phi", "rad", Start::At(0.0), "rotation");
     rotor(m, "", "rotor", phi);
-    shaft(m, "", "spring", phi);
+    shaft(m, "", "spring", phi, phi);
     dry_friction(m, "", "bearing", ["rad", "N*m"], phi);
     drive(m, "motor", "rotor", phi);
     m.motion("speed", "rad/s", &[(phi, 1.into())], "rotational speed");

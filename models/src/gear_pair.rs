@@ -71,7 +71,11 @@ pub fn gear_pair(m: &mut Model) {
         "dynamic transmission error as a rotation of the driving gear, theta1 - N2/N1 theta2",
     );
     let torque = half(N1 * (m.spring(gap.over) + m.damper(gap.over)));
-    m.output("mesh_torque", "N*m", torque, "torque of the mesh on the driving gear, damper included");
+    let torque = m.output("mesh_torque", "N*m", torque, "torque of the mesh on the driving gear, damper included");
+    let given = "power that the driving gear gives to the mesh: torque times its speed";
+    m.output("mesh_power", "W", torque * (q1 / N1).dot(), given);
+    let doc = "deflection of the mesh as a rotation of the driving gear, backlash not taken off";
+    m.output("mesh_deflection", "rad", 2 * (phi - e.value) / N1, doc);
     let taken = m.damper(gap.over) * gap.over.dot();
     m.output("mesh_loss", "W", taken, "power that the damper of the mesh takes");
     for (part, what, rotation) in [("1", "driving gear", q1 / N1), ("2", "driven gear", q2 / N2)] {

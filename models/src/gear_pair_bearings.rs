@@ -31,7 +31,8 @@ pub fn gear_pair_bearings(m: &mut Model) {
     // Rolling does not deflect the mesh: of the rotations only s does. The line of action is at the angle -alpha.
     let (one, two) = (Gear { x: c1[0], y: c1[1], u: gears.s }, Gear { x: c2[0], y: c2[1], u: 0.into() });
     let line = alpha.mirrored();
-    let mesh = mesh_with_play(m, "12", "mesh", gears.theta, external(one, line, two, line));
+    let mesh =
+        mesh_with_play(m, "12", "mesh", gears.theta, external(one, line, two, line), one.across(line) + gears.u1);
     // The flanks slide when the gears turn relative to each other, and when their centres move across the line of action.
     let tau = alpha.sin / alpha.cos * gears.s - one.along(line) + two.along(line);
     let psi = gears.theta1 + gears.theta2;

@@ -20,8 +20,8 @@ pub fn gear_pair_shafts(m: &mut Model) {
     rotor(m, "1", "driving gear", gears.theta1);
     rotor(m, "2", "driven gear", gears.theta2);
     rotor(m, "l", "load", theta_l);
-    shaft(m, "m", "motor's shaft", psi_m);
-    shaft(m, "l", "load's shaft", psi_l);
+    shaft(m, "m", "motor's shaft", psi_m, theta_m);
+    shaft(m, "l", "load's shaft", psi_l, gears.theta2);
     let tangent = pressure_tangent(m);
     gears.mesh(m, "12", "mesh", tangent);
     drive(m, "motor", "motor", theta_m);

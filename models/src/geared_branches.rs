@@ -23,9 +23,9 @@ pub fn geared_branches(m: &mut Model) {
     rotor(m, "2", "second shaft's gear", theta2);
     rotor(m, "a", "first shaft's disc", theta_a);
     rotor(m, "b", "second shaft's disc", theta_b);
-    shaft(m, "m", "motor's shaft", theta_m - theta1);
-    shaft(m, "a", "shaft to the first disc", theta1 - theta_a);
-    shaft(m, "b", "shaft to the second disc", theta2 - theta_b);
+    shaft(m, "m", "motor's shaft", theta_m - theta1, theta_m);
+    shaft(m, "a", "shaft to the first disc", theta1 - theta_a, theta1);
+    shaft(m, "b", "shaft to the second disc", theta2 - theta_b, theta2);
     drive(m, "motor", "motor", theta_m);
     load(m, "load", "second shaft's disc", theta_b);
     damping(m);

@@ -24,8 +24,8 @@ pub fn idler(m: &mut Model) {
     rotor(m, "1", "driving gear", theta1);
     rotor(m, "2", "idler", theta / N2);
     rotor(m, "3", "driven gear", theta3);
-    let mesh1 = mesh_with_play(m, "12", "mesh of gears 1 and 2", theta, delta1);
-    let mesh2 = mesh_with_play(m, "23", "mesh of gears 2 and 3", theta, delta2);
+    let mesh1 = mesh_with_play(m, "12", "mesh of gears 1 and 2", theta, delta1, h * theta + delta1);
+    let mesh2 = mesh_with_play(m, "23", "mesh of gears 2 and 3", theta, delta2, h * theta);
     let tangent = pressure_tangent(m);
     let sliding = |delta, psi| Sliding { phase: theta, tau: tangent * delta, psi };
     sliding_friction(m, "12", "mesh of gears 1 and 2", "m", mesh1, sliding(delta1, theta1 + theta / N2));

@@ -20,9 +20,9 @@ pub fn two_stage(m: &mut Model) {
         rotor(m, part, &format!("gear {part}"), theta);
     }
     rotor(m, "l", "load", theta_l);
-    shaft(m, "m", "motor's shaft", psi_m);
-    shaft(m, "c", "countershaft", first.theta2 - second.theta1);
-    shaft(m, "l", "load's shaft", psi_l);
+    shaft(m, "m", "motor's shaft", psi_m, theta_m);
+    shaft(m, "c", "countershaft", first.theta2 - second.theta1, first.theta2);
+    shaft(m, "l", "load's shaft", psi_l, second.theta2);
     let tangent = pressure_tangent(m);
     first.mesh(m, "12", "mesh of gears 1 and 2", tangent);
     second.mesh(m, "34", "mesh of gears 3 and 4", tangent);

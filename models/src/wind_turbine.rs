@@ -21,11 +21,11 @@ pub fn wind_turbine(m: &mut Model) {
     rotor(m, "1", "wheel of the parallel stage", gears.theta1);
     rotor(m, "2", "pinion of the parallel stage", gears.theta2);
     rotor(m, "g", "generator", theta_g);
-    shaft(m, "l", "low-speed shaft", psi_l);
-    shaft(m, "i", "intermediate shaft", planetary.theta_s - gears.theta1);
-    shaft(m, "h", "high-speed shaft", psi_h);
+    shaft(m, "l", "low-speed shaft", psi_l, theta_b);
+    shaft(m, "i", "intermediate shaft", planetary.theta_s - gears.theta1, planetary.theta_s);
+    shaft(m, "h", "high-speed shaft", psi_h, gears.theta2);
     planetary.planets(m, 3, 0.into());
-    mesh_with_play(m, "12", "mesh of the parallel stage", gears.theta, gears.s);
+    mesh_with_play(m, "12", "mesh of the parallel stage", gears.theta, gears.s, gears.u1);
     drive(m, "wind", "rotor", theta_b);
     load(m, "generator", "generator", theta_g);
     damping(m);

@@ -2,7 +2,9 @@
 
 use std::collections::BTreeMap;
 
-use crate::expr::{Kind, MOVING, acceleration_name, is_word, partial_name, speed_name, symbols};
+use crate::expr::{
+    Kind, MOVING, acceleration_name, is_word, partial_name, power_name, reaction_name, speed_name, symbols,
+};
 use crate::model::{self, CONDITIONS, Model, mid_name};
 use crate::slip::Slip;
 
@@ -35,6 +37,7 @@ pub(super) fn what_it_is(kind: Kind) -> &'static str {
         Kind::Edge => "an offset of a switch",
         Kind::Reaction => "the reaction of a hold",
         Kind::Output => "an output",
+        Kind::Known => "a reaction or a power, for outputs",
         Kind::Spring => "the force of springs",
         Kind::Damper => "the force of dampers",
         Kind::Marker | Kind::Mobility | Kind::Free => "not declared",
@@ -77,6 +80,9 @@ pub(super) fn declared(model: &Model) -> Result<BTreeMap<String, &'static str>, 
     }
     for switch in &model.switches {
         switch.symbols.iter().try_for_each(|s| declare(&s.name, known(s.kind), false))?;
+        if switch.modes.iter().any(|mode| mode.held) {
+            declare(&reaction_name(&switch.over), known(Known), true)?;
+        }
     }
     for law in &model.laws {
         declare(&law.name, known(law.kind()), false)?;
@@ -95,7 +101,10 @@ pub(super) fn declared(model: &Model) -> Result<BTreeMap<String, &'static str>, 
     model.motions.iter().try_for_each(|m| declare(&m.name, "a motion", false))?;
     model.effects.iter().try_for_each(|e| declare(&e.name, "an effect", false))?;
     CONDITIONS.iter().try_for_each(|(name, _)| declare(name, "a condition", true))?;
-    model.torques.iter().try_for_each(|t| declare(&t.name, "a torque", false))?;
+    for torque in &model.torques {
+        declare(&torque.name, "a torque", false)?;
+        declare(&power_name(&torque.name), known(Known), true)?;
+    }
     model.outputs.iter().try_for_each(|o| declare(&o.name, known(Output), false))?;
     Ok(all)
 }

@@ -21,9 +21,9 @@ const TORQUE: [Kind; 6] = [Constant, Parameter, Mid, Force, Rate, Speed];
 /// What a torque with a friction law as a factor may depend on besides.
 const FRICTION: [Kind; 4] = [Law, Friction, Switched, Deflection];
 /// What an output may depend on.
-const OUTPUT: [Kind; 15] = [
+const OUTPUT: [Kind; 16] = [
     Constant, Parameter, Mid, Law, Error, Friction, Switched, Function, Edge, Deflection, Coordinate, Rate, Speed,
-    Force, Output,
+    Force, Output, Known,
 ];
 /// What a constant may depend on.
 const CONSTANT: [Kind; 4] = [Constant, Parameter, Mid, Mobility];

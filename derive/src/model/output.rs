@@ -4,7 +4,7 @@ use symbolica::atom::{Atom, AtomCore, Symbol};
 
 use super::Model;
 use super::switch::set;
-use crate::expr::{Expr, Kind, speed_name, symbol, symbols, total};
+use crate::expr::{Expr, Kind, power_name, reaction_name, speed_name, symbol, symbols, total};
 use crate::markers::{markers, terms};
 
 /// A quantity that a run can record.
@@ -63,6 +63,20 @@ impl Model {
     /// dD/dx' of the named deflection `x`.
     pub(super) fn damper_force(&self, x: &str) -> Atom {
         slope(&self.dissipation, symbol(Kind::Rate, &speed_name(x)))
+    }
+
+    /// For outputs: the force along the deflection `x` of a switch that its hold resists, zero in modes that do not hold. Of several holds
+    /// that prevent the same motion the first has the reaction.
+    pub fn reaction(&self, x: Expr) -> Expr {
+        match symbols(&x.atom()).as_slice() {
+            [(Kind::Deflection, name)] => Expr::var(Kind::Known, &reaction_name(name)),
+            _ => Expr::symbol("the reaction along an expression that is not the deflection of a switch"),
+        }
+    }
+
+    /// For outputs: the power [W] of the external torque `name`, at its present value if it varies in time.
+    pub fn power(&self, name: &str) -> Expr {
+        Expr::var(Kind::Known, &power_name(name))
     }
 
     /// For outputs: the force of all that takes energy along the named deflection `x`: dampers, dD/dx', and the force of a switch

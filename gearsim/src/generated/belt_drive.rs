@@ -132,7 +132,14 @@ equations! {
             _ => k_t*twist_t;
             damping => beta_K*k_t*twist_t_dot;
         }
+        shaft_power_t "W", "power that enters the spring of the tensioner arm at its first end: torque times the speed of that end" {
+            _ => psi_dot*shaft_torque_t;
+        }
         shaft_loss_t "W", "power that the damper of the spring of the tensioner arm takes" { damping => beta_K*k_t*twist_t_dot.powi(2); }
+        power_crank "W" with torques, "power of the driving torque of the crankshaft: positive if it drives" { _ => crank_power; }
+        power_load "W" with torques, "power of the load torque of the accessory, against its rotation: positive if it drives" {
+            _ => load_power;
+        }
         inertia_damping_loss "W" with damping, "power that the damping in proportion to inertia takes" {
             _ => 2.0*alpha_M*((I1*theta_dot.powi(2) + I2*(r1*theta_dot/r2 - s_dot/r2).powi(2) + I_t*psi_dot.powi(2))/2.0);
         }

@@ -101,7 +101,14 @@ equations! {
             _ => k1*twist1;
             damping => beta_K*k1*twist1_dot;
         }
+        shaft_power_1 "W", "power that enters the shaft between discs 1 and 2 at its first end: torque times the speed of that end" {
+            _ => theta1_dot*shaft_torque_1;
+        }
         shaft_loss_1 "W", "power that the damper of the shaft between discs 1 and 2 takes" { damping => beta_K*k1*twist1_dot.powi(2); }
+        power_motor "W" with torques, "power of the driving torque of the first disc: positive if it drives" { _ => motor_power; }
+        power_load "W" with torques, "power of the load torque of the last disc, against its rotation: positive if it drives" {
+            _ => load_power;
+        }
         inertia_damping_loss "W" with damping, "power that the damping in proportion to inertia takes" {
             _ => 2.0*alpha_M*((I1*theta1_dot.powi(2) + I2*theta2_dot.powi(2))/2.0);
         }

@@ -745,11 +745,17 @@ equations! {
             _ => k1*twist1;
             damping => beta_K*k1*twist1_dot;
         }
+        shaft_power_1 "W", "power that enters the shaft between discs 1 and 2 at its first end: torque times the speed of that end" {
+            _ => theta1_dot*shaft_torque_1;
+        }
         shaft_loss_1 "W", "power that the damper of the shaft between discs 1 and 2 takes" { damping => beta_K*k1*twist1_dot.powi(2); }
         shaft_twist_2 "rad", "twist of the shaft between discs 2 and 3" { _ => twist2; }
         shaft_torque_2 "N*m", "torque in the shaft between discs 2 and 3, damper included" {
             _ => k2*twist2;
             damping => beta_K*k2*twist2_dot;
+        }
+        shaft_power_2 "W", "power that enters the shaft between discs 2 and 3 at its first end: torque times the speed of that end" {
+            _ => theta2_dot*shaft_torque_2;
         }
         shaft_loss_2 "W", "power that the damper of the shaft between discs 2 and 3 takes" { damping => beta_K*k2*twist2_dot.powi(2); }
         shaft_twist_3 "rad", "twist of the shaft between discs 3 and 4" { _ => twist3; }
@@ -757,11 +763,17 @@ equations! {
             _ => k3*twist3;
             damping => beta_K*k3*twist3_dot;
         }
+        shaft_power_3 "W", "power that enters the shaft between discs 3 and 4 at its first end: torque times the speed of that end" {
+            _ => theta3_dot*shaft_torque_3;
+        }
         shaft_loss_3 "W", "power that the damper of the shaft between discs 3 and 4 takes" { damping => beta_K*k3*twist3_dot.powi(2); }
         shaft_twist_4 "rad", "twist of the shaft between discs 4 and 5" { _ => twist4; }
         shaft_torque_4 "N*m", "torque in the shaft between discs 4 and 5, damper included" {
             _ => k4*twist4;
             damping => beta_K*k4*twist4_dot;
+        }
+        shaft_power_4 "W", "power that enters the shaft between discs 4 and 5 at its first end: torque times the speed of that end" {
+            _ => theta4_dot*shaft_torque_4;
         }
         shaft_loss_4 "W", "power that the damper of the shaft between discs 4 and 5 takes" { damping => beta_K*k4*twist4_dot.powi(2); }
         shaft_twist_5 "rad", "twist of the shaft between discs 5 and 6" { _ => twist5; }
@@ -769,11 +781,17 @@ equations! {
             _ => k5*twist5;
             damping => beta_K*k5*twist5_dot;
         }
+        shaft_power_5 "W", "power that enters the shaft between discs 5 and 6 at its first end: torque times the speed of that end" {
+            _ => theta5_dot*shaft_torque_5;
+        }
         shaft_loss_5 "W", "power that the damper of the shaft between discs 5 and 6 takes" { damping => beta_K*k5*twist5_dot.powi(2); }
         shaft_twist_6 "rad", "twist of the shaft between discs 6 and 7" { _ => twist6; }
         shaft_torque_6 "N*m", "torque in the shaft between discs 6 and 7, damper included" {
             _ => k6*twist6;
             damping => beta_K*k6*twist6_dot;
+        }
+        shaft_power_6 "W", "power that enters the shaft between discs 6 and 7 at its first end: torque times the speed of that end" {
+            _ => theta6_dot*shaft_torque_6;
         }
         shaft_loss_6 "W", "power that the damper of the shaft between discs 6 and 7 takes" { damping => beta_K*k6*twist6_dot.powi(2); }
         shaft_twist_7 "rad", "twist of the shaft between discs 7 and 8" { _ => twist7; }
@@ -781,11 +799,17 @@ equations! {
             _ => k7*twist7;
             damping => beta_K*k7*twist7_dot;
         }
+        shaft_power_7 "W", "power that enters the shaft between discs 7 and 8 at its first end: torque times the speed of that end" {
+            _ => theta7_dot*shaft_torque_7;
+        }
         shaft_loss_7 "W", "power that the damper of the shaft between discs 7 and 8 takes" { damping => beta_K*k7*twist7_dot.powi(2); }
         shaft_twist_8 "rad", "twist of the shaft between discs 8 and 9" { _ => twist8; }
         shaft_torque_8 "N*m", "torque in the shaft between discs 8 and 9, damper included" {
             _ => k8*twist8;
             damping => beta_K*k8*twist8_dot;
+        }
+        shaft_power_8 "W", "power that enters the shaft between discs 8 and 9 at its first end: torque times the speed of that end" {
+            _ => theta8_dot*shaft_torque_8;
         }
         shaft_loss_8 "W", "power that the damper of the shaft between discs 8 and 9 takes" { damping => beta_K*k8*twist8_dot.powi(2); }
         shaft_twist_9 "rad", "twist of the shaft between discs 9 and 10" { _ => twist9; }
@@ -793,11 +817,17 @@ equations! {
             _ => k9*twist9;
             damping => beta_K*k9*twist9_dot;
         }
+        shaft_power_9 "W", "power that enters the shaft between discs 9 and 10 at its first end: torque times the speed of that end" {
+            _ => theta9_dot*shaft_torque_9;
+        }
         shaft_loss_9 "W", "power that the damper of the shaft between discs 9 and 10 takes" { damping => beta_K*k9*twist9_dot.powi(2); }
         shaft_twist_10 "rad", "twist of the shaft between discs 10 and 11" { _ => twist10; }
         shaft_torque_10 "N*m", "torque in the shaft between discs 10 and 11, damper included" {
             _ => k10*twist10;
             damping => beta_K*k10*twist10_dot;
+        }
+        shaft_power_10 "W", "power that enters the shaft between discs 10 and 11 at its first end: torque times the speed of that end" {
+            _ => theta10_dot*shaft_torque_10;
         }
         shaft_loss_10 "W", "power that the damper of the shaft between discs 10 and 11 takes" { damping => beta_K*k10*twist10_dot.powi(2); }
         shaft_twist_11 "rad", "twist of the shaft between discs 11 and 12" { _ => twist11; }
@@ -805,11 +835,17 @@ equations! {
             _ => k11*twist11;
             damping => beta_K*k11*twist11_dot;
         }
+        shaft_power_11 "W", "power that enters the shaft between discs 11 and 12 at its first end: torque times the speed of that end" {
+            _ => theta11_dot*shaft_torque_11;
+        }
         shaft_loss_11 "W", "power that the damper of the shaft between discs 11 and 12 takes" { damping => beta_K*k11*twist11_dot.powi(2); }
         shaft_twist_12 "rad", "twist of the shaft between discs 12 and 13" { _ => twist12; }
         shaft_torque_12 "N*m", "torque in the shaft between discs 12 and 13, damper included" {
             _ => k12*twist12;
             damping => beta_K*k12*twist12_dot;
+        }
+        shaft_power_12 "W", "power that enters the shaft between discs 12 and 13 at its first end: torque times the speed of that end" {
+            _ => theta12_dot*shaft_torque_12;
         }
         shaft_loss_12 "W", "power that the damper of the shaft between discs 12 and 13 takes" { damping => beta_K*k12*twist12_dot.powi(2); }
         shaft_twist_13 "rad", "twist of the shaft between discs 13 and 14" { _ => twist13; }
@@ -817,11 +853,17 @@ equations! {
             _ => k13*twist13;
             damping => beta_K*k13*twist13_dot;
         }
+        shaft_power_13 "W", "power that enters the shaft between discs 13 and 14 at its first end: torque times the speed of that end" {
+            _ => theta13_dot*shaft_torque_13;
+        }
         shaft_loss_13 "W", "power that the damper of the shaft between discs 13 and 14 takes" { damping => beta_K*k13*twist13_dot.powi(2); }
         shaft_twist_14 "rad", "twist of the shaft between discs 14 and 15" { _ => twist14; }
         shaft_torque_14 "N*m", "torque in the shaft between discs 14 and 15, damper included" {
             _ => k14*twist14;
             damping => beta_K*k14*twist14_dot;
+        }
+        shaft_power_14 "W", "power that enters the shaft between discs 14 and 15 at its first end: torque times the speed of that end" {
+            _ => theta14_dot*shaft_torque_14;
         }
         shaft_loss_14 "W", "power that the damper of the shaft between discs 14 and 15 takes" { damping => beta_K*k14*twist14_dot.powi(2); }
         shaft_twist_15 "rad", "twist of the shaft between discs 15 and 16" { _ => twist15; }
@@ -829,11 +871,17 @@ equations! {
             _ => k15*twist15;
             damping => beta_K*k15*twist15_dot;
         }
+        shaft_power_15 "W", "power that enters the shaft between discs 15 and 16 at its first end: torque times the speed of that end" {
+            _ => theta15_dot*shaft_torque_15;
+        }
         shaft_loss_15 "W", "power that the damper of the shaft between discs 15 and 16 takes" { damping => beta_K*k15*twist15_dot.powi(2); }
         shaft_twist_16 "rad", "twist of the shaft between discs 16 and 17" { _ => twist16; }
         shaft_torque_16 "N*m", "torque in the shaft between discs 16 and 17, damper included" {
             _ => k16*twist16;
             damping => beta_K*k16*twist16_dot;
+        }
+        shaft_power_16 "W", "power that enters the shaft between discs 16 and 17 at its first end: torque times the speed of that end" {
+            _ => theta16_dot*shaft_torque_16;
         }
         shaft_loss_16 "W", "power that the damper of the shaft between discs 16 and 17 takes" { damping => beta_K*k16*twist16_dot.powi(2); }
         shaft_twist_17 "rad", "twist of the shaft between discs 17 and 18" { _ => twist17; }
@@ -841,11 +889,17 @@ equations! {
             _ => k17*twist17;
             damping => beta_K*k17*twist17_dot;
         }
+        shaft_power_17 "W", "power that enters the shaft between discs 17 and 18 at its first end: torque times the speed of that end" {
+            _ => theta17_dot*shaft_torque_17;
+        }
         shaft_loss_17 "W", "power that the damper of the shaft between discs 17 and 18 takes" { damping => beta_K*k17*twist17_dot.powi(2); }
         shaft_twist_18 "rad", "twist of the shaft between discs 18 and 19" { _ => twist18; }
         shaft_torque_18 "N*m", "torque in the shaft between discs 18 and 19, damper included" {
             _ => k18*twist18;
             damping => beta_K*k18*twist18_dot;
+        }
+        shaft_power_18 "W", "power that enters the shaft between discs 18 and 19 at its first end: torque times the speed of that end" {
+            _ => theta18_dot*shaft_torque_18;
         }
         shaft_loss_18 "W", "power that the damper of the shaft between discs 18 and 19 takes" { damping => beta_K*k18*twist18_dot.powi(2); }
         shaft_twist_19 "rad", "twist of the shaft between discs 19 and 20" { _ => twist19; }
@@ -853,11 +907,17 @@ equations! {
             _ => k19*twist19;
             damping => beta_K*k19*twist19_dot;
         }
+        shaft_power_19 "W", "power that enters the shaft between discs 19 and 20 at its first end: torque times the speed of that end" {
+            _ => theta19_dot*shaft_torque_19;
+        }
         shaft_loss_19 "W", "power that the damper of the shaft between discs 19 and 20 takes" { damping => beta_K*k19*twist19_dot.powi(2); }
         shaft_twist_20 "rad", "twist of the shaft between discs 20 and 21" { _ => twist20; }
         shaft_torque_20 "N*m", "torque in the shaft between discs 20 and 21, damper included" {
             _ => k20*twist20;
             damping => beta_K*k20*twist20_dot;
+        }
+        shaft_power_20 "W", "power that enters the shaft between discs 20 and 21 at its first end: torque times the speed of that end" {
+            _ => theta20_dot*shaft_torque_20;
         }
         shaft_loss_20 "W", "power that the damper of the shaft between discs 20 and 21 takes" { damping => beta_K*k20*twist20_dot.powi(2); }
         shaft_twist_21 "rad", "twist of the shaft between discs 21 and 22" { _ => twist21; }
@@ -865,11 +925,17 @@ equations! {
             _ => k21*twist21;
             damping => beta_K*k21*twist21_dot;
         }
+        shaft_power_21 "W", "power that enters the shaft between discs 21 and 22 at its first end: torque times the speed of that end" {
+            _ => theta21_dot*shaft_torque_21;
+        }
         shaft_loss_21 "W", "power that the damper of the shaft between discs 21 and 22 takes" { damping => beta_K*k21*twist21_dot.powi(2); }
         shaft_twist_22 "rad", "twist of the shaft between discs 22 and 23" { _ => twist22; }
         shaft_torque_22 "N*m", "torque in the shaft between discs 22 and 23, damper included" {
             _ => k22*twist22;
             damping => beta_K*k22*twist22_dot;
+        }
+        shaft_power_22 "W", "power that enters the shaft between discs 22 and 23 at its first end: torque times the speed of that end" {
+            _ => theta22_dot*shaft_torque_22;
         }
         shaft_loss_22 "W", "power that the damper of the shaft between discs 22 and 23 takes" { damping => beta_K*k22*twist22_dot.powi(2); }
         shaft_twist_23 "rad", "twist of the shaft between discs 23 and 24" { _ => twist23; }
@@ -877,11 +943,17 @@ equations! {
             _ => k23*twist23;
             damping => beta_K*k23*twist23_dot;
         }
+        shaft_power_23 "W", "power that enters the shaft between discs 23 and 24 at its first end: torque times the speed of that end" {
+            _ => theta23_dot*shaft_torque_23;
+        }
         shaft_loss_23 "W", "power that the damper of the shaft between discs 23 and 24 takes" { damping => beta_K*k23*twist23_dot.powi(2); }
         shaft_twist_24 "rad", "twist of the shaft between discs 24 and 25" { _ => twist24; }
         shaft_torque_24 "N*m", "torque in the shaft between discs 24 and 25, damper included" {
             _ => k24*twist24;
             damping => beta_K*k24*twist24_dot;
+        }
+        shaft_power_24 "W", "power that enters the shaft between discs 24 and 25 at its first end: torque times the speed of that end" {
+            _ => theta24_dot*shaft_torque_24;
         }
         shaft_loss_24 "W", "power that the damper of the shaft between discs 24 and 25 takes" { damping => beta_K*k24*twist24_dot.powi(2); }
         shaft_twist_25 "rad", "twist of the shaft between discs 25 and 26" { _ => twist25; }
@@ -889,11 +961,17 @@ equations! {
             _ => k25*twist25;
             damping => beta_K*k25*twist25_dot;
         }
+        shaft_power_25 "W", "power that enters the shaft between discs 25 and 26 at its first end: torque times the speed of that end" {
+            _ => theta25_dot*shaft_torque_25;
+        }
         shaft_loss_25 "W", "power that the damper of the shaft between discs 25 and 26 takes" { damping => beta_K*k25*twist25_dot.powi(2); }
         shaft_twist_26 "rad", "twist of the shaft between discs 26 and 27" { _ => twist26; }
         shaft_torque_26 "N*m", "torque in the shaft between discs 26 and 27, damper included" {
             _ => k26*twist26;
             damping => beta_K*k26*twist26_dot;
+        }
+        shaft_power_26 "W", "power that enters the shaft between discs 26 and 27 at its first end: torque times the speed of that end" {
+            _ => theta26_dot*shaft_torque_26;
         }
         shaft_loss_26 "W", "power that the damper of the shaft between discs 26 and 27 takes" { damping => beta_K*k26*twist26_dot.powi(2); }
         shaft_twist_27 "rad", "twist of the shaft between discs 27 and 28" { _ => twist27; }
@@ -901,11 +979,17 @@ equations! {
             _ => k27*twist27;
             damping => beta_K*k27*twist27_dot;
         }
+        shaft_power_27 "W", "power that enters the shaft between discs 27 and 28 at its first end: torque times the speed of that end" {
+            _ => theta27_dot*shaft_torque_27;
+        }
         shaft_loss_27 "W", "power that the damper of the shaft between discs 27 and 28 takes" { damping => beta_K*k27*twist27_dot.powi(2); }
         shaft_twist_28 "rad", "twist of the shaft between discs 28 and 29" { _ => twist28; }
         shaft_torque_28 "N*m", "torque in the shaft between discs 28 and 29, damper included" {
             _ => k28*twist28;
             damping => beta_K*k28*twist28_dot;
+        }
+        shaft_power_28 "W", "power that enters the shaft between discs 28 and 29 at its first end: torque times the speed of that end" {
+            _ => theta28_dot*shaft_torque_28;
         }
         shaft_loss_28 "W", "power that the damper of the shaft between discs 28 and 29 takes" { damping => beta_K*k28*twist28_dot.powi(2); }
         shaft_twist_29 "rad", "twist of the shaft between discs 29 and 30" { _ => twist29; }
@@ -913,11 +997,17 @@ equations! {
             _ => k29*twist29;
             damping => beta_K*k29*twist29_dot;
         }
+        shaft_power_29 "W", "power that enters the shaft between discs 29 and 30 at its first end: torque times the speed of that end" {
+            _ => theta29_dot*shaft_torque_29;
+        }
         shaft_loss_29 "W", "power that the damper of the shaft between discs 29 and 30 takes" { damping => beta_K*k29*twist29_dot.powi(2); }
         shaft_twist_30 "rad", "twist of the shaft between discs 30 and 31" { _ => twist30; }
         shaft_torque_30 "N*m", "torque in the shaft between discs 30 and 31, damper included" {
             _ => k30*twist30;
             damping => beta_K*k30*twist30_dot;
+        }
+        shaft_power_30 "W", "power that enters the shaft between discs 30 and 31 at its first end: torque times the speed of that end" {
+            _ => theta30_dot*shaft_torque_30;
         }
         shaft_loss_30 "W", "power that the damper of the shaft between discs 30 and 31 takes" { damping => beta_K*k30*twist30_dot.powi(2); }
         shaft_twist_31 "rad", "twist of the shaft between discs 31 and 32" { _ => twist31; }
@@ -925,7 +1015,14 @@ equations! {
             _ => k31*twist31;
             damping => beta_K*k31*twist31_dot;
         }
+        shaft_power_31 "W", "power that enters the shaft between discs 31 and 32 at its first end: torque times the speed of that end" {
+            _ => theta31_dot*shaft_torque_31;
+        }
         shaft_loss_31 "W", "power that the damper of the shaft between discs 31 and 32 takes" { damping => beta_K*k31*twist31_dot.powi(2); }
+        power_motor "W" with torques, "power of the driving torque of the first disc: positive if it drives" { _ => motor_power; }
+        power_load "W" with torques, "power of the load torque of the last disc, against its rotation: positive if it drives" {
+            _ => load_power;
+        }
         inertia_damping_loss "W" with damping, "power that the damping in proportion to inertia takes" {
             _ => 2.0*alpha_M*((I1*theta1_dot.powi(2) + I10*theta10_dot.powi(2) + I11*theta11_dot.powi(2) + I12*theta12_dot.powi(2)
                 + I13*theta13_dot.powi(2) + I14*theta14_dot.powi(2) + I15*theta15_dot.powi(2) + I16*theta16_dot.powi(2)

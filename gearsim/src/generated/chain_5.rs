@@ -169,11 +169,17 @@ equations! {
             _ => k1*twist1;
             damping => beta_K*k1*twist1_dot;
         }
+        shaft_power_1 "W", "power that enters the shaft between discs 1 and 2 at its first end: torque times the speed of that end" {
+            _ => theta1_dot*shaft_torque_1;
+        }
         shaft_loss_1 "W", "power that the damper of the shaft between discs 1 and 2 takes" { damping => beta_K*k1*twist1_dot.powi(2); }
         shaft_twist_2 "rad", "twist of the shaft between discs 2 and 3" { _ => twist2; }
         shaft_torque_2 "N*m", "torque in the shaft between discs 2 and 3, damper included" {
             _ => k2*twist2;
             damping => beta_K*k2*twist2_dot;
+        }
+        shaft_power_2 "W", "power that enters the shaft between discs 2 and 3 at its first end: torque times the speed of that end" {
+            _ => theta2_dot*shaft_torque_2;
         }
         shaft_loss_2 "W", "power that the damper of the shaft between discs 2 and 3 takes" { damping => beta_K*k2*twist2_dot.powi(2); }
         shaft_twist_3 "rad", "twist of the shaft between discs 3 and 4" { _ => twist3; }
@@ -181,13 +187,23 @@ equations! {
             _ => k3*twist3;
             damping => beta_K*k3*twist3_dot;
         }
+        shaft_power_3 "W", "power that enters the shaft between discs 3 and 4 at its first end: torque times the speed of that end" {
+            _ => theta3_dot*shaft_torque_3;
+        }
         shaft_loss_3 "W", "power that the damper of the shaft between discs 3 and 4 takes" { damping => beta_K*k3*twist3_dot.powi(2); }
         shaft_twist_4 "rad", "twist of the shaft between discs 4 and 5" { _ => twist4; }
         shaft_torque_4 "N*m", "torque in the shaft between discs 4 and 5, damper included" {
             _ => k4*twist4;
             damping => beta_K*k4*twist4_dot;
         }
+        shaft_power_4 "W", "power that enters the shaft between discs 4 and 5 at its first end: torque times the speed of that end" {
+            _ => theta4_dot*shaft_torque_4;
+        }
         shaft_loss_4 "W", "power that the damper of the shaft between discs 4 and 5 takes" { damping => beta_K*k4*twist4_dot.powi(2); }
+        power_motor "W" with torques, "power of the driving torque of the first disc: positive if it drives" { _ => motor_power; }
+        power_load "W" with torques, "power of the load torque of the last disc, against its rotation: positive if it drives" {
+            _ => load_power;
+        }
         inertia_damping_loss "W" with damping, "power that the damping in proportion to inertia takes" {
             _ => 2.0*alpha_M*((I1*theta1_dot.powi(2) + I2*theta2_dot.powi(2) + I3*theta3_dot.powi(2) + I4*theta4_dot.powi(2)
                 + I5*theta5_dot.powi(2))/2.0);

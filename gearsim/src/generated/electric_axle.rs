@@ -726,6 +726,11 @@ equations! {
         rotor_speed_3 "rad/s", "rotational speed of the gear 3" { _ => s2_dot/(2.0*h2*N3) + theta2_dot/N3; }
         rotor_speed_4 "rad/s", "rotational speed of the gear 4" { _ => theta2_dot/N4 - s2_dot/(2.0*h2*N4); }
         rotor_speed_w "rad/s", "rotational speed of the wheel and vehicle" { _ => theta2_dot/N4 - psi_dot - s2_dot/(2.0*h2*N4); }
+        clutch_torque "N*m" with overrunning_clutch,
+            "torque that the clutch between motor and gear 1 gives to its driven side, locked, slipping or overrunning" {
+            _ => lead_reaction;
+            overrunning_clutch => Tdrag*drags + Tmax*slips;
+        }
         clutch_loss "W" with overrunning_clutch, "power that the clutch between motor and gear 1 takes as it slips or drags" {
             overrunning_clutch => Tdrag*drags*lead_dot + Tmax*slips*lead_dot;
         }
@@ -734,11 +739,17 @@ equations! {
             _ => k_c*twist_c;
             damping => beta_K*k_c*twist_c_dot;
         }
+        shaft_power_c "W", "power that enters the intermediate shaft at its first end: torque times the speed of that end" {
+            _ => shaft_torque_c*(theta1_dot/N2 - s1_dot/(2.0*h1*N2));
+        }
         shaft_loss_c "W", "power that the damper of the intermediate shaft takes" { damping => beta_K*k_c*twist_c_dot.powi(2); }
         shaft_twist_h "rad", "twist of the half shaft" { _ => twist_h; }
         shaft_torque_h "N*m", "torque in the half shaft, damper included" {
             _ => k_h*twist_h;
             damping => beta_K*k_h*twist_h_dot;
+        }
+        shaft_power_h "W", "power that enters the half shaft at its first end: torque times the speed of that end" {
+            _ => shaft_torque_h*(theta2_dot/N4 - s2_dot/(2.0*h2*N4));
         }
         shaft_loss_h "W", "power that the damper of the half shaft takes" { damping => beta_K*k_h*twist_h_dot.powi(2); }
         mesh_force_12 "N",
@@ -746,6 +757,12 @@ equations! {
             _ => k12*touch12*over12;
             backlash_12 => k12*clip12*touch12*over12;
             damping => beta_K*k12_mid*damp12*over12_dot;
+        }
+        mesh_power_12 "W", "power that the first gear gives to the mesh of gears 1 and 2: force times the speed of its flank" {
+            _ => mesh_force_12*(s1_dot/2.0 + h1*theta1_dot);
+        }
+        mesh_deflection_12 "m", "deflection of the mesh of gears 1 and 2 along the line of action, backlash not taken off" {
+            _ => s1 - e12;
         }
         dte_12 "m",
             "dynamic transmission error of the mesh of gears 1 and 2 along the line of action: positive if the driving gear is ahead" {
@@ -755,11 +772,26 @@ equations! {
             backlash_12 => k12*clip12*touch12*over12*over12_dot;
             damping => beta_K*k12_mid*damp12*over12_dot.powi(2);
         }
+        power_slide12 "W" with sliding_friction_12,
+            "power of the friction of the mesh of gears 1 and 2, through the sliding of the flanks at the pitch point: positive if it \
+            drives" {
+            _ => slide12_power;
+        }
+        power_roll12 "W" with sliding_friction_12,
+            "power of the friction of the mesh of gears 1 and 2, through the rolling of the gears: positive if it drives" {
+            _ => roll12_power;
+        }
         mesh_force_34 "N",
             "force of the mesh of gears 3 and 4 along the line of action, damper included: positive if it presses the drive flanks" {
             _ => k34*touch34*over34;
             backlash_34 => k34*clip34*touch34*over34;
             damping => beta_K*k34_mid*damp34*over34_dot;
+        }
+        mesh_power_34 "W", "power that the first gear gives to the mesh of gears 3 and 4: force times the speed of its flank" {
+            _ => mesh_force_34*(s2_dot/2.0 + h2*theta2_dot);
+        }
+        mesh_deflection_34 "m", "deflection of the mesh of gears 3 and 4 along the line of action, backlash not taken off" {
+            _ => s2 - e34;
         }
         dte_34 "m",
             "dynamic transmission error of the mesh of gears 3 and 4 along the line of action: positive if the driving gear is ahead" {
@@ -769,9 +801,34 @@ equations! {
             backlash_34 => k34*clip34*touch34*over34*over34_dot;
             damping => beta_K*k34_mid*damp34*over34_dot.powi(2);
         }
+        power_slide34 "W" with sliding_friction_34,
+            "power of the friction of the mesh of gears 3 and 4, through the sliding of the flanks at the pitch point: positive if it \
+            drives" {
+            _ => slide34_power;
+        }
+        power_roll34 "W" with sliding_friction_34,
+            "power of the friction of the mesh of gears 3 and 4, through the rolling of the gears: positive if it drives" {
+            _ => roll34_power;
+        }
+        power_motor "W" with torques, "power of the driving torque of the motor: positive if it drives" { _ => motor_power; }
         dc_braking "W" with dc_motor,
             "power that the motor takes back: the part of its torque that is proportional to the speed, times the speed" {
             _ => Ts*theta_m_dot.powi(2)/n0;
+        }
+        power_dc "W" with dc_motor,
+            "power of the stall torque of the DC motor; the part proportional to the speed is in D: positive if it drives" {
+            _ => dc_power;
+        }
+        power_induction "W" with induction_motor, "power of the torque of the induction motor: positive if it drives" {
+            _ => induction_power;
+        }
+        power_load "W" with torques,
+            "power of the load torque of the wheel, by slope and air, against its rotation: positive if it drives" {
+            _ => load_power;
+        }
+        friction_torque_w "N*m" with dry_friction_w, "dry friction of the rolling wheel, at rest too: positive against positive motion" {
+            _ => slip_w_reaction;
+            dry_friction_w => Tc_w*dir_w;
         }
         friction_loss_w "W" with dry_friction_w, "power that the dry friction of the rolling wheel takes" {
             dry_friction_w => Tc_w*dir_w*slip_w_dot;

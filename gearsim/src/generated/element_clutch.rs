@@ -63,6 +63,11 @@ equations! {
         load { theta { overrunning_clutch_x => -Tdrag_x*drags_x - Tmax_x*slips_x; } }
     }
     outputs {
+        clutch_torque_x "N*m" with overrunning_clutch_x,
+            "torque that the clutch {} gives to its driven side, locked, slipping or overrunning" {
+            _ => lead_x_reaction;
+            overrunning_clutch_x => Tdrag_x*drags_x + Tmax_x*slips_x;
+        }
         clutch_loss_x "W" with overrunning_clutch_x, "power that the clutch {} takes as it slips or drags" {
             overrunning_clutch_x => Tdrag_x*drags_x*lead_x_dot + Tmax_x*slips_x*lead_x_dot;
         }

@@ -45,6 +45,10 @@ equations! {
             "power that the motor takes back: the part of its torque that is proportional to the speed, times the speed" {
             _ => Ts_x*theta_dot.powi(2)/n0_x;
         }
+        power_dc "W" with dc_motor,
+            "power of the stall torque of the DC motor; the part proportional to the speed is in D: positive if it drives" {
+            _ => dc_power;
+        }
     }
 
     text "text/element_dc_motor.txt";

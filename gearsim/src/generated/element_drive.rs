@@ -38,6 +38,7 @@ equations! {
         }
         load { theta { torques => T_x; } }
     }
+    outputs { power_x "W" with torques, "power of the driving torque of the drive {}: positive if it drives" { _ => x_power; } }
 
     text "text/element_drive.txt";
     latex "latex/element_drive.tex";

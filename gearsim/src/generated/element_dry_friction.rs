@@ -64,6 +64,10 @@ equations! {
         load { theta { dry_friction_x => -Tc_x*dir_x; } }
     }
     outputs {
+        friction_torque_x "N*m" with dry_friction_x, "dry friction of the bearing {}, at rest too: positive against positive motion" {
+            _ => slip_x_reaction;
+            dry_friction_x => Tc_x*dir_x;
+        }
         friction_loss_x "W" with dry_friction_x, "power that the dry friction of the bearing {} takes" {
             dry_friction_x => Tc_x*dir_x*slip_x_dot;
         }

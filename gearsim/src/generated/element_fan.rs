@@ -49,6 +49,9 @@ equations! {
         }
     }
     nonlinear_with { fan_load "-cf_x*theta_dot*sqrt(w0_x^2 + theta_dot^2) in the torque `fan`"; }
+    outputs {
+        power_fan "W" with fan_load, "power of the torque of the fan, against its rotation: positive if it drives" { _ => fan_power; }
+    }
 
     text "text/element_fan.txt";
     latex "latex/element_fan.tex";

@@ -46,6 +46,10 @@ equations! {
             "power that the motor takes back: the part of its torque that is proportional to the speed, times the speed" {
             _ => c_x*theta_dot.powi(2);
         }
+        power_governor "W" with speed_governor,
+            "power of the torque c n of the governor; its part -c omega is in D: positive if it drives" {
+            _ => governor_power;
+        }
     }
 
     text "text/element_governor.txt";

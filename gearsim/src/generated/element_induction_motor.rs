@@ -65,6 +65,11 @@ equations! {
         }
     }
     nonlinear_with { induction_motor "2*Tb_x*sb_x*(1 - theta_dot/ns_x)/(sb_x^2 + (1 - theta_dot/ns_x)^2) in the torque `induction`"; }
+    outputs {
+        power_induction "W" with induction_motor, "power of the torque of the induction motor: positive if it drives" {
+            _ => induction_power;
+        }
+    }
 
     text "text/element_induction_motor.txt";
     latex "latex/element_induction_motor.tex";

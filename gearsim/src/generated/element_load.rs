@@ -38,6 +38,9 @@ equations! {
         }
         load { theta { torques => -T_x; } }
     }
+    outputs {
+        power_x "W" with torques, "power of the load torque of the load {}, against its rotation: positive if it drives" { _ => x_power; }
+    }
 
     text "text/element_load.txt";
     latex "latex/element_load.tex";

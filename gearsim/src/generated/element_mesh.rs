@@ -194,6 +194,7 @@ equations! {
             backlash_x => k_x*clipx*touchx*overx;
             damping => beta_K*k_x_mid*dampx*overx_dot;
         }
+        mesh_deflection_x "m", "deflection of the mesh {} along the line of action, backlash not taken off" { _ => s - e_x; }
         dte_x "m", "dynamic transmission error of the mesh {} along the line of action: positive if the driving gear is ahead" { _ => s; }
         mesh_loss_x "W", "power that the damper of the mesh {} takes" {
             backlash_x => k_x*clipx*touchx*overx*overx_dot;

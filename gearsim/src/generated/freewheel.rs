@@ -128,14 +128,27 @@ equations! {
     outputs {
         rotor_speed_1 "rad/s", "rotational speed of the motor" { _ => theta1_dot; }
         rotor_speed_2 "rad/s", "rotational speed of the driven rotor" { _ => theta2_dot; }
+        clutch_torque "N*m" with overrunning_clutch, "torque that the clutch gives to its driven side, locked, slipping or overrunning" {
+            _ => lead_reaction;
+            overrunning_clutch => Tdrag*drags + Tmax*slips;
+        }
         clutch_loss "W" with overrunning_clutch, "power that the clutch takes as it slips or drags" {
             overrunning_clutch => Tdrag*drags*lead_dot + Tmax*slips*lead_dot;
+        }
+        friction_torque_2 "N*m" with dry_friction_2,
+            "dry friction of the bearings of the driven rotor, at rest too: positive against positive motion" {
+            _ => slip2_reaction;
+            dry_friction_2 => Tc2*dir2;
         }
         friction_loss_2 "W" with dry_friction_2, "power that the dry friction of the bearings of the driven rotor takes" {
             dry_friction_2 => Tc2*dir2*slip2_dot;
         }
         viscous_loss_2 "W" with viscous_friction_2, "power that the viscous friction of the driven rotor takes" {
             _ => c2*theta2_dot.powi(2);
+        }
+        power_motor "W" with torques, "power of the driving torque of the motor: positive if it drives" { _ => motor_power; }
+        power_load "W" with torques, "power of the load torque of the driven rotor, against its rotation: positive if it drives" {
+            _ => load_power;
         }
     }
 

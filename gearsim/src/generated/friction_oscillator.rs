@@ -80,8 +80,14 @@ equations! {
         rotor_speed "rad/s", "rotational speed of the rotor" { _ => phi_dot; }
         shaft_twist "rad", "twist of the spring" { _ => twist; }
         shaft_torque "N*m", "torque in the spring, damper included" { _ => k*twist; }
+        shaft_power "W", "power that enters the spring at its first end: torque times the speed of that end" { _ => phi_dot*shaft_torque; }
         shaft_loss "W", "power that the damper of the spring takes" {}
+        friction_torque "N*m" with dry_friction, "dry friction of the bearing, at rest too: positive against positive motion" {
+            _ => slip_reaction;
+            dry_friction => Tc*dir;
+        }
         friction_loss "W" with dry_friction, "power that the dry friction of the bearing takes" { dry_friction => Tc*dir*slip_dot; }
+        power_motor "W" with torques, "power of the driving torque of the rotor: positive if it drives" { _ => motor_power; }
     }
 
     text "text/friction_oscillator.txt";

@@ -274,18 +274,31 @@ equations! {
     jump side { step {} }
     jump arm { step {} }
     outputs {
+        power_drive "W" with torques, "power of the torque T0 N1 on the driving gear: positive if it drives" { _ => drive_power; }
+        power_load "W" with torques, "power of the torque -T0 N2 on the driven gear: positive if it drives" { _ => load_power; }
         dte "rad", "dynamic transmission error as a rotation of the driving gear, theta1 - N2/N1 theta2" { _ => 2.0*phi/N1; }
         mesh_torque "N*m", "torque of the mesh on the driving gear, damper included" {
             _ => N1*k*touch*over;
             backlash => N1*k*clip*touch*over;
             damping => C*N1*damp*over_dot;
         }
+        mesh_power "W", "power that the driving gear gives to the mesh: torque times its speed" {
+            _ => mesh_torque*(phi_dot/N1 + theta_dot/N1);
+        }
+        mesh_deflection "rad", "deflection of the mesh as a rotation of the driving gear, backlash not taken off" { _ => 2.0*(phi - e)/N1; }
         mesh_loss "W", "power that the damper of the mesh takes" {
             backlash => 2.0*k*clip*touch*over*over_dot;
             damping => 2.0*C*damp*over_dot.powi(2);
         }
         rotor_speed_1 "rad/s", "rotational speed of the driving gear" { _ => phi_dot/N1 + theta_dot/N1; }
         rotor_speed_2 "rad/s", "rotational speed of the driven gear" { _ => theta_dot/N2 - phi_dot/N2; }
+        power_slide "W" with sliding_friction,
+            "power of the friction of the mesh, through the sliding of the flanks at the pitch point: positive if it drives" {
+            _ => slide_power;
+        }
+        power_roll "W" with sliding_friction, "power of the friction of the mesh, through the rolling of the gears: positive if it drives" {
+            _ => roll_power;
+        }
     }
 
     text "text/gear_pair.txt";

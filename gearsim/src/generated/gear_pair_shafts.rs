@@ -654,11 +654,17 @@ equations! {
             _ => k_m*twist_m;
             damping => beta_K*k_m*twist_m_dot;
         }
+        shaft_power_m "W", "power that enters the motor's shaft at its first end: torque times the speed of that end" {
+            _ => shaft_torque_m*(psi_m_dot + s_dot/(2.0*h*N1) + theta_dot/N1);
+        }
         shaft_loss_m "W", "power that the damper of the motor's shaft takes" { damping => beta_K*k_m*twist_m_dot.powi(2); }
         shaft_twist_l "rad", "twist of the load's shaft" { _ => twist_l; }
         shaft_torque_l "N*m", "torque in the load's shaft, damper included" {
             _ => k_l*twist_l;
             damping => beta_K*k_l*twist_l_dot;
+        }
+        shaft_power_l "W", "power that enters the load's shaft at its first end: torque times the speed of that end" {
+            _ => shaft_torque_l*(theta_dot/N2 - s_dot/(2.0*h*N2));
         }
         shaft_loss_l "W", "power that the damper of the load's shaft takes" { damping => beta_K*k_l*twist_l_dot.powi(2); }
         mesh_force_12 "N", "force of the mesh along the line of action, damper included: positive if it presses the drive flanks" {
@@ -666,19 +672,47 @@ equations! {
             backlash_12 => k12*clip12*touch12*over12;
             damping => beta_K*k12_mid*damp12*over12_dot;
         }
+        mesh_power_12 "W", "power that the first gear gives to the mesh: force times the speed of its flank" {
+            _ => mesh_force_12*(s_dot/2.0 + h*theta_dot);
+        }
+        mesh_deflection_12 "m", "deflection of the mesh along the line of action, backlash not taken off" { _ => s - e12; }
         dte_12 "m", "dynamic transmission error of the mesh along the line of action: positive if the driving gear is ahead" { _ => s; }
         mesh_loss_12 "W", "power that the damper of the mesh takes" {
             backlash_12 => k12*clip12*touch12*over12*over12_dot;
             damping => beta_K*k12_mid*damp12*over12_dot.powi(2);
         }
+        power_slide12 "W" with sliding_friction_12,
+            "power of the friction of the mesh, through the sliding of the flanks at the pitch point: positive if it drives" {
+            _ => slide12_power;
+        }
+        power_roll12 "W" with sliding_friction_12,
+            "power of the friction of the mesh, through the rolling of the gears: positive if it drives" {
+            _ => roll12_power;
+        }
+        power_motor "W" with torques, "power of the driving torque of the motor: positive if it drives" { _ => motor_power; }
+        power_load "W" with torques, "power of the load torque of the load, against its rotation: positive if it drives" {
+            _ => load_power;
+        }
         governor_braking "W" with speed_governor,
             "power that the motor takes back: the part of its torque that is proportional to the speed, times the speed" {
             _ => c_motor*theta_m_dot.powi(2);
+        }
+        power_governor "W" with speed_governor,
+            "power of the torque c n of the governor; its part -c omega is in D: positive if it drives" {
+            _ => governor_power;
         }
         dc_braking "W" with dc_motor,
             "power that the motor takes back: the part of its torque that is proportional to the speed, times the speed" {
             _ => Ts_motor*theta_m_dot.powi(2)/n0_motor;
         }
+        power_dc "W" with dc_motor,
+            "power of the stall torque of the DC motor; the part proportional to the speed is in D: positive if it drives" {
+            _ => dc_power;
+        }
+        power_induction "W" with induction_motor, "power of the torque of the induction motor: positive if it drives" {
+            _ => induction_power;
+        }
+        power_fan "W" with fan_load, "power of the torque of the fan, against its rotation: positive if it drives" { _ => fan_power; }
         inertia_damping_loss "W" with damping, "power that the damping in proportion to inertia takes" {
             _ => 2.0*alpha_M*((I1*(s_dot/(2.0*h*N1) + theta_dot/N1).powi(2) + I2*(theta_dot/N2 - s_dot/(2.0*h*N2)).powi(2)
                 + I_l*(theta_dot/N2 - psi_l_dot - s_dot/(2.0*h*N2)).powi(2)

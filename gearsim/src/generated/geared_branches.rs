@@ -158,11 +158,17 @@ equations! {
             _ => k_m*twist_m;
             damping => beta_K*k_m*twist_m_dot;
         }
+        shaft_power_m "W", "power that enters the motor's shaft at its first end: torque times the speed of that end" {
+            _ => theta_m_dot*shaft_torque_m;
+        }
         shaft_loss_m "W", "power that the damper of the motor's shaft takes" { damping => beta_K*k_m*twist_m_dot.powi(2); }
         shaft_twist_a "rad", "twist of the shaft to the first disc" { _ => twist_a; }
         shaft_torque_a "N*m", "torque in the shaft to the first disc, damper included" {
             _ => k_a*twist_a;
             damping => beta_K*k_a*twist_a_dot;
+        }
+        shaft_power_a "W", "power that enters the shaft to the first disc at its first end: torque times the speed of that end" {
+            _ => theta1_dot*shaft_torque_a;
         }
         shaft_loss_a "W", "power that the damper of the shaft to the first disc takes" { damping => beta_K*k_a*twist_a_dot.powi(2); }
         shaft_twist_b "rad", "twist of the shaft to the second disc" { _ => twist_b; }
@@ -170,7 +176,14 @@ equations! {
             _ => k_b*twist_b;
             damping => beta_K*k_b*twist_b_dot;
         }
+        shaft_power_b "W", "power that enters the shaft to the second disc at its first end: torque times the speed of that end" {
+            _ => N1*theta1_dot*shaft_torque_b/N2;
+        }
         shaft_loss_b "W", "power that the damper of the shaft to the second disc takes" { damping => beta_K*k_b*twist_b_dot.powi(2); }
+        power_motor "W" with torques, "power of the driving torque of the motor: positive if it drives" { _ => motor_power; }
+        power_load "W" with torques, "power of the load torque of the second shaft's disc, against its rotation: positive if it drives" {
+            _ => load_power;
+        }
         inertia_damping_loss "W" with damping, "power that the damping in proportion to inertia takes" {
             _ => 2.0*alpha_M*((I1*theta1_dot.powi(2) + I2*N1.powi(2)*theta1_dot.powi(2)/N2.powi(2) + I_a*theta_a_dot.powi(2)
                 + I_b*theta_b_dot.powi(2) + I_m*theta_m_dot.powi(2))/2.0);

@@ -481,6 +481,12 @@ equations! {
             backlash_12 => k12*clip12*touch12*over12;
             damping => beta_K*k12_mid*damp12*over12_dot;
         }
+        mesh_power_12 "W", "power that the first gear gives to the mesh of gears 1 and 2: force times the speed of its flank" {
+            _ => mesh_force_12*(delta1_dot + h*theta_dot);
+        }
+        mesh_deflection_12 "m", "deflection of the mesh of gears 1 and 2 along the line of action, backlash not taken off" {
+            _ => delta1 - e12;
+        }
         dte_12 "m",
             "dynamic transmission error of the mesh of gears 1 and 2 along the line of action: positive if the driving gear is ahead" {
             _ => delta1;
@@ -495,6 +501,12 @@ equations! {
             backlash_23 => k23*clip23*touch23*over23;
             damping => beta_K*k23_mid*damp23*over23_dot;
         }
+        mesh_power_23 "W", "power that the first gear gives to the mesh of gears 2 and 3: force times the speed of its flank" {
+            _ => h*theta_dot*mesh_force_23;
+        }
+        mesh_deflection_23 "m", "deflection of the mesh of gears 2 and 3 along the line of action, backlash not taken off" {
+            _ => delta2 - e23;
+        }
         dte_23 "m",
             "dynamic transmission error of the mesh of gears 2 and 3 along the line of action: positive if the driving gear is ahead" {
             _ => delta2;
@@ -502,6 +514,28 @@ equations! {
         mesh_loss_23 "W", "power that the damper of the mesh of gears 2 and 3 takes" {
             backlash_23 => k23*clip23*touch23*over23*over23_dot;
             damping => beta_K*k23_mid*damp23*over23_dot.powi(2);
+        }
+        power_slide12 "W" with sliding_friction_12,
+            "power of the friction of the mesh of gears 1 and 2, through the sliding of the flanks at the pitch point: positive if it \
+            drives" {
+            _ => slide12_power;
+        }
+        power_roll12 "W" with sliding_friction_12,
+            "power of the friction of the mesh of gears 1 and 2, through the rolling of the gears: positive if it drives" {
+            _ => roll12_power;
+        }
+        power_slide23 "W" with sliding_friction_23,
+            "power of the friction of the mesh of gears 2 and 3, through the sliding of the flanks at the pitch point: positive if it \
+            drives" {
+            _ => slide23_power;
+        }
+        power_roll23 "W" with sliding_friction_23,
+            "power of the friction of the mesh of gears 2 and 3, through the rolling of the gears: positive if it drives" {
+            _ => roll23_power;
+        }
+        power_motor "W" with torques, "power of the driving torque of the driving gear: positive if it drives" { _ => motor_power; }
+        power_load "W" with torques, "power of the load torque of the driven gear, against its rotation: positive if it drives" {
+            _ => load_power;
         }
         inertia_damping_loss "W" with damping, "power that the damping in proportion to inertia takes" {
             _ => 2.0*alpha_M*((I1*(delta1_dot/(h*N1) + theta_dot/N1).powi(2) + I2*theta_dot.powi(2)/N2.powi(2)

@@ -1290,6 +1290,9 @@ equations! {
             _ => k_r*twist_r;
             damping => beta_K*k_r*twist_r_dot;
         }
+        shaft_power_r "W", "power that enters the ring's torsional support at its first end: torque times the speed of that end" {
+            _ => theta_r_dot*shaft_torque_r;
+        }
         shaft_loss_r "W", "power that the damper of the ring's torsional support takes" { damping => beta_K*k_r*twist_r_dot.powi(2); }
         planet_bearing_force_1_radial "N", "radial force on the bearing of planet 1" {
             _ => kb_p*radial1;
@@ -1310,6 +1313,13 @@ equations! {
             _ => k_s1*delta_s1;
             damping => beta_K*k_s1_mid*delta_s1_dot;
         }
+        mesh_power_s1 "W", "power that the first gear gives to the mesh of sun and planet 1: force times the speed of its flank" {
+            _ => mesh_force_s1*(cos_s1*y_s_dot + h*Z_s*theta_c_dot + h*Z_s*theta_dot*(1.0/Z_r + 1.0/Z_s) - sin_s1*x_s_dot);
+        }
+        mesh_deflection_s1 "m", "deflection of the mesh of sun and planet 1 along the line of action, backlash not taken off" {
+            _ => u1 - e_s1 - (cos_a*(eta1 + h*(Z_r + Z_s)*(theta_c + theta/Z_r)/(2.0*cos_a)) + sin_a*zeta1) + cos_s1*y_s
+                + h*Z_s*(theta_c + theta/Z_r + theta/Z_s) - h*theta + h*(Z_r - Z_s)*(theta_c + theta/Z_r)/2.0 - sin_s1*x_s;
+        }
         dte_s1 "m",
             "dynamic transmission error of the mesh of sun and planet 1 along the line of action: positive if the driving gear is ahead" {
             _ => u1 - (cos_a*(eta1 + h*(Z_r + Z_s)*(theta_c + theta/Z_r)/(2.0*cos_a)) + sin_a*zeta1) + cos_s1*y_s
@@ -1320,6 +1330,13 @@ equations! {
             "force of the mesh of ring and planet 1 along the line of action, damper included: positive if it presses the drive flanks" {
             _ => k_r1*delta_r1;
             damping => beta_K*k_r1_mid*delta_r1_dot;
+        }
+        mesh_power_r1 "W", "power that the first gear gives to the mesh of ring and planet 1: force times the speed of its flank" {
+            _ => mesh_force_r1*(cos_r1*y_r_dot + h*Z_r*theta_r_dot - sin_r1*x_r_dot);
+        }
+        mesh_deflection_r1 "m", "deflection of the mesh of ring and planet 1 along the line of action, backlash not taken off" {
+            _ => cos_r1*y_r - e_r1 - (u1 - h*theta + h*(Z_r - Z_s)*(theta_c + theta/Z_r)/2.0)
+                - (cos_a*(eta1 + h*(Z_r + Z_s)*(theta_c + theta/Z_r)/(2.0*cos_a)) - sin_a*zeta1) + h*Z_r*theta_r - sin_r1*x_r;
         }
         dte_r1 "m",
             "dynamic transmission error of the mesh of ring and planet 1 along the line of action: positive if the driving gear is ahead" {
@@ -1348,6 +1365,13 @@ equations! {
             _ => k_s2*delta_s2;
             damping => beta_K*k_s2_mid*delta_s2_dot;
         }
+        mesh_power_s2 "W", "power that the first gear gives to the mesh of sun and planet 2: force times the speed of its flank" {
+            _ => mesh_force_s2*(cos_s2*y_s_dot + h*Z_s*theta_c_dot + h*Z_s*theta_dot*(1.0/Z_r + 1.0/Z_s) - sin_s2*x_s_dot);
+        }
+        mesh_deflection_s2 "m", "deflection of the mesh of sun and planet 2 along the line of action, backlash not taken off" {
+            _ => u2 - e_s2 - (cos_a*(eta2 + h*(Z_r + Z_s)*(theta_c + theta/Z_r)/(2.0*cos_a)) + sin_a*zeta2) + cos_s2*y_s
+                + h*Z_s*(theta_c + theta/Z_r + theta/Z_s) - h*theta + h*(Z_r - Z_s)*(theta_c + theta/Z_r)/2.0 - sin_s2*x_s;
+        }
         dte_s2 "m",
             "dynamic transmission error of the mesh of sun and planet 2 along the line of action: positive if the driving gear is ahead" {
             _ => u2 - (cos_a*(eta2 + h*(Z_r + Z_s)*(theta_c + theta/Z_r)/(2.0*cos_a)) + sin_a*zeta2) + cos_s2*y_s
@@ -1358,6 +1382,13 @@ equations! {
             "force of the mesh of ring and planet 2 along the line of action, damper included: positive if it presses the drive flanks" {
             _ => k_r2*delta_r2;
             damping => beta_K*k_r2_mid*delta_r2_dot;
+        }
+        mesh_power_r2 "W", "power that the first gear gives to the mesh of ring and planet 2: force times the speed of its flank" {
+            _ => mesh_force_r2*(cos_r2*y_r_dot + h*Z_r*theta_r_dot - sin_r2*x_r_dot);
+        }
+        mesh_deflection_r2 "m", "deflection of the mesh of ring and planet 2 along the line of action, backlash not taken off" {
+            _ => cos_r2*y_r - e_r2 - (u2 - h*theta + h*(Z_r - Z_s)*(theta_c + theta/Z_r)/2.0)
+                - (cos_a*(eta2 + h*(Z_r + Z_s)*(theta_c + theta/Z_r)/(2.0*cos_a)) - sin_a*zeta2) + h*Z_r*theta_r - sin_r2*x_r;
         }
         dte_r2 "m",
             "dynamic transmission error of the mesh of ring and planet 2 along the line of action: positive if the driving gear is ahead" {
@@ -1386,6 +1417,13 @@ equations! {
             _ => k_s3*delta_s3;
             damping => beta_K*k_s3_mid*delta_s3_dot;
         }
+        mesh_power_s3 "W", "power that the first gear gives to the mesh of sun and planet 3: force times the speed of its flank" {
+            _ => mesh_force_s3*(cos_s3*y_s_dot + h*Z_s*theta_c_dot + h*Z_s*theta_dot*(1.0/Z_r + 1.0/Z_s) - sin_s3*x_s_dot);
+        }
+        mesh_deflection_s3 "m", "deflection of the mesh of sun and planet 3 along the line of action, backlash not taken off" {
+            _ => u3 - e_s3 - (cos_a*(eta3 + h*(Z_r + Z_s)*(theta_c + theta/Z_r)/(2.0*cos_a)) + sin_a*zeta3) + cos_s3*y_s
+                + h*Z_s*(theta_c + theta/Z_r + theta/Z_s) - h*theta + h*(Z_r - Z_s)*(theta_c + theta/Z_r)/2.0 - sin_s3*x_s;
+        }
         dte_s3 "m",
             "dynamic transmission error of the mesh of sun and planet 3 along the line of action: positive if the driving gear is ahead" {
             _ => u3 - (cos_a*(eta3 + h*(Z_r + Z_s)*(theta_c + theta/Z_r)/(2.0*cos_a)) + sin_a*zeta3) + cos_s3*y_s
@@ -1397,6 +1435,13 @@ equations! {
             _ => k_r3*delta_r3;
             damping => beta_K*k_r3_mid*delta_r3_dot;
         }
+        mesh_power_r3 "W", "power that the first gear gives to the mesh of ring and planet 3: force times the speed of its flank" {
+            _ => mesh_force_r3*(cos_r3*y_r_dot + h*Z_r*theta_r_dot - sin_r3*x_r_dot);
+        }
+        mesh_deflection_r3 "m", "deflection of the mesh of ring and planet 3 along the line of action, backlash not taken off" {
+            _ => cos_r3*y_r - e_r3 - (u3 - h*theta + h*(Z_r - Z_s)*(theta_c + theta/Z_r)/2.0)
+                - (cos_a*(eta3 + h*(Z_r + Z_s)*(theta_c + theta/Z_r)/(2.0*cos_a)) - sin_a*zeta3) + h*Z_r*theta_r - sin_r3*x_r;
+        }
         dte_r3 "m",
             "dynamic transmission error of the mesh of ring and planet 3 along the line of action: positive if the driving gear is ahead" {
             _ => cos_r3*y_r - (u3 - h*theta + h*(Z_r - Z_s)*(theta_c + theta/Z_r)/2.0)
@@ -1404,6 +1449,10 @@ equations! {
         }
         mesh_loss_r3 "W", "power that the damper of the mesh of ring and planet 3 takes" {
             damping => beta_K*k_r3_mid*delta_r3_dot.powi(2);
+        }
+        power_motor "W" with torques, "power of the driving torque of the sun: positive if it drives" { _ => motor_power; }
+        power_load "W" with torques, "power of the load torque of the carrier, against its rotation: positive if it drives" {
+            _ => load_power;
         }
         inertia_damping_loss "W" with damping, "power that the damping in proportion to inertia takes" {
             _ => 2.0*alpha_M*((I_c*(theta_c_dot + theta_dot/Z_r).powi(2)

@@ -1966,6 +1966,9 @@ equations! {
             _ => k_r*twist_r;
             damping => beta_K*k_r*twist_r_dot;
         }
+        shaft_power_r "W", "power that enters the ring's torsional support at its first end: torque times the speed of that end" {
+            _ => theta_r_dot*shaft_torque_r;
+        }
         shaft_loss_r "W", "power that the damper of the ring's torsional support takes" { damping => beta_K*k_r*twist_r_dot.powi(2); }
         planet_bearing_force_1_radial "N", "radial force on the bearing of planet 1" {
             _ => kb_p*radial1;
@@ -1986,6 +1989,13 @@ equations! {
             _ => k_s1*delta_s1;
             damping => beta_K*k_s1_mid*delta_s1_dot;
         }
+        mesh_power_s1 "W", "power that the first gear gives to the mesh of sun and planet 1: force times the speed of its flank" {
+            _ => mesh_force_s1*(cos_s1*y_s_dot + h*Z_s*theta_c_dot + h*Z_s*theta_dot*(1.0/Z_r + 1.0/Z_s) - sin_s1*x_s_dot);
+        }
+        mesh_deflection_s1 "m", "deflection of the mesh of sun and planet 1 along the line of action, backlash not taken off" {
+            _ => u1 - e_s1 - (cos_a*(eta1 + h*(Z_r + Z_s)*(theta_c + theta/Z_r)/(2.0*cos_a)) + sin_a*zeta1) + cos_s1*y_s
+                + h*Z_s*(theta_c + theta/Z_r + theta/Z_s) - h*theta + h*(Z_r - Z_s)*(theta_c + theta/Z_r)/2.0 - sin_s1*x_s;
+        }
         dte_s1 "m",
             "dynamic transmission error of the mesh of sun and planet 1 along the line of action: positive if the driving gear is ahead" {
             _ => u1 - (cos_a*(eta1 + h*(Z_r + Z_s)*(theta_c + theta/Z_r)/(2.0*cos_a)) + sin_a*zeta1) + cos_s1*y_s
@@ -1996,6 +2006,13 @@ equations! {
             "force of the mesh of ring and planet 1 along the line of action, damper included: positive if it presses the drive flanks" {
             _ => k_r1*delta_r1;
             damping => beta_K*k_r1_mid*delta_r1_dot;
+        }
+        mesh_power_r1 "W", "power that the first gear gives to the mesh of ring and planet 1: force times the speed of its flank" {
+            _ => mesh_force_r1*(cos_r1*y_r_dot + h*Z_r*theta_r_dot - sin_r1*x_r_dot);
+        }
+        mesh_deflection_r1 "m", "deflection of the mesh of ring and planet 1 along the line of action, backlash not taken off" {
+            _ => cos_r1*y_r - e_r1 - (u1 - h*theta + h*(Z_r - Z_s)*(theta_c + theta/Z_r)/2.0)
+                - (cos_a*(eta1 + h*(Z_r + Z_s)*(theta_c + theta/Z_r)/(2.0*cos_a)) - sin_a*zeta1) + h*Z_r*theta_r - sin_r1*x_r;
         }
         dte_r1 "m",
             "dynamic transmission error of the mesh of ring and planet 1 along the line of action: positive if the driving gear is ahead" {
@@ -2024,6 +2041,13 @@ equations! {
             _ => k_s2*delta_s2;
             damping => beta_K*k_s2_mid*delta_s2_dot;
         }
+        mesh_power_s2 "W", "power that the first gear gives to the mesh of sun and planet 2: force times the speed of its flank" {
+            _ => mesh_force_s2*(cos_s2*y_s_dot + h*Z_s*theta_c_dot + h*Z_s*theta_dot*(1.0/Z_r + 1.0/Z_s) - sin_s2*x_s_dot);
+        }
+        mesh_deflection_s2 "m", "deflection of the mesh of sun and planet 2 along the line of action, backlash not taken off" {
+            _ => u2 - e_s2 - (cos_a*(eta2 + h*(Z_r + Z_s)*(theta_c + theta/Z_r)/(2.0*cos_a)) + sin_a*zeta2) + cos_s2*y_s
+                + h*Z_s*(theta_c + theta/Z_r + theta/Z_s) - h*theta + h*(Z_r - Z_s)*(theta_c + theta/Z_r)/2.0 - sin_s2*x_s;
+        }
         dte_s2 "m",
             "dynamic transmission error of the mesh of sun and planet 2 along the line of action: positive if the driving gear is ahead" {
             _ => u2 - (cos_a*(eta2 + h*(Z_r + Z_s)*(theta_c + theta/Z_r)/(2.0*cos_a)) + sin_a*zeta2) + cos_s2*y_s
@@ -2034,6 +2058,13 @@ equations! {
             "force of the mesh of ring and planet 2 along the line of action, damper included: positive if it presses the drive flanks" {
             _ => k_r2*delta_r2;
             damping => beta_K*k_r2_mid*delta_r2_dot;
+        }
+        mesh_power_r2 "W", "power that the first gear gives to the mesh of ring and planet 2: force times the speed of its flank" {
+            _ => mesh_force_r2*(cos_r2*y_r_dot + h*Z_r*theta_r_dot - sin_r2*x_r_dot);
+        }
+        mesh_deflection_r2 "m", "deflection of the mesh of ring and planet 2 along the line of action, backlash not taken off" {
+            _ => cos_r2*y_r - e_r2 - (u2 - h*theta + h*(Z_r - Z_s)*(theta_c + theta/Z_r)/2.0)
+                - (cos_a*(eta2 + h*(Z_r + Z_s)*(theta_c + theta/Z_r)/(2.0*cos_a)) - sin_a*zeta2) + h*Z_r*theta_r - sin_r2*x_r;
         }
         dte_r2 "m",
             "dynamic transmission error of the mesh of ring and planet 2 along the line of action: positive if the driving gear is ahead" {
@@ -2062,6 +2093,13 @@ equations! {
             _ => k_s3*delta_s3;
             damping => beta_K*k_s3_mid*delta_s3_dot;
         }
+        mesh_power_s3 "W", "power that the first gear gives to the mesh of sun and planet 3: force times the speed of its flank" {
+            _ => mesh_force_s3*(cos_s3*y_s_dot + h*Z_s*theta_c_dot + h*Z_s*theta_dot*(1.0/Z_r + 1.0/Z_s) - sin_s3*x_s_dot);
+        }
+        mesh_deflection_s3 "m", "deflection of the mesh of sun and planet 3 along the line of action, backlash not taken off" {
+            _ => u3 - e_s3 - (cos_a*(eta3 + h*(Z_r + Z_s)*(theta_c + theta/Z_r)/(2.0*cos_a)) + sin_a*zeta3) + cos_s3*y_s
+                + h*Z_s*(theta_c + theta/Z_r + theta/Z_s) - h*theta + h*(Z_r - Z_s)*(theta_c + theta/Z_r)/2.0 - sin_s3*x_s;
+        }
         dte_s3 "m",
             "dynamic transmission error of the mesh of sun and planet 3 along the line of action: positive if the driving gear is ahead" {
             _ => u3 - (cos_a*(eta3 + h*(Z_r + Z_s)*(theta_c + theta/Z_r)/(2.0*cos_a)) + sin_a*zeta3) + cos_s3*y_s
@@ -2072,6 +2110,13 @@ equations! {
             "force of the mesh of ring and planet 3 along the line of action, damper included: positive if it presses the drive flanks" {
             _ => k_r3*delta_r3;
             damping => beta_K*k_r3_mid*delta_r3_dot;
+        }
+        mesh_power_r3 "W", "power that the first gear gives to the mesh of ring and planet 3: force times the speed of its flank" {
+            _ => mesh_force_r3*(cos_r3*y_r_dot + h*Z_r*theta_r_dot - sin_r3*x_r_dot);
+        }
+        mesh_deflection_r3 "m", "deflection of the mesh of ring and planet 3 along the line of action, backlash not taken off" {
+            _ => cos_r3*y_r - e_r3 - (u3 - h*theta + h*(Z_r - Z_s)*(theta_c + theta/Z_r)/2.0)
+                - (cos_a*(eta3 + h*(Z_r + Z_s)*(theta_c + theta/Z_r)/(2.0*cos_a)) - sin_a*zeta3) + h*Z_r*theta_r - sin_r3*x_r;
         }
         dte_r3 "m",
             "dynamic transmission error of the mesh of ring and planet 3 along the line of action: positive if the driving gear is ahead" {
@@ -2100,6 +2145,13 @@ equations! {
             _ => k_s4*delta_s4;
             damping => beta_K*k_s4_mid*delta_s4_dot;
         }
+        mesh_power_s4 "W", "power that the first gear gives to the mesh of sun and planet 4: force times the speed of its flank" {
+            _ => mesh_force_s4*(cos_s4*y_s_dot + h*Z_s*theta_c_dot + h*Z_s*theta_dot*(1.0/Z_r + 1.0/Z_s) - sin_s4*x_s_dot);
+        }
+        mesh_deflection_s4 "m", "deflection of the mesh of sun and planet 4 along the line of action, backlash not taken off" {
+            _ => u4 - e_s4 - (cos_a*(eta4 + h*(Z_r + Z_s)*(theta_c + theta/Z_r)/(2.0*cos_a)) + sin_a*zeta4) + cos_s4*y_s
+                + h*Z_s*(theta_c + theta/Z_r + theta/Z_s) - h*theta + h*(Z_r - Z_s)*(theta_c + theta/Z_r)/2.0 - sin_s4*x_s;
+        }
         dte_s4 "m",
             "dynamic transmission error of the mesh of sun and planet 4 along the line of action: positive if the driving gear is ahead" {
             _ => u4 - (cos_a*(eta4 + h*(Z_r + Z_s)*(theta_c + theta/Z_r)/(2.0*cos_a)) + sin_a*zeta4) + cos_s4*y_s
@@ -2110,6 +2162,13 @@ equations! {
             "force of the mesh of ring and planet 4 along the line of action, damper included: positive if it presses the drive flanks" {
             _ => k_r4*delta_r4;
             damping => beta_K*k_r4_mid*delta_r4_dot;
+        }
+        mesh_power_r4 "W", "power that the first gear gives to the mesh of ring and planet 4: force times the speed of its flank" {
+            _ => mesh_force_r4*(cos_r4*y_r_dot + h*Z_r*theta_r_dot - sin_r4*x_r_dot);
+        }
+        mesh_deflection_r4 "m", "deflection of the mesh of ring and planet 4 along the line of action, backlash not taken off" {
+            _ => cos_r4*y_r - e_r4 - (u4 - h*theta + h*(Z_r - Z_s)*(theta_c + theta/Z_r)/2.0)
+                - (cos_a*(eta4 + h*(Z_r + Z_s)*(theta_c + theta/Z_r)/(2.0*cos_a)) - sin_a*zeta4) + h*Z_r*theta_r - sin_r4*x_r;
         }
         dte_r4 "m",
             "dynamic transmission error of the mesh of ring and planet 4 along the line of action: positive if the driving gear is ahead" {
@@ -2138,6 +2197,13 @@ equations! {
             _ => k_s5*delta_s5;
             damping => beta_K*k_s5_mid*delta_s5_dot;
         }
+        mesh_power_s5 "W", "power that the first gear gives to the mesh of sun and planet 5: force times the speed of its flank" {
+            _ => mesh_force_s5*(cos_s5*y_s_dot + h*Z_s*theta_c_dot + h*Z_s*theta_dot*(1.0/Z_r + 1.0/Z_s) - sin_s5*x_s_dot);
+        }
+        mesh_deflection_s5 "m", "deflection of the mesh of sun and planet 5 along the line of action, backlash not taken off" {
+            _ => u5 - e_s5 - (cos_a*(eta5 + h*(Z_r + Z_s)*(theta_c + theta/Z_r)/(2.0*cos_a)) + sin_a*zeta5) + cos_s5*y_s
+                + h*Z_s*(theta_c + theta/Z_r + theta/Z_s) - h*theta + h*(Z_r - Z_s)*(theta_c + theta/Z_r)/2.0 - sin_s5*x_s;
+        }
         dte_s5 "m",
             "dynamic transmission error of the mesh of sun and planet 5 along the line of action: positive if the driving gear is ahead" {
             _ => u5 - (cos_a*(eta5 + h*(Z_r + Z_s)*(theta_c + theta/Z_r)/(2.0*cos_a)) + sin_a*zeta5) + cos_s5*y_s
@@ -2149,6 +2215,13 @@ equations! {
             _ => k_r5*delta_r5;
             damping => beta_K*k_r5_mid*delta_r5_dot;
         }
+        mesh_power_r5 "W", "power that the first gear gives to the mesh of ring and planet 5: force times the speed of its flank" {
+            _ => mesh_force_r5*(cos_r5*y_r_dot + h*Z_r*theta_r_dot - sin_r5*x_r_dot);
+        }
+        mesh_deflection_r5 "m", "deflection of the mesh of ring and planet 5 along the line of action, backlash not taken off" {
+            _ => cos_r5*y_r - e_r5 - (u5 - h*theta + h*(Z_r - Z_s)*(theta_c + theta/Z_r)/2.0)
+                - (cos_a*(eta5 + h*(Z_r + Z_s)*(theta_c + theta/Z_r)/(2.0*cos_a)) - sin_a*zeta5) + h*Z_r*theta_r - sin_r5*x_r;
+        }
         dte_r5 "m",
             "dynamic transmission error of the mesh of ring and planet 5 along the line of action: positive if the driving gear is ahead" {
             _ => cos_r5*y_r - (u5 - h*theta + h*(Z_r - Z_s)*(theta_c + theta/Z_r)/2.0)
@@ -2156,6 +2229,10 @@ equations! {
         }
         mesh_loss_r5 "W", "power that the damper of the mesh of ring and planet 5 takes" {
             damping => beta_K*k_r5_mid*delta_r5_dot.powi(2);
+        }
+        power_motor "W" with torques, "power of the driving torque of the sun: positive if it drives" { _ => motor_power; }
+        power_load "W" with torques, "power of the load torque of the carrier, against its rotation: positive if it drives" {
+            _ => load_power;
         }
         inertia_damping_loss "W" with damping, "power that the damping in proportion to inertia takes" {
             _ => 2.0*alpha_M*((I_c*(theta_c_dot + theta_dot/Z_r).powi(2)

@@ -679,11 +679,21 @@ equations! {
             _ => k_r*twist_r;
             damping => beta_K*k_r*twist_r_dot;
         }
+        shaft_power_r "W", "power that enters the ring's torsional support at its first end: torque times the speed of that end" {
+            _ => theta_r_dot*shaft_torque_r;
+        }
         shaft_loss_r "W", "power that the damper of the ring's torsional support takes" { damping => beta_K*k_r*twist_r_dot.powi(2); }
         mesh_force_s1 "N",
             "force of the mesh of sun and planet 1 along the line of action, damper included: positive if it presses the drive flanks" {
             _ => k_s1*delta_s1;
             damping => beta_K*k_s1_mid*delta_s1_dot;
+        }
+        mesh_power_s1 "W", "power that the first gear gives to the mesh of sun and planet 1: force times the speed of its flank" {
+            _ => mesh_force_s1*(h*Z_s*theta_c_dot + h*Z_s*theta_dot*(1.0/Z_r + 1.0/Z_s));
+        }
+        mesh_deflection_s1 "m", "deflection of the mesh of sun and planet 1 along the line of action, backlash not taken off" {
+            _ => u1 - e_s1 + h*Z_s*(theta_c + theta/Z_r + theta/Z_s) - h*theta - h*(Z_r + Z_s)*(theta_c + theta/Z_r)/2.0
+                + h*(Z_r - Z_s)*(theta_c + theta/Z_r)/2.0;
         }
         dte_s1 "m",
             "dynamic transmission error of the mesh of sun and planet 1 along the line of action: positive if the driving gear is ahead" {
@@ -695,6 +705,12 @@ equations! {
             "force of the mesh of ring and planet 1 along the line of action, damper included: positive if it presses the drive flanks" {
             _ => k_r1*delta_r1;
             damping => beta_K*k_r1_mid*delta_r1_dot;
+        }
+        mesh_power_r1 "W", "power that the first gear gives to the mesh of ring and planet 1: force times the speed of its flank" {
+            _ => h*Z_r*theta_r_dot*mesh_force_r1;
+        }
+        mesh_deflection_r1 "m", "deflection of the mesh of ring and planet 1 along the line of action, backlash not taken off" {
+            _ => h*Z_r*theta_r - e_r1 - (u1 - h*theta + h*(Z_r - Z_s)*(theta_c + theta/Z_r)/2.0) - h*(Z_r + Z_s)*(theta_c + theta/Z_r)/2.0;
         }
         dte_r1 "m",
             "dynamic transmission error of the mesh of ring and planet 1 along the line of action: positive if the driving gear is ahead" {
@@ -708,6 +724,13 @@ equations! {
             _ => k_s2*delta_s2;
             damping => beta_K*k_s2_mid*delta_s2_dot;
         }
+        mesh_power_s2 "W", "power that the first gear gives to the mesh of sun and planet 2: force times the speed of its flank" {
+            _ => mesh_force_s2*(h*Z_s*theta_c_dot + h*Z_s*theta_dot*(1.0/Z_r + 1.0/Z_s));
+        }
+        mesh_deflection_s2 "m", "deflection of the mesh of sun and planet 2 along the line of action, backlash not taken off" {
+            _ => u2 - e_s2 + h*Z_s*(theta_c + theta/Z_r + theta/Z_s) - h*theta - h*(Z_r + Z_s)*(theta_c + theta/Z_r)/2.0
+                + h*(Z_r - Z_s)*(theta_c + theta/Z_r)/2.0;
+        }
         dte_s2 "m",
             "dynamic transmission error of the mesh of sun and planet 2 along the line of action: positive if the driving gear is ahead" {
             _ => u2 + h*Z_s*(theta_c + theta/Z_r + theta/Z_s) - h*theta - h*(Z_r + Z_s)*(theta_c + theta/Z_r)/2.0
@@ -718,6 +741,12 @@ equations! {
             "force of the mesh of ring and planet 2 along the line of action, damper included: positive if it presses the drive flanks" {
             _ => k_r2*delta_r2;
             damping => beta_K*k_r2_mid*delta_r2_dot;
+        }
+        mesh_power_r2 "W", "power that the first gear gives to the mesh of ring and planet 2: force times the speed of its flank" {
+            _ => h*Z_r*theta_r_dot*mesh_force_r2;
+        }
+        mesh_deflection_r2 "m", "deflection of the mesh of ring and planet 2 along the line of action, backlash not taken off" {
+            _ => h*Z_r*theta_r - e_r2 - (u2 - h*theta + h*(Z_r - Z_s)*(theta_c + theta/Z_r)/2.0) - h*(Z_r + Z_s)*(theta_c + theta/Z_r)/2.0;
         }
         dte_r2 "m",
             "dynamic transmission error of the mesh of ring and planet 2 along the line of action: positive if the driving gear is ahead" {
@@ -731,6 +760,13 @@ equations! {
             _ => k_s3*delta_s3;
             damping => beta_K*k_s3_mid*delta_s3_dot;
         }
+        mesh_power_s3 "W", "power that the first gear gives to the mesh of sun and planet 3: force times the speed of its flank" {
+            _ => mesh_force_s3*(h*Z_s*theta_c_dot + h*Z_s*theta_dot*(1.0/Z_r + 1.0/Z_s));
+        }
+        mesh_deflection_s3 "m", "deflection of the mesh of sun and planet 3 along the line of action, backlash not taken off" {
+            _ => u3 - e_s3 + h*Z_s*(theta_c + theta/Z_r + theta/Z_s) - h*theta - h*(Z_r + Z_s)*(theta_c + theta/Z_r)/2.0
+                + h*(Z_r - Z_s)*(theta_c + theta/Z_r)/2.0;
+        }
         dte_s3 "m",
             "dynamic transmission error of the mesh of sun and planet 3 along the line of action: positive if the driving gear is ahead" {
             _ => u3 + h*Z_s*(theta_c + theta/Z_r + theta/Z_s) - h*theta - h*(Z_r + Z_s)*(theta_c + theta/Z_r)/2.0
@@ -741,6 +777,12 @@ equations! {
             "force of the mesh of ring and planet 3 along the line of action, damper included: positive if it presses the drive flanks" {
             _ => k_r3*delta_r3;
             damping => beta_K*k_r3_mid*delta_r3_dot;
+        }
+        mesh_power_r3 "W", "power that the first gear gives to the mesh of ring and planet 3: force times the speed of its flank" {
+            _ => h*Z_r*theta_r_dot*mesh_force_r3;
+        }
+        mesh_deflection_r3 "m", "deflection of the mesh of ring and planet 3 along the line of action, backlash not taken off" {
+            _ => h*Z_r*theta_r - e_r3 - (u3 - h*theta + h*(Z_r - Z_s)*(theta_c + theta/Z_r)/2.0) - h*(Z_r + Z_s)*(theta_c + theta/Z_r)/2.0;
         }
         dte_r3 "m",
             "dynamic transmission error of the mesh of ring and planet 3 along the line of action: positive if the driving gear is ahead" {
@@ -754,6 +796,13 @@ equations! {
             _ => k_s4*delta_s4;
             damping => beta_K*k_s4_mid*delta_s4_dot;
         }
+        mesh_power_s4 "W", "power that the first gear gives to the mesh of sun and planet 4: force times the speed of its flank" {
+            _ => mesh_force_s4*(h*Z_s*theta_c_dot + h*Z_s*theta_dot*(1.0/Z_r + 1.0/Z_s));
+        }
+        mesh_deflection_s4 "m", "deflection of the mesh of sun and planet 4 along the line of action, backlash not taken off" {
+            _ => u4 - e_s4 + h*Z_s*(theta_c + theta/Z_r + theta/Z_s) - h*theta - h*(Z_r + Z_s)*(theta_c + theta/Z_r)/2.0
+                + h*(Z_r - Z_s)*(theta_c + theta/Z_r)/2.0;
+        }
         dte_s4 "m",
             "dynamic transmission error of the mesh of sun and planet 4 along the line of action: positive if the driving gear is ahead" {
             _ => u4 + h*Z_s*(theta_c + theta/Z_r + theta/Z_s) - h*theta - h*(Z_r + Z_s)*(theta_c + theta/Z_r)/2.0
@@ -764,6 +813,12 @@ equations! {
             "force of the mesh of ring and planet 4 along the line of action, damper included: positive if it presses the drive flanks" {
             _ => k_r4*delta_r4;
             damping => beta_K*k_r4_mid*delta_r4_dot;
+        }
+        mesh_power_r4 "W", "power that the first gear gives to the mesh of ring and planet 4: force times the speed of its flank" {
+            _ => h*Z_r*theta_r_dot*mesh_force_r4;
+        }
+        mesh_deflection_r4 "m", "deflection of the mesh of ring and planet 4 along the line of action, backlash not taken off" {
+            _ => h*Z_r*theta_r - e_r4 - (u4 - h*theta + h*(Z_r - Z_s)*(theta_c + theta/Z_r)/2.0) - h*(Z_r + Z_s)*(theta_c + theta/Z_r)/2.0;
         }
         dte_r4 "m",
             "dynamic transmission error of the mesh of ring and planet 4 along the line of action: positive if the driving gear is ahead" {
@@ -777,6 +832,13 @@ equations! {
             _ => k_s5*delta_s5;
             damping => beta_K*k_s5_mid*delta_s5_dot;
         }
+        mesh_power_s5 "W", "power that the first gear gives to the mesh of sun and planet 5: force times the speed of its flank" {
+            _ => mesh_force_s5*(h*Z_s*theta_c_dot + h*Z_s*theta_dot*(1.0/Z_r + 1.0/Z_s));
+        }
+        mesh_deflection_s5 "m", "deflection of the mesh of sun and planet 5 along the line of action, backlash not taken off" {
+            _ => u5 - e_s5 + h*Z_s*(theta_c + theta/Z_r + theta/Z_s) - h*theta - h*(Z_r + Z_s)*(theta_c + theta/Z_r)/2.0
+                + h*(Z_r - Z_s)*(theta_c + theta/Z_r)/2.0;
+        }
         dte_s5 "m",
             "dynamic transmission error of the mesh of sun and planet 5 along the line of action: positive if the driving gear is ahead" {
             _ => u5 + h*Z_s*(theta_c + theta/Z_r + theta/Z_s) - h*theta - h*(Z_r + Z_s)*(theta_c + theta/Z_r)/2.0
@@ -787,6 +849,12 @@ equations! {
             "force of the mesh of ring and planet 5 along the line of action, damper included: positive if it presses the drive flanks" {
             _ => k_r5*delta_r5;
             damping => beta_K*k_r5_mid*delta_r5_dot;
+        }
+        mesh_power_r5 "W", "power that the first gear gives to the mesh of ring and planet 5: force times the speed of its flank" {
+            _ => h*Z_r*theta_r_dot*mesh_force_r5;
+        }
+        mesh_deflection_r5 "m", "deflection of the mesh of ring and planet 5 along the line of action, backlash not taken off" {
+            _ => h*Z_r*theta_r - e_r5 - (u5 - h*theta + h*(Z_r - Z_s)*(theta_c + theta/Z_r)/2.0) - h*(Z_r + Z_s)*(theta_c + theta/Z_r)/2.0;
         }
         dte_r5 "m",
             "dynamic transmission error of the mesh of ring and planet 5 along the line of action: positive if the driving gear is ahead" {
@@ -800,6 +868,13 @@ equations! {
             _ => k_s6*delta_s6;
             damping => beta_K*k_s6_mid*delta_s6_dot;
         }
+        mesh_power_s6 "W", "power that the first gear gives to the mesh of sun and planet 6: force times the speed of its flank" {
+            _ => mesh_force_s6*(h*Z_s*theta_c_dot + h*Z_s*theta_dot*(1.0/Z_r + 1.0/Z_s));
+        }
+        mesh_deflection_s6 "m", "deflection of the mesh of sun and planet 6 along the line of action, backlash not taken off" {
+            _ => u6 - e_s6 + h*Z_s*(theta_c + theta/Z_r + theta/Z_s) - h*theta - h*(Z_r + Z_s)*(theta_c + theta/Z_r)/2.0
+                + h*(Z_r - Z_s)*(theta_c + theta/Z_r)/2.0;
+        }
         dte_s6 "m",
             "dynamic transmission error of the mesh of sun and planet 6 along the line of action: positive if the driving gear is ahead" {
             _ => u6 + h*Z_s*(theta_c + theta/Z_r + theta/Z_s) - h*theta - h*(Z_r + Z_s)*(theta_c + theta/Z_r)/2.0
@@ -811,12 +886,22 @@ equations! {
             _ => k_r6*delta_r6;
             damping => beta_K*k_r6_mid*delta_r6_dot;
         }
+        mesh_power_r6 "W", "power that the first gear gives to the mesh of ring and planet 6: force times the speed of its flank" {
+            _ => h*Z_r*theta_r_dot*mesh_force_r6;
+        }
+        mesh_deflection_r6 "m", "deflection of the mesh of ring and planet 6 along the line of action, backlash not taken off" {
+            _ => h*Z_r*theta_r - e_r6 - (u6 - h*theta + h*(Z_r - Z_s)*(theta_c + theta/Z_r)/2.0) - h*(Z_r + Z_s)*(theta_c + theta/Z_r)/2.0;
+        }
         dte_r6 "m",
             "dynamic transmission error of the mesh of ring and planet 6 along the line of action: positive if the driving gear is ahead" {
             _ => h*Z_r*theta_r - (u6 - h*theta + h*(Z_r - Z_s)*(theta_c + theta/Z_r)/2.0) - h*(Z_r + Z_s)*(theta_c + theta/Z_r)/2.0;
         }
         mesh_loss_r6 "W", "power that the damper of the mesh of ring and planet 6 takes" {
             damping => beta_K*k_r6_mid*delta_r6_dot.powi(2);
+        }
+        power_motor "W" with torques, "power of the driving torque of the sun: positive if it drives" { _ => motor_power; }
+        power_load "W" with torques, "power of the load torque of the carrier, against its rotation: positive if it drives" {
+            _ => load_power;
         }
         inertia_damping_loss "W" with damping, "power that the damping in proportion to inertia takes" {
             _ => 2.0*alpha_M*(I_c*(theta_c_dot + theta_dot/Z_r).powi(2)/2.0

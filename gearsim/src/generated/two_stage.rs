@@ -626,11 +626,17 @@ equations! {
             _ => k_m*twist_m;
             damping => beta_K*k_m*twist_m_dot;
         }
+        shaft_power_m "W", "power that enters the motor's shaft at its first end: torque times the speed of that end" {
+            _ => shaft_torque_m*(psi_m_dot + s1_dot/(2.0*h1*N1) + theta1_dot/N1);
+        }
         shaft_loss_m "W", "power that the damper of the motor's shaft takes" { damping => beta_K*k_m*twist_m_dot.powi(2); }
         shaft_twist_c "rad", "twist of the countershaft" { _ => twist_c; }
         shaft_torque_c "N*m", "torque in the countershaft, damper included" {
             _ => k_c*twist_c;
             damping => beta_K*k_c*twist_c_dot;
+        }
+        shaft_power_c "W", "power that enters the countershaft at its first end: torque times the speed of that end" {
+            _ => shaft_torque_c*(theta1_dot/N2 - s1_dot/(2.0*h1*N2));
         }
         shaft_loss_c "W", "power that the damper of the countershaft takes" { damping => beta_K*k_c*twist_c_dot.powi(2); }
         shaft_twist_l "rad", "twist of the load's shaft" { _ => twist_l; }
@@ -638,12 +644,21 @@ equations! {
             _ => k_l*twist_l;
             damping => beta_K*k_l*twist_l_dot;
         }
+        shaft_power_l "W", "power that enters the load's shaft at its first end: torque times the speed of that end" {
+            _ => shaft_torque_l*(theta2_dot/N4 - s2_dot/(2.0*h2*N4));
+        }
         shaft_loss_l "W", "power that the damper of the load's shaft takes" { damping => beta_K*k_l*twist_l_dot.powi(2); }
         mesh_force_12 "N",
             "force of the mesh of gears 1 and 2 along the line of action, damper included: positive if it presses the drive flanks" {
             _ => k12*touch12*over12;
             backlash_12 => k12*clip12*touch12*over12;
             damping => beta_K*k12_mid*damp12*over12_dot;
+        }
+        mesh_power_12 "W", "power that the first gear gives to the mesh of gears 1 and 2: force times the speed of its flank" {
+            _ => mesh_force_12*(s1_dot/2.0 + h1*theta1_dot);
+        }
+        mesh_deflection_12 "m", "deflection of the mesh of gears 1 and 2 along the line of action, backlash not taken off" {
+            _ => s1 - e12;
         }
         dte_12 "m",
             "dynamic transmission error of the mesh of gears 1 and 2 along the line of action: positive if the driving gear is ahead" {
@@ -653,11 +668,26 @@ equations! {
             backlash_12 => k12*clip12*touch12*over12*over12_dot;
             damping => beta_K*k12_mid*damp12*over12_dot.powi(2);
         }
+        power_slide12 "W" with sliding_friction_12,
+            "power of the friction of the mesh of gears 1 and 2, through the sliding of the flanks at the pitch point: positive if it \
+            drives" {
+            _ => slide12_power;
+        }
+        power_roll12 "W" with sliding_friction_12,
+            "power of the friction of the mesh of gears 1 and 2, through the rolling of the gears: positive if it drives" {
+            _ => roll12_power;
+        }
         mesh_force_34 "N",
             "force of the mesh of gears 3 and 4 along the line of action, damper included: positive if it presses the drive flanks" {
             _ => k34*touch34*over34;
             backlash_34 => k34*clip34*touch34*over34;
             damping => beta_K*k34_mid*damp34*over34_dot;
+        }
+        mesh_power_34 "W", "power that the first gear gives to the mesh of gears 3 and 4: force times the speed of its flank" {
+            _ => mesh_force_34*(s2_dot/2.0 + h2*theta2_dot);
+        }
+        mesh_deflection_34 "m", "deflection of the mesh of gears 3 and 4 along the line of action, backlash not taken off" {
+            _ => s2 - e34;
         }
         dte_34 "m",
             "dynamic transmission error of the mesh of gears 3 and 4 along the line of action: positive if the driving gear is ahead" {
@@ -666,6 +696,19 @@ equations! {
         mesh_loss_34 "W", "power that the damper of the mesh of gears 3 and 4 takes" {
             backlash_34 => k34*clip34*touch34*over34*over34_dot;
             damping => beta_K*k34_mid*damp34*over34_dot.powi(2);
+        }
+        power_slide34 "W" with sliding_friction_34,
+            "power of the friction of the mesh of gears 3 and 4, through the sliding of the flanks at the pitch point: positive if it \
+            drives" {
+            _ => slide34_power;
+        }
+        power_roll34 "W" with sliding_friction_34,
+            "power of the friction of the mesh of gears 3 and 4, through the rolling of the gears: positive if it drives" {
+            _ => roll34_power;
+        }
+        power_motor "W" with torques, "power of the driving torque of the motor: positive if it drives" { _ => motor_power; }
+        power_load "W" with torques, "power of the load torque of the load, against its rotation: positive if it drives" {
+            _ => load_power;
         }
         inertia_damping_loss "W" with damping, "power that the damping in proportion to inertia takes" {
             _ => 2.0*alpha_M*((I1*(s1_dot/(2.0*h1*N1) + theta1_dot/N1).powi(2) + I2*(theta1_dot/N2 - s1_dot/(2.0*h1*N2)).powi(2)

@@ -623,11 +623,17 @@ equations! {
             _ => k_l*twist_l;
             damping => beta_K*k_l*twist_l_dot;
         }
+        shaft_power_l "W", "power that enters the low-speed shaft at its first end: torque times the speed of that end" {
+            _ => shaft_torque_l*(psi_l_dot + theta_c_dot + theta_dot/Z_r);
+        }
         shaft_loss_l "W", "power that the damper of the low-speed shaft takes" { damping => beta_K*k_l*twist_l_dot.powi(2); }
         shaft_twist_i "rad", "twist of the intermediate shaft" { _ => twist_i; }
         shaft_torque_i "N*m", "torque in the intermediate shaft, damper included" {
             _ => k_i*twist_i;
             damping => beta_K*k_i*twist_i_dot;
+        }
+        shaft_power_i "W", "power that enters the intermediate shaft at its first end: torque times the speed of that end" {
+            _ => shaft_torque_i*(theta_c_dot + theta_dot*(1.0/Z_r + 1.0/Z_s));
         }
         shaft_loss_i "W", "power that the damper of the intermediate shaft takes" { damping => beta_K*k_i*twist_i_dot.powi(2); }
         shaft_twist_h "rad", "twist of the high-speed shaft" { _ => twist_h; }
@@ -635,11 +641,21 @@ equations! {
             _ => k_h*twist_h;
             damping => beta_K*k_h*twist_h_dot;
         }
+        shaft_power_h "W", "power that enters the high-speed shaft at its first end: torque times the speed of that end" {
+            _ => shaft_torque_h*(theta2_dot/N2 - s2_dot/(2.0*h2*N2));
+        }
         shaft_loss_h "W", "power that the damper of the high-speed shaft takes" { damping => beta_K*k_h*twist_h_dot.powi(2); }
         mesh_force_s1 "N",
             "force of the mesh of sun and planet 1 along the line of action, damper included: positive if it presses the drive flanks" {
             _ => k_s1*delta_s1;
             damping => beta_K*k_s1_mid*delta_s1_dot;
+        }
+        mesh_power_s1 "W", "power that the first gear gives to the mesh of sun and planet 1: force times the speed of its flank" {
+            _ => mesh_force_s1*(h*Z_s*theta_c_dot + h*Z_s*theta_dot*(1.0/Z_r + 1.0/Z_s));
+        }
+        mesh_deflection_s1 "m", "deflection of the mesh of sun and planet 1 along the line of action, backlash not taken off" {
+            _ => u1 - e_s1 + h*Z_s*(theta_c + theta/Z_r + theta/Z_s) - h*theta - h*(Z_r + Z_s)*(theta_c + theta/Z_r)/2.0
+                + h*(Z_r - Z_s)*(theta_c + theta/Z_r)/2.0;
         }
         dte_s1 "m",
             "dynamic transmission error of the mesh of sun and planet 1 along the line of action: positive if the driving gear is ahead" {
@@ -651,6 +667,10 @@ equations! {
             "force of the mesh of ring and planet 1 along the line of action, damper included: positive if it presses the drive flanks" {
             _ => k_r1*delta_r1;
             damping => beta_K*k_r1_mid*delta_r1_dot;
+        }
+        mesh_power_r1 "W", "power that the first gear gives to the mesh of ring and planet 1: force times the speed of its flank" {}
+        mesh_deflection_r1 "m", "deflection of the mesh of ring and planet 1 along the line of action, backlash not taken off" {
+            _ => -e_r1 - (u1 - h*theta + h*(Z_r - Z_s)*(theta_c + theta/Z_r)/2.0) - h*(Z_r + Z_s)*(theta_c + theta/Z_r)/2.0;
         }
         dte_r1 "m",
             "dynamic transmission error of the mesh of ring and planet 1 along the line of action: positive if the driving gear is ahead" {
@@ -664,6 +684,13 @@ equations! {
             _ => k_s2*delta_s2;
             damping => beta_K*k_s2_mid*delta_s2_dot;
         }
+        mesh_power_s2 "W", "power that the first gear gives to the mesh of sun and planet 2: force times the speed of its flank" {
+            _ => mesh_force_s2*(h*Z_s*theta_c_dot + h*Z_s*theta_dot*(1.0/Z_r + 1.0/Z_s));
+        }
+        mesh_deflection_s2 "m", "deflection of the mesh of sun and planet 2 along the line of action, backlash not taken off" {
+            _ => u2 - e_s2 + h*Z_s*(theta_c + theta/Z_r + theta/Z_s) - h*theta - h*(Z_r + Z_s)*(theta_c + theta/Z_r)/2.0
+                + h*(Z_r - Z_s)*(theta_c + theta/Z_r)/2.0;
+        }
         dte_s2 "m",
             "dynamic transmission error of the mesh of sun and planet 2 along the line of action: positive if the driving gear is ahead" {
             _ => u2 + h*Z_s*(theta_c + theta/Z_r + theta/Z_s) - h*theta - h*(Z_r + Z_s)*(theta_c + theta/Z_r)/2.0
@@ -674,6 +701,10 @@ equations! {
             "force of the mesh of ring and planet 2 along the line of action, damper included: positive if it presses the drive flanks" {
             _ => k_r2*delta_r2;
             damping => beta_K*k_r2_mid*delta_r2_dot;
+        }
+        mesh_power_r2 "W", "power that the first gear gives to the mesh of ring and planet 2: force times the speed of its flank" {}
+        mesh_deflection_r2 "m", "deflection of the mesh of ring and planet 2 along the line of action, backlash not taken off" {
+            _ => -e_r2 - (u2 - h*theta + h*(Z_r - Z_s)*(theta_c + theta/Z_r)/2.0) - h*(Z_r + Z_s)*(theta_c + theta/Z_r)/2.0;
         }
         dte_r2 "m",
             "dynamic transmission error of the mesh of ring and planet 2 along the line of action: positive if the driving gear is ahead" {
@@ -687,6 +718,13 @@ equations! {
             _ => k_s3*delta_s3;
             damping => beta_K*k_s3_mid*delta_s3_dot;
         }
+        mesh_power_s3 "W", "power that the first gear gives to the mesh of sun and planet 3: force times the speed of its flank" {
+            _ => mesh_force_s3*(h*Z_s*theta_c_dot + h*Z_s*theta_dot*(1.0/Z_r + 1.0/Z_s));
+        }
+        mesh_deflection_s3 "m", "deflection of the mesh of sun and planet 3 along the line of action, backlash not taken off" {
+            _ => u3 - e_s3 + h*Z_s*(theta_c + theta/Z_r + theta/Z_s) - h*theta - h*(Z_r + Z_s)*(theta_c + theta/Z_r)/2.0
+                + h*(Z_r - Z_s)*(theta_c + theta/Z_r)/2.0;
+        }
         dte_s3 "m",
             "dynamic transmission error of the mesh of sun and planet 3 along the line of action: positive if the driving gear is ahead" {
             _ => u3 + h*Z_s*(theta_c + theta/Z_r + theta/Z_s) - h*theta - h*(Z_r + Z_s)*(theta_c + theta/Z_r)/2.0
@@ -697,6 +735,10 @@ equations! {
             "force of the mesh of ring and planet 3 along the line of action, damper included: positive if it presses the drive flanks" {
             _ => k_r3*delta_r3;
             damping => beta_K*k_r3_mid*delta_r3_dot;
+        }
+        mesh_power_r3 "W", "power that the first gear gives to the mesh of ring and planet 3: force times the speed of its flank" {}
+        mesh_deflection_r3 "m", "deflection of the mesh of ring and planet 3 along the line of action, backlash not taken off" {
+            _ => -e_r3 - (u3 - h*theta + h*(Z_r - Z_s)*(theta_c + theta/Z_r)/2.0) - h*(Z_r + Z_s)*(theta_c + theta/Z_r)/2.0;
         }
         dte_r3 "m",
             "dynamic transmission error of the mesh of ring and planet 3 along the line of action: positive if the driving gear is ahead" {
@@ -711,6 +753,12 @@ equations! {
             backlash_12 => k12*clip12*touch12*over12;
             damping => beta_K*k12_mid*damp12*over12_dot;
         }
+        mesh_power_12 "W", "power that the first gear gives to the mesh of the parallel stage: force times the speed of its flank" {
+            _ => mesh_force_12*(s2_dot/2.0 + h2*theta2_dot);
+        }
+        mesh_deflection_12 "m", "deflection of the mesh of the parallel stage along the line of action, backlash not taken off" {
+            _ => s2 - e12;
+        }
         dte_12 "m",
             "dynamic transmission error of the mesh of the parallel stage along the line of action: positive if the driving gear is ahead" {
             _ => s2;
@@ -718,6 +766,10 @@ equations! {
         mesh_loss_12 "W", "power that the damper of the mesh of the parallel stage takes" {
             backlash_12 => k12*clip12*touch12*over12*over12_dot;
             damping => beta_K*k12_mid*damp12*over12_dot.powi(2);
+        }
+        power_wind "W" with torques, "power of the driving torque of the rotor: positive if it drives" { _ => wind_power; }
+        power_generator "W" with torques, "power of the load torque of the generator, against its rotation: positive if it drives" {
+            _ => generator_power;
         }
         inertia_damping_loss "W" with damping, "power that the damping in proportion to inertia takes" {
             _ => 2.0*alpha_M*(I1*(s2_dot/(2.0*h2*N1) + theta2_dot/N1).powi(2)/2.0 + I2*(theta2_dot/N2 - s2_dot/(2.0*h2*N2)).powi(2)/2.0

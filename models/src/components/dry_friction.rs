@@ -38,5 +38,5 @@ pub fn dry_friction(m: &mut Model, part: &str, what: &str, [unit, force]: [&str;
     slip.mode("backward", &[Expr::from(-1)]).until("stuck", -rate);
     slip.loss(direction * coulomb);
     let slip = slip.over();
-    observed::friction(m, &effect, part, what, slip);
+    observed::friction(m, &effect, part, [what, force], slip);
 }

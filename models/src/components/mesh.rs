@@ -17,23 +17,32 @@ pub struct Mesh {
 
 /// A mesh of two gears whose relative displacement along the line of action is `delta` [m], linear in the coordinates. Declares its
 /// stiffness law `k` [N/m] and its transmission error `e` [m], periodic in `phase` [rad], in which one tooth pitch is 2 pi, and the
-/// effects `stiffness_step`, `rigid_kinematics`, `frozen_phase` and `transmission_error`.
-pub fn mesh(m: &mut Model, part: &str, what: &str, phase: Expr, delta: Expr) -> Mesh {
+/// effects `stiffness_step`, `rigid_kinematics`, `frozen_phase` and `transmission_error`. `driving` is the part of `delta` that is
+/// the displacement of the first gear's flank [m], for the power that this gear gives.
+pub fn mesh(m: &mut Model, part: &str, what: &str, phase: Expr, delta: Expr, driving: Expr) -> Mesh {
     let stiffness = stiffness(m, part, what, phase);
     let error = transmission_error(m, part, what, phase);
     let x = m.deflection(&named("delta", part), delta - error);
     m.potential(half(stiffness * x.sq()));
-    observed::mesh(m, part, what, x, delta);
+    observed::mesh(m, part, what, x, [delta, error], Some(driving));
     Mesh { stiffness, delta: x }
 }
 
-/// A mesh as [`mesh`], with backlash in the effect `backlash`. Declares also the backlash `b` [m] along the line of action.
-pub fn mesh_with_play(m: &mut Model, part: &str, what: &str, phase: Expr, delta: Expr) -> Mesh {
+/// A mesh as [`mesh`], with backlash in the effect `backlash`. Declares also the backlash `b` [m] along the line of action. Without
+/// `driving` it has no output of its power.
+pub fn mesh_with_play(
+    m: &mut Model,
+    part: &str,
+    what: &str,
+    phase: Expr,
+    delta: Expr,
+    driving: impl Into<Option<Expr>>,
+) -> Mesh {
     let k = stiffness(m, part, what, phase);
     let error = transmission_error(m, part, what, phase);
     let gap = play(m, part, what, "m", delta - error);
     m.potential(half(k * gap.touch * gap.over.sq()));
-    observed::mesh(m, part, what, gap.over, delta);
+    observed::mesh(m, part, what, gap.over, [delta, error], driving.into());
     Mesh { stiffness: k * gap.touch, delta: gap.over }
 }
 

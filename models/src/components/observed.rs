@@ -7,13 +7,21 @@ pub fn of_part(quantity: &str, part: &str) -> String {
     if part.is_empty() { quantity.into() } else { format!("{quantity}_{part}") }
 }
 
-/// Force and loss of a mesh with the deflection `x` [m] in contact, and its dynamic transmission error `dte` [m]: the relative
-/// displacement of the flanks' ideal positions along the line of action, all coordinates in it.
-pub fn mesh(m: &mut Model, part: &str, what: &str, x: Expr, dte: Expr) {
+/// Force and loss of a mesh with the deflection `x` [m] in contact, its deflection [m], its dynamic transmission error `dte` [m]: the
+/// relative displacement of the flanks' ideal positions along the line of action, all coordinates in it. The deflection is that less the
+/// transmission error `error` [m]. `driving` [m] is the displacement of the first gear's flank along the line of action: the power that
+/// this gear gives to the mesh is the force times its speed. A train has no `driving`: it forms the power from its rotors.
+pub fn mesh(m: &mut Model, part: &str, what: &str, x: Expr, [dte, error]: [Expr; 2], driving: Option<Expr>) {
     let doc = format!(
         "force of the {what} along the line of action, damper included: positive if it presses the drive flanks"
     );
-    m.output(&of_part("mesh_force", part), "N", m.spring(x) + m.damper(x), &doc);
+    let force = m.output(&of_part("mesh_force", part), "N", m.spring(x) + m.damper(x), &doc);
+    if let Some(driving) = driving {
+        let doc = format!("power that the first gear gives to the {what}: force times the speed of its flank");
+        m.output(&of_part("mesh_power", part), "W", force * driving.dot(), &doc);
+    }
+    let doc = format!("deflection of the {what} along the line of action, backlash not taken off");
+    m.output(&of_part("mesh_deflection", part), "m", dte - error, &doc);
     let doc = format!(
         "dynamic transmission error of the {what} along the line of action: positive if the driving gear is ahead"
     );
@@ -22,11 +30,16 @@ pub fn mesh(m: &mut Model, part: &str, what: &str, x: Expr, dte: Expr) {
     m.output(&of_part("mesh_loss", part), "W", m.damper(x) * x.dot(), &doc);
 }
 
-/// Twist, torque and loss of a shaft with the deflection `twist` [rad].
-pub fn shaft(m: &mut Model, part: &str, what: &str, twist: Expr) {
+/// Twist, torque and loss of a shaft with the deflection `twist` [rad], and the power that enters it at the end whose rotation is
+/// `first` [rad], the one that leads if the twist is positive. A train has no `first`: it forms the power from its rotors.
+pub fn shaft(m: &mut Model, part: &str, what: &str, twist: Expr, first: Option<Expr>) {
     m.output(&of_part("shaft_twist", part), "rad", twist, &format!("twist of the {what}"));
     let doc = format!("torque in the {what}, damper included");
-    m.output(&of_part("shaft_torque", part), "N*m", m.spring(twist) + m.damper(twist), &doc);
+    let torque = m.output(&of_part("shaft_torque", part), "N*m", m.spring(twist) + m.damper(twist), &doc);
+    if let Some(first) = first {
+        let doc = format!("power that enters the {what} at its first end: torque times the speed of that end");
+        m.output(&of_part("shaft_power", part), "W", torque * first.dot(), &doc);
+    }
     let doc = format!("power that the damper of the {what} takes");
     m.output(&of_part("shaft_loss", part), "W", m.damper(twist) * twist.dot(), &doc);
 }
@@ -66,14 +79,19 @@ pub fn planet_bearing(m: &mut Model, planet: &str, [radial, tangential]: [Expr; 
     m.output(&format!("planet_bearing_loss_{planet}"), "W", taken, &doc);
 }
 
-/// Loss of dry friction over the slip `x`, in scenes with `effect`.
-pub fn friction(m: &mut Model, effect: &str, part: &str, what: &str, x: Expr) {
+/// Torque or force [`unit`] and loss of dry friction over the slip `x`, in scenes with `effect`. At rest the force is the reaction.
+pub fn friction(m: &mut Model, effect: &str, part: &str, [what, unit]: [&str; 2], x: Expr) {
+    let quantity = if unit == "N" { "friction_force" } else { "friction_torque" };
+    let doc = format!("dry friction of the {what}, at rest too: positive against positive motion");
+    m.output_with(effect, &of_part(quantity, part), unit, m.damper(x) + m.reaction(x), &doc);
     let doc = format!("power that the dry friction of the {what} takes");
     m.output_with(effect, &of_part("friction_loss", part), "W", m.damper(x) * x.dot(), &doc);
 }
 
-/// Loss of a clutch whose driving side leads by `x` [rad], in scenes with `effect`.
+/// Torque and loss of a clutch whose driving side leads by `x` [rad], in scenes with `effect`. Locked, its torque is the reaction.
 pub fn clutch(m: &mut Model, effect: &str, part: &str, what: &str, x: Expr) {
+    let doc = format!("torque that the {what} gives to its driven side, locked, slipping or overrunning");
+    m.output_with(effect, &of_part("clutch_torque", part), "N*m", m.damper(x) + m.reaction(x), &doc);
     let doc = format!("power that the {what} takes as it slips or drags");
     m.output_with(effect, &of_part("clutch_loss", part), "W", m.damper(x) * x.dot(), &doc);
 }

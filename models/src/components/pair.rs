@@ -15,6 +15,8 @@ pub struct Pair {
     pub theta: Expr,
     /// Relative motion along the line of action: a coordinate [m]. It is the deflection of the mesh if the centres are fixed.
     pub s: Expr,
+    /// Displacement of the driving gear's flank along the line of action, r1 theta1 [m].
+    pub u1: Expr,
     /// Rotation of the driving gear [rad].
     pub theta1: Expr,
     /// Rotation of the driven gear [rad].
@@ -41,14 +43,15 @@ pub fn pair(m: &mut Model, of_mesh: &str, a: &str, b: &str) -> Pair {
     let doc = format!("motion of gear {a} relative to gear {b} along the line of action");
     let s = m.coordinate(&format!("s{of_mesh}"), "m", Start::Static, &doc);
     let half = gearsim_derive::half(s / h);
-    Pair { theta, s, theta1: (theta + half) / n1, theta2: (theta - half) / n2, n1, n2 }
+    let u1 = h * theta + gearsim_derive::half(s);
+    Pair { theta, s, u1, theta1: (theta + half) / n1, theta2: (theta - half) / n2, n1, n2 }
 }
 
 impl Pair {
     /// The mesh of the pair with all effects of meshes: steps of the stiffness, play, a transmission error, sliding friction. `tangent` is
     /// that of the pressure angle. Declares what [`mesh_with_play`] and [`sliding_friction`] declare.
     pub fn mesh(&self, m: &mut Model, part: &str, what: &str, tangent: Expr) -> Mesh {
-        let mesh = mesh_with_play(m, part, what, self.theta, self.s);
+        let mesh = mesh_with_play(m, part, what, self.theta, self.s, self.u1);
         let sliding = Sliding { phase: self.theta, tau: tangent * self.s, psi: self.theta1 + self.theta2 };
         sliding_friction(m, part, what, "m", mesh, sliding);
         mesh

@@ -83,7 +83,8 @@ impl Stage {
         let (l_s, l_r) = (self.alpha.mirrored(), self.alpha);
         for i in 1..=n {
             let planet = Gear { x: 0.into(), y: self.a * self.theta_c, u: self.rotation(m, i, inertia) };
-            self.meshes(m, i, external(sun, l_s, planet, l_s), internal(ring, l_r, planet, l_r));
+            let driving = [sun.across(l_s) + sun.u, ring.across(l_r) + ring.u];
+            self.meshes(m, i, [external(sun, l_s, planet, l_s), internal(ring, l_r, planet, l_r)], driving);
         }
     }
 
@@ -116,9 +117,10 @@ impl Stage {
             m.potential(half(kb * radial.sq()));
             m.potential(half(kb * tangential.sq()));
             observed::planet_bearing(m, &i.to_string(), [radial, tangential]);
-            let (sun, ring) =
-                (external(sun, l_s, planet, self.alpha.mirrored()), internal(ring, l_r, planet, self.alpha));
-            self.meshes(m, i, sun, ring);
+            let driving = [sun.across(l_s) + sun.u, ring.across(l_r) + ring.u];
+            let deflections =
+                [external(sun, l_s, planet, self.alpha.mirrored()), internal(ring, l_r, planet, self.alpha)];
+            self.meshes(m, i, deflections, driving);
         }
     }
 
@@ -131,11 +133,12 @@ impl Stage {
         r_p * self.theta_c - self.rho + beyond
     }
 
-    /// Adds the meshes of planet `i` with sun and ring, with the deflections `sun` and `ring` [m] and transmission errors.
-    fn meshes(&self, m: &mut Model, i: usize, sun: Expr, ring: Expr) {
-        for (part, with, delta) in [("s", "sun", sun), ("r", "ring", ring)] {
+    /// Adds the meshes of planet `i` with sun and ring, with these deflections and displacements of their flanks [m], and transmission
+    /// errors.
+    fn meshes(&self, m: &mut Model, i: usize, deflections: [Expr; 2], driving: [Expr; 2]) {
+        for (j, (part, with)) in [("s", "sun"), ("r", "ring")].into_iter().enumerate() {
             let (part, what) = (format!("{part}{i}"), format!("mesh of {with} and planet {i}"));
-            mesh(m, &part, &what, self.theta, delta);
+            mesh(m, &part, &what, self.theta, deflections[j], driving[j]);
         }
     }
 }

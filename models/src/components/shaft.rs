@@ -4,16 +4,17 @@ use gearsim_derive::{Expr, Model, Range, half};
 
 use super::{named, observed};
 
-/// A shaft between two rotors whose rotations differ by `twist` [rad]. Declares its torsional stiffness `k`.
-pub fn shaft(m: &mut Model, part: &str, what: &str, twist: Expr) {
+/// A shaft between two rotors whose rotations differ by `twist` [rad]; `first` is the rotation of the one that leads [rad], for the
+/// power that enters there, if it is known. Declares its torsional stiffness `k`.
+pub fn shaft(m: &mut Model, part: &str, what: &str, twist: Expr, first: impl Into<Option<Expr>>) {
     let doc = format!("torsional stiffness of the {what}");
     let k = m.parameter(&named("k", part), "N*m/rad", None, Range::NotNegative, &doc);
     let twist = m.deflection(&named("twist", part), twist);
     m.potential(half(k * twist.sq()));
-    observed::shaft(m, part, what, twist);
+    observed::shaft(m, part, what, twist, first.into());
 }
 
 /// A torsional spring between the ground and a body with the rotation `theta` [rad]. Declares its torsional stiffness `k`.
 pub fn ground(m: &mut Model, part: &str, what: &str, theta: Expr) {
-    shaft(m, part, what, theta);
+    shaft(m, part, what, theta, theta);
 }

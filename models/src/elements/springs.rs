@@ -19,14 +19,14 @@ fn spring(m: &mut Model, title: &str, what: &str) {
     m.title(title);
     m.source("an element of trains");
     let twist = coordinate(m, "theta", "rad", "twist");
-    components::shaft(m, "x", what, twist);
+    components::shaft(m, "x", what, twist, None::<Expr>);
     damping(m);
 }
 
 /// A mesh.
 pub fn mesh(m: &mut Model) {
     let (phase, s) = begin(m, "a mesh");
-    mesh_with_play(m, "x", "mesh {}", phase, s);
+    mesh_with_play(m, "x", "mesh {}", phase, s, None::<Expr>);
     damping(m);
 }
 
@@ -34,7 +34,7 @@ pub fn mesh(m: &mut Model) {
 pub fn mesh_with_friction(m: &mut Model) {
     let (phase, s) = begin(m, "a mesh with friction of the flanks");
     let psi = coordinate(m, "psi", "rad", "rotation of the first gear relative to the second");
-    let mesh = mesh_with_play(m, "x", "mesh {}", phase, s);
+    let mesh = mesh_with_play(m, "x", "mesh {}", phase, s, None::<Expr>);
     let tau = pressure_tangent(m) * s;
     sliding_friction(m, "x", "mesh {}", "m", mesh, Sliding { phase, tau, psi });
     damping(m);

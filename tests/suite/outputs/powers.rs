@@ -1,4 +1,6 @@
-//! Powers through the parts of trains.
+//! Powers of torques and through parts, and the torques of what is held: against the work of the account and against Newton's laws.
+
+use std::collections::BTreeMap;
 
 use gearsim::trajectory::Trajectory;
 
@@ -13,6 +15,71 @@ fn samples(run: &Trajectory, name: &str) -> Vec<f64> {
 /// The largest magnitude.
 fn size(x: &[f64]) -> f64 {
     x.iter().fold(0.0, |m, x| f64::max(m, x.abs()))
+}
+
+/// The derivative of even samples by differences of fourth order, without two samples at each end.
+fn slope(x: &[f64], h: f64) -> Vec<f64> {
+    x.windows(5).map(|x| (x[0] - 8.0 * x[1] + 8.0 * x[3] - x[4]) / (12.0 * h)).collect()
+}
+
+/// The power of each torque, integrated between the rows, is its work in the account: of constant torques, of those that vary in time, of
+/// a governor's and of friction.
+#[test]
+fn the_powers_of_torques_are_the_rates_of_their_works() {
+    let mut seen = BTreeMap::new();
+    for name in [
+        "drives/torque_ripple",
+        "drives/governor",
+        "drives/fan_run_up",
+        "sliding_friction",
+        "train_turbine",
+        "crank_drive",
+    ] {
+        let run = run(&scene(name, &["run.t_end=20 ms".into(), "output.rate=200 kHz".into()])).trajectory;
+        for (i, torque) in run.model.torques.iter().enumerate() {
+            let power = format!("power_{}", torque.name);
+            // Torques of effects that the scene does not have have no output, and do no work.
+            let Some(power) = run.output(&power) else {
+                assert_eq!(size(&run.torque_work[i]), 0.0, "{name}: {}", torque.name);
+                continue;
+            };
+            let rows = run.t.windows(2).zip(power.windows(2));
+            let work: f64 = rows.map(|(t, p)| 0.5 * (t[1] - t[0]) * (p[0] + p[1])).sum();
+            let [found, expected] = [work, run.torque_work[i][run.len() - 1]];
+            let scale = size(power) * run.t[run.len() - 1];
+            assert!((found - expected).abs() <= 1e-6 * scale, "{name}: {} {found}, not {expected} J", torque.name);
+            *seen.entry(torque.name).or_insert(0) += 1;
+        }
+    }
+    assert!(
+        ["motor", "load", "governor", "fan", "slide12", "roll12"].iter().all(|name| seen.contains_key(name)),
+        "{seen:?}"
+    );
+}
+
+/// What the motor gives less what accelerates its rotor enters the shaft; what leaves the shaft less what accelerates the driving gear
+/// enters the mesh.
+#[test]
+fn power_passes_from_part_to_part() {
+    for (name, mesh, radius) in [("gear_pair_shafts", "12", "r1"), ("two_stage", "12", "r1")] {
+        let scene = scene(name, &["run.t_end=5 ms".into(), "output.rate=1 MHz".into(), "output.events=false".into()]);
+        let number = |name: &str| scene.parameter(name).unwrap();
+        let run = run(&scene).trajectory;
+        let of = |name: &str| samples(&run, name);
+        let (speed, motor, shaft) = (of("rotor_speed_m"), of("power_motor"), of("shaft_power_m"));
+        let gain = slope(&speed, 1e-6);
+        for (i, gain) in gain.iter().enumerate() {
+            let row = i + 2;
+            let balance = motor[row] - shaft[row] - number("I_m") * speed[row] * gain;
+            assert!(balance.abs() < 1e-6 * size(&motor), "{name}: {balance} of {} W", motor[row]);
+        }
+        let (force, gear) = (of(&format!("mesh_force_{mesh}")), of("rotor_speed_1"));
+        let given = of(&format!("mesh_power_{mesh}"));
+        for row in 0..given.len() {
+            let expected = force[row] * number(radius) * gear[row];
+            assert!((given[row] - expected).abs() < 1e-12 * size(&given), "{} {expected}", given[row]);
+        }
+    }
 }
 
 /// A train forms the powers through its parts from the speeds of its rotors. Sums over a body less what it stores are zero; here the powers
@@ -42,4 +109,49 @@ fn a_train_has_the_powers_of_its_parts() {
     // The sun drives the middle shaft: what it gives to its meshes is what it takes from the shaft, but for its acceleration.
     let given: f64 = ["p_s1", "p_s2", "p_s3"].map(|mesh| of(&format!("mesh_power_{mesh}"))[0]).iter().sum();
     assert!(given < 0.0 && of("shaft_power_middle")[0] > 0.0, "{given}");
+}
+
+/// A torque on a rotor at rest: the friction is the torque less that of the spring, up to the breakaway torque.
+#[test]
+fn dry_friction_at_rest_has_the_torque_that_it_resists() {
+    let sets = [
+        "effects=[\"dry_friction\",\"torques\"]".into(),
+        "parameters.T_motor={steps=[{value=\"1 N*m\", until=\"0.1 s\"}, {value=\"-3 N*m\", until=\"0.2 s\"}, {value=\"4.5 N*m\"}]}".into(),
+        "start.phi=\"2 mrad\"".into(),
+        "run.t_end=0.3 s".into(),
+    ];
+    let run = run(&scene("friction_oscillator", &sets)).trajectory;
+    let [t, phi, friction] = ["t", "phi", "friction_torque"].map(|name| samples(&run, name));
+    for (i, t) in t.iter().enumerate() {
+        let torque = match t {
+            t if *t < 0.1 - 1e-9 => 1.0,
+            t if *t > 0.1 + 1e-9 && *t < 0.2 - 1e-9 => -3.0,
+            t if *t > 0.2 + 1e-9 => 4.5,
+            _ => continue,
+        };
+        let expected = torque - 400.0 * phi[i];
+        assert!((friction[i] - expected).abs() < 1e-9, "at {t} s {} N m, not {expected}", friction[i]);
+    }
+    assert!((size(&phi) - 2e-3).abs() < 1e-15, "it has moved");
+}
+
+/// The torque of a clutch in every mode is what the motor gives less what accelerates its rotor.
+#[test]
+fn a_clutch_has_its_torque_locked_and_open() {
+    let sets = ["run.t_end=0.21 s", "output.rate=200 kHz", "output.events=false"].map(String::from);
+    let scene = scene("electric_axle", &sets);
+    let inertia = scene.parameter("I_m").unwrap();
+    let run = run(&scene).trajectory;
+    let [t, speed, clutch] = ["t", "rotor_speed_m", "clutch_torque"].map(|name| samples(&run, name));
+    let gain = slope(&speed, 5e-6);
+    let (mut off, mut modes) = (0, [0, 0]);
+    for (i, gain) in gain.iter().enumerate() {
+        let row = i + 2;
+        let motor = if t[row] < 0.2 { 80.0 } else { -20.0 };
+        modes[usize::from((clutch[row] + 0.2).abs() < 1e-9)] += 1;
+        // Differences across an impact of the flanks, or across the step of the motor's torque, are no accelerations.
+        off += usize::from((clutch[row] - (motor - inertia * gain)).abs() > 0.02 * 80.0);
+    }
+    assert!(modes[0] > 10_000 && modes[1] > 100, "locked and overrunning samples: {modes:?}");
+    assert!(off < gain.len() / 20, "{off} of {} samples differ", gain.len());
 }

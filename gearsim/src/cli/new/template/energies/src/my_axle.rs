@@ -15,7 +15,7 @@ pub fn my_axle(m: &mut Model) {
     rotor(m, "1", "motor with the driving gear", gears.theta1);
     rotor(m, "2", "driven gear", gears.theta2);
     rotor(m, "w", "wheel", wheel);
-    shaft(m, "s", "shaft", psi);
+    shaft(m, "s", "shaft", psi, gears.theta2);
     let tangent = pressure_tangent(m);
     gears.mesh(m, "12", "mesh", tangent);
     drive(m, "motor", "motor", gears.theta1);
