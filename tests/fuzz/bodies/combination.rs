@@ -12,7 +12,8 @@ static BASES: LazyLock<Vec<Scene>> = LazyLock::new(draw::bases);
 
 /// The bytes are the random numbers by which the scene is drawn.
 pub fn check(data: &[u8]) {
-    let case = draw::drawn(&BASES, Random::of_bytes(data));
+    let mut random = Random::of_bytes(data);
+    let case = draw::drawn(draw::base(&BASES, &mut random), random);
     for (name, check) in CHECKS {
         if let Checked::Wrong(why) = check(&case) {
             panic!("{name}: {why}\n{}", case.command());

@@ -44,6 +44,7 @@ equations! {
         load { x { _ => F; } }
     }
     nonlinear "k_w*x^4/(8*a^2) in the potential energy";
+    outputs { power_push "W", "power of the constant force on the mass: positive if it drives" { _ => push_power; } }
 
     text "text/double_well.txt";
     latex "latex/double_well.tex";

@@ -73,6 +73,7 @@ equations! {
         direction { alpha { _ => 1.0; } }
         step { _ => dk*beta.powi(2)/2.0; }
     }
+    outputs { power_drive "W" with torque, "power of the torque T1 on the switching rotor: positive if it drives" { _ => drive_power; } }
 
     text "text/spring_rotor.txt";
     latex "latex/spring_rotor.tex";

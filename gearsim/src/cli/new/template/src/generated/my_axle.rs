@@ -329,16 +329,35 @@ equations! {
             _ => k_s*twist_s;
             damping => beta_K*k_s*twist_s_dot;
         }
+        shaft_power_s "W", "power that enters the shaft at its first end: torque times the speed of that end" {
+            _ => shaft_torque_s*(theta_dot/N2 - s_dot/(2.0*h*N2));
+        }
         shaft_loss_s "W", "power that the damper of the shaft takes" { damping => beta_K*k_s*twist_s_dot.powi(2); }
         mesh_force_12 "N", "force of the mesh along the line of action, damper included: positive if it presses the drive flanks" {
             _ => k12*touch12*over12;
             backlash_12 => k12*clip12*touch12*over12;
             damping => beta_K*k12_mid*damp12*over12_dot;
         }
+        mesh_power_12 "W", "power that the first gear gives to the mesh: force times the speed of its flank" {
+            _ => mesh_force_12*(s_dot/2.0 + h*theta_dot);
+        }
+        mesh_deflection_12 "m", "deflection of the mesh along the line of action, backlash not taken off" { _ => s - e12; }
         dte_12 "m", "dynamic transmission error of the mesh along the line of action: positive if the driving gear is ahead" { _ => s; }
         mesh_loss_12 "W", "power that the damper of the mesh takes" {
             backlash_12 => k12*clip12*touch12*over12*over12_dot;
             damping => beta_K*k12_mid*damp12*over12_dot.powi(2);
+        }
+        power_slide12 "W" with sliding_friction_12,
+            "power of the friction of the mesh, through the sliding of the flanks at the pitch point: positive if it drives" {
+            _ => slide12_power;
+        }
+        power_roll12 "W" with sliding_friction_12,
+            "power of the friction of the mesh, through the rolling of the gears: positive if it drives" {
+            _ => roll12_power;
+        }
+        power_motor "W" with torques, "power of the driving torque of the motor: positive if it drives" { _ => motor_power; }
+        power_wheel "W" with torques, "power of the load torque of the wheel, against its rotation: positive if it drives" {
+            _ => wheel_power;
         }
         inertia_damping_loss "W" with damping, "power that the damping in proportion to inertia takes" {
             _ => 2.0*alpha_M*((I1*(s_dot/(2.0*h*N1) + theta_dot/N1).powi(2) + I2*(theta_dot/N2 - s_dot/(2.0*h*N2)).powi(2)
