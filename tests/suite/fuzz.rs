@@ -47,7 +47,7 @@ fn corpus(target: &str) -> Vec<Vec<u8>> {
 }
 
 /// Runs a body; if it fails, prints the case in hexadecimal and as text.
-fn run(body: fn(&[u8]), data: &[u8]) {
+fn run(body: Body, data: &[u8]) {
     if let Err(panic) = catch_unwind(AssertUnwindSafe(|| body(data))) {
         let hex: String = data.iter().map(|byte| format!("{byte:02x}")).collect();
         eprintln!("failing case, to be added to the corpus: {hex}\n{}", String::from_utf8_lossy(data));
@@ -55,8 +55,11 @@ fn run(body: fn(&[u8]), data: &[u8]) {
     }
 }
 
+/// Runs a case.
+type Body = fn(&[u8]);
+
 /// The targets whose cases are texts or bytes in a format. `combination` is a suite of its own.
-const TARGETS: [(&str, fn(&[u8])); 5] = [
+const TARGETS: [(&str, Body); 5] = [
     ("scene", scene::check),
     ("axes", axes::check),
     ("parts", parts::check),
@@ -92,7 +95,7 @@ fn mutated_derived_files_give_code_or_errors() {
 }
 
 /// Runs a body on cases of its corpus with changes: a byte, a piece that is left out, a piece of another case.
-fn mutated(target: &str, body: fn(&[u8]), cases: u64, seed: u64) {
+fn mutated(target: &str, body: Body, cases: u64, seed: u64) {
     let (corpus, mut random) = (corpus(target), random(seed));
     for _ in 0..cases {
         let mut data = corpus[random.below(corpus.len())].clone();

@@ -139,7 +139,9 @@ fn equations(scene: &Scene) -> &'static dyn Equations {
     Box::leak(equations.expect("the scene was checked"))
 }
 
-fn simulation(scene: &Scene) -> Simulation<'static> {
+fn simulation(scene: Scene) -> Simulation<'static> {
+    // Kept to the end of the program, as its equations are: the compensated solver looks up its laws.
+    let scene: &'static Scene = Box::leak(Box::new(scene));
     let mut simulation = Simulation::new(equations(scene), scene).expect("the scene is sound");
     if scene.solver.precision == gearsim::scene::Precision::Compensated {
         simulation = Entry::new::<GearPair>().compensate(simulation, scene).expect("its damping is modal");
@@ -148,7 +150,7 @@ fn simulation(scene: &Scene) -> Simulation<'static> {
 }
 
 fn cells(name: &str, overrides: &[&str]) -> Job {
-    let mut simulation = simulation(&scene(name, overrides));
+    let mut simulation = simulation(scene(name, overrides));
     Box::new(move || {
         simulation.run(None, &mut |_| {}).expect("the run ends");
         simulation.now.counts.cell_changes
@@ -156,7 +158,7 @@ fn cells(name: &str, overrides: &[&str]) -> Job {
 }
 
 fn stall() -> Job {
-    let mut simulation = simulation(&scene("spectrum_600rpm_exact", &["parameters.T0=50 N*m"]));
+    let mut simulation = simulation(scene("spectrum_600rpm_exact", &["parameters.T0=50 N*m"]));
     Box::new(move || {
         simulation.run(None, &mut |_| {}).expect("the run ends");
         simulation.now.counts.events()
@@ -171,7 +173,7 @@ fn by_hand() -> Job {
 }
 
 fn unwatched() -> Job {
-    let mut simulation = [simulation(&scene("spectrum_4500rpm_exact", &[]))];
+    let mut simulation = [simulation(scene("spectrum_4500rpm_exact", &[]))];
     Box::new(move || {
         assert!(ensemble::run(&mut simulation).iter().all(Result::is_ok));
         simulation[0].now.counts.cell_changes
@@ -181,7 +183,7 @@ fn unwatched() -> Job {
 fn lanes() -> Job {
     let torques =
         (0..32).map(|i| scene("spectrum_4500rpm_exact", &[&format!("parameters.T0={} N*m", 5.0 + 0.2 * f64::from(i))]));
-    let mut all: Vec<_> = torques.map(|scene| simulation(&scene)).collect();
+    let mut all: Vec<_> = torques.map(simulation).collect();
     Box::new(move || {
         assert!(ensemble::run(&mut all).iter().all(Result::is_ok));
         all.iter().map(|simulation| simulation.now.counts.cell_changes).sum()

@@ -79,13 +79,8 @@ impl Walk {
             if new > 0 {
                 (done, walk.reflections) = (done + new, counts.reflections);
                 seconds_an_event = simulation.now.t_end / done as f64;
-                recorder.row(
-                    simulation.now.t_end,
-                    Moment::Sample,
-                    &simulation.now.state,
-                    &simulation.now.k,
-                    (0.0, simulation.now.ignored),
-                );
+                let now = &simulation.now;
+                recorder.row(now, (now.t_end, Moment::Sample), &now.state, &now.k, (0.0, now.ignored));
                 let residual = recorder.trajectory.residual.last().context("a row was written")?;
                 walk.events.push(done);
                 walk.error.push(residual / recorder.energy_at_start);
