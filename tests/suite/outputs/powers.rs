@@ -35,7 +35,8 @@ fn the_powers_of_torques_are_the_rates_of_their_works() {
         "train_turbine",
         "crank_drive",
     ] {
-        let run = run(&scene(name, &["run.t_end=20 ms".into(), "output.rate=200 kHz".into()])).trajectory;
+        // The trapezoidal rule has an error of (w h)²/12 of what vibrates with w, 3e-6 of the power of friction at this rate.
+        let run = run(&scene(name, &["run.t_end=20 ms".into(), "output.rate=2 MHz".into()])).trajectory;
         for (i, torque) in run.model.torques.iter().enumerate() {
             let power = format!("power_{}", torque.name);
             // Torques of effects that the scene does not have have no output, and do no work.
@@ -62,17 +63,21 @@ fn the_powers_of_torques_are_the_rates_of_their_works() {
 #[test]
 fn power_passes_from_part_to_part() {
     for (name, mesh, radius) in [("gear_pair_shafts", "12", "r1"), ("two_stage", "12", "r1")] {
-        let scene = scene(name, &["run.t_end=5 ms".into(), "output.rate=1 MHz".into(), "output.events=false".into()]);
+        let scene = scene(name, &["run.t_end=5 ms".into(), "output.rate=2 MHz".into(), "output.events=false".into()]);
         let number = |name: &str| scene.parameter(name).unwrap();
-        let run = run(&scene).trajectory;
+        let outcome = run(&scene);
+        let (events, run) = (outcome.counts.cell_changes, outcome.trajectory);
         let of = |name: &str| samples(&run, name);
         let (speed, motor, shaft) = (of("rotor_speed_m"), of("power_motor"), of("shaft_power_m"));
-        let gain = slope(&speed, 1e-6);
-        for (i, gain) in gain.iter().enumerate() {
+        let gain = slope(&speed, 0.5e-6);
+        let balance = |(i, gain): (usize, &f64)| {
             let row = i + 2;
-            let balance = motor[row] - shaft[row] - number("I_m") * speed[row] * gain;
-            assert!(balance.abs() < 1e-6 * size(&motor), "{name}: {balance} of {} W", motor[row]);
-        }
+            (motor[row] - shaft[row] - number("I_m") * speed[row] * gain).abs() / size(&motor)
+        };
+        let balances: Vec<f64> = gain.iter().enumerate().map(balance).collect();
+        // Where the stiffness steps, the acceleration of the motor has a kink: differences over it, four samples, are of first order.
+        let kinks = balances.iter().filter(|balance| **balance > 1e-9).count() as u64;
+        assert!(kinks <= 4 * events && size(&balances) < 1e-5, "{name}: {kinks} samples, {:e}", size(&balances));
         let (force, gear) = (of(&format!("mesh_force_{mesh}")), of("rotor_speed_1"));
         let given = of(&format!("mesh_power_{mesh}"));
         for row in 0..given.len() {
