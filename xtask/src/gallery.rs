@@ -39,7 +39,7 @@ const SCENES: [(&str, &str); 24] = [
 /// The scenes whose response curves are kept, each with its speeds, and the time in which a point settles.
 const RESPONSES: [(&str, &str, &str); 2] = [
     ("response", "start.speed=2200 rpm:4200 rpm:51", "0.1 s"),
-    ("kahraman_singh", "start.speed=3400 rpm:8600 rpm:53", "30 ms"),
+    ("train_kahraman_singh", "start.speed=3400 rpm:8600 rpm:53", "30 ms"),
 ];
 
 /// Run the example scenes; write a plot of each to models/scenes/plots.

@@ -67,7 +67,7 @@ fn frequencies() -> Vec<f64> {
 
 /// By the command `response`.
 fn ours() -> Result<Vec<Point>, String> {
-    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../models/scenes/kahraman_singh.toml");
+    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../models/scenes/train_kahraman_singh.toml");
     let scene = Scene::load(path).map_err(|e| e.to_string())?;
     let scene = scene.with("output.record", &["dte_12", "mesh_force_12"][..]).map_err(|e| e.to_string())?;
     let speeds: Vec<String> = frequencies().iter().map(|w| format!("{} rad/s", SCALES.0 * w)).collect();

@@ -43,7 +43,7 @@ const CURVE: &str = "
 ## Response of a spur gear pair with backlash
 
 Kahraman & Singh (1990), J. Sound Vib. 142(1), 49-75, with the describing functions of Comparin & Singh (1989), J. Sound Vib. 134(2), 259-290.
-Fm = 0.1, Fah = 0.05, zeta = 0.05; scene `models/scenes/kahraman_singh.toml`, its plot `models/scenes/plots/kahraman_singh.png`. W is the mesh
+Fm = 0.1, Fah = 0.05, zeta = 0.05; scene `models/scenes/train_kahraman_singh.toml`, its plot `models/scenes/plots/train_kahraman_singh.png`. W is the mesh
 frequency over the natural frequency; amplitudes are those of the transmission error, in halves of the backlash. The published curve is the
 closed form of the harmonic balance. The papers themselves were not at hand: the formula is written from the method, a balance of the mean and of the
 first harmonic; the parameters are chosen here; no points were read from a printed figure. Beside it is the same equation integrated by a program that
