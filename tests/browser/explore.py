@@ -154,7 +154,7 @@ def a_saved_scene_runs_to_the_same_bytes(browser, gearsim, folder):
     """Save as scene, run by the command line twice: what the page showed, and one file of the same bytes each time."""
     with served(gearsim, PAIR) as url, opened(browser, url, **LAPTOP) as page:
         after(page, slide, page, "parameters.T0", 731)
-        after(page, page.get_by_role("checkbox", name="backlash").check)
+        after(page, page.get_by_role("checkbox", name="backlash", exact=True).check)
         with page.expect_download() as download:
             page.locator("#save").click()
         assert download.value.suggested_filename == "energy_300rpm_explored.toml"
