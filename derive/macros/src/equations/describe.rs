@@ -1,4 +1,4 @@
-//! The description of a model, `crate::equations::model::Model`: scenes are checked against it, and the command line prints it.
+//! The description of a model, `gearsim::model::Model`: scenes are checked against it, and the command line prints it.
 
 use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
