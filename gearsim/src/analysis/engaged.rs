@@ -21,9 +21,9 @@ use super::orders::force;
 
 mod train;
 
-/// How far the scene says what the teeth are.
+/// What the scene states about the teeth of a mesh.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Known {
+pub enum ToothData {
     /// It has the teeth of the mesh.
     Teeth,
     /// It has numbers of teeth and a base radius; heights are those of standard teeth.
@@ -40,7 +40,7 @@ pub struct Engaged<'a> {
     /// The gears, the driving one first. Lengths in metres, or in modules if only the numbers of teeth are known.
     pub gears: Gears,
     /// What of them the scene says.
-    pub known: Known,
+    pub known: ToothData,
     /// The output that is the speed of the driving gear; `None`: its rotation is that of the mesh phase, relative to the carrier.
     pub rotor: Option<&'static str>,
     /// Rotation of the driving gear in each row \[rad\].
@@ -60,7 +60,7 @@ pub struct Engaged<'a> {
 /// The teeth of a mesh, and what is known of how they turn.
 struct Teeth {
     gears: Gears,
-    known: Known,
+    known: ToothData,
     /// The number of the output that is the speed of the driving gear.
     rotor: Option<usize>,
 }
@@ -92,7 +92,7 @@ fn teeth(scene: &Scene, i: usize) -> Option<Teeth> {
     let names = of_mesh(scene.model.laws[i].name);
     let rotor = scene.model.outputs.iter().position(|o| o.name == format!("rotor_speed_{}", names[0]));
     if let Some(gears) = &scene.gears[i] {
-        return Some(Teeth { gears: gears.clone(), known: Known::Teeth, rotor });
+        return Some(Teeth { gears: gears.clone(), known: ToothData::Teeth, rotor });
     }
     let (first, second) = (scene.teeth_of(&names[0])?.0, scene.teeth_of(&names[1])?.0);
     let radius = |gear: &str, z: f64| scene.parameter(&format!("r{gear}")).map(|r| r / z);
@@ -109,8 +109,8 @@ fn teeth(scene: &Scene, i: usize) -> Option<Teeth> {
 fn standard(scene: &Scene, teeth: [f64; 2], internal: bool, per_tooth: Option<f64>, rotor: Option<usize>) -> Teeth {
     let angle = scene.pressure_angle().unwrap_or(20f64.to_radians());
     let (module, known) = match per_tooth.filter(|h| *h > 0.0) {
-        Some(h) => (2.0 * h / angle.cos(), Known::BaseRadius),
-        None => (1.0, Known::Numbers),
+        Some(h) => (2.0 * h / angle.cos(), ToothData::BaseRadius),
+        None => (1.0, ToothData::Numbers),
     };
     let with = |addendum| Gears { internal, addendum, ..Gears::standard(teeth, module, angle, 10.0 * module) };
     let tips = [[1.0; 2], [1.0, 0.8], [0.8; 2], [0.6; 2]].map(with);
@@ -146,7 +146,7 @@ fn follow<'a>(
     };
     // The pair that the law means is where both gears are in the mean.
     let half = if turned.is_some() { 0.5 * lead[0] } else { 0.0 };
-    let end = if known == Known::Teeth { profile.origin } else { fall(profile) };
+    let end = if known == ToothData::Teeth { profile.origin } else { fall(profile) };
     let at_start = contact.base_pitch * (pitches(0) - end / law.period) + contact.recess;
     let begin = (at_start + half - base * rotation[0]) % contact.base_pitch;
     let play = model

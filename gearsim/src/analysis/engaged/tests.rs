@@ -34,7 +34,7 @@ fn a_gear_pair_turns_by_its_coordinates() {
     let (scene, run) = run("gear_pair_teeth.toml", &["run.t_end=20 ms"]);
     let all = engaged(&scene, &run);
     let mesh = mesh(&all, "k");
-    assert_eq!((mesh.known, mesh.gears.teeth, mesh.rotor), (Known::Teeth, [24.0, 96.0], Some("rotor_speed_1")));
+    assert_eq!((mesh.known, mesh.gears.teeth, mesh.rotor), (ToothData::Teeth, [24.0, 96.0], Some("rotor_speed_1")));
     // theta_1 = (theta + phi)/N1; the lead r_b1 theta_1 - r_b2 theta_2 = 2 r_b1/N1 phi.
     let base = mesh.gears.contact().unwrap().base[0];
     for row in 0..run.len() {
@@ -71,14 +71,14 @@ fn pairs_enter_and_leave_where_the_stiffness_steps() {
 
 #[test]
 fn meshes_of_several_models_have_their_gears() {
-    let cases: [(&str, &str, [f64; 2], Known, bool); 7] = [
-        ("two_stage.toml", "k12", [21.0, 63.0], Known::BaseRadius, true),
-        ("two_stage.toml", "k34", [20.0, 74.0], Known::BaseRadius, true),
-        ("idler.toml", "k23", [35.0, 56.0], Known::BaseRadius, true),
-        ("backlash.toml", "k", [24.0, 96.0], Known::Numbers, true),
-        ("planetary_3.toml", "k_s1", [27.0, 36.0], Known::BaseRadius, false),
-        ("planetary_3.toml", "k_r1", [36.0, 99.0], Known::BaseRadius, false),
-        ("train_turbine.toml", "k12", [80.0, 23.0], Known::BaseRadius, true),
+    let cases: [(&str, &str, [f64; 2], ToothData, bool); 7] = [
+        ("two_stage.toml", "k12", [21.0, 63.0], ToothData::BaseRadius, true),
+        ("two_stage.toml", "k34", [20.0, 74.0], ToothData::BaseRadius, true),
+        ("idler.toml", "k23", [35.0, 56.0], ToothData::BaseRadius, true),
+        ("backlash.toml", "k", [24.0, 96.0], ToothData::Numbers, true),
+        ("planetary_3.toml", "k_s1", [27.0, 36.0], ToothData::BaseRadius, false),
+        ("planetary_3.toml", "k_r1", [36.0, 99.0], ToothData::BaseRadius, false),
+        ("train_turbine.toml", "k12", [80.0, 23.0], ToothData::BaseRadius, true),
     ];
     for (scene, law, teeth, known, has_rotor) in cases {
         let (scene, run) = run(scene, &["run.t_end=10 ms"]);

@@ -1,6 +1,6 @@
 //! The teeth of a mesh of a train, from the linear forms of its parts.
 
-use super::{Known, Teeth, standard};
+use super::{Teeth, ToothData, standard};
 use crate::model::Parameter;
 use crate::scene::Scene;
 use crate::train::{Factor, Form, Part, Row, Train};
@@ -30,7 +30,7 @@ pub(super) fn teeth(scene: &Scene, train: &Train, i: usize) -> Option<Teeth> {
     };
     let speed = train.parts.iter().filter(|_| own).find(of_rotor).and_then(|part| part.outputs.first().copied());
     if let Some(gears) = &scene.gears[i] {
-        return Some(Teeth { gears: gears.clone(), known: Known::Teeth, rotor: speed });
+        return Some(Teeth { gears: gears.clone(), known: ToothData::Teeth, rotor: speed });
     }
     let internal = turn.get(1).is_some_and(|(_, factor)| factor.number < 0.0);
     let per_tooth: f64 = first.powers.get(1..3)?.iter().map(|&(p, power)| scene.parameters[p].powi(power)).product();

@@ -3,7 +3,7 @@
 use serde::Serialize;
 
 use super::{Report, motion};
-use crate::analysis::engaged::{Engaged, Known, engaged};
+use crate::analysis::engaged::{Engaged, ToothData, engaged};
 use crate::gear::Outlines;
 use crate::page::data::{Column, Counts};
 use crate::page::html::Html;
@@ -118,7 +118,7 @@ fn mesh(report: &Report<'_>, html: &mut Html, engaged: &Engaged<'_>) -> Option<M
     };
     Some(Mesh {
         name: engaged.law.name.trim_start_matches(['k', '_']).to_owned(),
-        unit: if engaged.known == Known::Numbers { "modules" } else { "m" },
+        unit: if engaged.known == ToothData::Numbers { "modules" } else { "m" },
         gears: [gear(0, first.half, first.place), gear(1, second.half, second.place)],
         internal: engaged.gears.internal,
         angle: contact.angle,
@@ -147,16 +147,16 @@ fn note(engaged: &Engaged<'_>, ratio: f64) -> String {
     };
     let heights = format!("teeth of the basic rack at {degrees} deg with {addenda}, in modules");
     let mut note = match engaged.known {
-        Known::Teeth => format!("The teeth are those of laws.{name}."),
-        Known::BaseRadius => {
+        ToothData::Teeth => format!("The teeth are those of laws.{name}."),
+        ToothData::BaseRadius => {
             format!("The scene gives numbers of teeth and a base radius, not the teeth of {name}: these are {heights}.")
         }
-        Known::Numbers => format!(
+        ToothData::Numbers => format!(
             "The scene gives only the numbers of teeth of {name}: these are {heights}, and all lengths are in modules."
         ),
     };
     note += &format!(" Their contact ratio is {ratio:.4}.");
-    if engaged.known != Known::Teeth {
+    if engaged.known != ToothData::Teeth {
         note += " They stand so that a pair leaves contact where the stiffness falls most.";
     }
     if engaged.rotor.is_none() {
