@@ -109,7 +109,7 @@ pub(super) fn left_out(scene: &Scene, width: usize) -> String {
     }
 }
 
-/// The steady motion about which a linear analysis has linearised forces.
+/// The steady motion about which the forces of a linear analysis are linearised.
 #[derive(Serialize)]
 pub(super) struct Linearised<'a> {
     /// The terms that are not linear.

@@ -80,7 +80,7 @@ impl<'a> Simulation<'a> {
         Ok(Simulation { now, solver, entered: true, cascade: Cascade::default(), kernel: None })
     }
 
-    /// The same simulation with state and time in twice the digits; `given` are its cells.
+    /// The same simulation with state and time in double-double precision. `given` provides its cells.
     ///
     /// # Errors
     /// Where its cells cannot be solved in twice the digits.
