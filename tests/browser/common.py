@@ -3,6 +3,7 @@
 import contextlib
 import os
 import pathlib
+import time
 
 SCENES = pathlib.Path(__file__).parents[2] / "models" / "scenes"
 LAPTOP = {"viewport": {"width": 1280, "height": 800}}
@@ -44,3 +45,12 @@ def opened_file(browser, path, **settings):
 def settle(page):
     """Waits for the frames in which the page draws what was asked."""
     page.evaluate("new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(() => setTimeout(done))))")
+
+
+def wait_until(page, condition, arg=None):
+    """Waits until a JavaScript condition holds. Playwright's `wait_for_function` evaluates strings inside the page, which the page's
+    Content-Security-Policy forbids."""
+    deadline = time.monotonic() + 120
+    while not page.evaluate(condition, arg):
+        assert time.monotonic() < deadline, f"does not become true: {condition}"
+        page.wait_for_timeout(20)

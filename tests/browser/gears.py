@@ -14,7 +14,7 @@ import tempfile
 from playwright.sync_api import sync_playwright
 
 import common
-from common import LAPTOP, PHONE, SCENES, opened_file, settle
+from common import LAPTOP, PHONE, SCENES, opened_file, settle, wait_until
 
 # Columns of the page have 1/8.6e9 (times, rotations) and 1/131,000 (others) of the range of a block.
 FINE, COARSE = 1e-7, 2e-5
@@ -199,7 +199,7 @@ def gears_move_in_step_with_the_plots(browser, path):
         assert abs(step * frequency - 0.1) < 1e-6, (step, frequency)
         assert pixels(page)[1] != before
         page.keyboard.press(" ")
-        page.wait_for_function("(t) => drawings[0].t > t + 0.05 / drawings[0].mesh.frequency", arg=t + step)
+        wait_until(page, "(t) => drawings[0].t > t + 0.05 / drawings[0].mesh.frequency", arg=t + step)
         assert page.evaluate("drawings[0].playing && panels[0].group.cursor === drawings[0].t")
         page.keyboard.press(" ")
         settle(page)
@@ -209,7 +209,7 @@ def gears_move_in_step_with_the_plots(browser, path):
         # At the end it begins again.
         scrub(page, 1)
         page.locator("figure.gears").get_by_role("button", name="Play").click()
-        page.wait_for_function("drawings[0].t < drawings[0].fraction(0.5)")
+        wait_until(page, "drawings[0].t < drawings[0].fraction(0.5)")
         page.locator("figure.gears").get_by_role("button", name="Pause").click()
         # The speed is that of the menu: at a tenth of it the same time takes ten times as long.
         speeds = page.evaluate("Array.from(drawings[0].slow.options, (option) => Number(option.value))")

@@ -15,7 +15,7 @@ import tempfile
 from playwright.sync_api import sync_playwright
 
 import common
-from common import LAPTOP, PHONE, SCENES, opened_file, settle
+from common import LAPTOP, PHONE, SCENES, opened_file, settle, wait_until
 
 PAIR = SCENES / "oh2005" / "energy_300rpm.toml"
 HOSTILE = "<img src=x onerror=document.body.dataset.hurt=1> \"a\" 'b'"
@@ -152,7 +152,7 @@ def sweep(page, folder):
     box = page.locator("figure.map .nsewdrag").bounding_box()
     page.mouse.move(box["x"] + 0.5 * box["width"], box["y"] + 0.5 * box["height"])
     settle(page)
-    page.wait_for_function("maps[0].readout.textContent.includes('J')")
+    wait_until(page, "maps[0].readout.textContent.includes('J')")
     before = page.evaluate("maps[0].canvas._fullLayout.xaxis.range")
     page.locator("figure.map").get_by_role("button", name="Zoom in").click()
     settle(page)
