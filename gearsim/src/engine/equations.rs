@@ -447,5 +447,8 @@ pub fn no_such(what: &str, i: usize) -> ! {
     panic!("the model has no {what} number {i}")
 }
 
+mod numbers;
+pub use numbers::numbers;
+
 #[cfg(test)]
 mod tests;

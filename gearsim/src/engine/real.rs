@@ -4,12 +4,12 @@ use std::fmt::Debug;
 use std::ops::{Add, AddAssign, Div, Mul, Neg, Sub};
 
 use nalgebra::DVector;
-use xprec::Df64;
+pub use xprec::Df64;
 
 use crate::engine::vector::Vector;
 
-/// Double-double numbers, as derived equations name them.
-pub type Double = Df64;
+mod double;
+pub use double::Double;
 
 /// A real number with the operations that occur in derived equations.
 #[allow(missing_docs)] // those of f64
@@ -82,6 +82,9 @@ macro_rules! real {
 
 real!(f64: Vector, |numbers| Vector::from(numbers), |row, by, other| row.add_times(by, other));
 real!(Df64: DVector<Df64>, |numbers| DVector::from_column_slice(numbers), |row, by, other| *row += other * by);
+real!(Double: DVector<Double>, |numbers| DVector::from_column_slice(numbers), |row, by, other| {
+    row.iter_mut().zip(other).for_each(|(x, y)| *x += by * *y)
+});
 
 /// Numbers that can be compared.
 pub trait Sized64: Real {

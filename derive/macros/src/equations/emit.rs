@@ -53,9 +53,10 @@ pub fn emit(mut m: Model) -> TokenStream {
             }
 
             fn exactly(
-                effects: u64, parameters: &[real::Double], mids: &[real::Double],
+                effects: u64, parameters: &[real::Df64], mids: &[real::Df64],
             ) -> Box<dyn equations::ExactCells> {
-                Box::new(Exactly { numbers: Numbers::new(parameters, mids), met: Met::new(effects) })
+                let numbers = Numbers::new(&equations::numbers(parameters), &equations::numbers(mids));
+                Box::new(Exactly { numbers, met: Met::new(effects) })
             }
         }
 
@@ -98,14 +99,16 @@ pub fn emit(mut m: Model) -> TokenStream {
 fn exactly(m: &Model) -> TokenStream {
     let switches = (!m.switches.is_empty()).then(|| {
         quote! {
-            fn mode(&self, i: usize, mode: usize) -> Option<Vec<real::Double>> {
-                self.numbers.mode(&self.met, i, mode)
+            fn mode(&self, i: usize, mode: usize) -> Option<Vec<real::Df64>> {
+                self.numbers.mode(&self.met, i, mode).as_deref().map(equations::numbers)
             }
-            fn exits(&self, i: usize, mode: usize, k: &[real::Double]) -> Vec<equations::Exit<real::Double>> {
-                self.numbers.exits(&self.met, i, mode, k)
+            fn exits(&self, i: usize, mode: usize, k: &[real::Df64]) -> Vec<equations::Exit<real::Df64>> {
+                let exits = self.numbers.exits(&self.met, i, mode, &equations::numbers(k));
+                exits.iter().map(equations::Exit::in_numbers).collect()
             }
-            fn switched(&self, i: usize, k: &[real::Double]) -> equations::Deflection<real::Double> {
-                self.numbers.deflection(&self.met, self.numbers.switched(&self.met, i), k)
+            fn switched(&self, i: usize, k: &[real::Df64]) -> equations::Deflection<real::Df64> {
+                let switched = self.numbers.switched(&self.met, i);
+                self.numbers.deflection(&self.met, switched, &equations::numbers(k)).in_numbers()
             }
         }
     });
@@ -117,14 +120,16 @@ fn exactly(m: &Model) -> TokenStream {
         }
 
         impl equations::ExactCells for Exactly {
-            fn matrices(&self, k: &[real::Double]) -> equations::Matrices<real::Double> {
-                self.numbers.matrices(&self.met, k)
+            fn matrices(&self, k: &[real::Df64]) -> equations::Matrices<real::Df64> {
+                self.numbers.matrices(&self.met, &equations::numbers(k)).in_numbers()
             }
-            fn potential(&self, q: &[real::Double], k: &[real::Double]) -> real::Double {
-                self.numbers.potential(&self.met, equations::array(q), k)
+            fn potential(&self, q: &[real::Df64], k: &[real::Df64]) -> real::Df64 {
+                let (q, k) = (equations::numbers(q), equations::numbers(k));
+                self.numbers.potential(&self.met, equations::array(&q), &k).into()
             }
-            fn step(&self, law: usize, q: &[real::Double], k: &[real::Double], dk: real::Double) -> real::Double {
-                self.numbers.step(&self.met, law, equations::array(q), k, dk)
+            fn step(&self, law: usize, q: &[real::Df64], k: &[real::Df64], dk: real::Df64) -> real::Df64 {
+                let (q, k) = (equations::numbers(q), equations::numbers(k));
+                self.numbers.step(&self.met, law, equations::array(&q), &k, dk.into()).into()
             }
             #switches
         }
