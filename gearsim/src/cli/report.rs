@@ -9,6 +9,7 @@ use serde::Serialize;
 use super::{number, terminal};
 use crate::engine::system::Steady;
 use crate::output::summary::{Digits, Number, Observed, Summary};
+use crate::plot::outputs::is_first;
 use crate::scene::Scene;
 
 /// Width of the names at the beginning of lines [columns].
@@ -81,7 +82,8 @@ fn outputs(summary: &Summary, width: usize) -> String {
     let short = number::short;
     let mut text = String::new();
     // What is zero throughout belongs to an effect that the scene does not have.
-    let moving: Vec<_> = summary.outputs.iter().filter(|(_, o)| o.min.0 != 0.0 || o.max.0 != 0.0).collect();
+    let mut moving: Vec<_> = summary.outputs.iter().filter(|(_, o)| o.min.0 != 0.0 || o.max.0 != 0.0).collect();
+    moving.sort_by_key(|(name, o)| (o.unit == "W", !is_first(name)));
     for (name, Observed { unit, min, max, mean, .. }) in moving.iter().take(MOST_OUTPUTS) {
         let says = format!("{} {unit} in the mean, from {} to {}", short(mean.0), short(min.0), short(max.0));
         text += &line(name, &says, width);

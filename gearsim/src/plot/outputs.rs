@@ -36,10 +36,13 @@ pub(super) fn of_unit(run: &Trajectory, unit: &str) -> Vec<&'static Output> {
     let mut all: Vec<&'static Output> = run.outputs.iter().map(|(output, _)| *output).collect();
     all.retain(|output| output.unit == unit);
     let component = |name: &str| ["_x", "_y", "_radial", "_tangential"].iter().any(|axis| name.ends_with(axis));
-    // The deflection of a mesh comes after its transmission error.
-    let is_first = |output: &Output| output.name.starts_with("mesh") && !output.name.starts_with("mesh_deflection");
-    all.sort_by_key(|output| (!is_first(output), component(output.name)));
+    all.sort_by_key(|output| (!is_first(output.name), component(output.name)));
     all
+}
+
+/// Whether engineers look at an output before the others: the force and the transmission error of a mesh. Its deflection comes later.
+pub fn is_first(output: &str) -> bool {
+    output.starts_with("mesh") && !output.starts_with("mesh_deflection")
 }
 
 fn draw(runs: &[Run<'_>]) -> Result<Figure, PlotError> {
