@@ -163,14 +163,12 @@ impl Model {
         MeshError { value: Expr::var(Kind::Error, name) }
     }
 
-    /// The effect `sliding_friction` of a part: what `add` adds is in the equations only of scenes that name the effect. It excludes
-    /// `rigid_kinematics` and `frozen_phase`, which do not conserve energy: the work of friction could not be accounted for.
+    /// The effect `sliding_friction` of a part: what `add` adds is in the equations only of scenes that name the effect.
     pub fn sliding_friction(&mut self, part: &str, add: impl FnOnce(&mut Model)) {
         self.declare_mesh_effects();
         let doc = "Coulomb friction between the flanks, against their sliding, which turns as a tooth pair passes the pitch point";
         let effect = self.part_effect(SLIDING_FRICTION, part, doc, add);
         self.require(&effect, &[STIFFNESS_STEP]);
-        self.exclude(&effect, &["rigid_kinematics", "frozen_phase"]);
     }
 
     /// Declares a friction law [unit], periodic with one tooth pitch of `phase`; the scene gives its values, from tooth data or

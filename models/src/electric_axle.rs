@@ -34,8 +34,7 @@ pub fn electric_axle(m: &mut Model) {
     drive(m, "motor", "motor", theta_m);
     dc_motor(m, "", "motor", theta_m, theta_m.dot());
     induction_motor(m, "", "motor", theta_m, theta_m.dot());
-    m.exclude("dc_motor", &["induction_motor", "rigid_kinematics", "frozen_phase"]);
-    m.exclude("induction_motor", &["rigid_kinematics", "frozen_phase"]);
+    m.exclude("dc_motor", &["induction_motor"]);
     load(m, "load", "wheel, by slope and air", wheel);
     dry_friction(m, "w", "rolling wheel", ["rad", "N*m"], wheel);
     viscous(m, "w", "wheel", wheel);

@@ -33,10 +33,8 @@ pub fn gear_pair_shafts(m: &mut Model) {
     induction_motor(m, "motor", "motor", theta_m, omega_m);
     fan(m, "load", "load", theta_l, omega_l);
     damping(m);
-    // At most one of these motors, and neither motors nor fan with the approximate meshes.
-    m.exclude("speed_governor", &["dc_motor", "induction_motor", "rigid_kinematics", "frozen_phase"]);
-    m.exclude("dc_motor", &["induction_motor", "rigid_kinematics", "frozen_phase"]);
-    m.exclude("induction_motor", &["rigid_kinematics", "frozen_phase"]);
-    m.exclude("fan_load", &["rigid_kinematics", "frozen_phase"]);
+    // One motor at most.
+    m.exclude("speed_governor", &["dc_motor", "induction_motor"]);
+    m.exclude("dc_motor", &["induction_motor"]);
     m.motion("speed", "rad/s", &[(gears.theta, gears.n1)], "rotational speed of the driving gear");
 }

@@ -87,17 +87,16 @@ equations! {
         transmission_error_12 of transmission_error requires(stiffness_step)
             "flanks deviate from their ideal position: V = k (delta - e)^2/2, with the jump terms of e where it steps";
         backlash_12 of backlash "play between the flanks: contact on the drive or coast flank, free motion between";
-        sliding_friction_12 of sliding_friction requires(stiffness_step) excludes(rigid_kinematics, frozen_phase)
+        sliding_friction_12 of sliding_friction requires(stiffness_step)
             "Coulomb friction between the flanks, against their sliding, which turns as a tooth pair passes the pitch point";
         transmission_error_34 of transmission_error requires(stiffness_step)
             "flanks deviate from their ideal position: V = k (delta - e)^2/2, with the jump terms of e where it steps";
         backlash_34 of backlash "play between the flanks: contact on the drive or coast flank, free motion between";
-        sliding_friction_34 of sliding_friction requires(stiffness_step) excludes(rigid_kinematics, frozen_phase)
+        sliding_friction_34 of sliding_friction requires(stiffness_step)
             "Coulomb friction between the flanks, against their sliding, which turns as a tooth pair passes the pitch point";
         torques "constant torques of motor and load";
-        dc_motor excludes(induction_motor, rigid_kinematics, frozen_phase)
-            "a DC motor at constant voltage: its torque falls linearly from stall to no load";
-        induction_motor excludes(rigid_kinematics, frozen_phase) "an induction motor, its torque by the formula of Kloss";
+        dc_motor excludes(induction_motor) "a DC motor at constant voltage: its torque falls linearly from stall to no load";
+        induction_motor "an induction motor, its torque by the formula of Kloss";
         dry_friction_w of dry_friction
             "dry friction with sticking: a constant torque against the motion, and at rest up to the breakaway torque";
         viscous_friction_w of viscous_friction "friction proportional to speed";

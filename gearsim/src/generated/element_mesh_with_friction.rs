@@ -47,7 +47,7 @@ equations! {
         transmission_error_x of transmission_error requires(stiffness_step)
             "flanks deviate from their ideal position: V = k (delta - e)^2/2, with the jump terms of e where it steps";
         backlash_x of backlash "play between the flanks: contact on the drive or coast flank, free motion between";
-        sliding_friction_x of sliding_friction requires(stiffness_step) excludes(rigid_kinematics, frozen_phase)
+        sliding_friction_x of sliding_friction requires(stiffness_step)
             "Coulomb friction between the flanks, against their sliding, which turns as a tooth pair passes the pitch point";
         damping "Rayleigh damping, C = alpha_M M + beta_K K at the mid stiffness";
     }

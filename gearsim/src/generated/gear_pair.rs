@@ -51,7 +51,7 @@ equations! {
         backlash "play between the flanks: contact on the drive or coast flank, free motion between";
         damping "Rayleigh damping of the relative motion, with the damping factor zeta";
         torques "constant driving and load torque in balance";
-        sliding_friction requires(stiffness_step) excludes(rigid_kinematics, frozen_phase)
+        sliding_friction requires(stiffness_step)
             "Coulomb friction between the flanks, against their sliding, which turns as a tooth pair passes the pitch point";
     }
     conditions {

@@ -67,16 +67,13 @@ equations! {
         transmission_error_12 of transmission_error requires(stiffness_step)
             "flanks deviate from their ideal position: V = k (delta - e)^2/2, with the jump terms of e where it steps";
         backlash_12 of backlash "play between the flanks: contact on the drive or coast flank, free motion between";
-        sliding_friction_12 of sliding_friction requires(stiffness_step) excludes(rigid_kinematics, frozen_phase)
+        sliding_friction_12 of sliding_friction requires(stiffness_step)
             "Coulomb friction between the flanks, against their sliding, which turns as a tooth pair passes the pitch point";
         torques "constant torques of motor and load";
-        speed_governor excludes(dc_motor, induction_motor, rigid_kinematics, frozen_phase)
-            "a speed governor: motor torque proportional to the set point minus the speed";
-        dc_motor excludes(induction_motor, rigid_kinematics, frozen_phase)
-            "a DC motor at constant voltage: its torque falls linearly from stall to no load";
-        induction_motor excludes(rigid_kinematics, frozen_phase) "an induction motor, its torque by the formula of Kloss";
-        fan_load excludes(rigid_kinematics, frozen_phase)
-            "a fan as load: torque proportional to the square of the speed, against the rotation";
+        speed_governor excludes(dc_motor, induction_motor) "a speed governor: motor torque proportional to the set point minus the speed";
+        dc_motor excludes(induction_motor) "a DC motor at constant voltage: its torque falls linearly from stall to no load";
+        induction_motor "an induction motor, its torque by the formula of Kloss";
+        fan_load "a fan as load: torque proportional to the square of the speed, against the rotation";
         damping "Rayleigh damping, C = alpha_M M + beta_K K at the mid stiffness";
     }
     conditions {
