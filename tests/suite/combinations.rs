@@ -25,12 +25,6 @@ use std::time::{Duration, Instant};
 
 use checks::{CHECKS, Checked};
 
-/// Scenes that show open faults, with what is wrong. They are left out, so that new ones are found.
-const OPEN: [(u64, &str); 2] = [
-    (65, "a flank that rests at its edge without a load: exact cells count 11 impacts, dop853 none"),
-    (538, "exact cells and dop853 end 4.1e-7 apart, where 2.4e-7 is allowed"),
-];
-
 /// A check that takes longer is named: its scene is worth a look.
 const SLOW: Duration = Duration::from_secs(10);
 
@@ -48,9 +42,6 @@ fn every_effect_works_with_every_other() {
         let case = next.fetch_add(1, Ordering::Relaxed);
         if case >= from + count {
             return;
-        }
-        if OPEN.iter().any(|open| open.0 == case) && count > 1 {
-            continue;
         }
         let drawn = draw::case(&bases, case);
         if count == 1 {
@@ -80,7 +71,6 @@ fn every_effect_works_with_every_other() {
         let threads = std::thread::available_parallelism().map_or(1, usize::from);
         (0..threads).for_each(|_| drop(scope.spawn(work)));
     });
-    OPEN.iter().for_each(|(case, why)| println!("scene {case} is left out, an open fault: {why}"));
     let (counts, wrong) = found.into_inner().unwrap();
     counts.iter().for_each(|(what, n)| println!("{n:7}  {what}"));
     assert!(wrong.is_empty(), "{} of {count} scenes are wrong\n\n{}", wrong.len(), wrong.join("\n\n"));

@@ -122,20 +122,24 @@ pub(super) struct Linearised<'a> {
     speeds: BTreeMap<&'static str, f64>,
     /// Forces, torques and powers of the model's outputs there [SI].
     forces: BTreeMap<&'static str, f64>,
+    /// Why the motion meets both flanks of a mesh, while friction is that of one.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    both_flanks: Option<&'a str>,
 }
 
 impl<'a> Linearised<'a> {
     pub(super) fn of(scene: &Scene, steady: Option<&'a Steady>) -> Option<Self> {
-        let Steady { q, q_dot, terms, outputs, .. } = steady?;
+        let Steady { q, q_dot, terms, outputs, both_flanks, .. } = steady?;
         let named = |x: &[f64]| scene.model.coordinates.iter().map(|c| c.name).zip(x.iter().copied()).collect();
         let forces = outputs.iter().map(|(name, _, value)| (*name, *value)).collect();
-        Some(Linearised { terms, coordinates: named(q), speeds: named(q_dot), forces })
+        let both_flanks = both_flanks.as_deref();
+        Some(Linearised { terms, coordinates: named(q), speeds: named(q_dot), forces, both_flanks })
     }
 }
 
 /// The same in words; empty if everything is linear.
 pub(super) fn linearised(scene: &Scene, steady: Option<&Steady>, width: usize) -> String {
-    let Some(Steady { q_dot, terms, outputs, .. }) = steady else { return String::new() };
+    let Some(Steady { q_dot, terms, outputs, both_flanks, .. }) = steady else { return String::new() };
     let speeds = scene.model.coordinates.iter().zip(q_dot.iter()).filter(|(_, v)| **v != 0.0);
     let speeds = speeds.map(|(c, v)| format!("{}' = {} {}/s", c.name, number::short(*v), c.unit));
     let forces = outputs
@@ -143,7 +147,15 @@ pub(super) fn linearised(scene: &Scene, steady: Option<&Steady>, width: usize) -
         .filter(|(.., x)| *x != 0.0)
         .map(|(name, unit, x)| format!("{name} = {} {unit}", number::short(*x)));
     let motion = speeds.chain(forces).collect::<Vec<_>>().join(", ");
-    line("linearised", &format!("{terms}, about the steady motion {motion}"), width) + "\n"
+    let mut text = line("linearised", &format!("{terms}, about the steady motion {motion}"), width) + "\n";
+    if let Some(why) = both_flanks {
+        let says = format!(
+            "the steady motion meets both flanks: {why}. Friction has the other sign on the other flank; linearised, it is that \
+             of one flank alone. `gearsim run` has both"
+        );
+        text += &(line("note", &says, width) + "\n");
+    }
+    text
 }
 
 /// Lines that most runs do not have.

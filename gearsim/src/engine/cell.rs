@@ -134,6 +134,27 @@ impl Cell {
         Flight { cell: self, speed, force }
     }
 
+    /// The same motion, where the generalised forces at `q` are known: `f`, without those of speeds (n). Those on the vibrations
+    /// follow from them. Model forces are zero where flanks just touch, since the deflection beyond the edge is one difference; load and spring
+    /// forces of the modes cancel only to their rounding errors, which would part the flanks.
+    pub fn flight_under(&self, q: &Vector, q_dot: &Vector, f: &Vector) -> Flight<'_> {
+        let mut flight = self.flight(q, q_dot);
+        let (speed, force) = match &self.coupling {
+            None => (None, transposed(&self.shapes, f)),
+            Some(coupling) => {
+                let [speed, force] = coupling.push(f);
+                (Some(&self.momentum * q_dot + &speed), coupling.force(q_dot) + &force)
+            }
+        };
+        for (i, _) in self.modes.iter().enumerate().filter(|(_, mode)| mode.omega2 > 0.0) {
+            flight.force[i] = force[i];
+            if let Some(speed) = &speed {
+                flight.speed[i] = speed[i];
+            }
+        }
+        flight
+    }
+
     /// The same motion with the generalised forces `f` in addition to the load (n).
     #[cold]
     pub fn pushed(&self, flight: Flight<'_>, f: &Vector) -> Flight<'_> {

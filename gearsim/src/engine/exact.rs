@@ -13,6 +13,7 @@ use crate::engine::forcing::linear::Linear;
 use crate::engine::hybrid::Hybrid;
 use crate::engine::law;
 use crate::engine::motion::{Motion, Solver};
+use crate::engine::record::State;
 use crate::engine::vector::transposed;
 use crate::engine::watch::Watch;
 use crate::scene::Scene;
@@ -118,7 +119,11 @@ impl Solver for Exact {
             let linear = held.as_ref().map_or_else(|| &linear[&now.cell()], |held| &held.linear);
             return Ok(Box::new(InWindow::begin(now, forcing, linear, (&here.exits, watches), horizon)));
         }
-        let mut flight = here.cell.flight(&now.state.q, &now.state.q_dot);
+        let State { q, q_dot, .. } = &now.state;
+        let mut flight = match now.switches.is_empty() {
+            true => here.cell.flight(q, q_dot),
+            false => here.cell.flight_under(q, q_dot, &now.force_at_rest()),
+        };
         if now.forcing.is_some() {
             flight = here.cell.pushed(flight, &now.further_load());
         }

@@ -190,7 +190,8 @@ impl Hybrid<'_> {
 
     /// What is added to the value of a guard while a switch rattles.
     pub fn slack_of(&self, exit: &Exit) -> f64 {
-        if self.rattle.1 >= EVENTS_AT_ONE_TIME { exit.guard.rounding(&self.k) } else { 0.0 }
+        let (each, all) = EVENTS_AT_ONE_TIME;
+        if self.rattle.1 >= all.min(each * self.switches.len() as u32) { exit.guard.rounding(&self.k) } else { 0.0 }
     }
 
     /// What is left to the end of a hold, by its number among the functions that end holds; of either sign.
@@ -222,6 +223,12 @@ impl Hybrid<'_> {
             force += &self.further_load();
         }
         force
+    }
+
+    /// The generalised forces at the present coordinates, without those of speeds and of torques that vary; of a linear cell (N).
+    pub fn force_at_rest(&self) -> Vector {
+        let n = self.state.q.len();
+        self.equations.force(&self.state.q, &Vector::zeros(n), &self.k, &Vector::zeros(self.laws.len()))
     }
 
     /// What the forces of switches take where the coordinates move on by `dq` \[J\].

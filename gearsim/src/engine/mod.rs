@@ -11,7 +11,7 @@
 //! - `motion`: the motion between two events, and what finds it: a solver; `exact`: the solver of linear cells; `compensated`: the
 //!   same in double-double numbers; `lanes`: the kernel of plain events;
 //! - `cascade`: too many events; `order`: events that depend on their order; `simulate`: the hybrid loop; `system`: the equations
-//!   as analyses use them.
+//!   as analyses use them; `flanks`: whether a steady motion meets both flanks.
 
 pub mod cascade;
 pub mod cell;
@@ -25,6 +25,7 @@ pub mod crossing;
 pub mod equations;
 pub mod error;
 pub mod exact;
+mod flanks;
 pub mod forcing;
 pub mod hybrid;
 pub mod jump;

@@ -8,7 +8,9 @@ use nalgebra::{DMatrix, DVector};
 
 use crate::engine::error::Refusal;
 use crate::engine::mode::Mode;
-use crate::tolerance::modes::{COUPLED_MODES, EQUAL_FREQUENCIES, JACOBI, MODAL_DAMPING_ROUNDINGS, RIGID, UNDAMPED};
+use crate::tolerance::modes::{
+    COUPLED_MODES, EQUAL_FREQUENCIES, JACOBI, MODAL_DAMPING_ROUNDINGS, RIGID, RIGID_MOMENTUM, UNDAMPED,
+};
 
 pub mod coupled;
 mod pairs;
@@ -76,7 +78,10 @@ impl Modal {
             let z = DMatrix::from_columns(&rigid.iter().map(|&i| column(i).component_div(&d)).collect::<Vec<_>>());
             let inverse = inverse_root(&(z.transpose() * &m.mass * &z))?;
             let x = z * inverse.transpose();
-            momentum.rows_mut(0, rigid.len()).copy_from(&(x.transpose() * &m.mass));
+            // What of a row cancels to its rounding errors is zero: a motion at rest has no part in the others.
+            let (rows, sizes) = (x.transpose() * &m.mass, x.abs().transpose() * m.mass.abs());
+            let rows = rows.zip_map(&sizes, |x, size| if x.abs() <= RIGID_MOMENTUM * size { 0.0 } else { x });
+            momentum.rows_mut(0, rigid.len()).copy_from(&rows);
             shapes.columns_mut(0, rigid.len()).copy_from(&x);
         }
         if !elastic.is_empty() {

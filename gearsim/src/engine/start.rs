@@ -111,7 +111,8 @@ fn in_modes(
         let next = switches.iter_mut().find_map(|switch| {
             let exits = switch.exits(equations, &k);
             let guards = exits.iter().map(|exit| &exit.guard).filter(|guard| guard.on_reaction == 0.0);
-            let violated = guards.into_iter().any(|guard| guard.value(&settled.state.q, &at_rest, &k) < 0.0);
+            let violated =
+                guards.into_iter().any(|guard| guard.value(&settled.state.q, &at_rest, &k) < -guard.rounding(&k));
             let next = switch.rests().find(|mode| *mode > switch.mode).filter(|_| violated)?;
             Some((switch, next))
         });

@@ -3,6 +3,7 @@
 use crate::engine::cell::{self, Cell};
 use crate::engine::equations::{DerivedModel, Equations, Known, Switching};
 use crate::engine::error::Refusal;
+use crate::engine::flanks;
 use crate::engine::modal::Matrices;
 use crate::engine::start;
 use crate::engine::vector::{Matrix, Vector};
@@ -32,6 +33,8 @@ pub struct Steady {
     pub terms: String,
     /// The outputs of the model that are forces, torques or powers: name, unit and value.
     pub outputs: Vec<(&'static str, &'static str, f64)>,
+    /// Why the motion meets both flanks of a mesh, in words: friction of the flanks, linearised, is that of one; `None` if it meets one.
+    pub both_flanks: Option<String>,
 }
 
 impl System {
@@ -88,7 +91,8 @@ impl System {
         let outputs = outputs.filter(|(_, output)| is_force(output.unit) && is_there(output.with) && !output.known);
         let value = |i: usize| equations.output(i, &q, &q_dot, &k, &Known::default());
         let outputs = outputs.map(|(i, output)| (output.name, output.unit, value(i))).collect();
-        Ok(System { equations, model, about: Some(Steady { q, q_dot, means, terms, outputs }) })
+        let both_flanks = flanks::both(&*equations, scene, (&begun.state.q, &q_dot), &k);
+        Ok(System { equations, model, about: Some(Steady { q, q_dot, means, terms, outputs, both_flanks }) })
     }
 
     /// The steady motion about which it is linearised; `None` if it is linear.

@@ -23,6 +23,8 @@ pub struct Control {
     pub h: f64,
     /// Whether the last attempt was rejected; the next step is then not longer.
     rejected: bool,
+    /// The fastest rate of the motion \[1/s\].
+    rate: f64,
 }
 
 impl Control {
@@ -38,7 +40,14 @@ impl Control {
             Steps::Adaptive(tolerance) => (tolerance.powf(exponent) / rate).min(most),
             Steps::Fixed(h) => h,
         };
-        Control { steps, reached, h, rejected: false }
+        Control { steps, reached, h, rejected: false, rate }
+    }
+
+    /// Widens the scale of what is at rest: `speeds` are the largest speeds that the energy reached so far allows (N).
+    pub fn allow(&mut self, speeds: &Vector) {
+        let v = speeds * SMALLEST_SPEED;
+        let q = &v * (1.0 / self.rate);
+        self.reached.reach(&Flow { q, v, lost: 0.0 });
     }
 
     /// The allowed error of each component.

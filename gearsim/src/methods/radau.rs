@@ -33,6 +33,8 @@ const MOST_NEWTON: u32 = 8;
 pub struct Radau {
     /// Allowed error of Newton's method, relative to the allowed error of a step.
     newton: f64,
+    /// Rounding errors of the state, relative to the same.
+    rounding: f64,
     /// The displacements Z of the stages.
     z: [Flow; 3],
 }
@@ -40,12 +42,14 @@ pub struct Radau {
 /// One of the two systems, gamma I - J, with the rates of the coordinates eliminated.
 struct System<T: ComplexField> {
     gamma: T,
+    by_q: Matrix,
     by_v: Matrix,
     lu: LU<T, Dyn, Dyn>,
 }
 
 impl<T: ComplexField<RealField = f64> + Copy> System<T> {
-    /// (gamma² I - gamma J_v - J_q) x = r_v + gamma r_q - J_v r_q, x_v = gamma x_q - r_q.
+    /// (gamma² I - gamma J_v - J_q) x_q = r_v + gamma r_q - J_v r_q and (gamma² I - gamma J_v - J_q) x_v = gamma r_v + J_q r_q. The
+    /// speeds x_v = gamma x_q - r_q have an equation of their own, because this difference has no digits left in a very short step.
     fn new(gamma: T, [by_q, by_v]: &[Matrix; 2]) -> Self {
         let lift = |x: f64| T::from_real(x);
         let n = by_q.nrows();
@@ -53,25 +57,24 @@ impl<T: ComplexField<RealField = f64> + Copy> System<T> {
             let unit = if i == j { gamma * gamma } else { T::zero() };
             unit - gamma * lift(by_v[(i, j)]) - lift(by_q[(i, j)])
         });
-        System { gamma, by_v: by_v.clone(), lu: matrix.lu() }
+        System { gamma, by_q: by_q.clone(), by_v: by_v.clone(), lu: matrix.lu() }
     }
 
     fn solve(&self, r_q: &DVector<T>, r_v: &DVector<T>) -> Option<(DVector<T>, DVector<T>)> {
         let n = r_q.len();
-        let damped =
-            DVector::from_fn(n, |i, _| (0..n).fold(T::zero(), |sum, j| sum + T::from_real(self.by_v[(i, j)]) * r_q[j]));
-        let right = DVector::from_fn(n, |i, _| r_v[i] + self.gamma * r_q[i] - damped[i]);
-        let q = self.lu.solve(&right)?;
-        let v = DVector::from_fn(n, |i, _| self.gamma * q[i] - r_q[i]);
-        Some((q, v))
+        let along = |a: &Matrix, i: usize| (0..n).fold(T::zero(), |sum, j| sum + T::from_real(a[(i, j)]) * r_q[j]);
+        let of_q = DVector::from_fn(n, |i, _| r_v[i] + self.gamma * r_q[i] - along(&self.by_v, i));
+        let of_v = DVector::from_fn(n, |i, _| self.gamma * r_v[i] + along(&self.by_q, i));
+        Some((self.lu.solve(&of_q)?, self.lu.solve(&of_v)?))
     }
 }
 
 impl Radau {
     /// The method for a relative tolerance.
     pub fn new(tolerance: f64) -> Self {
-        let newton = (NEWTON_ROUNDING / tolerance).max(tolerance.sqrt().min(NEWTON));
-        Radau { newton, z: std::array::from_fn(|_| Flow::zero(0)) }
+        let rounding = NEWTON_ROUNDING / tolerance;
+        let newton = rounding.max(tolerance.sqrt().min(NEWTON));
+        Radau { newton, rounding, z: std::array::from_fn(|_| Flow::zero(0)) }
     }
 
     fn nodes() -> [f64; 3] {
@@ -130,9 +133,11 @@ impl Radau {
                 w[i].add(1.0, &dw[i]);
             }
             z = std::array::from_fn(|i| Self::combine(&T[i], &w));
-            let Some(before) = before.replace(size) else { if size == 0.0 { break } else { continue } };
+            // Rounding errors of the state neither converge nor diverge.
+            let known = size <= self.rounding;
+            let Some(before) = before.replace(size) else { if known { break } else { continue } };
             let rate = size / before;
-            if size == 0.0 || (rate < 1.0 && rate / (1.0 - rate) * size < self.newton) {
+            if known || (rate < 1.0 && rate / (1.0 - rate) * size < self.newton) {
                 break;
             }
             let left = (MOST_NEWTON - 1 - iteration) as i32;

@@ -12,7 +12,7 @@ use crate::engine::hybrid::Hybrid;
 use crate::engine::motion::{Effort, Motion, Solver};
 use crate::engine::switch::Guards;
 use crate::engine::vector::{Matrix, Vector};
-use crate::tolerance::methods::{HELD_STEP, REJECTIONS, STIFF_STEPS};
+use crate::tolerance::methods::{ENERGY_GROWN, HELD_STEP, REJECTIONS, STIFF_STEPS};
 
 use super::control::{Control, Steps};
 use super::dense::Dense;
@@ -57,6 +57,8 @@ pub struct BySteps<'a> {
     control: Control,
     /// The fastest rate of the motion at the start \[1/s\].
     fastest: f64,
+    /// The energy from which the scale of the speeds follows \[J\].
+    energy: f64,
     /// The rate at the end of the last step, and where that was; `None` in a new mode.
     last: Option<(Flow, Flow)>,
     /// Steps limited by stability, one after another.
@@ -77,12 +79,21 @@ impl<'a> BySteps<'a> {
         let sum = |a: &Matrix| a.row_iter().map(|row| row.iter().map(|x| x.abs()).sum()).fold(0.0, f64::max);
         let swings = now.forcing.as_ref().map_or(0.0, |forcing| Forcing::fastest(forcing));
         let fastest = sum(&by_q).sqrt().max(sum(&by_v)).max(swings).max(1.0 / now.t_end);
-        let mobility = equations.mobility(&y.q);
-        let speeds =
-            Vector::from_fn(y.q.len(), |i| (2.0 * energy * mobility[(i, i)]).sqrt().max(rate.v[i].abs() / fastest));
+        let speeds = allowed_speeds(&equations.mobility(&y.q), energy);
+        let speeds = speeds.zip_map(&rate.v, |speed, a| speed.max(a.abs() / fastest));
         let control = Control::new(settings.steps, &y, &speeds, fastest, method.exponent(), now.t_end);
         let effort = Effort::default();
-        BySteps { field, method, settings, control, fastest, last: Some((y, rate)), stiff: 0, effort }
+        BySteps { field, method, settings, control, fastest, energy, last: Some((y, rate)), stiff: 0, effort }
+    }
+
+    /// Measures what is at rest by the energy that the motion has reached at `y`, once it is much more than before: a train that torques
+    /// start has none at first but that of rounding errors.
+    fn follow_energy(&mut self, y: &Flow) {
+        let kinetic = self.field.equations.kinetic(&y.q, &y.v);
+        if kinetic > ENERGY_GROWN * self.energy && kinetic.is_finite() {
+            self.energy = kinetic;
+            self.control.allow(&allowed_speeds(&self.field.equations.mobility(&y.q), kinetic));
+        }
     }
 
     /// A step from `y`, where the rate is `rate`, of at most `horizon` \[s\], whose error is small enough: how long, and where it
@@ -129,6 +140,11 @@ impl<'a> BySteps<'a> {
             self.effort.replaced = Some((t, self.method.name()));
         }
     }
+}
+
+/// The largest speed of each coordinate that an energy \[J\] allows, sqrt(2 E M⁻¹_ii) (N).
+fn allowed_speeds(mobility: &Matrix, energy: f64) -> Vector {
+    Vector::from_fn(mobility.nrows(), |i| (2.0 * energy * mobility[(i, i)]).sqrt())
 }
 
 impl Solver for BySteps<'_> {

@@ -101,3 +101,14 @@ pub(crate) const EQUAL_EIGENVALUES: f64 = 1e-7;
 /// An eigenvalue of a direction without a spring is zero below this [relative to the fastest]: a double zero splits by the root of a
 /// rounding. Larger: a weak damper of a rigid motion is not seen. Smaller: rigid motions vibrate.
 pub(crate) const RIGID_EIGENVALUE: f64 = 1e-6;
+
+/// Flanks bear no load if the friction between them bends within this distance of their deflection [SI unit of the coordinate]: ten times
+/// the distance over which the model smooths the bend, 1e-12. Larger: a light load counts as none. Smaller: the smoothed bend is not seen.
+pub(crate) const NO_LOAD: f64 = 1e-11;
+/// The same [relative to the coordinate], whose rounding errors are 1e9 times smaller.
+pub(crate) const NO_LOAD_PART: f64 = 1e-6;
+/// Two slopes of a force differ above this [relative to their sum]: friction of the flanks is some thousandths of the spring's force. Smaller:
+/// rounding errors are taken for another flank. Larger: the flanks of a mesh with little friction are not told apart.
+pub(crate) const BEND: f64 = 1e-6;
+/// Slopes below this are rounding errors [relative to the largest].
+pub(crate) const BEND_ROUNDING: f64 = 1e-13;

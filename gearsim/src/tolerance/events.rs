@@ -107,9 +107,10 @@ pub(crate) const CASCADE_EVENTS: u64 = 100_000;
 /// ambiguous results are not reported. Smaller: rounding errors are reported as ambiguous.
 pub(crate) const ORDER: f64 = 1e-9;
 
-/// Events of flanks without a motion between them above which they are taken for rounding errors [events]: more than the contacts and
-/// dampers of a train that can change together.
-pub(crate) const EVENTS_AT_ONE_TIME: u32 = 16;
+/// Events of flanks without a motion between them above which they are taken for rounding errors [events of each switch, and of all]: more
+/// than the contacts and dampers of a train that can change together. Smaller: an event at the same time as others is late by a rounding
+/// error of its deflection. Larger: flanks rattle by rounding errors for longer.
+pub(crate) const EVENTS_AT_ONE_TIME: (u32, u32) = (4, 16);
 
 /// Rounding error of the guard of a switch near zero [relative to its constant part plus that of transmission errors: of a play, half the
 /// play plus its offset]. Flanks that meet and part without passing time must pass the edge by this, and an impulse must violate a guard

@@ -13,6 +13,9 @@ pub(crate) const HIGH_ORDER: f64 = 1e-7;
 /// component is measured against this size. Smaller: a component at rest forces tiny steps. Larger: small components are less
 /// accurate.
 pub(crate) const SMALLEST_SPEED: f64 = 1e-3;
+/// Growth of the kinetic energy after which the speeds that it allows are worked out anew [1]: they have then doubled. Smaller: more work, the
+/// same accuracy. Larger: a train that starts from rest takes tiny steps for longer.
+pub(crate) const ENERGY_GROWN: f64 = 4.0;
 /// Length of the next step [relative to the one that would just meet the tolerance]. Larger: more steps are rejected.
 pub(crate) const SAFETY: f64 = 0.9;
 /// Smallest and largest ratio of a step's length to that of the last one [1], similar to the values of Hairer, Norsett & Wanner,

@@ -38,6 +38,9 @@ pub(crate) const QUADRATURE_PANEL: f64 = 2.0;
 /// grow with the number of coordinates. A value below minus this makes the cell unstable, and the scene is refused. Larger: soft
 /// springs beside stiff ones vanish. Smaller: a rigid motion becomes a slow vibration, or the scene is refused.
 pub(crate) const RIGID: f64 = 1e-13;
+/// Rounding error of the momentum of a rigid motion along a coordinate [relative to the sum of the absolute values of its terms]: a few
+/// roundings. Larger: light parts beside heavy ones have no momentum. Smaller: gears that turn move, by rounding errors, flanks that rest.
+pub(crate) const RIGID_MOMENTUM: f64 = 8.0 * f64::EPSILON;
 /// Two natural frequencies are equal if their squares differ by less than this [relative]. Their mode shapes are then rotated so
 /// that damping does not couple them. Jacobi's method gives the squares to some hundred eps. Smaller: rounding errors choose the
 /// shapes of equal frequencies. Larger: the rotation mixes different modes.

@@ -43,6 +43,7 @@ mod splits;
 mod stiff;
 mod switches;
 mod together;
+mod touching;
 mod trapped;
 
 use std::process::ExitCode;
@@ -68,6 +69,7 @@ const GROUPS: &[&[Case]] = &[
     mirror::CASES,
     backlash::CASES,
     edges::CASES,
+    touching::CASES,
     resonance::CASES,
     stiff::CASES,
     switches::CASES,

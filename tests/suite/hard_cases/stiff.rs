@@ -6,7 +6,9 @@ use gearsim::engine::vector::Vector;
 use gearsim_tests::oh2005::GearPair;
 
 use crate::case::{Case, largest};
+use crate::common;
 use crate::linear::{Linear, diagonal, first_from};
+use crate::models::end;
 use crate::pair;
 
 pub const CASES: &[Case] = &[
@@ -36,6 +38,15 @@ pub const CASES: &[Case] = &[
         unit: "of the way of theta",
         reason: "no force acts on phi, so phi' = 0 stays exact; any error would add up cell after cell",
         measure: rolling,
+    },
+    Case {
+        row: "13",
+        name: "radau where a cell ends within a rounding of the time, at ten ends of a frozen phase",
+        proves: "a step of 1e-20 s converges, although its displacements are rounding errors; dop853 gives the same end",
+        tolerance: 1e-6,
+        unit: "of the motion's sizes",
+        reason: "the tolerance of the steps, 1e-9, over some thousand steps",
+        measure: shortest_step,
     },
 ];
 
@@ -88,4 +99,19 @@ fn rolling(_: &mut String) -> f64 {
         let (dq, _) = flight.increments(&flight.at(1e-3));
         (dq[1] / dq[0]).abs()
     }))
+}
+
+fn shortest_step(note: &mut String) -> f64 {
+    let [(steps, a), (_, b)] = ["radau", "dop853"].map(|method| {
+        let set = [
+            format!("run.method={method}"),
+            r#"effects=["stiffness_step", "transmission_error", "backlash", "viscous_friction", "torques", "frozen_phase"]"#.into(),
+            "run.t_end=3.1 ms".into(),
+        ];
+        let run = common::run(&common::scene("train_kahraman_singh", &set));
+        (run.solver.steps, end(&run))
+    });
+    *note = format!("{steps} steps of radau");
+    let apart = |a: &[f64], b: &[f64]| largest(a.iter().zip(b).map(|(a, b)| (a - b).abs() / b.abs()));
+    apart(&a.0, &b.0).max(apart(&a.1, &b.1))
 }

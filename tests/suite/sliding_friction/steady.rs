@@ -67,6 +67,30 @@ fn multipliers_are_those_of_the_flow_of_the_numerical_solver() {
     assert!((of("0.2") - of("0")).norm() > 1e-3, "{} {}", of("0.2"), of("0"));
 }
 
+/// The linear analysis has the friction of one flank: it says so where the motion meets both, and only there.
+#[test]
+fn a_steady_motion_that_meets_both_flanks_is_stated() {
+    let says = |set: &[&str]| {
+        let floquet = pair(set).floquet().unwrap();
+        floquet.steady.expect("friction is linearised").both_flanks
+    };
+    // T0 over the mean stiffness, in phi.
+    let deflection = {
+        let scene = pair(&[r#"parameters.T0="10 N*m""#]);
+        end(&scene, 0.0, [None, None])[0]
+    };
+    let error = r#"effects=["stiffness_step", "transmission_error", "sliding_friction", "torques", "damping"]"#;
+    let wave =
+        |part: f64| format!("laws.e={{ harmonics = [{{ order = 1, amplitude = \"{:?} rad\" }}] }}", part * deflection);
+    let loaded = r#"parameters.T0="10 N*m""#;
+    assert_eq!(says(&[loaded]), None);
+    assert_eq!(says(&[loaded, error, &wave(0.7)]), None);
+    let varied = says(&[loaded, error, &wave(1.3)]).expect("the error reverses the mesh force");
+    assert!(varied.contains("`e`"), "{varied}");
+    let unloaded = says(&[r#"parameters.T0="0 N*m""#]).expect("no load");
+    assert!(unloaded.contains("no load"), "{unloaded}");
+}
+
 /// phi'' = (M1 F_theta + M2 F_phi)/2 with the mean laws: omega² = M2 k + mu k ((M1/2)(1/N1 + 1/N2) a + (M2/2)((1/N1 - 1/N2) a + 2 tan(alpha) s)).
 #[test]
 fn the_natural_frequency_with_friction_has_a_closed_form() {

@@ -98,6 +98,7 @@ impl Motion for Step<'_, '_> {
         };
         let end = trial.end;
         self.solver.control.reach(&end);
+        self.solver.follow_energy(&end);
         self.solver.last = Some((end.clone(), trial.rate));
         self.solver.watch_stiffness(self.now.clock.now(), self.trial.stiffness);
         let reached = self.reached(end, taken);
