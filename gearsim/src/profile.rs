@@ -97,34 +97,38 @@ impl Profile {
         Some(Profile::curved(cells).with_origin(self.origin).with_pitches(self.pitches))
     }
 
-    /// The mean of a piecewise constant law over a window of width `window` about each phase [unit of the phase]: each step becomes a ramp of
-    /// this width. A law with curves, or a window of width 0, gives the law itself.
+    /// The mean of a law of levels or cubic curves over a window of width `window` about each phase [unit of the phase]: each step becomes a
+    /// ramp of this width. A window of width 0 gives the law itself.
     ///
-    /// With F the integral of the law, the mean is (F(s + w/2) - F(s - w/2))/w, linear between the places where one end of the window
-    /// is at a step.
+    /// With F the integral of the law, the mean is (F(s + w/2) - F(s - w/2))/w. Between the places where one end of the window is at
+    /// the end of a cell it is linear if the law is piecewise constant, and else cubic curves follow it.
     pub fn averaged(&self, window: f64) -> Self {
-        if window <= 0.0 || !self.steps_only() || self.steps.len() == 1 {
+        if window <= 0.0 || (self.steps_only() && self.steps.len() == 1) {
             return self.clone();
         }
-        let bounds: Vec<f64> = std::iter::once(0.0)
-            .chain(self.steps.iter().scan(0.0, |end, step| {
-                *end += step.width;
-                Some(*end)
-            }))
-            .collect();
-        let period = bounds[self.steps.len()];
+        let period: f64 = self.bounds()[self.steps.len()];
         let turns = window / period;
         if (turns - turns.round()).abs() < SAME_STEP * turns {
             // The mean over whole periods is constant.
             return Profile::stepping(vec![Step { value: self.mean(), width: period }]).with_pitches(self.pitches);
         }
-        let integral = |s: f64| {
-            let (turns, s) = (s.div_euclid(period), s.rem_euclid(period));
-            let parts =
-                self.steps.iter().zip(&bounds).map(|(step, begin)| step.value * (s - begin).clamp(0.0, step.width));
-            turns * period * self.mean() + parts.sum::<f64>()
-        };
-        let mean = |s: f64| (integral(s + window / 2.0) - integral(s - window / 2.0)) / window;
+        self.over_windows(window, |s, inside| self.window_mean(s, inside, window))
+    }
+
+    /// The mean of `self` times the values of `weight` over a window about each phase, over the mean of `weight` there. The two laws have the
+    /// same cells, and `self` is the product already.
+    pub fn averaged_by(&self, weight: &Profile, window: f64) -> Self {
+        self.over_windows(window, |s, inside| {
+            let ([f, df], [w, dw]) = (self.window_mean(s, inside, window), weight.window_mean(s, inside, window));
+            [f / w, (df - dw * f / w) / w]
+        })
+    }
+
+    /// A law of the period of this one that follows `value`, whose value and slope are smooth between the places where one end of a window
+    /// is at the end of a cell. `value` gets a phase from the beginning of the first cell, and one within the same smooth piece.
+    fn over_windows(&self, window: f64, value: impl Fn(f64, f64) -> [f64; 2]) -> Self {
+        let bounds = self.bounds();
+        let period = bounds[self.steps.len()];
         let ends = bounds[..self.steps.len()].iter().flat_map(|b| [b - window / 2.0, b + window / 2.0]);
         let mut ends: Vec<f64> = ends.map(|s| s.rem_euclid(period)).collect();
         ends.sort_by(f64::total_cmp);
@@ -132,15 +136,54 @@ impl Profile {
         if ends[0] + period - ends[ends.len() - 1] < SAME_STEP * period {
             ends.pop();
         }
-        let values: Vec<f64> = ends.iter().map(|s| mean(*s)).collect();
-        let ramp = |i: usize| {
+        let piece = |i: usize| {
             let next = (i + 1) % ends.len();
             let width = ends[next] - ends[i] + if next == 0 { period } else { 0.0 };
-            (Curve::Cubic([values[i], (values[next] - values[i]) / width, 0.0, 0.0]), width)
+            let inside = ends[i] + width / 2.0;
+            // The last piece ends where the first one begins, to the last bit.
+            let ends_at = value(ends[next], inside - if next == 0 { period } else { 0.0 });
+            let ([a, da], [b, db]) = (value(ends[i], inside), ends_at);
+            match self.steps_only() {
+                true => (Curve::Cubic([a, (b - a) / width, 0.0, 0.0]), width),
+                false => (Curve::hermite([a, b], [da, db], width), width),
+            }
         };
-        Profile::curved((0..ends.len()).map(ramp).collect())
+        Profile::curved((0..ends.len()).map(piece).collect())
             .with_origin(self.origin + ends[0])
             .with_pitches(self.pitches)
+    }
+
+    /// Where the cells begin, and where the last one ends, from the beginning of the first one.
+    fn bounds(&self) -> Vec<f64> {
+        let ends = self.steps.iter().scan(0.0, |end, step| {
+            *end += step.width;
+            Some(*end)
+        });
+        std::iter::once(0.0).chain(ends).collect()
+    }
+
+    /// The mean over a window about `s`, and its slope where the ends of the window are in the cells of those about `inside`. Phases
+    /// count from the beginning of the first cell.
+    fn window_mean(&self, s: f64, inside: f64, window: f64) -> [f64; 2] {
+        let bounds = self.bounds();
+        let period = bounds[self.steps.len()];
+        let part = |i: usize, x: f64| match self.curves.get(i) {
+            Some(curve) => curve.mean(x) * x,
+            None => self.steps[i].value * x,
+        };
+        let integral = |s: f64| {
+            let (turns, s) = (s.div_euclid(period), s.rem_euclid(period));
+            let parts = (0..self.steps.len()).map(|i| part(i, (s - bounds[i]).clamp(0.0, self.steps[i].width)));
+            turns * period * self.mean() + parts.sum::<f64>()
+        };
+        let at = |offset: f64| {
+            let middle = (inside + offset).rem_euclid(period);
+            let cell = bounds[1..].iter().position(|end| middle < *end).unwrap_or(self.steps.len() - 1);
+            let x = middle - bounds[cell] + (s - inside);
+            self.curves.get(cell).map_or(self.steps[cell].value, |curve| curve.at(x)[0])
+        };
+        let half = window / 2.0;
+        [(integral(s + half) - integral(s - half)) / window, (at(half) - at(-half)) / window]
     }
 
     /// The periodic cubic spline through `points` (phase, value), twice continuously differentiable. `None` if there are fewer than three

@@ -243,6 +243,9 @@ struct Plan<'a> {
 
 impl<'a> Prepared<'a> {
     fn new(derived: &DerivedModel, scene: &'a Scene, equations: &'a dyn Equations) -> Result<Self, Refusal> {
+        if scene.t_end.is_infinite() {
+            return Err(Refusal::NoRun);
+        }
         let begun = start::begin(equations, scene)?;
         let State { q, q_dot, .. } = &begun.state;
         if !equations.kinetic(q, q_dot).is_finite() {

@@ -1,7 +1,7 @@
 //! A train: parts along linear forms of the rotations of rotors.
 //!
 //! Each part is an element, a model of its own with a few coordinates x. Its equations are derived. Each x is a linear form of the rotations
-//! of the rotors, whose factors are products of powers of parameters: a base radius, a ratio of numbers of teeth.
+//! of the rotors, and of motions along their axes, whose factors are products of powers of parameters: a base radius, a ratio of numbers of teeth.
 
 use smallvec::SmallVec;
 
@@ -60,6 +60,8 @@ pub struct Train {
     pub motions: Vec<Vec<(Form, f64)>>,
     /// Outputs that are products: the output, another output, and the displacement with whose rate that is multiplied.
     pub products: Vec<(usize, usize, Form)>,
+    /// Outputs that are multiples: the output, another output, and the factor.
+    pub multiples: Vec<(usize, usize, Factor)>,
     /// Numbers of laws, torques and outputs of the train.
     pub counts: [usize; 3],
 }

@@ -9,6 +9,8 @@ mod by_hand;
 mod common;
 #[path = "models/limits.rs"]
 mod limits;
+#[path = "models/printed.rs"]
+mod printed;
 #[path = "models/published.rs"]
 mod published;
 #[path = "models/response_curve.rs"]
@@ -44,6 +46,7 @@ fn main() -> ExitCode {
         response_curve::rows().map(|_| ()).map_err(Into::into)
     }));
     trials.extend(by_hand::TESTS.iter().map(|(name, test)| Trial::test(format!("by_hand::{name}"), done(*test))));
+    trials.extend(printed::TESTS.iter().map(|(name, test)| Trial::test(format!("printed::{name}"), done(*test))));
     trials.extend(limits::TESTS.iter().map(|(name, test)| Trial::test(format!("limits::{name}"), done(*test))));
     trials.extend(scenes::names().into_iter().map(|name| {
         Trial::test(format!("scenes::{name}_keeps_its_energy"), move || {

@@ -14,5 +14,8 @@ mod mistakes;
 #[path = "train/flanks.rs"]
 mod flanks;
 
+#[path = "train/axial.rs"]
+mod axial;
+
 #[path = "train/effects.rs"]
 mod effects;

@@ -6,6 +6,7 @@ pub mod dynamic_factor;
 #[cfg(feature = "html")]
 pub mod engaged;
 pub mod floquet;
+pub mod from_teeth;
 pub mod modes;
 pub mod orders;
 pub mod rainflow;

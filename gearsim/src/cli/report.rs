@@ -7,6 +7,7 @@ use std::path::Path;
 use serde::Serialize;
 
 use super::{number, terminal};
+use crate::analysis::from_teeth;
 use crate::engine::system::Steady;
 use crate::output::summary::{Digits, Number, Observed, Summary};
 use crate::plot::outputs::is_first;
@@ -27,6 +28,9 @@ pub(super) fn scene(scene: &Scene, width: usize) -> String {
     }
     text += &line("model", &format!("{}, {}", scene.model.name, scene.model.title), width);
     text += &line("effects", &effects, width);
+    let from_teeth = from_teeth::of(scene);
+    text.extend(from_teeth.iter().map(|law| line(law.law.name, &law.words(|x| number::short(x).to_string()), width)));
+    text.extend(scene.conversions.iter().map(|says| line("converted", says, width)));
     text + &torques(scene, width)
 }
 
@@ -163,7 +167,9 @@ fn rare_lines(scene: &Scene, summary: &Summary, width: usize) -> String {
     let counts = &summary.counts;
     let mut text = String::new();
     // The warnings about the scene were printed before the run.
-    for remark in summary.remarks.iter().filter(|remark| !scene.warnings.contains(remark)) {
+    for remark in
+        summary.remarks.iter().filter(|remark| !scene.warnings.contains(remark) && !scene.conversions.contains(remark))
+    {
         text += &line("note", remark, width);
     }
     if counts.holds > 0 {

@@ -4,6 +4,8 @@
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[allow(missing_docs)] // the messages are the documentation
 pub enum Refusal {
+    #[error("the scene has no [run], and so no end: add\n[run]\nt_end = \"... s\"")]
+    NoRun,
     #[error("the effects of the scene contradict one another: {which}")]
     Effects { which: String },
     #[error(

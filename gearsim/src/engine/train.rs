@@ -156,6 +156,8 @@ struct Assembly {
     outputs: Vec<Vec<[usize; 2]>>,
     /// The outputs that are products: the output, another output, and the form of the speeds with which that is multiplied.
     products: Vec<(usize, usize, Vector)>,
+    /// The outputs that are multiples: the output, another output, and the factor.
+    multiples: Vec<(usize, usize, f64)>,
     mass: Matrix,
     mobility: Matrix,
     motions: Vec<Vector>,
@@ -186,6 +188,8 @@ impl Assembly {
         let speeds = geometry.products.into_iter().map(|row| Vector::from_fn(n, |i| row[i]));
         let products =
             train.products.iter().zip(speeds).map(|((output, of, _), speed)| (*output, *of, speed)).collect();
+        let multiples = train.multiples.iter().zip(&geometry.multiples);
+        let multiples = multiples.map(|((output, of, _), factor)| (*output, *of, *factor)).collect();
         Assembly {
             n,
             parts,
@@ -197,6 +201,7 @@ impl Assembly {
             torques: of_torques,
             outputs: of_outputs,
             products,
+            multiples,
             mass,
             mobility,
             motions: geometry.motions,
@@ -264,6 +269,9 @@ impl Equations for Assembly {
     fn output(&self, i: usize, q: &[f64], q_dot: &[f64], k: &[f64], known: &Known) -> f64 {
         if let Some((_, of, speed)) = self.products.iter().find(|product| product.0 == i) {
             return self.output(*of, q, q_dot, k, known) * speed.dot(q_dot);
+        }
+        if let Some((_, of, factor)) = self.multiples.iter().find(|multiple| multiple.0 == i) {
+            return factor * self.output(*of, q, q_dot, k, known);
         }
         let of = |&[part, output]: &[usize; 2]| {
             let p = &self.parts[part];

@@ -41,7 +41,8 @@ pub struct ToothPair {
 }
 
 impl ToothPair {
-    /// The tooth pair of two external gears.
+    /// The tooth pair of two external gears. Of helical gears it is that of the spur gears with their transverse section: a slice of their
+    /// face, with the stiffness of the whole face width.
     ///
     /// # Errors
     /// If the gears do not mesh, the second one is a ring, or teeth or gear bodies are outside the range of the formulas.
@@ -50,11 +51,9 @@ impl ToothPair {
             let what = "the method \"energy\" needs external teeth, and the second gear is a ring";
             return Err(GearError::new(what, "use the method \"iso6336\""));
         }
-        if gears.helix_angle != 0.0 {
-            let what = "the method \"energy\" is for spur gears, and these have a helix angle";
-            return Err(GearError::new(what, "use the method \"iso6336\""));
-        }
-        let contact = gears.contact()?;
+        let overlap = gears.contact()?.overlap;
+        let gears = &gears.transverse_section();
+        let contact = Contact { overlap, ..gears.contact()? };
         let begins = [contact.radii(-contact.approach)[0], contact.radii(contact.recess)[1]];
         let tooth = |i: usize| -> Result<_, GearError> {
             let tooth = Tooth::of(gears, &contact, i)?;

@@ -6,8 +6,13 @@
 //! side = sum s_i sgn(xi_i),    arm = sum s_i |xi_i|
 //! ```
 //!
-//! The shares are equal, or proportional to the stiffnesses of the pairs. The cells of these laws are bit-identical to those of the
-//! stiffness, with one more boundary where a pair passes the pitch point: there the side steps, and the arm has a kink.
+//! The shares are equal, or proportional to the stiffnesses of the pairs. Helical gears touch along lines across the face: a pair and a
+//! slice of the face together have a share, as [`super::mesh_stiffness`] has slices, equal per length of contact line or proportional to the
+//! stiffness; both laws become continuous. The flanks of gears on parallel axes slide in the transverse plane. The force normal to a
+//! helical flank is the force in that plane over cos(beta_b), by which both laws are divided.
+//!
+//! The cells of these laws of spur gears are bit-identical to those of the stiffness, with one more boundary where a pair passes the pitch
+//! point: there the side steps, and the arm has a kink.
 
 use super::energy::ToothPair;
 use super::mesh_stiffness::{Cell, StiffnessMethod, cells, curves, from_pitch_point};
@@ -28,7 +33,7 @@ pub enum FrictionLaw {
 /// for [`StiffnessMethod::Iso6336`], proportional to the stiffnesses of the pairs for [`StiffnessMethod::Energy`].
 ///
 /// # Errors
-/// If the gears do not mesh, are helical, the second one is a ring, or they are outside the range of the method.
+/// If the gears do not mesh, the second one is a ring, or they are outside the range of the method.
 pub fn friction(
     gears: &Gears,
     method: StiffnessMethod,
@@ -40,10 +45,6 @@ pub fn friction(
         let what = "friction laws need external teeth, and the second gear is a ring";
         return Err(GearError::new(what, "give steps, a series or a table"));
     }
-    if gears.helix_angle != 0.0 {
-        let what = "friction laws need spur gears: the flanks of helical gears slide in many directions at once";
-        return Err(GearError::new(what, "give steps, a series or a table"));
-    }
     let pairs = Pairs {
         contact: gears.contact()?,
         teeth: match method {
@@ -53,6 +54,16 @@ pub fn friction(
     };
     let cells = cells(&pairs.contact);
     let parts: Vec<Part> = cells.iter().flat_map(|cell| parts(cell, &pairs.contact, method, period)).collect();
+    let window = pairs.contact.overlap * period;
+    if window > 0.0 {
+        let law = |of: Option<FrictionLaw>, scale: f64| {
+            let pieces = parts
+                .iter()
+                .flat_map(|part| curves(|x| scale * pairs.weighted(of, part, x), [part.begin, part.end], part.width));
+            from_pitch_point(Profile::curved(pieces.collect()), &pairs.contact, period)
+        };
+        return Ok(law(Some(what), scale / gears.base_helix_angle().cos()).averaged_by(&law(None, 1.0), window));
+    }
     let law = match (what, &pairs.teeth) {
         (FrictionLaw::Side, None) => {
             let step = |part: &Part| Step { value: scale * pairs.sum(what, part, part.begin), width: part.width };
@@ -108,6 +119,24 @@ impl Pairs {
             weight(ahead) / all * if what == FrictionLaw::Side { side } else { side * (x + ahead) }
         };
         pairs().map(each).sum()
+    }
+
+    /// The sum over the pairs of a part of their weights, times their sides or their distances from the pitch point, when one of them is at
+    /// `x` [m]. `None`: the sum of the weights.
+    fn weighted(&self, what: Option<FrictionLaw>, part: &Part, x: f64) -> f64 {
+        let pitch = self.contact.base_pitch;
+        let middle = 0.5 * (part.begin + part.end);
+        let first = ((-self.contact.approach - middle) / pitch).ceil() as i64;
+        let each = |ahead: f64| {
+            let side = if middle + ahead > 0.0 { 1.0 } else { -1.0 };
+            let of = match what {
+                None => 1.0,
+                Some(FrictionLaw::Side) => side,
+                Some(FrictionLaw::Arm) => side * (x + ahead),
+            };
+            self.teeth.as_ref().map_or(1.0, |teeth| teeth.stiffness(x + ahead)) * of
+        };
+        (first..first + part.pairs as i64).map(|j| each(j as f64 * pitch)).sum()
     }
 
     /// The curves of a part, with their widths [unit of the phase]. Their error is at most 2e-5: absolute for the side, in base pitches for
@@ -200,6 +229,44 @@ mod tests {
         let arm = law(StiffnessMethod::Iso6336(None), FrictionLaw::Arm, TAU / base_pitch);
         for s in [-0.3, -0.1, 0.2] {
             assert!((at(&arm, s) - f64::abs(s)).abs() < 1e-12);
+        }
+    }
+
+    /// Both laws of helical gears are sums over 4,000 slices of the face, with shares in proportion to the weights of pairs and slices, and
+    /// continuous. A helix angle that goes to zero gives the laws of spur gears.
+    #[test]
+    fn laws_of_helical_gears_are_sums_over_slices() {
+        let gears = crate::gear::pair::iso_6336_30();
+        let pair = ToothPair::of(&gears).unwrap();
+        let (contact, cos) = (gears.contact().unwrap(), gears.base_helix_angle().cos());
+        assert!((pair.contact.ratio() / contact.ratio() - 1.0).abs() < 1e-12);
+        for method in [StiffnessMethod::Iso6336(None), StiffnessMethod::Energy] {
+            let [side, arm] =
+                [FrictionLaw::Side, FrictionLaw::Arm].map(|what| friction(&gears, method, what, TAU, 1.0).unwrap());
+            for s in (0..23).map(|i| 0.1 + TAU * f64::from(i) / 23.0) {
+                let (n, mut sums) = (4000, [0.0; 3]);
+                for i in 0..n {
+                    let ahead = contact.overlap * ((f64::from(i) + 0.5) / f64::from(n) - 0.5);
+                    let places = (-4..=4).map(|j| (s / TAU + ahead + f64::from(j)) * contact.base_pitch);
+                    for xi in places.filter(|xi| (-contact.approach..contact.recess).contains(xi)) {
+                        let w = if method == StiffnessMethod::Energy { pair.stiffness(xi) } else { 1.0 };
+                        sums = [sums[0] + w, sums[1] + w * xi.signum(), sums[2] + w * xi.abs()];
+                    }
+                }
+                let [all, sides, arms] = sums;
+                let off = [at(&side, s) - sides / all / cos, (at(&arm, s) - arms / all / cos) / contact.base_pitch];
+                assert!(off[0].abs() < 2e-3 && off[1].abs() < 1e-3, "{method:?} at {s}: {off:?}");
+            }
+            let pitch = Pitch::new(&arm, TAU);
+            assert!((0..pitch.cells()).all(|cell| pitch.step(cell, Side::Upper).abs() < 1e-12 * contact.base_pitch));
+        }
+        let small = Gears { helix_angle: 1e-5, ..self::gears() };
+        for what in [FrictionLaw::Side, FrictionLaw::Arm] {
+            let spur = law(StiffnessMethod::Energy, what, 1.0);
+            let helical = friction(&small, StiffnessMethod::Energy, what, TAU, 1.0).unwrap();
+            for s in [0.3, 1.1, 2.5, 5.9] {
+                assert!((at(&helical, s) / at(&spur, s) - 1.0).abs() < 1e-4, "{what:?} at {s}");
+            }
         }
     }
 

@@ -6,7 +6,9 @@
 //!
 //! Helical gears touch along lines that are inclined across the face: the section at the distance x from the middle of the face is a spur
 //! gear whose phase is ahead by eps_beta x/b pitches. The stiffness is the mean over the sections, so that its steps become ramps of
-//! eps_beta pitches; it is constant if eps_beta or eps_alpha is a whole number. The phase 0 is that of the middle of the face.
+//! eps_beta pitches; it is constant if eps_beta is a whole number, or eps_alpha with levels. The phase 0 is that of the middle of the face.
+//! With the method "energy" a section has the teeth of the transverse section, and the slices are independent of one another: the
+//! stiffness of teeth across slices is neglected, as in the sum of slices of Wan et al. (2015), Mech. Mach. Theory 84.
 
 use super::energy::ToothPair;
 use super::iso6336::Iso6336;
@@ -40,8 +42,7 @@ const INTERVALS: usize = 64;
 /// The mesh stiffness of `gears` over a phase of the given period, times `scale`, which is 1 for a law in N/m.
 ///
 /// # Errors
-/// If the gears do not mesh or are outside the range of the method, for curves of spur gears with [`StiffnessMethod::Iso6336`], or for
-/// helical gears with [`StiffnessMethod::Energy`].
+/// If the gears do not mesh or are outside the range of the method, or for curves of spur gears with [`StiffnessMethod::Iso6336`].
 pub fn stiffness(
     gears: &Gears,
     method: StiffnessMethod,
@@ -75,7 +76,7 @@ pub fn stiffness(
                     Profile::stepping(curves.into_iter().map(step).collect())
                 }
             };
-            Ok(from_pitch_point(stiffness, &pair.contact, period))
+            Ok(from_pitch_point(stiffness, &pair.contact, period).averaged(pair.contact.overlap * period))
         }
     }
 }
@@ -213,6 +214,36 @@ mod tests {
         assert!((helical.mean() / (iso.mean * gears.face_width) - 1.0).abs() < 1e-12);
         let (low, high) = law(&Gears { face_width: 2.0 * gears.face_width / contact.overlap, ..gears }).extremes();
         assert!((high / low - 1.0).abs() < 1e-12);
+    }
+
+    /// By the method "energy" the stiffness of helical gears is the mean of that of 4,000 slices, each with the teeth of the transverse
+    /// section and its own phase. As the helix angle goes to zero it is that of spur gears; with a whole overlap ratio it is constant.
+    #[test]
+    fn helical_stiffness_by_energy_is_the_mean_of_slices() {
+        let gears = crate::gear::pair::iso_6336_30();
+        let law = |gears: &Gears, shape| stiffness(gears, StiffnessMethod::Energy, shape, TAU, 1.0).unwrap();
+        let (pair, contact) = (ToothPair::of(&gears).unwrap(), gears.contact().unwrap());
+        let helical = law(&gears, CellShape::Curves);
+        let n = 4000;
+        for s in [0.1, 1.0, 2.0, 3.5, 5.0, 6.0] {
+            let x = |i: usize| (s / TAU + contact.overlap * ((i as f64 + 0.5) / n as f64 - 0.5)) * contact.base_pitch;
+            let mean = (0..n).map(|i| pair.mesh(x(i))).sum::<f64>() / n as f64;
+            assert!((value(&helical, s) / mean - 1.0).abs() < 1e-3, "{s}: {:e} {mean:e}", value(&helical, s));
+        }
+        let levels = law(&gears, CellShape::Levels);
+        assert!((helical.mean() / levels.mean() - 1.0).abs() < 1e-3);
+        let iso = stiffness(&gears, StiffnessMethod::Iso6336(None), CellShape::Levels, TAU, 1.0).unwrap();
+        assert!((helical.mean() / iso.mean() - 1.0).abs() < 0.2, "{:e} {:e}", helical.mean(), iso.mean());
+        let (low, high) =
+            law(&Gears { face_width: 2.0 * gears.face_width / contact.overlap, ..gears.clone() }, CellShape::Curves)
+                .extremes();
+        assert!((high / low - 1.0).abs() < 1e-9, "{low:e} {high:e}");
+        let spur = Gears { helix_angle: 0.0, centre_distance: None, ..gears };
+        let (almost, spur) =
+            (law(&Gears { helix_angle: 1e-6, ..spur.clone() }, CellShape::Curves), law(&spur, CellShape::Curves));
+        for s in [0.1, 1.0, 2.0, 3.5, 5.0, 6.0] {
+            assert!((value(&almost, s) / value(&spur, s) - 1.0).abs() < 1e-4, "{s}");
+        }
     }
 
     /// The value of a law with curves at a phase.

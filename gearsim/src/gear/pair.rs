@@ -135,6 +135,27 @@ impl Gears {
         (self.module / cos, (self.pressure_angle.tan() / cos).atan())
     }
 
+    /// The spur gears whose section is the transverse section of these: the same circles and path of contact, heights in transverse modules.
+    pub fn transverse_section(&self) -> Gears {
+        let ((module, pressure_angle), cos) = (self.transverse(), self.helix_angle.cos());
+        Gears {
+            module,
+            pressure_angle,
+            helix_angle: 0.0,
+            addendum: self.addendum.map(|x| x * cos),
+            dedendum: self.dedendum.map(|x| x * cos),
+            fillet: self.fillet * cos,
+            profile_shift: self.profile_shift.map(|x| x * cos),
+            ..self.clone()
+        }
+    }
+
+    /// Base helix angle [rad]: tan(beta_b) = tan(beta) cos(alpha_t).
+    pub fn base_helix_angle(&self) -> f64 {
+        let (_, angle) = self.transverse();
+        (self.helix_angle.tan() * angle.cos()).atan()
+    }
+
     /// Base radius per tooth, m_t cos(alpha_t)/2 [m]: the length along the line of action per radian of the pitch angle, over the teeth.
     pub fn base_radius_per_tooth(&self) -> f64 {
         let (module, angle) = self.transverse();

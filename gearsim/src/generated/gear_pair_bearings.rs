@@ -28,7 +28,9 @@ equations! {
         I2 "kg*m^2" required, open 0.0 to inf, "moment of inertia of the driven gear";
         m2 "kg" required, open 0.0 to inf, "mass of the driven gear";
         kb1 "N/m" required, from 0.0 to inf, "radial stiffness of the bearing of gear 1";
+        cb1 "N*s/m" required with viscous_friction_1, from 0.0 to inf, "radial damping of the bearing of gear 1: force per speed";
         kb2 "N/m" required, from 0.0 to inf, "radial stiffness of the bearing of gear 2";
+        cb2 "N*s/m" required with viscous_friction_2, from 0.0 to inf, "radial damping of the bearing of gear 2: force per speed";
         b12 "m" required with backlash_12, open 0.0 to inf, "backlash of the mesh: no contact within b/2 to either side";
         mu12 "1" required with sliding_friction_12, from 0.0 to inf, "coefficient of friction of the mesh";
         w_mix12 "rad/s" default 0.1, open 0.0 to inf,
@@ -49,6 +51,8 @@ equations! {
     }
     motions { speed "rad/s" { theta_dot = N1; }, "rotational speed of the driving gear"; }
     effects {
+        viscous_friction_1 of viscous_friction "friction proportional to speed";
+        viscous_friction_2 of viscous_friction "friction proportional to speed";
         stiffness_step
             "the mesh stiffness steps as tooth pairs enter and leave, conserving energy by jump terms; else it has its mid value";
         rigid_kinematics requires(stiffness_step) excludes(frozen_phase)
@@ -183,6 +187,8 @@ equations! {
         }
         potential { _ => (kb1*bx1.powi(2) + kb1*by1.powi(2) + kb2*bx2.powi(2) + kb2*by2.powi(2) + k12*touch12*over12.powi(2))/2.0; }
         dissipation {
+            viscous_friction_1 => (cb1*bx1_dot.powi(2) + cb1*by1_dot.powi(2))/2.0;
+            viscous_friction_2 => (cb2*bx2_dot.powi(2) + cb2*by2_dot.powi(2))/2.0;
             damping => (I1*alpha_M*(s_dot/(2.0*h*N1) + theta_dot/N1).powi(2) + I2*alpha_M*(theta_dot/N2 - s_dot/(2.0*h*N2)).powi(2)
                 + alpha_M*m1*x1_dot.powi(2) + alpha_M*m1*y1_dot.powi(2) + alpha_M*m2*x2_dot.powi(2) + alpha_M*m2*y2_dot.powi(2)
                 + beta_K*kb1*bx1_dot.powi(2) + beta_K*kb1*by1_dot.powi(2) + beta_K*kb2*bx2_dot.powi(2) + beta_K*kb2*by2_dot.powi(2)
@@ -230,24 +236,28 @@ equations! {
         }
         x1 {
             _ => -sin_a*k12*touch12*over12 - kb1*bx1;
+            viscous_friction_1 => -cb1*bx1_dot;
             backlash_12 => -sin_a*k12*clip12*touch12*over12;
             sliding_friction_12 => cos_a*side12*F_mu12;
             damping => -sin_a*beta_K*k12_mid*damp12*over12_dot - alpha_M*m1*x1_dot - beta_K*kb1*bx1_dot;
         }
         y1 {
             _ => -cos_a*k12*touch12*over12 - kb1*by1;
+            viscous_friction_1 => -cb1*by1_dot;
             backlash_12 => -cos_a*k12*clip12*touch12*over12;
             sliding_friction_12 => -sin_a*side12*F_mu12;
             damping => -cos_a*beta_K*k12_mid*damp12*over12_dot - alpha_M*m1*y1_dot - beta_K*kb1*by1_dot;
         }
         x2 {
             _ => sin_a*k12*touch12*over12 - kb2*bx2;
+            viscous_friction_2 => -cb2*bx2_dot;
             backlash_12 => sin_a*k12*clip12*touch12*over12;
             sliding_friction_12 => -cos_a*side12*F_mu12;
             damping => sin_a*beta_K*k12_mid*damp12*over12_dot - alpha_M*m2*x2_dot - beta_K*kb2*bx2_dot;
         }
         y2 {
             _ => cos_a*k12*touch12*over12 - kb2*by2;
+            viscous_friction_2 => -cb2*by2_dot;
             backlash_12 => cos_a*k12*clip12*touch12*over12;
             sliding_friction_12 => sin_a*side12*F_mu12;
             damping => cos_a*beta_K*k12_mid*damp12*over12_dot - alpha_M*m2*y2_dot - beta_K*kb2*by2_dot;
@@ -390,7 +400,10 @@ equations! {
             sliding_friction_12 => (cos_a*side12*F_mu12_by_psi12_dot/(h*N1) - cos_a*side12*F_mu12_by_psi12_dot/(h*N2))/2.0;
             damping => -sin_a*beta_K*k12_mid*damp12;
         }
-        x1 x1_dot { damping => -alpha_M*m1 - beta_K*kb1 - sin_a.powi(2)*beta_K*k12_mid*damp12; }
+        x1 x1_dot {
+            viscous_friction_1 => -cb1;
+            damping => -alpha_M*m1 - beta_K*kb1 - sin_a.powi(2)*beta_K*k12_mid*damp12;
+        }
         x1 y1_dot { damping => -cos_a*sin_a*beta_K*k12_mid*damp12; }
         x1 x2_dot { damping => sin_a.powi(2)*beta_K*k12_mid*damp12; }
         x1 y2_dot { damping => cos_a*sin_a*beta_K*k12_mid*damp12; }
@@ -433,7 +446,10 @@ equations! {
             damping => -cos_a*beta_K*k12_mid*damp12;
         }
         y1 x1_dot { damping => -cos_a*sin_a*beta_K*k12_mid*damp12; }
-        y1 y1_dot { damping => -alpha_M*m1 - beta_K*kb1 - cos_a.powi(2)*beta_K*k12_mid*damp12; }
+        y1 y1_dot {
+            viscous_friction_1 => -cb1;
+            damping => -alpha_M*m1 - beta_K*kb1 - cos_a.powi(2)*beta_K*k12_mid*damp12;
+        }
         y1 x2_dot { damping => cos_a*sin_a*beta_K*k12_mid*damp12; }
         y1 y2_dot { damping => cos_a.powi(2)*beta_K*k12_mid*damp12; }
         x2 theta {
@@ -476,7 +492,10 @@ equations! {
         }
         x2 x1_dot { damping => sin_a.powi(2)*beta_K*k12_mid*damp12; }
         x2 y1_dot { damping => cos_a*sin_a*beta_K*k12_mid*damp12; }
-        x2 x2_dot { damping => -alpha_M*m2 - beta_K*kb2 - sin_a.powi(2)*beta_K*k12_mid*damp12; }
+        x2 x2_dot {
+            viscous_friction_2 => -cb2;
+            damping => -alpha_M*m2 - beta_K*kb2 - sin_a.powi(2)*beta_K*k12_mid*damp12;
+        }
         x2 y2_dot { damping => -cos_a*sin_a*beta_K*k12_mid*damp12; }
         y2 theta {
             transmission_error_12_and_backlash_12_and_moving_phase => -cos_a*k12*de12*clip12*touch12;
@@ -519,7 +538,10 @@ equations! {
         y2 x1_dot { damping => cos_a*sin_a*beta_K*k12_mid*damp12; }
         y2 y1_dot { damping => cos_a.powi(2)*beta_K*k12_mid*damp12; }
         y2 x2_dot { damping => -cos_a*sin_a*beta_K*k12_mid*damp12; }
-        y2 y2_dot { damping => -alpha_M*m2 - beta_K*kb2 - cos_a.powi(2)*beta_K*k12_mid*damp12; }
+        y2 y2_dot {
+            viscous_friction_2 => -cb2;
+            damping => -alpha_M*m2 - beta_K*kb2 - cos_a.powi(2)*beta_K*k12_mid*damp12;
+        }
     }
     cell {
         stiffness {
@@ -592,16 +614,28 @@ equations! {
             s y1 { damping => cos_a*beta_K*k12_mid*damp12; }
             s x2 { damping => -sin_a*beta_K*k12_mid*damp12; }
             s y2 { damping => -cos_a*beta_K*k12_mid*damp12; }
-            x1 x1 { damping => alpha_M*m1 + beta_K*kb1 + sin_a.powi(2)*beta_K*k12_mid*damp12; }
+            x1 x1 {
+                viscous_friction_1 => cb1;
+                damping => alpha_M*m1 + beta_K*kb1 + sin_a.powi(2)*beta_K*k12_mid*damp12;
+            }
             x1 y1 { damping => cos_a*sin_a*beta_K*k12_mid*damp12; }
             x1 x2 { damping => -sin_a.powi(2)*beta_K*k12_mid*damp12; }
             x1 y2 { damping => -cos_a*sin_a*beta_K*k12_mid*damp12; }
-            y1 y1 { damping => alpha_M*m1 + beta_K*kb1 + cos_a.powi(2)*beta_K*k12_mid*damp12; }
+            y1 y1 {
+                viscous_friction_1 => cb1;
+                damping => alpha_M*m1 + beta_K*kb1 + cos_a.powi(2)*beta_K*k12_mid*damp12;
+            }
             y1 x2 { damping => -cos_a*sin_a*beta_K*k12_mid*damp12; }
             y1 y2 { damping => -cos_a.powi(2)*beta_K*k12_mid*damp12; }
-            x2 x2 { damping => alpha_M*m2 + beta_K*kb2 + sin_a.powi(2)*beta_K*k12_mid*damp12; }
+            x2 x2 {
+                viscous_friction_2 => cb2;
+                damping => alpha_M*m2 + beta_K*kb2 + sin_a.powi(2)*beta_K*k12_mid*damp12;
+            }
             x2 y2 { damping => cos_a*sin_a*beta_K*k12_mid*damp12; }
-            y2 y2 { damping => alpha_M*m2 + beta_K*kb2 + cos_a.powi(2)*beta_K*k12_mid*damp12; }
+            y2 y2 {
+                viscous_friction_2 => cb2;
+                damping => alpha_M*m2 + beta_K*kb2 + cos_a.powi(2)*beta_K*k12_mid*damp12;
+            }
         }
         load {
             theta { torques => T_motor/N1 - T_load/N2; }
@@ -641,30 +675,36 @@ equations! {
         rotor_speed_2 "rad/s", "rotational speed of the driven gear" { _ => theta_dot/N2 - s_dot/(2.0*h*N2); }
         bearing_force_1_x "N", "force on the bearing of gear 1 along x" {
             _ => kb1*bx1;
+            viscous_friction_1 => cb1*bx1_dot;
             damping => beta_K*kb1*bx1_dot;
         }
         bearing_force_1_y "N", "force on the bearing of gear 1 along y" {
             _ => kb1*by1;
+            viscous_friction_1 => cb1*by1_dot;
             damping => beta_K*kb1*by1_dot;
         }
         bearing_force_1 "N", "magnitude of the force on the bearing of gear 1" {
             _ => (bearing_force_1_x.powi(2) + bearing_force_1_y.powi(2)).sqrt();
         }
         bearing_loss_1 "W", "power that the damper of the bearing of gear 1 takes" {
+            viscous_friction_1 => cb1*bx1_dot.powi(2) + cb1*by1_dot.powi(2);
             damping => beta_K*kb1*bx1_dot.powi(2) + beta_K*kb1*by1_dot.powi(2);
         }
         bearing_force_2_x "N", "force on the bearing of gear 2 along x" {
             _ => kb2*bx2;
+            viscous_friction_2 => cb2*bx2_dot;
             damping => beta_K*kb2*bx2_dot;
         }
         bearing_force_2_y "N", "force on the bearing of gear 2 along y" {
             _ => kb2*by2;
+            viscous_friction_2 => cb2*by2_dot;
             damping => beta_K*kb2*by2_dot;
         }
         bearing_force_2 "N", "magnitude of the force on the bearing of gear 2" {
             _ => (bearing_force_2_x.powi(2) + bearing_force_2_y.powi(2)).sqrt();
         }
         bearing_loss_2 "W", "power that the damper of the bearing of gear 2 takes" {
+            viscous_friction_2 => cb2*bx2_dot.powi(2) + cb2*by2_dot.powi(2);
             damping => beta_K*kb2*bx2_dot.powi(2) + beta_K*kb2*by2_dot.powi(2);
         }
         mesh_force_12 "N", "force of the mesh along the line of action, damper included: positive if it presses the drive flanks" {
@@ -735,5 +775,5 @@ equations! {
 // | --- | --- | --- | --- |
 // | constants (once a scene) | 0 | 1 | 2 |
 // | named forces | 2 | 9 | 2 |
-// | force | 24 | 156 | 0 |
+// | force | 24 | 160 | 0 |
 // | energy steps, all laws | 1 | 11 | 0 |

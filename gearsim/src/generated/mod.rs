@@ -50,6 +50,8 @@ pub mod element_shaft;
 #[rustfmt::skip]
 pub mod element_support;
 #[rustfmt::skip]
+pub mod element_thrust_bearing;
+#[rustfmt::skip]
 pub mod element_viscous;
 #[rustfmt::skip]
 pub mod freewheel;

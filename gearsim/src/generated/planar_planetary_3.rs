@@ -38,12 +38,15 @@ equations! {
         I_s "kg*m^2" required, open 0.0 to inf, "moment of inertia of the sun";
         m_s "kg" required, open 0.0 to inf, "mass of the sun";
         kb_s "N/m" required, from 0.0 to inf, "radial stiffness of the bearing of the sun";
+        cb_s "N*s/m" required with viscous_friction_s, from 0.0 to inf, "radial damping of the bearing of the sun: force per speed";
         I_c "kg*m^2" required, open 0.0 to inf, "moment of inertia of the carrier";
         m_c "kg" required, open 0.0 to inf, "mass of the carrier";
         kb_c "N/m" required, from 0.0 to inf, "radial stiffness of the bearing of the carrier";
+        cb_c "N*s/m" required with viscous_friction_c, from 0.0 to inf, "radial damping of the bearing of the carrier: force per speed";
         I_r "kg*m^2" required, open 0.0 to inf, "moment of inertia of the ring";
         m_r "kg" required, open 0.0 to inf, "mass of the ring";
         kb_r "N/m" required, from 0.0 to inf, "radial stiffness of the bearing of the ring";
+        cb_r "N*s/m" required with viscous_friction_r, from 0.0 to inf, "radial damping of the bearing of the ring: force per speed";
         k_r "N*m/rad" required, from 0.0 to inf, "torsional stiffness of the ring's torsional support";
         m_p "kg" required, open 0.0 to inf, "mass of a planet";
         I_p "kg*m^2" required, open 0.0 to inf, "moment of inertia of a planet";
@@ -51,6 +54,7 @@ equations! {
         psi1 "rad" default 0.0, open -inf to inf, "angular position of planet 1";
         psi2 "rad" default 2.0943951023931953, open -inf to inf, "angular position of planet 2";
         psi3 "rad" default 4.1887902047863905, open -inf to inf, "angular position of planet 3";
+        cb_p "N*s/m" required with viscous_friction_p, from 0.0 to inf, "radial damping of the bearing of a planet: force per speed";
         T_motor "N*m" required with torques, open -inf to inf, "driving torque of the sun";
         T_load "N*m" required with torques, open -inf to inf, "load torque of the carrier, against its rotation";
         alpha_M "1/s" default 0.0, from 0.0 to inf, "damping in proportion to inertia";
@@ -78,6 +82,9 @@ equations! {
     }
     motions { speed "rad/s" { theta_dot = Z_r*Z_s/(Z_r + Z_s); }, "rotational speed of the sun, ring at rest"; }
     effects {
+        viscous_friction_s of viscous_friction "friction proportional to speed";
+        viscous_friction_c of viscous_friction "friction proportional to speed";
+        viscous_friction_r of viscous_friction "friction proportional to speed";
         stiffness_step
             "the mesh stiffness steps as tooth pairs enter and leave, conserving energy by jump terms; else it has its mid value";
         rigid_kinematics requires(stiffness_step) excludes(frozen_phase)
@@ -96,6 +103,7 @@ equations! {
             "flanks deviate from their ideal position: V = k (delta - e)^2/2, with the jump terms of e where it steps";
         transmission_error_r3 of transmission_error requires(stiffness_step)
             "flanks deviate from their ideal position: V = k (delta - e)^2/2, with the jump terms of e where it steps";
+        viscous_friction_p of viscous_friction "friction proportional to speed";
         torques "constant torques of motor and load";
         damping "Rayleigh damping, C = alpha_M M + beta_K K at the mid stiffness";
     }
@@ -181,6 +189,11 @@ equations! {
                 + k_s3*delta_s3.powi(2))/2.0;
         }
         dissipation {
+            viscous_friction_s => (cb_s*bx_s_dot.powi(2) + cb_s*by_s_dot.powi(2))/2.0;
+            viscous_friction_c => (cb_c*bx_c_dot.powi(2) + cb_c*by_c_dot.powi(2))/2.0;
+            viscous_friction_r => (cb_r*bx_r_dot.powi(2) + cb_r*by_r_dot.powi(2))/2.0;
+            viscous_friction_p => (cb_p*radial1_dot.powi(2) + cb_p*radial2_dot.powi(2) + cb_p*radial3_dot.powi(2)
+                + cb_p*tangential1_dot.powi(2) + cb_p*tangential2_dot.powi(2) + cb_p*tangential3_dot.powi(2))/2.0;
             damping => (I_c*alpha_M*(theta_c_dot + theta_dot/Z_r).powi(2)
                 + I_p*alpha_M*(theta_c_dot + (u1_dot - h*theta_dot)/r_p + theta_dot/Z_r).powi(2)
                 + I_p*alpha_M*(theta_c_dot + (u2_dot - h*theta_dot)/r_p + theta_dot/Z_r).powi(2)
@@ -279,17 +292,22 @@ equations! {
         }
         x_s {
             _ => sin_s1*k_s1*delta_s1 + sin_s2*k_s2*delta_s2 + sin_s3*k_s3*delta_s3 - kb_s*bx_s;
+            viscous_friction_s => -cb_s*bx_s_dot;
             damping => sin_s1*beta_K*k_s1_mid*delta_s1_dot + sin_s2*beta_K*k_s2_mid*delta_s2_dot + sin_s3*beta_K*k_s3_mid*delta_s3_dot
                 - alpha_M*m_s*x_s_dot - beta_K*kb_s*bx_s_dot;
         }
         y_s {
             _ => -cos_s1*k_s1*delta_s1 - cos_s2*k_s2*delta_s2 - cos_s3*k_s3*delta_s3 - kb_s*by_s;
+            viscous_friction_s => -cb_s*by_s_dot;
             damping => -cos_s1*beta_K*k_s1_mid*delta_s1_dot - cos_s2*beta_K*k_s2_mid*delta_s2_dot - cos_s3*beta_K*k_s3_mid*delta_s3_dot
                 - alpha_M*m_s*y_s_dot - beta_K*kb_s*by_s_dot;
         }
         x_c {
             _ => sin_c1*kb_p*tangential1 - cos_c1*kb_p*radial1 - cos_c2*kb_p*radial2 - cos_c3*kb_p*radial3 + sin_c2*kb_p*tangential2
                 + sin_c3*kb_p*tangential3 - kb_c*bx_c;
+            viscous_friction_c => -cb_c*bx_c_dot;
+            viscous_friction_p => sin_c1*cb_p*tangential1_dot - cos_c1*cb_p*radial1_dot - cos_c2*cb_p*radial2_dot
+                - cos_c3*cb_p*radial3_dot + sin_c2*cb_p*tangential2_dot + sin_c3*cb_p*tangential3_dot;
             damping => sin_c1*beta_K*kb_p*tangential1_dot - cos_c1*beta_K*kb_p*radial1_dot - cos_c2*beta_K*kb_p*radial2_dot
                 - cos_c3*beta_K*kb_p*radial3_dot + sin_c2*beta_K*kb_p*tangential2_dot + sin_c3*beta_K*kb_p*tangential3_dot
                 - alpha_M*m_c*x_c_dot - beta_K*kb_c*bx_c_dot;
@@ -297,27 +315,34 @@ equations! {
         y_c {
             _ => -cos_c1*kb_p*tangential1 - cos_c2*kb_p*tangential2 - cos_c3*kb_p*tangential3 - sin_c1*kb_p*radial1 - sin_c2*kb_p*radial2
                 - sin_c3*kb_p*radial3 - kb_c*by_c;
+            viscous_friction_c => -cb_c*by_c_dot;
+            viscous_friction_p => -cos_c1*cb_p*tangential1_dot - cos_c2*cb_p*tangential2_dot - cos_c3*cb_p*tangential3_dot
+                - sin_c1*cb_p*radial1_dot - sin_c2*cb_p*radial2_dot - sin_c3*cb_p*radial3_dot;
             damping => -cos_c1*beta_K*kb_p*tangential1_dot - cos_c2*beta_K*kb_p*tangential2_dot - cos_c3*beta_K*kb_p*tangential3_dot
                 - sin_c1*beta_K*kb_p*radial1_dot - sin_c2*beta_K*kb_p*radial2_dot - sin_c3*beta_K*kb_p*radial3_dot - alpha_M*m_c*y_c_dot
                 - beta_K*kb_c*by_c_dot;
         }
         x_r {
             _ => sin_r1*k_r1*delta_r1 + sin_r2*k_r2*delta_r2 + sin_r3*k_r3*delta_r3 - kb_r*bx_r;
+            viscous_friction_r => -cb_r*bx_r_dot;
             damping => sin_r1*beta_K*k_r1_mid*delta_r1_dot + sin_r2*beta_K*k_r2_mid*delta_r2_dot + sin_r3*beta_K*k_r3_mid*delta_r3_dot
                 - alpha_M*m_r*x_r_dot - beta_K*kb_r*bx_r_dot;
         }
         y_r {
             _ => -cos_r1*k_r1*delta_r1 - cos_r2*k_r2*delta_r2 - cos_r3*k_r3*delta_r3 - kb_r*by_r;
+            viscous_friction_r => -cb_r*by_r_dot;
             damping => -cos_r1*beta_K*k_r1_mid*delta_r1_dot - cos_r2*beta_K*k_r2_mid*delta_r2_dot - cos_r3*beta_K*k_r3_mid*delta_r3_dot
                 - alpha_M*m_r*y_r_dot - beta_K*kb_r*by_r_dot;
         }
         zeta1 {
             _ => sin_a*k_s1*delta_s1 - sin_a*k_r1*delta_r1 + kb_p*radial1;
+            viscous_friction_p => cb_p*radial1_dot;
             damping => sin_a*beta_K*k_s1_mid*delta_s1_dot - sin_a*beta_K*k_r1_mid*delta_r1_dot - alpha_M*m_p*zeta1_dot
                 + beta_K*kb_p*radial1_dot;
         }
         eta1 {
             _ => cos_a*k_r1*delta_r1 + cos_a*k_s1*delta_s1 + kb_p*tangential1;
+            viscous_friction_p => cb_p*tangential1_dot;
             damping => cos_a*beta_K*k_r1_mid*delta_r1_dot - a*alpha_M*m_p*theta_c_dot - a*alpha_M*m_p*theta_dot/Z_r
                 + cos_a*beta_K*k_s1_mid*delta_s1_dot - alpha_M*m_p*eta1_dot + beta_K*kb_p*tangential1_dot;
         }
@@ -328,11 +353,13 @@ equations! {
         }
         zeta2 {
             _ => sin_a*k_s2*delta_s2 - sin_a*k_r2*delta_r2 + kb_p*radial2;
+            viscous_friction_p => cb_p*radial2_dot;
             damping => sin_a*beta_K*k_s2_mid*delta_s2_dot - sin_a*beta_K*k_r2_mid*delta_r2_dot - alpha_M*m_p*zeta2_dot
                 + beta_K*kb_p*radial2_dot;
         }
         eta2 {
             _ => cos_a*k_r2*delta_r2 + cos_a*k_s2*delta_s2 + kb_p*tangential2;
+            viscous_friction_p => cb_p*tangential2_dot;
             damping => cos_a*beta_K*k_r2_mid*delta_r2_dot - a*alpha_M*m_p*theta_c_dot - a*alpha_M*m_p*theta_dot/Z_r
                 + cos_a*beta_K*k_s2_mid*delta_s2_dot - alpha_M*m_p*eta2_dot + beta_K*kb_p*tangential2_dot;
         }
@@ -343,11 +370,13 @@ equations! {
         }
         zeta3 {
             _ => sin_a*k_s3*delta_s3 - sin_a*k_r3*delta_r3 + kb_p*radial3;
+            viscous_friction_p => cb_p*radial3_dot;
             damping => sin_a*beta_K*k_s3_mid*delta_s3_dot - sin_a*beta_K*k_r3_mid*delta_r3_dot - alpha_M*m_p*zeta3_dot
                 + beta_K*kb_p*radial3_dot;
         }
         eta3 {
             _ => cos_a*k_r3*delta_r3 + cos_a*k_s3*delta_s3 + kb_p*tangential3;
+            viscous_friction_p => cb_p*tangential3_dot;
             damping => cos_a*beta_K*k_r3_mid*delta_r3_dot - a*alpha_M*m_p*theta_c_dot - a*alpha_M*m_p*theta_dot/Z_r
                 + cos_a*beta_K*k_s3_mid*delta_s3_dot - alpha_M*m_p*eta3_dot + beta_K*kb_p*tangential3_dot;
         }
@@ -562,6 +591,7 @@ equations! {
         x_s eta3 { _ => -cos_a*sin_s3*k_s3; }
         x_s u3 { _ => sin_s3*k_s3; }
         x_s x_s_dot {
+            viscous_friction_s => -cb_s;
             damping => -alpha_M*m_s - beta_K*kb_s - sin_s1.powi(2)*beta_K*k_s1_mid - sin_s2.powi(2)*beta_K*k_s2_mid
                 - sin_s3.powi(2)*beta_K*k_s3_mid;
         }
@@ -594,6 +624,7 @@ equations! {
         y_s u3 { _ => -cos_s3*k_s3; }
         y_s x_s_dot { damping => cos_s1*sin_s1*beta_K*k_s1_mid + cos_s2*sin_s2*beta_K*k_s2_mid + cos_s3*sin_s3*beta_K*k_s3_mid; }
         y_s y_s_dot {
+            viscous_friction_s => -cb_s;
             damping => -alpha_M*m_s - beta_K*kb_s - cos_s1.powi(2)*beta_K*k_s1_mid - cos_s2.powi(2)*beta_K*k_s2_mid
                 - cos_s3.powi(2)*beta_K*k_s3_mid;
         }
@@ -617,15 +648,36 @@ equations! {
         x_c zeta3 { _ => cos_c3*kb_p; }
         x_c eta3 { _ => -sin_c3*kb_p; }
         x_c x_c_dot {
+            viscous_friction_c => -cb_c;
+            viscous_friction_p => -cos_c1.powi(2)*cb_p - cos_c2.powi(2)*cb_p - cos_c3.powi(2)*cb_p - sin_c1.powi(2)*cb_p
+                - sin_c2.powi(2)*cb_p - sin_c3.powi(2)*cb_p;
             damping => -alpha_M*m_c - beta_K*kb_c - cos_c1.powi(2)*beta_K*kb_p - cos_c2.powi(2)*beta_K*kb_p - cos_c3.powi(2)*beta_K*kb_p
                 - sin_c1.powi(2)*beta_K*kb_p - sin_c2.powi(2)*beta_K*kb_p - sin_c3.powi(2)*beta_K*kb_p;
         }
-        x_c zeta1_dot { damping => cos_c1*beta_K*kb_p; }
-        x_c eta1_dot { damping => -sin_c1*beta_K*kb_p; }
-        x_c zeta2_dot { damping => cos_c2*beta_K*kb_p; }
-        x_c eta2_dot { damping => -sin_c2*beta_K*kb_p; }
-        x_c zeta3_dot { damping => cos_c3*beta_K*kb_p; }
-        x_c eta3_dot { damping => -sin_c3*beta_K*kb_p; }
+        x_c zeta1_dot {
+            viscous_friction_p => cos_c1*cb_p;
+            damping => cos_c1*beta_K*kb_p;
+        }
+        x_c eta1_dot {
+            viscous_friction_p => -sin_c1*cb_p;
+            damping => -sin_c1*beta_K*kb_p;
+        }
+        x_c zeta2_dot {
+            viscous_friction_p => cos_c2*cb_p;
+            damping => cos_c2*beta_K*kb_p;
+        }
+        x_c eta2_dot {
+            viscous_friction_p => -sin_c2*cb_p;
+            damping => -sin_c2*beta_K*kb_p;
+        }
+        x_c zeta3_dot {
+            viscous_friction_p => cos_c3*cb_p;
+            damping => cos_c3*beta_K*kb_p;
+        }
+        x_c eta3_dot {
+            viscous_friction_p => -sin_c3*cb_p;
+            damping => -sin_c3*beta_K*kb_p;
+        }
         y_c y_c {
             _ => -kb_c - cos_c1.powi(2)*kb_p - cos_c2.powi(2)*kb_p - cos_c3.powi(2)*kb_p - sin_c1.powi(2)*kb_p - sin_c2.powi(2)*kb_p
                 - sin_c3.powi(2)*kb_p;
@@ -637,15 +689,36 @@ equations! {
         y_c zeta3 { _ => sin_c3*kb_p; }
         y_c eta3 { _ => cos_c3*kb_p; }
         y_c y_c_dot {
+            viscous_friction_c => -cb_c;
+            viscous_friction_p => -cos_c1.powi(2)*cb_p - cos_c2.powi(2)*cb_p - cos_c3.powi(2)*cb_p - sin_c1.powi(2)*cb_p
+                - sin_c2.powi(2)*cb_p - sin_c3.powi(2)*cb_p;
             damping => -alpha_M*m_c - beta_K*kb_c - cos_c1.powi(2)*beta_K*kb_p - cos_c2.powi(2)*beta_K*kb_p - cos_c3.powi(2)*beta_K*kb_p
                 - sin_c1.powi(2)*beta_K*kb_p - sin_c2.powi(2)*beta_K*kb_p - sin_c3.powi(2)*beta_K*kb_p;
         }
-        y_c zeta1_dot { damping => sin_c1*beta_K*kb_p; }
-        y_c eta1_dot { damping => cos_c1*beta_K*kb_p; }
-        y_c zeta2_dot { damping => sin_c2*beta_K*kb_p; }
-        y_c eta2_dot { damping => cos_c2*beta_K*kb_p; }
-        y_c zeta3_dot { damping => sin_c3*beta_K*kb_p; }
-        y_c eta3_dot { damping => cos_c3*beta_K*kb_p; }
+        y_c zeta1_dot {
+            viscous_friction_p => sin_c1*cb_p;
+            damping => sin_c1*beta_K*kb_p;
+        }
+        y_c eta1_dot {
+            viscous_friction_p => cos_c1*cb_p;
+            damping => cos_c1*beta_K*kb_p;
+        }
+        y_c zeta2_dot {
+            viscous_friction_p => sin_c2*cb_p;
+            damping => sin_c2*beta_K*kb_p;
+        }
+        y_c eta2_dot {
+            viscous_friction_p => cos_c2*cb_p;
+            damping => cos_c2*beta_K*kb_p;
+        }
+        y_c zeta3_dot {
+            viscous_friction_p => sin_c3*cb_p;
+            damping => sin_c3*beta_K*kb_p;
+        }
+        y_c eta3_dot {
+            viscous_friction_p => cos_c3*cb_p;
+            damping => cos_c3*beta_K*kb_p;
+        }
         x_r theta {
             transmission_error_r1_and_moving_phase => -sin_r1*k_r1*de_r1;
             transmission_error_r2_and_moving_phase => -sin_r2*k_r2*de_r2;
@@ -668,6 +741,7 @@ equations! {
         x_r theta_c_dot { damping => -h*sin_r1*Z_r*beta_K*k_r1_mid - h*sin_r2*Z_r*beta_K*k_r2_mid - h*sin_r3*Z_r*beta_K*k_r3_mid; }
         x_r theta_r_dot { damping => h*sin_r1*Z_r*beta_K*k_r1_mid + h*sin_r2*Z_r*beta_K*k_r2_mid + h*sin_r3*Z_r*beta_K*k_r3_mid; }
         x_r x_r_dot {
+            viscous_friction_r => -cb_r;
             damping => -alpha_M*m_r - beta_K*kb_r - sin_r1.powi(2)*beta_K*k_r1_mid - sin_r2.powi(2)*beta_K*k_r2_mid
                 - sin_r3.powi(2)*beta_K*k_r3_mid;
         }
@@ -704,6 +778,7 @@ equations! {
         y_r theta_r_dot { damping => -cos_r1*h*Z_r*beta_K*k_r1_mid - cos_r2*h*Z_r*beta_K*k_r2_mid - cos_r3*h*Z_r*beta_K*k_r3_mid; }
         y_r x_r_dot { damping => cos_r1*sin_r1*beta_K*k_r1_mid + cos_r2*sin_r2*beta_K*k_r2_mid + cos_r3*sin_r3*beta_K*k_r3_mid; }
         y_r y_r_dot {
+            viscous_friction_r => -cb_r;
             damping => -alpha_M*m_r - beta_K*kb_r - cos_r1.powi(2)*beta_K*k_r1_mid - cos_r2.powi(2)*beta_K*k_r2_mid
                 - cos_r3.powi(2)*beta_K*k_r3_mid;
         }
@@ -736,11 +811,20 @@ equations! {
         zeta1 theta_r_dot { damping => -h*sin_a*Z_r*beta_K*k_r1_mid; }
         zeta1 x_s_dot { damping => -sin_a*sin_s1*beta_K*k_s1_mid; }
         zeta1 y_s_dot { damping => cos_s1*sin_a*beta_K*k_s1_mid; }
-        zeta1 x_c_dot { damping => cos_c1*beta_K*kb_p; }
-        zeta1 y_c_dot { damping => sin_c1*beta_K*kb_p; }
+        zeta1 x_c_dot {
+            viscous_friction_p => cos_c1*cb_p;
+            damping => cos_c1*beta_K*kb_p;
+        }
+        zeta1 y_c_dot {
+            viscous_friction_p => sin_c1*cb_p;
+            damping => sin_c1*beta_K*kb_p;
+        }
         zeta1 x_r_dot { damping => sin_a*sin_r1*beta_K*k_r1_mid; }
         zeta1 y_r_dot { damping => -cos_r1*sin_a*beta_K*k_r1_mid; }
-        zeta1 zeta1_dot { damping => -alpha_M*m_p - beta_K*kb_p - sin_a.powi(2)*beta_K*k_r1_mid - sin_a.powi(2)*beta_K*k_s1_mid; }
+        zeta1 zeta1_dot {
+            viscous_friction_p => -cb_p;
+            damping => -alpha_M*m_p - beta_K*kb_p - sin_a.powi(2)*beta_K*k_r1_mid - sin_a.powi(2)*beta_K*k_s1_mid;
+        }
         zeta1 eta1_dot { damping => cos_a*sin_a*beta_K*k_r1_mid - cos_a*sin_a*beta_K*k_s1_mid; }
         zeta1 u1_dot { damping => sin_a*beta_K*k_r1_mid + sin_a*beta_K*k_s1_mid; }
         eta1 theta {
@@ -764,12 +848,21 @@ equations! {
         eta1 theta_r_dot { damping => cos_a*h*Z_r*beta_K*k_r1_mid; }
         eta1 x_s_dot { damping => -cos_a*sin_s1*beta_K*k_s1_mid; }
         eta1 y_s_dot { damping => cos_a*cos_s1*beta_K*k_s1_mid; }
-        eta1 x_c_dot { damping => -sin_c1*beta_K*kb_p; }
-        eta1 y_c_dot { damping => cos_c1*beta_K*kb_p; }
+        eta1 x_c_dot {
+            viscous_friction_p => -sin_c1*cb_p;
+            damping => -sin_c1*beta_K*kb_p;
+        }
+        eta1 y_c_dot {
+            viscous_friction_p => cos_c1*cb_p;
+            damping => cos_c1*beta_K*kb_p;
+        }
         eta1 x_r_dot { damping => -cos_a*sin_r1*beta_K*k_r1_mid; }
         eta1 y_r_dot { damping => cos_a*cos_r1*beta_K*k_r1_mid; }
         eta1 zeta1_dot { damping => cos_a*sin_a*beta_K*k_r1_mid - cos_a*sin_a*beta_K*k_s1_mid; }
-        eta1 eta1_dot { damping => -alpha_M*m_p - beta_K*kb_p - cos_a.powi(2)*beta_K*k_r1_mid - cos_a.powi(2)*beta_K*k_s1_mid; }
+        eta1 eta1_dot {
+            viscous_friction_p => -cb_p;
+            damping => -alpha_M*m_p - beta_K*kb_p - cos_a.powi(2)*beta_K*k_r1_mid - cos_a.powi(2)*beta_K*k_s1_mid;
+        }
         eta1 u1_dot { damping => cos_a*beta_K*k_s1_mid - cos_a*beta_K*k_r1_mid; }
         u1 theta {
             transmission_error_s1_and_moving_phase => k_s1*de_s1;
@@ -815,11 +908,20 @@ equations! {
         zeta2 theta_r_dot { damping => -h*sin_a*Z_r*beta_K*k_r2_mid; }
         zeta2 x_s_dot { damping => -sin_a*sin_s2*beta_K*k_s2_mid; }
         zeta2 y_s_dot { damping => cos_s2*sin_a*beta_K*k_s2_mid; }
-        zeta2 x_c_dot { damping => cos_c2*beta_K*kb_p; }
-        zeta2 y_c_dot { damping => sin_c2*beta_K*kb_p; }
+        zeta2 x_c_dot {
+            viscous_friction_p => cos_c2*cb_p;
+            damping => cos_c2*beta_K*kb_p;
+        }
+        zeta2 y_c_dot {
+            viscous_friction_p => sin_c2*cb_p;
+            damping => sin_c2*beta_K*kb_p;
+        }
         zeta2 x_r_dot { damping => sin_a*sin_r2*beta_K*k_r2_mid; }
         zeta2 y_r_dot { damping => -cos_r2*sin_a*beta_K*k_r2_mid; }
-        zeta2 zeta2_dot { damping => -alpha_M*m_p - beta_K*kb_p - sin_a.powi(2)*beta_K*k_r2_mid - sin_a.powi(2)*beta_K*k_s2_mid; }
+        zeta2 zeta2_dot {
+            viscous_friction_p => -cb_p;
+            damping => -alpha_M*m_p - beta_K*kb_p - sin_a.powi(2)*beta_K*k_r2_mid - sin_a.powi(2)*beta_K*k_s2_mid;
+        }
         zeta2 eta2_dot { damping => cos_a*sin_a*beta_K*k_r2_mid - cos_a*sin_a*beta_K*k_s2_mid; }
         zeta2 u2_dot { damping => sin_a*beta_K*k_r2_mid + sin_a*beta_K*k_s2_mid; }
         eta2 theta {
@@ -843,12 +945,21 @@ equations! {
         eta2 theta_r_dot { damping => cos_a*h*Z_r*beta_K*k_r2_mid; }
         eta2 x_s_dot { damping => -cos_a*sin_s2*beta_K*k_s2_mid; }
         eta2 y_s_dot { damping => cos_a*cos_s2*beta_K*k_s2_mid; }
-        eta2 x_c_dot { damping => -sin_c2*beta_K*kb_p; }
-        eta2 y_c_dot { damping => cos_c2*beta_K*kb_p; }
+        eta2 x_c_dot {
+            viscous_friction_p => -sin_c2*cb_p;
+            damping => -sin_c2*beta_K*kb_p;
+        }
+        eta2 y_c_dot {
+            viscous_friction_p => cos_c2*cb_p;
+            damping => cos_c2*beta_K*kb_p;
+        }
         eta2 x_r_dot { damping => -cos_a*sin_r2*beta_K*k_r2_mid; }
         eta2 y_r_dot { damping => cos_a*cos_r2*beta_K*k_r2_mid; }
         eta2 zeta2_dot { damping => cos_a*sin_a*beta_K*k_r2_mid - cos_a*sin_a*beta_K*k_s2_mid; }
-        eta2 eta2_dot { damping => -alpha_M*m_p - beta_K*kb_p - cos_a.powi(2)*beta_K*k_r2_mid - cos_a.powi(2)*beta_K*k_s2_mid; }
+        eta2 eta2_dot {
+            viscous_friction_p => -cb_p;
+            damping => -alpha_M*m_p - beta_K*kb_p - cos_a.powi(2)*beta_K*k_r2_mid - cos_a.powi(2)*beta_K*k_s2_mid;
+        }
         eta2 u2_dot { damping => cos_a*beta_K*k_s2_mid - cos_a*beta_K*k_r2_mid; }
         u2 theta {
             transmission_error_s2_and_moving_phase => k_s2*de_s2;
@@ -894,11 +1005,20 @@ equations! {
         zeta3 theta_r_dot { damping => -h*sin_a*Z_r*beta_K*k_r3_mid; }
         zeta3 x_s_dot { damping => -sin_a*sin_s3*beta_K*k_s3_mid; }
         zeta3 y_s_dot { damping => cos_s3*sin_a*beta_K*k_s3_mid; }
-        zeta3 x_c_dot { damping => cos_c3*beta_K*kb_p; }
-        zeta3 y_c_dot { damping => sin_c3*beta_K*kb_p; }
+        zeta3 x_c_dot {
+            viscous_friction_p => cos_c3*cb_p;
+            damping => cos_c3*beta_K*kb_p;
+        }
+        zeta3 y_c_dot {
+            viscous_friction_p => sin_c3*cb_p;
+            damping => sin_c3*beta_K*kb_p;
+        }
         zeta3 x_r_dot { damping => sin_a*sin_r3*beta_K*k_r3_mid; }
         zeta3 y_r_dot { damping => -cos_r3*sin_a*beta_K*k_r3_mid; }
-        zeta3 zeta3_dot { damping => -alpha_M*m_p - beta_K*kb_p - sin_a.powi(2)*beta_K*k_r3_mid - sin_a.powi(2)*beta_K*k_s3_mid; }
+        zeta3 zeta3_dot {
+            viscous_friction_p => -cb_p;
+            damping => -alpha_M*m_p - beta_K*kb_p - sin_a.powi(2)*beta_K*k_r3_mid - sin_a.powi(2)*beta_K*k_s3_mid;
+        }
         zeta3 eta3_dot { damping => cos_a*sin_a*beta_K*k_r3_mid - cos_a*sin_a*beta_K*k_s3_mid; }
         zeta3 u3_dot { damping => sin_a*beta_K*k_r3_mid + sin_a*beta_K*k_s3_mid; }
         eta3 theta {
@@ -922,12 +1042,21 @@ equations! {
         eta3 theta_r_dot { damping => cos_a*h*Z_r*beta_K*k_r3_mid; }
         eta3 x_s_dot { damping => -cos_a*sin_s3*beta_K*k_s3_mid; }
         eta3 y_s_dot { damping => cos_a*cos_s3*beta_K*k_s3_mid; }
-        eta3 x_c_dot { damping => -sin_c3*beta_K*kb_p; }
-        eta3 y_c_dot { damping => cos_c3*beta_K*kb_p; }
+        eta3 x_c_dot {
+            viscous_friction_p => -sin_c3*cb_p;
+            damping => -sin_c3*beta_K*kb_p;
+        }
+        eta3 y_c_dot {
+            viscous_friction_p => cos_c3*cb_p;
+            damping => cos_c3*beta_K*kb_p;
+        }
         eta3 x_r_dot { damping => -cos_a*sin_r3*beta_K*k_r3_mid; }
         eta3 y_r_dot { damping => cos_a*cos_r3*beta_K*k_r3_mid; }
         eta3 zeta3_dot { damping => cos_a*sin_a*beta_K*k_r3_mid - cos_a*sin_a*beta_K*k_s3_mid; }
-        eta3 eta3_dot { damping => -alpha_M*m_p - beta_K*kb_p - cos_a.powi(2)*beta_K*k_r3_mid - cos_a.powi(2)*beta_K*k_s3_mid; }
+        eta3 eta3_dot {
+            viscous_friction_p => -cb_p;
+            damping => -alpha_M*m_p - beta_K*kb_p - cos_a.powi(2)*beta_K*k_r3_mid - cos_a.powi(2)*beta_K*k_s3_mid;
+        }
         eta3 u3_dot { damping => cos_a*beta_K*k_s3_mid - cos_a*beta_K*k_r3_mid; }
         u3 theta {
             transmission_error_s3_and_moving_phase => k_s3*de_s3;
@@ -1113,6 +1242,7 @@ equations! {
             theta_r eta3 { damping => -cos_a*h*Z_r*beta_K*k_r3_mid; }
             theta_r u3 { damping => -h*Z_r*beta_K*k_r3_mid; }
             x_s x_s {
+                viscous_friction_s => cb_s;
                 damping => alpha_M*m_s + beta_K*kb_s + sin_s1.powi(2)*beta_K*k_s1_mid + sin_s2.powi(2)*beta_K*k_s2_mid
                     + sin_s3.powi(2)*beta_K*k_s3_mid;
             }
@@ -1127,6 +1257,7 @@ equations! {
             x_s eta3 { damping => cos_a*sin_s3*beta_K*k_s3_mid; }
             x_s u3 { damping => -sin_s3*beta_K*k_s3_mid; }
             y_s y_s {
+                viscous_friction_s => cb_s;
                 damping => alpha_M*m_s + beta_K*kb_s + cos_s1.powi(2)*beta_K*k_s1_mid + cos_s2.powi(2)*beta_K*k_s2_mid
                     + cos_s3.powi(2)*beta_K*k_s3_mid;
             }
@@ -1140,26 +1271,69 @@ equations! {
             y_s eta3 { damping => -cos_a*cos_s3*beta_K*k_s3_mid; }
             y_s u3 { damping => cos_s3*beta_K*k_s3_mid; }
             x_c x_c {
+                viscous_friction_c => cb_c;
+                viscous_friction_p => cos_c1.powi(2)*cb_p + cos_c2.powi(2)*cb_p + cos_c3.powi(2)*cb_p + sin_c1.powi(2)*cb_p
+                    + sin_c2.powi(2)*cb_p + sin_c3.powi(2)*cb_p;
                 damping => alpha_M*m_c + beta_K*kb_c + cos_c1.powi(2)*beta_K*kb_p + cos_c2.powi(2)*beta_K*kb_p
                     + cos_c3.powi(2)*beta_K*kb_p + sin_c1.powi(2)*beta_K*kb_p + sin_c2.powi(2)*beta_K*kb_p + sin_c3.powi(2)*beta_K*kb_p;
             }
-            x_c zeta1 { damping => -cos_c1*beta_K*kb_p; }
-            x_c eta1 { damping => sin_c1*beta_K*kb_p; }
-            x_c zeta2 { damping => -cos_c2*beta_K*kb_p; }
-            x_c eta2 { damping => sin_c2*beta_K*kb_p; }
-            x_c zeta3 { damping => -cos_c3*beta_K*kb_p; }
-            x_c eta3 { damping => sin_c3*beta_K*kb_p; }
+            x_c zeta1 {
+                viscous_friction_p => -cos_c1*cb_p;
+                damping => -cos_c1*beta_K*kb_p;
+            }
+            x_c eta1 {
+                viscous_friction_p => sin_c1*cb_p;
+                damping => sin_c1*beta_K*kb_p;
+            }
+            x_c zeta2 {
+                viscous_friction_p => -cos_c2*cb_p;
+                damping => -cos_c2*beta_K*kb_p;
+            }
+            x_c eta2 {
+                viscous_friction_p => sin_c2*cb_p;
+                damping => sin_c2*beta_K*kb_p;
+            }
+            x_c zeta3 {
+                viscous_friction_p => -cos_c3*cb_p;
+                damping => -cos_c3*beta_K*kb_p;
+            }
+            x_c eta3 {
+                viscous_friction_p => sin_c3*cb_p;
+                damping => sin_c3*beta_K*kb_p;
+            }
             y_c y_c {
+                viscous_friction_c => cb_c;
+                viscous_friction_p => cos_c1.powi(2)*cb_p + cos_c2.powi(2)*cb_p + cos_c3.powi(2)*cb_p + sin_c1.powi(2)*cb_p
+                    + sin_c2.powi(2)*cb_p + sin_c3.powi(2)*cb_p;
                 damping => alpha_M*m_c + beta_K*kb_c + cos_c1.powi(2)*beta_K*kb_p + cos_c2.powi(2)*beta_K*kb_p
                     + cos_c3.powi(2)*beta_K*kb_p + sin_c1.powi(2)*beta_K*kb_p + sin_c2.powi(2)*beta_K*kb_p + sin_c3.powi(2)*beta_K*kb_p;
             }
-            y_c zeta1 { damping => -sin_c1*beta_K*kb_p; }
-            y_c eta1 { damping => -cos_c1*beta_K*kb_p; }
-            y_c zeta2 { damping => -sin_c2*beta_K*kb_p; }
-            y_c eta2 { damping => -cos_c2*beta_K*kb_p; }
-            y_c zeta3 { damping => -sin_c3*beta_K*kb_p; }
-            y_c eta3 { damping => -cos_c3*beta_K*kb_p; }
+            y_c zeta1 {
+                viscous_friction_p => -sin_c1*cb_p;
+                damping => -sin_c1*beta_K*kb_p;
+            }
+            y_c eta1 {
+                viscous_friction_p => -cos_c1*cb_p;
+                damping => -cos_c1*beta_K*kb_p;
+            }
+            y_c zeta2 {
+                viscous_friction_p => -sin_c2*cb_p;
+                damping => -sin_c2*beta_K*kb_p;
+            }
+            y_c eta2 {
+                viscous_friction_p => -cos_c2*cb_p;
+                damping => -cos_c2*beta_K*kb_p;
+            }
+            y_c zeta3 {
+                viscous_friction_p => -sin_c3*cb_p;
+                damping => -sin_c3*beta_K*kb_p;
+            }
+            y_c eta3 {
+                viscous_friction_p => -cos_c3*cb_p;
+                damping => -cos_c3*beta_K*kb_p;
+            }
             x_r x_r {
+                viscous_friction_r => cb_r;
                 damping => alpha_M*m_r + beta_K*kb_r + sin_r1.powi(2)*beta_K*k_r1_mid + sin_r2.powi(2)*beta_K*k_r2_mid
                     + sin_r3.powi(2)*beta_K*k_r3_mid;
             }
@@ -1174,6 +1348,7 @@ equations! {
             x_r eta3 { damping => cos_a*sin_r3*beta_K*k_r3_mid; }
             x_r u3 { damping => sin_r3*beta_K*k_r3_mid; }
             y_r y_r {
+                viscous_friction_r => cb_r;
                 damping => alpha_M*m_r + beta_K*kb_r + cos_r1.powi(2)*beta_K*k_r1_mid + cos_r2.powi(2)*beta_K*k_r2_mid
                     + cos_r3.powi(2)*beta_K*k_r3_mid;
             }
@@ -1186,22 +1361,40 @@ equations! {
             y_r zeta3 { damping => cos_r3*sin_a*beta_K*k_r3_mid; }
             y_r eta3 { damping => -cos_a*cos_r3*beta_K*k_r3_mid; }
             y_r u3 { damping => -cos_r3*beta_K*k_r3_mid; }
-            zeta1 zeta1 { damping => alpha_M*m_p + beta_K*kb_p + sin_a.powi(2)*beta_K*k_r1_mid + sin_a.powi(2)*beta_K*k_s1_mid; }
+            zeta1 zeta1 {
+                viscous_friction_p => cb_p;
+                damping => alpha_M*m_p + beta_K*kb_p + sin_a.powi(2)*beta_K*k_r1_mid + sin_a.powi(2)*beta_K*k_s1_mid;
+            }
             zeta1 eta1 { damping => cos_a*sin_a*beta_K*k_s1_mid - cos_a*sin_a*beta_K*k_r1_mid; }
             zeta1 u1 { damping => -sin_a*beta_K*k_r1_mid - sin_a*beta_K*k_s1_mid; }
-            eta1 eta1 { damping => alpha_M*m_p + beta_K*kb_p + cos_a.powi(2)*beta_K*k_r1_mid + cos_a.powi(2)*beta_K*k_s1_mid; }
+            eta1 eta1 {
+                viscous_friction_p => cb_p;
+                damping => alpha_M*m_p + beta_K*kb_p + cos_a.powi(2)*beta_K*k_r1_mid + cos_a.powi(2)*beta_K*k_s1_mid;
+            }
             eta1 u1 { damping => cos_a*beta_K*k_r1_mid - cos_a*beta_K*k_s1_mid; }
             u1 u1 { damping => beta_K*k_r1_mid + beta_K*k_s1_mid + I_p*alpha_M/r_p.powi(2); }
-            zeta2 zeta2 { damping => alpha_M*m_p + beta_K*kb_p + sin_a.powi(2)*beta_K*k_r2_mid + sin_a.powi(2)*beta_K*k_s2_mid; }
+            zeta2 zeta2 {
+                viscous_friction_p => cb_p;
+                damping => alpha_M*m_p + beta_K*kb_p + sin_a.powi(2)*beta_K*k_r2_mid + sin_a.powi(2)*beta_K*k_s2_mid;
+            }
             zeta2 eta2 { damping => cos_a*sin_a*beta_K*k_s2_mid - cos_a*sin_a*beta_K*k_r2_mid; }
             zeta2 u2 { damping => -sin_a*beta_K*k_r2_mid - sin_a*beta_K*k_s2_mid; }
-            eta2 eta2 { damping => alpha_M*m_p + beta_K*kb_p + cos_a.powi(2)*beta_K*k_r2_mid + cos_a.powi(2)*beta_K*k_s2_mid; }
+            eta2 eta2 {
+                viscous_friction_p => cb_p;
+                damping => alpha_M*m_p + beta_K*kb_p + cos_a.powi(2)*beta_K*k_r2_mid + cos_a.powi(2)*beta_K*k_s2_mid;
+            }
             eta2 u2 { damping => cos_a*beta_K*k_r2_mid - cos_a*beta_K*k_s2_mid; }
             u2 u2 { damping => beta_K*k_r2_mid + beta_K*k_s2_mid + I_p*alpha_M/r_p.powi(2); }
-            zeta3 zeta3 { damping => alpha_M*m_p + beta_K*kb_p + sin_a.powi(2)*beta_K*k_r3_mid + sin_a.powi(2)*beta_K*k_s3_mid; }
+            zeta3 zeta3 {
+                viscous_friction_p => cb_p;
+                damping => alpha_M*m_p + beta_K*kb_p + sin_a.powi(2)*beta_K*k_r3_mid + sin_a.powi(2)*beta_K*k_s3_mid;
+            }
             zeta3 eta3 { damping => cos_a*sin_a*beta_K*k_s3_mid - cos_a*sin_a*beta_K*k_r3_mid; }
             zeta3 u3 { damping => -sin_a*beta_K*k_r3_mid - sin_a*beta_K*k_s3_mid; }
-            eta3 eta3 { damping => alpha_M*m_p + beta_K*kb_p + cos_a.powi(2)*beta_K*k_r3_mid + cos_a.powi(2)*beta_K*k_s3_mid; }
+            eta3 eta3 {
+                viscous_friction_p => cb_p;
+                damping => alpha_M*m_p + beta_K*kb_p + cos_a.powi(2)*beta_K*k_r3_mid + cos_a.powi(2)*beta_K*k_s3_mid;
+            }
             eta3 u3 { damping => cos_a*beta_K*k_r3_mid - cos_a*beta_K*k_s3_mid; }
             u3 u3 { damping => beta_K*k_r3_mid + beta_K*k_s3_mid + I_p*alpha_M/r_p.powi(2); }
         }
@@ -1243,46 +1436,55 @@ equations! {
         rotor_speed_s "rad/s", "rotational speed of the sun" { _ => theta_c_dot + theta_dot*(1.0/Z_r + 1.0/Z_s); }
         bearing_force_s_x "N", "force on the bearing of the sun along x" {
             _ => kb_s*bx_s;
+            viscous_friction_s => cb_s*bx_s_dot;
             damping => beta_K*kb_s*bx_s_dot;
         }
         bearing_force_s_y "N", "force on the bearing of the sun along y" {
             _ => kb_s*by_s;
+            viscous_friction_s => cb_s*by_s_dot;
             damping => beta_K*kb_s*by_s_dot;
         }
         bearing_force_s "N", "magnitude of the force on the bearing of the sun" {
             _ => (bearing_force_s_x.powi(2) + bearing_force_s_y.powi(2)).sqrt();
         }
         bearing_loss_s "W", "power that the damper of the bearing of the sun takes" {
+            viscous_friction_s => cb_s*bx_s_dot.powi(2) + cb_s*by_s_dot.powi(2);
             damping => beta_K*kb_s*bx_s_dot.powi(2) + beta_K*kb_s*by_s_dot.powi(2);
         }
         rotor_speed_c "rad/s", "rotational speed of the carrier" { _ => theta_c_dot + theta_dot/Z_r; }
         bearing_force_c_x "N", "force on the bearing of the carrier along x" {
             _ => kb_c*bx_c;
+            viscous_friction_c => cb_c*bx_c_dot;
             damping => beta_K*kb_c*bx_c_dot;
         }
         bearing_force_c_y "N", "force on the bearing of the carrier along y" {
             _ => kb_c*by_c;
+            viscous_friction_c => cb_c*by_c_dot;
             damping => beta_K*kb_c*by_c_dot;
         }
         bearing_force_c "N", "magnitude of the force on the bearing of the carrier" {
             _ => (bearing_force_c_x.powi(2) + bearing_force_c_y.powi(2)).sqrt();
         }
         bearing_loss_c "W", "power that the damper of the bearing of the carrier takes" {
+            viscous_friction_c => cb_c*bx_c_dot.powi(2) + cb_c*by_c_dot.powi(2);
             damping => beta_K*kb_c*bx_c_dot.powi(2) + beta_K*kb_c*by_c_dot.powi(2);
         }
         rotor_speed_r "rad/s", "rotational speed of the ring" { _ => theta_r_dot; }
         bearing_force_r_x "N", "force on the bearing of the ring along x" {
             _ => kb_r*bx_r;
+            viscous_friction_r => cb_r*bx_r_dot;
             damping => beta_K*kb_r*bx_r_dot;
         }
         bearing_force_r_y "N", "force on the bearing of the ring along y" {
             _ => kb_r*by_r;
+            viscous_friction_r => cb_r*by_r_dot;
             damping => beta_K*kb_r*by_r_dot;
         }
         bearing_force_r "N", "magnitude of the force on the bearing of the ring" {
             _ => (bearing_force_r_x.powi(2) + bearing_force_r_y.powi(2)).sqrt();
         }
         bearing_loss_r "W", "power that the damper of the bearing of the ring takes" {
+            viscous_friction_r => cb_r*bx_r_dot.powi(2) + cb_r*by_r_dot.powi(2);
             damping => beta_K*kb_r*bx_r_dot.powi(2) + beta_K*kb_r*by_r_dot.powi(2);
         }
         shaft_twist_r "rad", "twist of the ring's torsional support" { _ => twist_r; }
@@ -1296,16 +1498,19 @@ equations! {
         shaft_loss_r "W", "power that the damper of the ring's torsional support takes" { damping => beta_K*k_r*twist_r_dot.powi(2); }
         planet_bearing_force_1_radial "N", "radial force on the bearing of planet 1" {
             _ => kb_p*radial1;
+            viscous_friction_p => cb_p*radial1_dot;
             damping => beta_K*kb_p*radial1_dot;
         }
         planet_bearing_force_1_tangential "N", "tangential force on the bearing of planet 1" {
             _ => kb_p*tangential1;
+            viscous_friction_p => cb_p*tangential1_dot;
             damping => beta_K*kb_p*tangential1_dot;
         }
         planet_bearing_force_1 "N", "magnitude of the force on the bearing of planet 1" {
             _ => (planet_bearing_force_1_radial.powi(2) + planet_bearing_force_1_tangential.powi(2)).sqrt();
         }
         planet_bearing_loss_1 "W", "power that the damper of the bearing of planet 1 takes" {
+            viscous_friction_p => cb_p*radial1_dot.powi(2) + cb_p*tangential1_dot.powi(2);
             damping => beta_K*kb_p*radial1_dot.powi(2) + beta_K*kb_p*tangential1_dot.powi(2);
         }
         mesh_force_s1 "N",
@@ -1348,16 +1553,19 @@ equations! {
         }
         planet_bearing_force_2_radial "N", "radial force on the bearing of planet 2" {
             _ => kb_p*radial2;
+            viscous_friction_p => cb_p*radial2_dot;
             damping => beta_K*kb_p*radial2_dot;
         }
         planet_bearing_force_2_tangential "N", "tangential force on the bearing of planet 2" {
             _ => kb_p*tangential2;
+            viscous_friction_p => cb_p*tangential2_dot;
             damping => beta_K*kb_p*tangential2_dot;
         }
         planet_bearing_force_2 "N", "magnitude of the force on the bearing of planet 2" {
             _ => (planet_bearing_force_2_radial.powi(2) + planet_bearing_force_2_tangential.powi(2)).sqrt();
         }
         planet_bearing_loss_2 "W", "power that the damper of the bearing of planet 2 takes" {
+            viscous_friction_p => cb_p*radial2_dot.powi(2) + cb_p*tangential2_dot.powi(2);
             damping => beta_K*kb_p*radial2_dot.powi(2) + beta_K*kb_p*tangential2_dot.powi(2);
         }
         mesh_force_s2 "N",
@@ -1400,16 +1608,19 @@ equations! {
         }
         planet_bearing_force_3_radial "N", "radial force on the bearing of planet 3" {
             _ => kb_p*radial3;
+            viscous_friction_p => cb_p*radial3_dot;
             damping => beta_K*kb_p*radial3_dot;
         }
         planet_bearing_force_3_tangential "N", "tangential force on the bearing of planet 3" {
             _ => kb_p*tangential3;
+            viscous_friction_p => cb_p*tangential3_dot;
             damping => beta_K*kb_p*tangential3_dot;
         }
         planet_bearing_force_3 "N", "magnitude of the force on the bearing of planet 3" {
             _ => (planet_bearing_force_3_radial.powi(2) + planet_bearing_force_3_tangential.powi(2)).sqrt();
         }
         planet_bearing_loss_3 "W", "power that the damper of the bearing of planet 3 takes" {
+            viscous_friction_p => cb_p*radial3_dot.powi(2) + cb_p*tangential3_dot.powi(2);
             damping => beta_K*kb_p*radial3_dot.powi(2) + beta_K*kb_p*tangential3_dot.powi(2);
         }
         mesh_force_s3 "N",
@@ -1492,5 +1703,5 @@ equations! {
 // | output | sums | products, quotients | functions, roots |
 // | --- | --- | --- | --- |
 // | constants (once a scene) | 14 | 11 | 20 |
-// | force | 165 | 566 | 0 |
+// | force | 175 | 602 | 0 |
 // | energy steps, all laws | 6 | 48 | 0 |

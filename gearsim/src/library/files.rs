@@ -4,9 +4,10 @@ use std::collections::BTreeMap;
 
 use indexmap::IndexMap;
 
-use crate::analysis::{dynamic_factor, rainflow};
+use crate::analysis::{dynamic_factor, from_teeth, rainflow};
 use crate::output::summary::{
-    Counts, Digits, Energy, FORMAT, LoadSpectrum, Mesh, Method, Named, Number, Observed, Rows, Summary, VERSION,
+    Counts, Digits, Energy, FORMAT, LawFromTeeth, LoadSpectrum, Mesh, Method, Named, Number, Observed, Rows, Summary,
+    VERSION,
 };
 use crate::output::{OutputError, OutputFolder, Table, csv, parquet};
 use crate::plot::{self, Figure, PlotError, Run};
@@ -125,6 +126,7 @@ pub(crate) fn summary(scene: &Scene, outcome: &Outcome, files: Vec<String>) -> S
         outputs: Observed::all(run, scene.output.from),
         rows: Rows::of(run),
         meshes: meshes.iter().map(|(name, (mesh, _))| ((*name).to_owned(), mesh.clone())).collect(),
+        laws_from_teeth: from_teeth::of(scene).iter().map(|law| (law.law.name.into(), LawFromTeeth::of(law))).collect(),
         load_spectra: load_spectra(scene, run),
         sounds: IndexMap::new(),
         modes: outcome.modes.iter().map(|(switch, times)| (switch.to_string(), shares(times))).collect(),
@@ -147,7 +149,7 @@ pub(crate) fn summary(scene: &Scene, outcome: &Outcome, files: Vec<String>) -> S
         digits: outcome
             .digits
             .map(|digits| Digits { at_end: Number(digits.at_end), none_from: digits.none_from.map(Number) }),
-        remarks: scene.warnings.iter().chain(&outcome.remarks).cloned().collect(),
+        remarks: scene.conversions.iter().chain(&scene.warnings).chain(&outcome.remarks).cloned().collect(),
         cpu_seconds: Number(outcome.cpu_seconds),
         completed: outcome.stopped_by.is_none(),
         stopped_by: outcome.stopped_by.as_ref().map(|stop| stop.to_string()),

@@ -16,13 +16,13 @@ use crate::trajectory::Trajectory;
 mod evaluated;
 mod observed;
 
-pub use evaluated::{LoadSpectrum, Mesh, Rows, Sound};
+pub use evaluated::{LawFromTeeth, Level, LoadSpectrum, Mesh, Rows, Sound};
 pub use observed::Observed;
 
 /// Name of the format of `summary.json`.
 pub const FORMAT: &str = "gearsim.summary";
 /// Version of the format. Files of version 0 have neither `format` nor `version`.
-pub const VERSION: u32 = 3;
+pub const VERSION: u32 = 4;
 
 /// The content of `summary.json`.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -54,6 +54,8 @@ pub struct Summary {
     pub rows: Rows,
     /// Loads of the meshes whose forces are recorded, by their stiffness laws.
     pub meshes: IndexMap<String, Mesh>,
+    /// The stiffnesses that the scene gives by teeth, by their names.
+    pub laws_from_teeth: IndexMap<String, LawFromTeeth>,
     /// Load spectra of the signals that the scene names, by name.
     pub load_spectra: IndexMap<String, LoadSpectrum>,
     /// Signals written as sound, by name.

@@ -3,6 +3,7 @@
 use super::document::{Entry, Node, Place};
 use super::keys::{Key, Kind, REQUIRED, key};
 use super::mistake::{Report, did_you_mean};
+use super::per_radius::{OfModel, Radii};
 use super::{Scene, effects, field, gear_data, keys, laws, output, parameters, solver, start, train};
 use crate::model::Model;
 
@@ -14,7 +15,7 @@ pub(super) const KEYS: &[Key] = &[
     key("parameters", Kind::Named(parameters::NAMED), "defaults of the model", "values of the model's parameters"),
     key("laws", Kind::Named(laws::NAMED), "required by models with meshes", "what repeats with each pitch of a mesh"),
     key("start", Kind::Named(start::NAMED), "those of the model", "the state at t = 0"),
-    key("run", Kind::Table(RUN), REQUIRED, "how long and by which method"),
+    key("run", Kind::Table(RUN), "required by all that runs, not by modes and floquet", "how long and by which method"),
     key("output", Kind::Table(&[output::KEYS]), "all defaults", "what is recorded and drawn"),
 ];
 
@@ -34,13 +35,13 @@ pub(super) fn scene(root: &Node, end: &Place, models: &[&'static Model], report:
     let about = keys::get(entries, "about").and_then(|node| field::text("about", node, report));
     let model = keys::get(entries, "model").and_then(|node| read_model(node, models, report));
     let mut listed = None;
-    let (model, train) = match model {
+    let (model, train, radii): (_, _, Option<Box<dyn Radii>>) = match model {
         Some(bare) if !bare.elements.is_empty() => {
             let entries = listed.insert(entries.to_vec());
-            let (model, train) = train::read(bare, entries, [&root.place, end], report)?;
-            (Some(model), Some(train))
+            let (model, train, radii) = train::read(bare, entries, [&root.place, end], report)?;
+            (Some(model), Some(train), Some(Box::new(radii)))
         }
-        derived => (derived, None),
+        derived => (derived, None, None),
     };
     let entries = listed.as_deref().unwrap_or(entries);
     stray_keys(entries, model, report);
@@ -49,7 +50,13 @@ pub(super) fn scene(root: &Node, end: &Place, models: &[&'static Model], report:
         let effects = effects.and_then(|node| effects::read(node, model, report));
         (
             effects,
-            parameters::read(entries, model, effects, &mut absent, report),
+            parameters::read(
+                entries,
+                (model, radii.as_deref().unwrap_or(&OfModel(model))),
+                effects,
+                &mut absent,
+                report,
+            ),
             laws::read(entries, model, effects, &mut absent, report),
             laws::gears(entries, model),
             start::read(entries, model, report),
@@ -58,18 +65,21 @@ pub(super) fn scene(root: &Node, end: &Place, models: &[&'static Model], report:
     let (t_end, solver) = output::read_run(entries, &mut absent, report);
     let effects = of_model.as_ref().and_then(|of_model| of_model.0);
     let output = output::read(entries, (model, effects), t_end, report);
-    keys::missing(&absent, "the scene", end, report);
+    // Modes and multipliers need no run, and a run refuses a scene without one. Beside other mistakes it is one of them.
+    if !report.is_empty() || absent.iter().any(|(name, _)| *name != output::RUN) {
+        keys::missing(&absent, "the scene", end, report);
+    }
 
     let (effects, parameters, laws, gears, start) = of_model?;
-    let (parameters, time_histories) = parameters?;
+    let parameters = parameters?;
     let scene = Scene {
         name: String::new(),
         about: about.unwrap_or_default().to_string(),
         model: model?,
         train,
         effects: effects?,
-        parameters,
-        time_histories,
+        parameters: parameters.values,
+        time_histories: parameters.varying,
         laws: laws?,
         gears,
         start: start?,
@@ -80,6 +90,7 @@ pub(super) fn scene(root: &Node, end: &Place, models: &[&'static Model], report:
         text: "".into(),
         source: "".into(),
         overrides: vec![],
+        conversions: parameters.conversions,
         warnings: vec![],
     };
     gear_data::check(&scene, entries, report);

@@ -9,7 +9,7 @@ use super::mistake::Report;
 use super::teeth::TeethReader;
 use super::{Scene, field, keys};
 use crate::gear::Gears;
-use crate::model::Parameter;
+use crate::model::{Model, Parameter};
 use crate::tolerance::scene::{
     BASE_RADIUS, MODULES, PRESSURE_ANGLES, TEETH, USUAL_ANGLES, USUAL_MODULES, WORKING_ANGLE,
 };
@@ -167,15 +167,7 @@ impl Checker<'_> {
 impl Scene {
     /// Number of teeth of a gear by its suffix, and where it comes from; `_p` is a planet.
     pub(crate) fn teeth_of(&self, gear: &str) -> Option<(f64, String)> {
-        let of = |name: &str| self.parameter(name).filter(|x| x.is_finite());
-        if gear == "_p" {
-            let (sun, ring) = (of("Z_s")?, of("Z_r")?);
-            return Some(((ring - sun) / 2.0, format!("(Z_r - Z_s)/2 = {}", (ring - sun) / 2.0)));
-        }
-        ["N", "Z"].iter().find_map(|letter| {
-            let name = format!("{letter}{gear}");
-            of(&name).map(|z| (z, format!("{name} = {z}")))
-        })
+        teeth(gear, &|name| self.parameter(name))
     }
 
     /// The first of its pressure angles that is given \[rad\].
@@ -184,6 +176,40 @@ impl Scene {
         let mut all = self.model.parameters.iter().zip(&self.parameters);
         all.find(|(parameter, x)| is_angle(parameter) && x.is_finite()).map(|(_, x)| *x)
     }
+}
+
+/// Number of teeth of a gear by its suffix, and where it comes from; `_p` is a planet. `value` has the values of the parameters.
+fn teeth(gear: &str, value: &dyn Fn(&str) -> Option<f64>) -> Option<(f64, String)> {
+    let of = |name: &str| value(name).filter(|x| x.is_finite());
+    if gear == "_p" {
+        let (sun, ring) = (of("Z_s")?, of("Z_r")?);
+        return Some(((ring - sun) / 2.0, format!("(Z_r - Z_s)/2 = {}", (ring - sun) / 2.0)));
+    }
+    ["N", "Z"].iter().find_map(|letter| {
+        let name = format!("{letter}{gear}");
+        of(&name).map(|z| (z, format!("{name} = {z}")))
+    })
+}
+
+/// The base radius of a gear of a model by its suffix [m]: its parameter, or that of a gear with which it meshes, in the ratio of their
+/// teeth. The radius of a carrier, `_c`, is that of the circle of the planets' centres. `value` has the values of the parameters.
+pub(super) fn radius(model: &Model, gear: &str, value: &dyn Fn(&str) -> Option<f64>) -> Option<f64> {
+    let teeth = |gear: &str| teeth(gear, value).map(|(z, _)| z);
+    let given = |gear: &str| value(&format!("r{gear}"));
+    if gear == "_c" {
+        let (sun, ring, alpha) = (teeth("_s")?, teeth("_r")?, value("alpha")?);
+        return Some(given("_s")? / sun * (sun + ring) / 2.0 / alpha.cos());
+    }
+    let module = |[a, b]: [&String; 2]| {
+        let other = if a == gear { b } else { a };
+        // The ring of a stage meshes with its planets, whose base radius is no parameter: the gear after them is the sun.
+        let other = if other == "_p" { "_s" } else { other };
+        Some(given(other)? / teeth(other)?)
+    };
+    given(gear).or_else(|| {
+        let meshes = model.laws.iter().map(|law| of_mesh(law.name)).filter(|pair| pair.iter().any(|of| of == gear));
+        Some(meshes.into_iter().find_map(|[a, b]| module([&a, &b]))? * teeth(gear)?)
+    })
 }
 
 /// The suffixes of the two gears of the mesh of a law, the driving gear first.

@@ -11,6 +11,8 @@ pub fn unit_of(key: &str, model: &Model) -> Option<String> {
     let law = |name: &str| model.laws.iter().find(|law| law.name == name);
     let unit = match path[..] {
         ["parameters", name] => parameter(name)?.unit,
+        ["parameters", name, "value"] => parameter(name)?.unit,
+        ["parameters", _, "radius"] => "m",
         ["parameters", name, "mean"] | ["parameters", name, "ramp", "from" | "to"] => parameter(name)?.unit,
         ["parameters", name, "steps" | "table", _, "value"] => parameter(name)?.unit,
         ["parameters", name, "harmonics", _, "amplitude"] => parameter(name)?.unit,

@@ -42,6 +42,7 @@ pub(crate) mod mistake;
 mod output;
 mod overrides;
 mod parameters;
+mod per_radius;
 pub mod quantity;
 mod read;
 mod smooth;
@@ -115,7 +116,7 @@ pub struct Scene {
     pub gears: Vec<Option<Gears>>,
     /// State at t = 0.
     pub start: InitialState,
-    /// End time of the run [s].
+    /// End time of the run [s]; infinite in a scene without `[run]`, which has modes and multipliers, but no run.
     pub t_end: f64,
     /// Method, tolerance and precision.
     pub solver: Solver,
@@ -129,6 +130,8 @@ pub struct Scene {
     pub source: Arc<str>,
     /// The values set on top of the text, each as `KEY=VALUE`.
     pub overrides: Vec<String>,
+    /// Values that were given over the square of a radius, as papers print them, and what they are: a sentence each.
+    pub conversions: Vec<String>,
     /// What is allowed, but odd: a sentence each.
     pub warnings: Vec<String>,
 }

@@ -34,15 +34,18 @@ pub(super) const KEYS: &[Key] = &[
 /// Number of samples of a run if the scene states no rate.
 const DEFAULT_SAMPLES: f64 = 1e4;
 
-/// Reads the end time of the run [s] and the solver. If `[run]` is missing, the lines to add go to `absent`.
+/// What `absent` has of a scene without `[run]`.
+pub(super) const RUN: &str = "[run]";
+
+/// Reads the end time of the run [s] and the solver. If `[run]` is missing, the lines to add go to `absent`, and the end is infinite.
 pub(super) fn read_run(
     entries: &[Entry],
     absent: &mut Vec<(&str, String)>,
     report: &mut Report,
 ) -> (Option<f64>, Option<Solver>) {
     let Some(run) = keys::get(entries, "run") else {
-        absent.push(("[run]", "[run]\nt_end = \"... s\"".to_string()));
-        return (None, None);
+        absent.push((RUN, "[run]\nt_end = \"... s\"".to_string()));
+        return (Some(f64::INFINITY), Some(Solver::default()));
     };
     let Some(given) = field::table("run", run, report) else { return (None, None) };
     keys::known(given, "[run]", check::RUN, report);
@@ -201,6 +204,9 @@ fn read_rate(node: &Node, t_end: Option<f64>, most_rows: Option<f64>, report: &m
         return None;
     }
     let (t_end, most_rows) = (t_end?, most_rows?);
+    if t_end.is_infinite() {
+        return Some(rate);
+    }
     let samples = rate * t_end;
     if samples > most_rows {
         let message = format!("`output.rate` asks for {samples:.1e} samples");

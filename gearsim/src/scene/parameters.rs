@@ -3,25 +3,38 @@
 use super::document::{Entry, Node, Value};
 use super::keys::{Kind, Named, each};
 use super::mistake::Report;
+use super::per_radius::{self, PerRadius, Radii};
 use super::{Effects, TimeHistory, field, keys, time_history};
 use crate::model::{Model, Parameter, Range};
 
 /// Parameters that a scene may have.
 pub(super) const NAMED: &[Named] = &[each(
     "PARAMETER",
-    Kind::Either(&[Kind::ValueIn("unit of the parameter"), Kind::Table(&[time_history::KEYS])]),
+    Kind::Either(&[
+        Kind::ValueIn("unit of the parameter"),
+        Kind::Table(&[per_radius::KEYS]),
+        Kind::Table(&[time_history::KEYS]),
+    ]),
     "that of the model",
-    "a value, or a function of time where the model allows it",
+    "a value; an inertia, torsional stiffness or damping also over the square of a radius; a function of time where the model allows it",
 )];
 
-/// Values at t = 0 [SI], in the order of the model; and, by index, the parameters that vary in time.
-pub(super) type Given = (Vec<f64>, Vec<(usize, TimeHistory)>);
+/// Values of the parameters.
+pub(super) struct Given {
+    /// Values at t = 0 [SI], in the order of the model.
+    pub values: Vec<f64>,
+    /// By index, the parameters that vary in time.
+    pub varying: Vec<(usize, TimeHistory)>,
+    /// The values that were given over the square of a radius, a sentence each.
+    pub conversions: Vec<String>,
+}
 
 /// Reads `[parameters]`, in the order of the model. If the table is missing, the lines to add go to `absent`. A parameter without a
-/// default whose effect is not among `effects` may be left out; its value is then NaN.
+/// default whose effect is not among `effects` may be left out; its value is then NaN. `radii` has those to which values per squared radius
+/// refer.
 pub(super) fn read(
     entries: &[Entry],
-    model: &Model,
+    (model, radii): (&Model, &dyn Radii),
     effects: Option<Effects>,
     absent: &mut Vec<(&str, String)>,
     report: &mut Report,
@@ -45,9 +58,13 @@ pub(super) fn read(
             absent.push(("[parameters]", format!("[parameters]\n{}", lines.join("\n"))));
         }
     }
-    let mut varying = vec![];
+    let (mut varying, mut per_radius) = (vec![], vec![]);
     let values: Vec<_> = (model.parameters.iter().enumerate())
         .map(|(i, parameter)| match keys::get(given, parameter.name) {
+            Some(node) if let Some(read) = PerRadius::read(parameter, node, report) => {
+                per_radius.push((i, read?));
+                Some(f64::NAN)
+            }
             Some(node) if matches!(node.value, Value::Table(_)) => {
                 let history = history(parameter, node, model, report)?;
                 let value = history.at(history.piece(0.0), 0.0);
@@ -59,7 +76,17 @@ pub(super) fn read(
             None => parameter.default,
         })
         .collect();
-    Some((values.into_iter().collect::<Option<_>>()?, varying))
+    let mut values: Vec<f64> = values.into_iter().collect::<Option<_>>()?;
+    let known = values.clone();
+    let value = |name: &str| model.parameters.iter().position(|p| p.name == name).map(|i| known[i]);
+    let mut conversions = vec![];
+    for (i, given) in per_radius {
+        let (x, says) = given.convert(model, radii, &value, report)?;
+        in_range(&model.parameters[i], given.node(), x, report)?;
+        values[i] = x;
+        conversions.push(says);
+    }
+    Some(Given { values, varying, conversions })
 }
 
 /// Reads a function of time and checks that its bounds are in the range of the parameter.
@@ -84,8 +111,12 @@ fn example(parameter: &Parameter) -> String {
 }
 
 fn value(parameter: &Parameter, node: &Node, report: &mut Report) -> Option<f64> {
+    let x = field::quantity(&format!("parameters.{}", parameter.name), node, parameter.unit, report)?;
+    in_range(parameter, node, x, report)
+}
+
+fn in_range(parameter: &Parameter, node: &Node, x: f64, report: &mut Report) -> Option<f64> {
     let path = format!("parameters.{}", parameter.name);
-    let x = field::quantity(&path, node, parameter.unit, report)?;
     if parameter.range.contains(x) {
         return Some(x);
     }

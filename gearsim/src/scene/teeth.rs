@@ -30,7 +30,7 @@ pub(super) const GEARS: &[Key] = &[
     key("module", Kind::Quantity("m"), "required with teeth", "normal module"),
     key("face_width", Kind::Quantity("m"), "required with teeth", "width of the common face"),
     key("pressure_angle", Kind::Quantity("rad"), "20 deg", "pressure angle of the basic rack"),
-    key("helix_angle", Kind::Quantity("rad"), "0 deg", "helix angle at the reference cylinder, method iso6336 only"),
+    key("helix_angle", Kind::Quantity("rad"), "0 deg", "helix angle at the reference cylinder"),
     key("addendum", BOTH, "1", "height of the addendum of the basic rack, in modules"),
     key("dedendum", BOTH, "1.25", "depth of the dedendum of the basic rack, in modules"),
     key("fillet", Kind::Number, "0.38", "radius of the root fillet of the basic rack, in modules"),

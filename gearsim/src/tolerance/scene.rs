@@ -39,6 +39,8 @@ pub(crate) const PRESSURE_ANGLES: std::ops::RangeInclusive<f64> = 5.0..=45.0;
 pub(crate) const USUAL_ANGLES: std::ops::RangeInclusive<f64> = 13.0..=32.0;
 /// A base radius may differ from that of the teeth by this [relative]: written radii have three digits. Larger: another gear passes.
 pub(crate) const BASE_RADIUS: f64 = 5e-3;
+/// Two radii of a rotor that differ by less than this are one [relative]: those of one gear in two meshes differ by rounding errors.
+pub(crate) const SAME_RADIUS: f64 = 1e-9;
 /// Difference of a pressure angle from the working angle of the teeth [deg] above which there is a warning, and above which the
 /// scene is refused. Between them: shifted teeth in a model with one angle for several meshes.
 pub(crate) const WORKING_ANGLE: [f64; 2] = [0.1, 5.0];

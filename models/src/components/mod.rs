@@ -23,10 +23,11 @@ pub mod play;
 pub mod rotor;
 pub mod shaft;
 pub mod slider_crank;
+pub mod thrust_bearing;
 pub mod universal_joint;
 pub mod viscous;
 
-pub use bearing::bearing;
+pub use bearing::{bearing, bearing_damper};
 pub use clutch::overrunning_clutch;
 pub use constraint::geared;
 pub use damping::damping;
@@ -44,6 +45,7 @@ pub use play::{Play, dead_band, play};
 pub use rotor::{planar_rotor, rotor};
 pub use shaft::{ground, shaft};
 pub use slider_crank::slider_crank;
+pub use thrust_bearing::thrust_bearing;
 pub use universal_joint::universal_joint;
 pub use viscous::viscous;
 

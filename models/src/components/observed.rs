@@ -61,6 +61,16 @@ pub fn bearing(m: &mut Model, part: &str, what: &str, [x, y]: [Expr; 2]) {
     m.output(&of_part("bearing_loss", part), "W", taken, &doc);
 }
 
+/// Deflection, force and loss of a thrust bearing that deflects by the named deflection `z` [m].
+pub fn thrust_bearing(m: &mut Model, part: &str, what: &str, z: Expr) {
+    let doc = format!("axial displacement of the rotor on the {what}, along the positive axis");
+    m.output(&of_part("thrust_deflection", part), "m", z, &doc);
+    let doc = format!("axial force on the {what}, damper included");
+    m.output(&of_part("thrust_force", part), "N", m.spring(z) + m.damper(z), &doc);
+    let doc = format!("power that the damper of the {what} takes");
+    m.output(&of_part("thrust_loss", part), "W", m.damper(z) * z.dot(), &doc);
+}
+
 /// Speed of a rotor with the rotation `theta` [rad].
 pub fn rotor(m: &mut Model, part: &str, what: &str, theta: Expr) {
     m.output(&of_part("rotor_speed", part), "rad/s", theta.dot(), &format!("rotational speed of the {what}"));

@@ -11,7 +11,7 @@ use std::f64::consts::TAU;
 use gearsim_derive::{Expr, Model, Range, Start, half};
 
 use super::gear::Direction;
-use super::{Gear, external, internal, mesh, observed};
+use super::{Gear, bearing_damper, external, internal, mesh, observed};
 
 /// The geometry of a stage and its rotations.
 #[derive(Clone, Copy)]
@@ -89,11 +89,12 @@ impl Stage {
     }
 
     /// Adds `n` planets on bearings on the carrier, and their meshes with sun and ring. Declares mass `m_p`, inertia `I_p` and
-    /// bearing stiffness `kb_p` of a planet, for each planet its angular position `psi1`, ... and its coordinates `zeta1` (radial),
+    /// bearing stiffness `kb_p` and damping `cb_p` of a planet, for each planet its angular position `psi1`, ... and its coordinates `zeta1` (radial),
     /// `eta1` (tangential), `u1` (rotation), ..., and the laws of its meshes.
     pub fn planets_on_bearings(&self, m: &mut Model, n: usize, sun: Gear, ring: Gear, carrier: Gear) {
         let (mass, inertia) = inertia(m);
         let kb = m.parameter("kb_p", "N/m", None, Range::NotNegative, "radial stiffness of a planet's bearing");
+        let mut damped = vec![];
         for i in 1..=n {
             let place = TAU * (i - 1) as f64 / n as f64;
             let doc = format!("angular position of planet {i}");
@@ -116,12 +117,14 @@ impl Stage {
             let tangential = m.deflection(&format!("tangential{i}"), carrier.across(l_c) - eta);
             m.potential(half(kb * radial.sq()));
             m.potential(half(kb * tangential.sq()));
+            damped.extend([radial, tangential]);
             observed::planet_bearing(m, &i.to_string(), [radial, tangential]);
             let driving = [sun.across(l_s) + sun.u, ring.across(l_r) + ring.u];
             let deflections =
                 [external(sun, l_s, planet, self.alpha.mirrored()), internal(ring, l_r, planet, self.alpha)];
             self.meshes(m, i, deflections, driving);
         }
+        bearing_damper(m, "p", "bearing of a planet", &damped);
     }
 
     /// The rotation of planet `i` times its base radius [m]; adds its kinetic energy.

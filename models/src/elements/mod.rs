@@ -20,6 +20,7 @@ pub const ELEMENTS: &[Entry] = &[
     ("element_planets", bodies::planets),
     ("element_shaft", springs::shaft),
     ("element_support", springs::support),
+    ("element_thrust_bearing", springs::thrust_bearing),
     ("element_mesh", springs::mesh),
     ("element_mesh_with_friction", springs::mesh_with_friction),
     ("element_viscous", torques::viscous),

@@ -1,6 +1,6 @@
 //! Elements with stiffness.
 
-use gearsim_derive::{Expr, Model, Start};
+use gearsim_derive::{Expr, Model, Range, Start, half};
 
 use super::{coordinate, damping};
 use crate::components::{self, Sliding, mesh_with_play, pressure_tangent, sliding_friction};
@@ -21,6 +21,17 @@ fn spring(m: &mut Model, title: &str, what: &str) {
     let twist = coordinate(m, "theta", "rad", "twist");
     components::shaft(m, "x", what, twist, None::<Expr>);
     damping(m);
+}
+
+/// The axial motion of a rotor on a thrust bearing, with the mass that moves along the axis.
+pub fn thrust_bearing(m: &mut Model) {
+    m.title("a thrust bearing and the mass on it");
+    m.source("an element of trains");
+    let z = m.coordinate("z", "m", Start::Static, "axial displacement");
+    let mass = m.parameter("ma_x", "kg", None, Range::Positive, "mass that moves along the axis on thrust bearing {}");
+    m.kinetic(half(mass * z.dot().sq()));
+    components::thrust_bearing(m, "x", "thrust bearing {}", z);
+    components::damping(m);
 }
 
 /// A mesh.
@@ -44,7 +55,7 @@ fn begin(m: &mut Model, title: &str) -> (Expr, Expr) {
     m.title(title);
     m.source("an element of trains");
     let phase = m.coordinate("phase", "rad", Start::At(0.0), "phase of the mesh; one pitch is 2 pi");
-    let test = m.parameter("J_phase", "kg*m^2", None, gearsim_derive::Range::Positive, "test inertia, 0 in trains");
-    m.kinetic(gearsim_derive::half(test * phase.dot().sq()));
+    let test = m.parameter("J_phase", "kg*m^2", None, Range::Positive, "test inertia, 0 in trains");
+    m.kinetic(half(test * phase.dot().sq()));
     (phase, coordinate(m, "s", "m", "relative motion of the gears along the line of action"))
 }

@@ -2,6 +2,7 @@
 
 use gearsim::generated::{chain_2, chain_5, geared_branches, planar_planetary_3, planar_planetary_4};
 
+use crate::printed;
 use crate::train::train;
 
 /// A published list of frequencies.
@@ -32,25 +33,45 @@ const FRISWELL: &str = "Friswell, Penny, Garvey & Lees (2010), Dynamics of Rotat
 const TABLE_1: &str = "Table 1: 24.6 deg, meshes 5e8 N/m, bearings 1e8 N/m, ring 1e9 N/m";
 const PRINTED: &str = "half a unit in the last digit of 743.2; with 4 planets, 727.0 and 1091.0 are printed where the inputs give 727.27 and 1091.16";
 
+/// Table 2 with 3 and with 4 planets.
+const THREE: &[(f64, usize, f64)] = &[
+    (0.0, 1, TENTH),
+    (743.2, 2, TENTH),
+    (1102.4, 2, TENTH),
+    (1475.7, 1, TENTH),
+    (1896.0, 2, TENTH),
+    (1930.3, 1, TENTH),
+    (2276.4, 2, TENTH),
+    (2658.3, 1, TENTH),
+    (6986.3, 2, TENTH),
+    (7462.8, 1, TENTH),
+    (9647.9, 2, TENTH),
+    (11775.3, 1, TENTH),
+];
+const FOUR: &[(f64, usize, f64)] = &[
+    (0.0, 1, TENTH),
+    (727.0, 2, ODD),
+    (1091.0, 2, ODD),
+    (1536.6, 1, TENTH),
+    (1808.2, 1, TENTH),
+    (1892.8, 2, TENTH),
+    (1970.6, 1, TENTH),
+    (2342.5, 2, TENTH),
+    (2625.7, 1, TENTH),
+    (5963.8, 1, TENTH),
+    (6981.7, 1, TENTH),
+    (7189.9, 2, TENTH),
+    (7773.6, 1, TENTH),
+    (10437.6, 2, TENTH),
+    (13071.1, 1, TENTH),
+];
+
 pub const CASES: &[Case] = &[
     Case {
         source: LIN_PARKER,
         what: "planetary with 3 planets",
         input: TABLE_1,
-        printed: &[
-            (0.0, 1, TENTH),
-            (743.2, 2, TENTH),
-            (1102.4, 2, TENTH),
-            (1475.7, 1, TENTH),
-            (1896.0, 2, TENTH),
-            (1930.3, 1, TENTH),
-            (2276.4, 2, TENTH),
-            (2658.3, 1, TENTH),
-            (6986.3, 2, TENTH),
-            (7462.8, 1, TENTH),
-            (9647.9, 2, TENTH),
-            (11775.3, 1, TENTH),
-        ],
+        printed: THREE,
         reason: PRINTED,
         ours: || train::<planar_planetary_3::PlanarPlanetary3>(&lin_parker(3)).frequencies(),
     },
@@ -58,25 +79,25 @@ pub const CASES: &[Case] = &[
         source: LIN_PARKER,
         what: "planetary with 4 planets",
         input: TABLE_1,
-        printed: &[
-            (0.0, 1, TENTH),
-            (727.0, 2, ODD),
-            (1091.0, 2, ODD),
-            (1536.6, 1, TENTH),
-            (1808.2, 1, TENTH),
-            (1892.8, 2, TENTH),
-            (1970.6, 1, TENTH),
-            (2342.5, 2, TENTH),
-            (2625.7, 1, TENTH),
-            (5963.8, 1, TENTH),
-            (6981.7, 1, TENTH),
-            (7189.9, 2, TENTH),
-            (7773.6, 1, TENTH),
-            (10437.6, 2, TENTH),
-            (13071.1, 1, TENTH),
-        ],
+        printed: FOUR,
         reason: PRINTED,
         ours: || train::<planar_planetary_4::PlanarPlanetary4>(&lin_parker(4)).frequencies(),
+    },
+    Case {
+        source: LIN_PARKER,
+        what: "planetary with 3 planets as a scene in the printed units",
+        input: "Table 1 as printed: I/r^2 in kg, the support of the ring in N/m",
+        printed: THREE,
+        reason: PRINTED,
+        ours: || printed::lin_parker(3),
+    },
+    Case {
+        source: LIN_PARKER,
+        what: "planetary with 4 planets as a scene in the printed units",
+        input: "Table 1 as printed: I/r^2 in kg, the support of the ring in N/m",
+        printed: FOUR,
+        reason: PRINTED,
+        ours: || printed::lin_parker(4),
     },
     Case {
         source: FRISWELL,

@@ -1,4 +1,4 @@
-//! The effects and terms that could be left out of a scene.
+//! The effects and terms that could be left out of a scene. An effect of several parts is judged for all of them, and for each by itself.
 
 use crate::scene::{Effects, Scene};
 
@@ -70,8 +70,25 @@ pub fn candidates(base: &Scene) -> Vec<Candidate> {
         let way = if *name == "stiffness_step" { Way::WithoutSteps } else { Way::Run };
         let (without, how) = (gone.join(", "), format!("leave out {}", quoted.join(", ")));
         candidates.push(Candidate { without, how, scene: with(base, &names), way });
+        candidates.extend(parts(base, &present, name));
     }
     candidates
+}
+
+/// The scene without the effect `name` of all parts at each of its parts alone; none where the effect is not one of several parts.
+fn parts<'a>(base: &'a Scene, present: &'a [&'static str], name: &'static str) -> impl Iterator<Item = Candidate> + 'a {
+    let parts: Vec<&'static str> =
+        base.model.effects.iter().filter(|effect| effect.of == Some(name)).map(|effect| effect.name).collect();
+    let several = parts.len() > 1;
+    let without = move |part: &'static str| {
+        let others: Vec<&str> = parts.iter().copied().filter(|other| *other != part).collect();
+        let names: Vec<&str> = present.iter().copied().filter(|other| *other != name).chain(others.clone()).collect();
+        let quoted: Vec<_> = others.iter().map(|other| format!("`{other}`")).collect();
+        let how = format!("name {} instead of `{name}`", quoted.join(", "));
+        Candidate { without: part.into(), how, scene: with(base, &names), way: Way::Run }
+    };
+    let of_parts = base.model.effects.iter().filter(move |effect| several && effect.of == Some(name));
+    of_parts.map(move |effect| without(effect.name))
 }
 
 fn with(scene: &Scene, names: &[&str]) -> Scene {

@@ -141,3 +141,30 @@ fn deviations_are_of_the_worst() {
         assert!((x - want).abs() < 1e-12, "{apart:?}");
     }
 }
+
+/// Play of two meshes is judged for both, and for each by itself, with the other one kept; that of one mesh alone only once.
+#[test]
+fn effects_of_parts_are_judged_each_by_itself() {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../models/scenes/two_stage.toml");
+    let models: Vec<_> = MODELS.iter().map(|entry| entry.model).collect();
+    let of = |effects: &str| {
+        let set = [format!("effects=[{effects}]"), "parameters.b12=50 um".into(), "parameters.b34=5 um".into()];
+        candidates(&base(&Scene::load_with(&path, &set, &models).unwrap()))
+    };
+    let play = |candidates: Vec<Candidate>| -> Vec<(String, Vec<&'static str>)> {
+        let names = |c: Candidate| (c.without, c.scene.effects.names(c.scene.model));
+        candidates.into_iter().map(names).filter(|(without, _)| without.starts_with("backlash")).collect()
+    };
+    let left = |of: &[(String, Vec<&'static str>)]| {
+        let left = of.iter().map(|(without, names)| {
+            let kept: Vec<_> = names.iter().filter(|name| name.starts_with("backlash")).copied().collect();
+            (without.clone(), kept.join(", "))
+        });
+        left.collect::<Vec<_>>()
+    };
+    let both = left(&play(of("\"stiffness_step\", \"torques\", \"backlash\"")));
+    let expected = [("backlash", ""), ("backlash_12", "backlash_34"), ("backlash_34", "backlash_12")];
+    assert_eq!(both, expected.map(|(without, kept)| (without.to_string(), kept.to_string())));
+    let one = left(&play(of("\"stiffness_step\", \"torques\", \"backlash_12\"")));
+    assert_eq!(one, [("backlash_12".to_string(), String::new())]);
+}

@@ -71,7 +71,7 @@ fn pairs_enter_and_leave_where_the_stiffness_steps() {
 
 #[test]
 fn meshes_of_several_models_have_their_gears() {
-    let cases: [(&str, &str, [f64; 2], ToothData, bool); 7] = [
+    let cases: [(&str, &str, [f64; 2], ToothData, bool); 8] = [
         ("two_stage.toml", "k12", [21.0, 63.0], ToothData::BaseRadius, true),
         ("two_stage.toml", "k34", [20.0, 74.0], ToothData::BaseRadius, true),
         ("idler.toml", "k23", [35.0, 56.0], ToothData::BaseRadius, true),
@@ -79,6 +79,7 @@ fn meshes_of_several_models_have_their_gears() {
         ("planetary_3.toml", "k_s1", [27.0, 36.0], ToothData::BaseRadius, false),
         ("planetary_3.toml", "k_r1", [36.0, 99.0], ToothData::BaseRadius, false),
         ("train_turbine.toml", "k12", [80.0, 23.0], ToothData::BaseRadius, true),
+        ("train_helical.toml", "k12", [17.0, 103.0], ToothData::Teeth, true),
     ];
     for (scene, law, teeth, known, has_rotor) in cases {
         let (scene, run) = run(scene, &["run.t_end=10 ms"]);

@@ -9,6 +9,7 @@ use crate::train::{Factor, Form, Part, Row, Train};
 /// theta_2. h is the base radius per tooth.
 const MESH: &str = "element_mesh_with_friction";
 const ROTOR: &str = "element_rotor";
+const THRUST_BEARING: &str = "element_thrust_bearing";
 
 /// The teeth of the mesh with law `i`; `None` if the law is not that of two gears on rotors.
 pub(super) fn teeth(scene: &Scene, train: &Train, i: usize) -> Option<Teeth> {
@@ -20,7 +21,11 @@ pub(super) fn teeth(scene: &Scene, train: &Train, i: usize) -> Option<Teeth> {
             Row::Form(form) => form.clone(),
         }
     };
-    let [lead, turn] = [form(part.rows.get(1)?), form(part.rows.get(2)?)];
+    let [mut lead, turn] = [form(part.rows.get(1)?), form(part.rows.get(2)?)];
+    // Motions along the axes are not drawn.
+    let bearings = train.parts.iter().filter(|part| is(part, THRUST_BEARING));
+    let axial: Vec<usize> = bearings.flat_map(|part| form(&part.rows[0])).map(|(along, _)| along).collect();
+    lead.retain(|(at, _)| !axial.contains(at));
     let [(rotor, first), (_, second)] = &lead[..] else { return None };
     // The rotation of a rotor that is geared rigidly to another one is that of the other with further factors.
     let own = first.powers.len() == 3;

@@ -15,6 +15,8 @@ use crate::train::{Factor, Form, Row, Train};
 pub(super) struct Geometry<R> {
     pub rows: Vec<DMatrix<R>>,
     pub products: Vec<Vec<R>>,
+    /// The factors of the multiples among the outputs.
+    pub multiples: Vec<R>,
     pub motions: Vec<Vector>,
 }
 
@@ -48,6 +50,7 @@ impl<R: Sized64> Geometry<R> {
         Geometry {
             rows: train.parts.iter().map(|part| rows(&part.rows)).collect(),
             products: train.products.iter().map(|(_, _, form)| by_coordinates(form)).collect(),
+            multiples: train.multiples.iter().map(|(_, _, factor)| factor.value(parameters)).collect(),
             motions: train.motions.iter().map(motion).collect(),
         }
     }
@@ -56,11 +59,17 @@ impl<R: Sized64> Geometry<R> {
 /// A form as a vector of n numbers.
 fn dense<R: Real>(form: &Form, n: usize, parameters: &[R]) -> Vec<R> {
     let mut vector = vec![R::from(0.0); n];
-    for (rotor, Factor { number, powers }) in form {
-        let value = powers.iter().fold(R::from(*number), |value, &(p, power)| value * parameters[p].powi(power));
-        vector[*rotor] += value;
+    for (rotor, factor) in form {
+        vector[*rotor] += factor.value(parameters);
     }
     vector
+}
+
+impl Factor {
+    /// Its value with these values of the parameters.
+    fn value<R: Real>(&self, parameters: &[R]) -> R {
+        self.powers.iter().fold(R::from(self.number), |value, &(p, power)| value * parameters[p].powi(power))
+    }
 }
 
 /// A scalar product, zero where its terms cancel.

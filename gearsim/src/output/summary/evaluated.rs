@@ -4,6 +4,8 @@ use serde::{Deserialize, Serialize};
 
 use super::Number;
 use crate::analysis::dynamic_factor::DynamicFactor;
+use crate::analysis::from_teeth::FromTeeth;
+use crate::profile::Step;
 use crate::trajectory::Trajectory;
 
 /// Rows of the trajectory by their kind. Evenly spaced samples alone are those with `moment == "sample"`; at an event two more rows have
@@ -22,6 +24,56 @@ impl Rows {
     pub fn of(run: &Trajectory) -> Self {
         let samples = run.samples().count();
         Rows { samples: samples as u64, at_events: (run.len() - samples) as u64 }
+    }
+}
+
+/// A mesh stiffness that the scene gives by its teeth.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct LawFromTeeth {
+    /// Transverse contact ratio \[1\].
+    pub contact_ratio: Number,
+    /// Overlap ratio, 0 of spur gears \[1\].
+    pub overlap_ratio: Number,
+    /// SI unit of the values.
+    pub unit: String,
+    /// SI unit of the widths.
+    pub phase_unit: String,
+    /// Mean over the period.
+    pub mean: Number,
+    /// Smallest value.
+    pub min: Number,
+    /// Largest value.
+    pub max: Number,
+    /// The cells of one period. The value of a cell in which the law is curved is its mean there.
+    pub levels: Vec<Level>,
+}
+
+/// A cell of a law.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Level {
+    /// Value [unit of the law].
+    pub value: Number,
+    /// Width [unit of the phase].
+    pub width: Number,
+}
+
+impl LawFromTeeth {
+    /// That of a law.
+    pub fn of(of: &FromTeeth<'_>) -> Self {
+        let (min, max) = of.profile.extremes();
+        let level = |step: &Step| Level { value: Number(step.value), width: Number(step.width) };
+        LawFromTeeth {
+            contact_ratio: Number(of.contact_ratio),
+            overlap_ratio: Number(of.overlap_ratio),
+            unit: of.law.unit.into(),
+            phase_unit: of.phase_unit.into(),
+            mean: Number(of.profile.mean()),
+            min: Number(min),
+            max: Number(max),
+            levels: of.profile.steps.iter().map(level).collect(),
+        }
     }
 }
 

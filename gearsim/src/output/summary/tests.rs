@@ -10,6 +10,10 @@ fn summary() -> Summary {
     let [largest, at_rest, dynamic_factor, kv_iso6336] = [13.0, 10.0, 1.3, 1.25].map(Number);
     let (force, unit) = ("mesh_force_12".into(), "N".into());
     let mesh = Mesh { force, unit, largest, at_rest, dynamic_factor, kv_iso6336 };
+    let [contact_ratio, overlap_ratio, mean, min, max] = [1.5, 0.0, 1.5e8, 1e8, 2e8].map(Number);
+    let levels = [1e8, 2e8].map(|value| Level { value: Number(value), width: Number(3.14) }).to_vec();
+    let (unit, phase_unit) = ("N/m".into(), "rad".into());
+    let law = LawFromTeeth { contact_ratio, overlap_ratio, unit, phase_unit, mean, min, max, levels };
     let load = LoadSpectrum { unit: "rad".into(), cycles: Number(12.5), largest_range: Number(1e-3) };
     let (file, unit) = ("sound_dte.wav".into(), "rad".into());
     let sound = Sound { file, stretch: Number(1.0), unit, full_scale: Number(1e-3), mean: Number(0.0) };
@@ -27,6 +31,7 @@ fn summary() -> Summary {
         outputs: IndexMap::new(),
         rows: Rows::of(&run),
         meshes: [("k12".to_owned(), mesh)].into_iter().collect(),
+        laws_from_teeth: [("k12".to_owned(), law)].into_iter().collect(),
         load_spectra: [("dte".to_owned(), load)].into_iter().collect(),
         sounds: [("dte".to_owned(), sound)].into_iter().collect(),
         modes: BTreeMap::new(),

@@ -73,17 +73,19 @@ pub(super) fn choose(draft: &Draft, values: &HashMap<String, f64>) -> Result<Bas
         for (i, part) in draft.parts.iter().enumerate() {
             let row = match part.element {
                 "element_mesh" | "element_mesh_with_friction" if meshes => 1,
-                "element_shaft" | "element_support" if !meshes => 0,
+                "element_shaft" | "element_support" | "element_thrust_bearing" if !meshes => 0,
                 _ => continue,
             };
             let form = resolved(&part.rows[row]);
             let vector = dense(&form);
             elastic.push((form.clone(), vector.clone()));
-            let wanted = meshes || form.iter().any(|term| geared[term.rotor]);
+            let axial = part.element == "element_thrust_bearing";
+            let wanted = meshes || axial || form.iter().any(|term| geared[term.rotor]);
             if wanted && span.add(&vector) {
                 of_rows.insert((i, row), coordinates.len());
                 let (unit, doc) = match meshes {
                     true => ("m", format!("deflection of mesh {}", part.name)),
+                    false if axial => ("m", format!("axial displacement on thrust bearing {}", part.name)),
                     false => ("rad", format!("twist of {}", part.name)),
                 };
                 coordinates.push(Chosen { form, name: part.called.clone(), unit, doc, fixed: false, rolling: false });

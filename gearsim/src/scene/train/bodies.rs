@@ -3,7 +3,7 @@
 use super::draft::{DraftPart, Rotor, Term, Terms, named};
 use super::read::{Item, Reader};
 use super::{ELSEWHERE, ROTOR, TWO_ROTORS};
-use crate::scene::document::{Entry, Value};
+use crate::scene::document::{Entry, Node, Value};
 use crate::scene::keys::{Key, Kind, Named, REQUIRED, each, key};
 
 pub(super) const ROTORS: &[Named] = &[each(
@@ -12,29 +12,39 @@ pub(super) const ROTORS: &[Named] = &[each(
     REQUIRED,
     "a rotor by its moment of inertia, or by a table",
 )];
-const INERTIA: Kind = Kind::Quantity("kg*m^2");
-const INERTIA_ALONE: &[Key] = &[key("inertia", INERTIA, ELSEWHERE, "moment of inertia")];
+pub(super) const INERTIA: Kind = Kind::Either(&[Kind::Quantity("kg*m^2"), Kind::Quantity("kg")]);
+const INERTIA_ALONE: &[Key] = &[key("inertia", INERTIA, ELSEWHERE, "moment of inertia I, or I/r^2"), RADIUS];
+/// The radius of a value that is given over the square of a radius.
+pub(super) const RADIUS: Key = key(
+    "radius",
+    Kind::Quantity("m"),
+    "base radius of its gear, circle of the planets' centres of a carrier",
+    "the radius r of an inertia I/r^2 in kg, a stiffness k/r^2 in N/m and a damping c/r^2 in N*s/m",
+);
 
 pub(super) const SHAFTS: &[Named] = &[each("NAME", Kind::Table(&[SHAFT]), "none", "a shaft")];
 const SHAFT: &[Key] = &[
     key("between", TWO_ROTORS, REQUIRED, "the rotors that it joins"),
-    key("stiffness", STIFFNESS, ELSEWHERE, "torsional stiffness"),
-    key("damping", DAMPING, "none", "torsional damping, with the effect viscous_friction"),
+    key("stiffness", STIFFNESS, ELSEWHERE, "torsional stiffness k, or k/r^2"),
+    key("damping", DAMPING, "none", "torsional damping c, or c/r^2, with the effect viscous_friction"),
+    RADIUS,
 ];
 
 pub(super) const SUPPORTS: &[Named] = &[each("NAME", Kind::Table(&[SUPPORT]), "none", "a support")];
 const SUPPORT: &[Key] = &[
     key("rotor", ROTOR, REQUIRED, "the rotor that it holds"),
-    key("stiffness", STIFFNESS, ELSEWHERE, "torsional stiffness"),
-    key("damping", DAMPING, "none", "torsional damping, with the effect viscous_friction"),
+    key("stiffness", STIFFNESS, ELSEWHERE, "torsional stiffness k, or k/r^2"),
+    key("damping", DAMPING, "none", "torsional damping c, or c/r^2, with the effect viscous_friction"),
+    RADIUS,
 ];
-const STIFFNESS: Kind = Kind::Quantity("N*m/rad");
-const DAMPING: Kind = Kind::Quantity("N*m*s/rad");
+const STIFFNESS: Kind = Kind::Either(&[Kind::Quantity("N*m/rad"), Kind::Quantity("N/m")]);
+pub(super) const DAMPING: Kind = Kind::Either(&[Kind::Quantity("N*m*s/rad"), Kind::Quantity("N*s/m")]);
 
 pub(super) const BEARINGS: &[Named] = &[each("NAME", Kind::Table(&[BEARING]), "none", "a bearing or a brake")];
 const BEARING: &[Key] = &[
     key("rotor", ROTOR, REQUIRED, "the rotor that it carries"),
-    key("viscous", DAMPING, "none", "viscous friction, with the effect viscous_friction"),
+    key("viscous", DAMPING, "none", "viscous friction c, or c/r^2, with the effect viscous_friction"),
+    RADIUS,
     key("friction", Kind::Quantity("N*m"), "none", "friction torque while it slides, with the effect dry_friction"),
     key("breakaway", Kind::Number, "0", "breakaway torque over this friction torque, less 1"),
 ];
@@ -49,19 +59,18 @@ const CLUTCH: &[Key] = &[
 impl Reader<'_> {
     pub(super) fn rotor(&mut self, entry: &Entry) {
         let name = entry.key.clone();
-        let inertia = match &entry.node.value {
+        match &entry.node.value {
             Value::Table(entries) => {
                 let item = Item { table: "rotors", name: &name, entries, place: &entry.place };
                 self.known(&item, INERTIA_ALONE);
-                item.get("inertia").cloned()
+                self.per_radius(named("I", &name), &item, "inertia");
             }
-            _ => Some(entry.node.clone()),
-        };
-        self.value(named("I", &name), inertia.as_ref());
+            _ => self.value(named("I", &name), Some(&entry.node)),
+        }
         let rotor = self.draft.rotors.len();
         let place = entry.place.clone();
         let (rows, called) = (vec![vec![Term::new(rotor, 1.0, &[])]], String::new());
-        self.draft.rotors.push(Rotor { name: name.clone(), of: None });
+        self.draft.rotors.push(Rotor { name: name.clone(), of: None, along: None });
         let (element, renamed, driving) = ("element_rotor", vec![], vec![]);
         self.draft.parts.push(DraftPart { element, name, place, renamed, rows, driving, called });
     }
@@ -80,15 +89,24 @@ impl Reader<'_> {
     }
 
     pub(super) fn spring(&mut self, item: &Item<'_>, element: &'static str, ends: [Option<usize>; 2]) {
-        self.value(named("k", item.name), item.get("stiffness"));
+        self.per_radius(named("k", item.name), item, "stiffness");
         let row = difference(ends);
         self.part(item, element, named("psi", item.name), vec![row.clone()]);
         let first = ends[0].map(|rotor| Term::new(rotor, 1.0, &[]));
         self.draft.parts.iter_mut().rev().take(1).for_each(|part| part.driving.extend(first.clone()));
-        if let Some(node) = item.get("damping") {
-            self.value(named("c", item.name), Some(node));
+        if item.get("damping").is_some() {
+            self.per_radius(named("c", item.name), item, "damping");
             self.part(item, "element_viscous", String::new(), vec![row]);
         }
+    }
+
+    /// A value that may be one over the square of the `radius` of an item.
+    pub(super) fn per_radius(&mut self, parameter: String, item: &Item<'_>, key: &str) {
+        let Some(node) = item.get(key) else { return };
+        let Some(radius) = item.get("radius") else { return self.value(parameter, Some(node)) };
+        let entry = |key: &str, node: &Node| Entry { key: key.into(), place: node.place.clone(), node: node.clone() };
+        let value = Value::Table(vec![entry("value", node), entry("radius", radius)]);
+        self.value(parameter, Some(&Node { value, place: node.place.clone() }));
     }
 
     pub(super) fn bearing(&mut self, item: &Item<'_>) {
@@ -101,7 +119,7 @@ impl Reader<'_> {
             self.report.add(item.place, format!("{} has no friction", item.title()), "nothing given", help);
         }
         if viscous.is_some() {
-            self.value(named("c", item.name), viscous);
+            self.per_radius(named("c", item.name), item, "viscous");
             self.part(item, "element_viscous", String::new(), vec![row.clone()]);
         }
         if friction.is_some() {

@@ -75,6 +75,8 @@ pub(super) struct Composer<'a> {
     pub(super) outputs: Vec<Output>,
     /// Outputs that are products: the output, another output, and the displacement with whose rate that is multiplied.
     pub(super) products: Vec<(usize, usize, Terms)>,
+    /// Outputs that are multiples: the output, another output, and the parameter by which that is multiplied.
+    pub(super) multiples: Vec<(usize, usize, String)>,
     pub(super) nonlinear_with: Vec<(&'static str, &'static str)>,
 }
 
@@ -87,7 +89,8 @@ impl<'a> Composer<'a> {
         let of_parts = |part: &DraftPart| element(bare, part).1.effects.iter().filter(|e| e.of.is_some()).count();
         let merged = draft.parts.iter().map(of_parts).sum::<usize>() > EFFECTS - 12;
         let (parameters, owners, effects, laws) = (vec![], HashMap::new(), vec![], vec![]);
-        let (switches, torques, outputs, products, nonlinear_with) = (vec![], vec![], vec![], vec![], vec![]);
+        let (switches, torques, outputs, products, multiples) = (vec![], vec![], vec![], vec![], vec![]);
+        let nonlinear_with = vec![];
         Composer {
             bare,
             draft,
@@ -101,6 +104,7 @@ impl<'a> Composer<'a> {
             torques,
             outputs,
             products,
+            multiples,
             nonlinear_with,
         }
     }
@@ -161,8 +165,12 @@ impl<'a> Composer<'a> {
         let motions = self.basis.motions.iter().map(|(_, forms)| forms.iter().map(|(f, x)| (form(f), *x)).collect());
         let products = self.products.iter();
         let products = products.map(|(output, of, speed)| (*output, *of, form(&resolve(self.draft, speed)))).collect();
+        let multiples = self.multiples.iter().map(|(output, of, name)| {
+            (*output, *of, Factor { number: 1.0, powers: [(index(name), 1)].into_iter().collect() })
+        });
         let train = Train {
             products,
+            multiples: multiples.collect(),
             coordinates: self.basis.coordinates.iter().map(|chosen| form(&chosen.form)).collect(),
             motions: motions.collect(),
             parts,

@@ -19,7 +19,7 @@ impl Term {
     }
 }
 
-/// A linear form of rotations.
+/// A linear form of rotations and axial motions.
 pub(super) type Terms = Vec<Term>;
 
 /// A rotor.
@@ -27,6 +27,18 @@ pub(super) struct Rotor {
     pub name: String,
     /// Its rotation as that of another rotor, if it is geared rigidly.
     pub of: Option<Term>,
+    /// The rotor along whose axis it is the motion [m]; `None` for a rotation.
+    pub along: Option<usize>,
+}
+
+/// The helix of a mesh.
+pub(super) struct Axial {
+    /// The mesh, a part.
+    pub part: usize,
+    /// The parameter that is the tangent of the base helix angle.
+    pub tangent: String,
+    /// The hands of the gears: 1 right, -1 left.
+    pub hands: [f64; 2],
 }
 
 /// A geometric parameter.
@@ -96,6 +108,10 @@ pub(super) struct Draft {
     pub parts: Vec<DraftPart>,
     pub groups: Vec<Group>,
     pub joints: Vec<Joint>,
+    /// Helical meshes whose axial motion is not yet in their deflection.
+    pub axial: Vec<Axial>,
+    /// Helical meshes, by their names, with the parameter that is the axial force over the mesh force.
+    pub axial_forces: Vec<(String, String)>,
     /// Values that stand in the tables: parameter, and what is written.
     pub values: Vec<(String, Node)>,
     /// Laws that stand in the tables.

@@ -2,7 +2,7 @@
 
 use super::draft::{Gear, Geometry, Rotor, Term, named};
 use super::read::{GROUND, Item, Reader};
-use super::{ELSEWHERE, TWO_ROTORS};
+use super::{ELSEWHERE, TWO_ROTORS, axial, bodies};
 use crate::scene::document::{Entry, Node, Value};
 use crate::scene::keys::{Key, Kind, Named, REQUIRED, each, key};
 use crate::scene::{field, friction, keys, laws};
@@ -15,6 +15,7 @@ const MESH: &[Key] = &[
     key("base_radius", Kind::Quantity("m"), "from module", "base radius of the first gear"),
     key("module", Kind::Quantity("m"), "none", "normal module, instead of base_radius"),
     key("helix_angle", Kind::Quantity("rad"), "0 deg", "helix angle at the reference cylinder"),
+    axial::HAND,
     key("pressure_angle", Kind::Quantity("rad"), "20 deg", "pressure angle of the basic rack"),
     key(
         "stiffness",
@@ -26,9 +27,9 @@ const MESH: &[Key] = &[
     key("backlash", Kind::Quantity("m"), ELSEWHERE, "play along the line of action, with the effect backlash"),
     key(
         "damping",
-        Kind::Quantity("N*m*s/rad"),
+        bodies::DAMPING,
         "none",
-        "viscous damping of the first gear's rotation against the second, in contact and out of it, with the effect viscous_friction",
+        "viscous damping along the line of action, or of the first gear's rotation against the second, in contact and out of it, with the effect viscous_friction",
     ),
     key("friction", Kind::Number, ELSEWHERE, "coefficient of friction of the flanks, with the effect sliding_friction"),
 ];
@@ -61,6 +62,7 @@ impl Reader<'_> {
         let angle = self.transverse_angle(item);
         self.value(named("alpha", item.name), angle.as_ref());
         self.geared(item.name.to_string(), item, gears, radius, internal);
+        self.helix(item, 1.0, internal);
         self.radius(item, &teeth[0]);
         if let Some(node) = item.get("damping") {
             self.value(named("c", item.name), Some(node));

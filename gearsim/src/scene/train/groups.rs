@@ -126,7 +126,7 @@ impl Reader<'_> {
     }
 
     /// Gears with the angles of an item and a normal module [m].
-    fn basic_rack(&mut self, item: &Item<'_>, module: f64) -> Option<Gears> {
+    pub(super) fn basic_rack(&mut self, item: &Item<'_>, module: f64) -> Option<Gears> {
         let mut angle = |key: &str, usual: f64| match item.get(key) {
             Some(node) => field::quantity(&item.path(key), node, "rad", self.report),
             None => Some(usual),

@@ -73,6 +73,7 @@ impl Composer<'_> {
         let torques = (first..self.torques.len()).collect();
         let outputs: Vec<usize> = model.outputs.iter().map(|output| self.output(part, output)).collect();
         self.power(part, model, &outputs);
+        self.axial_force(part, model, &outputs);
         Part {
             element,
             rows: vec![],
@@ -144,6 +145,18 @@ impl Composer<'_> {
         let (name, doc) = (leak(format!("{name}_{}", part.name)), said(doc, part));
         self.products.push((self.outputs.len(), of, part.driving.clone()));
         self.outputs.push(Output { name, unit: "W", doc, ..self.outputs[of] });
+    }
+
+    /// Adds the axial force of a helical mesh.
+    fn axial_force(&mut self, part: &DraftPart, model: &Model, outputs: &[usize]) {
+        let draft = self.draft;
+        let Some((_, tangent)) = draft.axial_forces.iter().find(|(mesh, _)| *mesh == part.name) else { return };
+        let force = model.outputs.iter().zip(outputs).find(|(output, _)| output.name == "mesh_force_x");
+        let Some((_, &of)) = force else { return };
+        let name = leak(format!("axial_force_{}", part.name));
+        let doc = "axial force of the mesh {}: mesh force times the tangent of the base helix angle";
+        self.multiples.push((self.outputs.len(), of, tangent.clone()));
+        self.outputs.push(Output { name, doc: said(doc, part), ..self.outputs[of] });
     }
 
     fn output(&mut self, part: &DraftPart, output: &Output) -> usize {

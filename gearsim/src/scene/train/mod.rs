@@ -8,6 +8,7 @@
 //! A rotation is positive in the direction in which a rotor turns in normal drive: gears that mesh on fixed axes turn in opposite
 //! directions, and both rotations are positive. Sun, ring, carrier and planets of one set have the same positive direction.
 
+mod axial;
 mod basis;
 mod bodies;
 mod compose;
@@ -16,6 +17,7 @@ mod gears;
 mod groups;
 mod merge;
 mod planets;
+mod radii;
 mod read;
 mod senses;
 mod tables;
@@ -29,21 +31,25 @@ use crate::model::Model;
 use crate::train::Train;
 use std::sync::Arc;
 
+use radii::OfTrain;
+
 /// Reads the train that a scene lists; `bare` has the elements. The values in its tables are moved to `[parameters]` and `[laws]` of
-/// `entries`. The places are those of the scene's begin, and of its end, where tables would be added. `None` if a mistake was reported.
+/// `entries`. With it come the radii to which values per squared radius refer. The places are those of the scene's begin, and of its end, where tables would be added. `None` if a mistake was reported.
 pub(super) fn read(
     bare: &'static Model,
     entries: &mut Vec<Entry>,
     [root, end]: [&Place; 2],
     report: &mut Report,
-) -> Option<(&'static Model, Arc<Train>)> {
+) -> Option<(&'static Model, Arc<Train>, OfTrain)> {
     let draft = read::draft(entries, root, report)?;
     senses::joined(&draft, report);
     let agree = senses::check(&draft, report);
     let draft = tables::fill(draft, entries, end, report)?;
     agree?;
     let values = tables::numbers(&draft, entries);
-    compose::model(bare, &draft, &values, report)
+    let radii = radii::of(&draft, &|name| tables::number(entries, name));
+    let (model, train) = compose::model(bare, &draft, &values, report)?;
+    Some((model, train, radii))
 }
 
 /// The tables of a train. Each has a table for each part, under the name of the part.
@@ -53,6 +59,7 @@ pub(super) const KEYS: &[Key] = &[
     key("supports", Kind::Named(bodies::SUPPORTS), "none", "torsional springs between a rotor and the ground"),
     key("meshes", Kind::Named(gears::MESHES), "none", "pairs of gears"),
     key("planets", Kind::Named(planets::SETS), "none", "planet sets: sun, ring, carrier and planets"),
+    key("thrust_bearings", Kind::Named(axial::THRUST_BEARINGS), "none", "axial motion of rotors with helical gears"),
     key("bearings", Kind::Named(bodies::BEARINGS), "none", "friction between a rotor and the ground"),
     key("clutches", Kind::Named(bodies::CLUTCHES), "none", "overrunning clutches"),
     key("drives", Kind::Named(torques::DRIVES), "none", "driving torques"),

@@ -3,7 +3,7 @@
 use super::draft::{DraftPart, Gear, Geometry, Rotor, Term, named};
 use super::gears::LAW;
 use super::read::{Item, Reader};
-use super::{ELSEWHERE, ROTOR};
+use super::{ELSEWHERE, ROTOR, axial, bodies};
 use crate::scene::document::{Entry, Node, Value};
 use crate::scene::keys::{Key, Kind, Named, REQUIRED, each, key};
 use crate::scene::{field, keys};
@@ -21,9 +21,10 @@ const SET: &[Key] = &[
     key("base_radius", Kind::Quantity("m"), "from module", "base radius of the sun"),
     key("module", Kind::Quantity("m"), "none", "normal module, instead of base_radius"),
     key("helix_angle", Kind::Quantity("rad"), "0 deg", "helix angle at the reference cylinder"),
+    axial::HAND,
     key("pressure_angle", Kind::Quantity("rad"), "20 deg", "pressure angle"),
     key("mass", Kind::Quantity("kg"), ELSEWHERE, "mass of a planet"),
-    key("inertia", Kind::Quantity("kg*m^2"), ELSEWHERE, "moment of inertia of a planet"),
+    key("inertia", bodies::INERTIA, ELSEWHERE, "moment of inertia I of a planet, or I/r^2 with its base radius r"),
     key("sun_stiffness", LAW, "in [laws]", "stiffness of the meshes with the sun; phases follow from teeth and places"),
     key("ring_stiffness", LAW, "in [laws]", "stiffness of the meshes with the ring; likewise"),
     key("backlash", Kind::Quantity("m"), ELSEWHERE, "play of all meshes, with the effect backlash"),
@@ -74,6 +75,8 @@ impl Reader<'_> {
                 let doc = format!("base radius of the sun of {set}");
                 let radius = Geometry { name: r_s.clone(), unit: "m", doc };
                 self.geared(name, item, gears, radius, with == "r");
+                // The planets have the other hand than the sun, and that of the ring.
+                self.helix(item, if with == "s" { 1.0 } else { -1.0 }, with == "r");
             }
         }
         self.radius_of_sun(item, z_s, r_s);
@@ -107,7 +110,7 @@ impl Reader<'_> {
             self.value(inertia.clone(), item.get("inertia"));
         }
         let (rows, place) = (vec![vec![Term::new(rotor, 1.0, &[])]], item.place.clone());
-        self.draft.rotors.push(Rotor { name: name.clone(), of: None });
+        self.draft.rotors.push(Rotor { name: name.clone(), of: None, along: None });
         let renamed = vec![("I_x", inertia)];
         self.draft.parts.push(DraftPart {
             driving: vec![],

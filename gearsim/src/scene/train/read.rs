@@ -32,13 +32,15 @@ pub(super) fn draft(entries: &[Entry], root: &Place, report: &mut Report) -> Opt
             }
         }
     }
+    reader.move_along_axes();
     let draft = reader.draft;
     if draft.rotors.is_empty() && report.len() == before {
         let place = keys::get(entries, "rotors").map_or(root, |node| &node.place);
         report.add(place, "a train has at least one rotor", "no rotor", "add for example motor = \"0.1 kg*m^2\"");
     }
-    if draft.rotors.len() > ROTORS {
-        let message = format!("a train has at most {ROTORS} rotors, not {}", draft.rotors.len());
+    let rotors = draft.rotors.iter().filter(|rotor| rotor.along.is_none()).count();
+    if rotors > ROTORS {
+        let message = format!("a train has at most {ROTORS} rotors, not {rotors}");
         report.add(root, message, "too many rotors", "join neighbouring discs");
     }
     (report.len() == before).then_some(draft)
@@ -97,6 +99,7 @@ impl Reader<'_> {
             "supports" => self.support(&item),
             "meshes" => self.mesh(&item),
             "planets" => self.planets(&item),
+            "thrust_bearings" => self.thrust_bearing(&item),
             "bearings" => self.bearing(&item),
             "clutches" => self.clutch(&item),
             _ => self.torque(&item),
@@ -124,12 +127,13 @@ impl Reader<'_> {
 
     /// The rotor that a key names; `Some(None)` for the ground, if that is allowed.
     pub fn end(&mut self, path: &str, node: &Node, ground: bool) -> Option<Option<usize>> {
-        let mut names: Vec<&str> = self.draft.rotors.iter().map(|rotor| rotor.name.as_str()).collect();
+        let turning = self.draft.rotors.iter().enumerate().filter(|(_, rotor)| rotor.along.is_none());
+        let (numbers, mut names): (Vec<usize>, Vec<&str>) = turning.map(|(i, rotor)| (i, rotor.name.as_str())).unzip();
         if ground {
             names.push(GROUND);
         }
         let i = field::choice(path, node, "rotor", &names, self.report)?;
-        Some((i < self.draft.rotors.len()).then_some(i))
+        Some(numbers.get(i).copied())
     }
 
     /// The rotor of an item.

@@ -19,10 +19,27 @@ pub(super) fn joined(draft: &Draft, report: &mut Report) {
     }
 }
 
+/// The sense in which each rotor turns in space, relative to the first of its part of the train: 1 or -1.
+pub(super) fn of(draft: &Draft) -> Vec<f64> {
+    let (senses, _) = follow(draft);
+    senses.into_iter().map(|same| if same { 1.0 } else { -1.0 }).collect()
+}
+
 /// Reports loops in which a rotor would turn in both directions at once.
 pub(super) fn check(draft: &Draft, report: &mut Report) -> Option<()> {
+    let (_, closing) = follow(draft);
+    let Some(joint) = closing.map(|i| &draft.joints[i]) else { return Some(()) };
+    let message = format!("{} closes a loop in which the rotors block one another", joint.part);
+    let help = "along the loop an odd number of external meshes reverses the rotation; leave out one part, or set internal = true";
+    report.add(&joint.place, message, "turns against itself", help);
+    None
+}
+
+/// Whether each rotor turns as the first of its part of the train, and the first joint that contradicts this.
+fn follow(draft: &Draft) -> (Vec<bool>, Option<usize>) {
     let n = draft.rotors.len();
     let mut sense: Vec<Option<bool>> = vec![None; n];
+    let mut closing = None;
     for root in 0..n {
         if sense[root].is_some() {
             continue;
@@ -30,7 +47,7 @@ pub(super) fn check(draft: &Draft, report: &mut Report) -> Option<()> {
         sense[root] = Some(true);
         let mut open = vec![root];
         while let Some(at) = open.pop() {
-            for joint in draft.joints.iter().filter(|joint| joint.ends.contains(&at)) {
+            for (i, joint) in draft.joints.iter().enumerate().filter(|(_, joint)| joint.ends.contains(&at)) {
                 let other = if joint.ends[0] == at { joint.ends[1] } else { joint.ends[0] };
                 let turned = sense[at].map(|s| s != joint.turns);
                 match sense[other] {
@@ -39,15 +56,10 @@ pub(super) fn check(draft: &Draft, report: &mut Report) -> Option<()> {
                         open.push(other);
                     }
                     known if known == turned => {}
-                    _ => {
-                        let message = format!("{} closes a loop in which the rotors block one another", joint.part);
-                        let help = "along the loop an odd number of external meshes reverses the rotation; leave out one part, or set internal = true";
-                        report.add(&joint.place, message, "turns against itself", help);
-                        return None;
-                    }
+                    _ => closing = closing.or(Some(i)),
                 }
             }
         }
     }
-    Some(())
+    (sense.into_iter().map(|s| s.unwrap_or(true)).collect(), closing)
 }

@@ -76,13 +76,17 @@ fn line(place: &Place, report: &Report) -> String {
 
 /// The values of the geometric parameters, for the choice of coordinates; 1 for one that cannot be read, which is reported later.
 pub(super) fn numbers(draft: &Draft, entries: &[Entry]) -> HashMap<String, f64> {
+    let usable = |x: &f64| x.is_finite() && *x > 0.0;
+    draft.geometry.iter().map(|g| (g.name.clone(), number(entries, &g.name).filter(usable).unwrap_or(1.0))).collect()
+}
+
+/// The number that `[parameters]` states [SI].
+pub(super) fn number(entries: &[Entry], name: &str) -> Option<f64> {
     let table = entries.iter().find(|entry| entry.key == "parameters").map(|entry| &entry.node.value);
     let given: &[Entry] = if let Some(Value::Table(given)) = table { given } else { &[] };
-    let number = |name: &str| match &given.iter().find(|entry| entry.key == name)?.node.value {
+    match &given.iter().find(|entry| entry.key == name)?.node.value {
         Value::Number(x) => Some(*x),
         Value::Text(text) => Quantity::parse(text).ok().map(|quantity| quantity.value),
         _ => None,
-    };
-    let usable = |x: &f64| x.is_finite() && *x > 0.0;
-    draft.geometry.iter().map(|g| (g.name.clone(), number(&g.name).filter(usable).unwrap_or(1.0))).collect()
+    }
 }

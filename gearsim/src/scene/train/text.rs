@@ -5,7 +5,10 @@ use super::draft::{Draft, Terms, named};
 
 /// The text.
 pub(super) fn equations(draft: &Draft, basis: &Basis) -> String {
-    let rotation = |rotor: usize| named("theta", &draft.rotors[rotor].name);
+    let rotation = |rotor: usize| match draft.rotors[rotor].along {
+        None => named("theta", &draft.rotors[rotor].name),
+        Some(_) => draft.rotors[rotor].name.clone(),
+    };
     let show = |form: &Terms| shown(form, &rotation);
     let mut text = String::from("Coordinates, in the rotations theta of the rotors\n");
     for chosen in &basis.coordinates {
@@ -29,6 +32,9 @@ pub(super) fn equations(draft: &Draft, basis: &Basis) -> String {
             "element_mesh" | "element_mesh_with_friction" => {
                 let phase = basis.of_rows.get(&(i, 0)).map_or("", |&j| &basis.coordinates[j].name);
                 format!("  V = {}({phase}) (x - {}({phase}))^2/2,  x = {}\n", of("k"), of("e"), row(1))
+            }
+            "element_thrust_bearing" => {
+                format!("  T = {} x'^2/2,  V = {} x^2/2,  x = {}\n", of("ma"), of("ka"), row(0))
             }
             "element_viscous" => format!("  D = {} x'^2/2,  x = {}\n", of("c"), row(0)),
             "element_drive" => format!("  Q = {},  x = {}\n", of("T"), row(0)),

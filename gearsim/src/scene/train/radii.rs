@@ -1,0 +1,84 @@
+//! The radii to which values of a train refer that are given per squared radius: the base radius of the gear on the rotor, and the
+//! radius of the circle of the planets' centres of a carrier.
+
+use std::collections::HashMap;
+
+use super::draft::{Draft, DraftPart, Group, named};
+use crate::model::Parameter;
+use crate::scene::per_radius::Radii;
+use crate::tolerance::scene::SAME_RADIUS;
+
+/// For each parameter its radius [m], or what lacks.
+#[derive(Default)]
+pub(in crate::scene) struct OfTrain(HashMap<String, Result<f64, String>>);
+
+impl Radii for OfTrain {
+    fn radius(&self, parameter: &Parameter, _: &dyn Fn(&str) -> Option<f64>) -> Result<f64, String> {
+        let none = || Err(format!("no one gear belongs to `{}`", parameter.name));
+        self.0.get(parameter.name).cloned().unwrap_or_else(none)
+    }
+}
+
+/// The radii of the parts; `value` has the values of the parameters.
+pub(super) fn of(draft: &Draft, value: &dyn Fn(&str) -> Option<f64>) -> OfTrain {
+    let rotor_of = |part: &DraftPart| part.rows[0].first().map(|term| term.rotor);
+    let mut radii = HashMap::new();
+    for part in &draft.parts {
+        let name = match part.element {
+            "element_rotor" => {
+                part.renamed.iter().find(|r| r.0 == "I_x").map_or_else(|| named("I", &part.name), |r| r.1.clone())
+            }
+            "element_support" => named("k", &part.name),
+            "element_viscous" => named("c", &part.name),
+            _ => continue,
+        };
+        // The damper of a mesh is that of the rotation of its first gear.
+        let of_mesh = draft.groups.iter().find_map(|group| {
+            let i = group
+                .parts
+                .iter()
+                .position(|&i| part.element == "element_viscous" && draft.parts[i].name == part.name)?;
+            Some(base_radius(group, group.meshes[i][0], value))
+        });
+        let of_part = |rotor: usize| match part.rows[0].len() {
+            1 => of_rotor(draft, rotor, value),
+            _ => Err("it has two ends".into()),
+        };
+        let found = of_mesh
+            .map(|r| r.ok_or_else(|| "its base radius is not known".into()))
+            .or_else(|| rotor_of(part).map(of_part));
+        radii.extend(found.map(|found| (name, found)));
+    }
+    OfTrain(radii)
+}
+
+/// The radius of the one gear or circle of planets on a rotor [m].
+fn of_rotor(draft: &Draft, rotor: usize, value: &dyn Fn(&str) -> Option<f64>) -> Result<f64, String> {
+    let gears = draft.groups.iter().flat_map(|group| {
+        let on = group.gears.iter().enumerate().filter(|(_, gear)| gear.rotor == Some(rotor));
+        on.filter_map(|(i, _)| base_radius(group, i, value)).collect::<Vec<_>>()
+    });
+    let sets = draft.parts.iter().filter(|part| part.element == "element_planets" && part.rows[0][0].rotor == rotor);
+    let circles = sets.filter_map(|part| circle(part, value));
+    let mut all: Vec<f64> = gears.chain(circles).filter(|r| r.is_finite() && *r > 0.0).collect();
+    all.dedup_by(|a, b| (*a / *b - 1.0).abs() <= SAME_RADIUS);
+    let name = &draft.rotors[rotor].name;
+    match all[..] {
+        [] => Err(format!("rotor {name} has no gear with a base radius")),
+        [only] => Ok(only),
+        _ => Err(format!("rotor {name} has gears with different base radii")),
+    }
+}
+
+/// The base radius of gear `i` of a group [m].
+fn base_radius(group: &Group, i: usize, value: &dyn Fn(&str) -> Option<f64>) -> Option<f64> {
+    Some(value(&group.radius)? * value(&group.gears[i].teeth)? / value(&group.gears[0].teeth)?)
+}
+
+/// The radius of the circle of the centres of the planets of a set [m].
+fn circle(part: &DraftPart, value: &dyn Fn(&str) -> Option<f64>) -> Option<f64> {
+    let of = |end: &str| value(&part.renamed.iter().find(|r| r.0 == end)?.1);
+    let alpha = value(&named("alpha", &part.name)).unwrap_or(20f64.to_radians());
+    let [sun, ring, radius] = [of("Zs_x")?, of("Zr_x")?, of("rs_x")?];
+    Some(radius / sun * (sun + ring) / 2.0 / alpha.cos())
+}
