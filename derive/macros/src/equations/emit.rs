@@ -20,7 +20,8 @@ pub fn emit(mut m: Model) -> TokenStream {
     let describe = describe(&m);
     let (mut force, mut dissipation) = (Terms::of_force(&m), Terms::of_dissipation(&m));
     let terms = force.values().chain(dissipation.values());
-    let variables = m.deflections.iter_mut().chain(&mut m.rates).chain(&mut m.functions).map(|d| &mut d.value);
+    let of_positions = m.functions.iter_mut().map(|f| &mut f.value);
+    let variables = m.deflections.iter_mut().chain(&mut m.rates).map(|d| &mut d.value).chain(of_positions);
     let forces = m.forces.iter_mut().flat_map(|force| force.sum.iter_mut().map(|term| &mut term.value));
     let coefficients = hoist(variables.chain(forces).chain(terms).collect());
     let m = &m;
@@ -86,8 +87,8 @@ pub fn emit(mut m: Model) -> TokenStream {
                 let (q, q_dot) = (equations::array(q), equations::array(q_dot));
                 self.numbers.force(&self.met, q, q_dot, k, dk, equations::array_mut(force));
             }
-            fn dissipation(&self, q_dot: &[f64], k: &[f64]) -> f64 {
-                self.numbers.dissipation(&self.met, equations::array(q_dot), k)
+            fn dissipation(&self, q: &[f64], q_dot: &[f64], k: &[f64]) -> f64 {
+                self.numbers.dissipation(&self.met, equations::array(q), equations::array(q_dot), k)
             }
             #(#calls)*
         }
@@ -96,16 +97,18 @@ pub fn emit(mut m: Model) -> TokenStream {
 
 /// The cells of a scene in double-double numbers.
 fn exactly(m: &Model) -> TokenStream {
+    let n = Index::from(m.coordinates.len());
     let switches = (!m.switches.is_empty()).then(|| {
         quote! {
             fn mode(&self, i: usize, mode: usize) -> Option<Vec<real::Double>> {
                 self.numbers.mode(&self.met, i, mode)
             }
             fn exits(&self, i: usize, mode: usize, k: &[real::Double]) -> Vec<equations::Exit<real::Double>> {
-                self.numbers.exits(&self.met, i, mode, k)
+                self.numbers.exits(&self.met, i, mode, &[real::Double::from(0.0); #n], k)
             }
             fn switched(&self, i: usize, k: &[real::Double]) -> equations::Deflection<real::Double> {
-                self.numbers.deflection(&self.met, self.numbers.switched(&self.met, i), k)
+                let at = [real::Double::from(0.0); #n];
+                self.numbers.deflection(&self.met, self.numbers.switched(&self.met, i), &at, k)
             }
         }
     });
