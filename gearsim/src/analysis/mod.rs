@@ -13,4 +13,5 @@ pub mod sound;
 pub mod spectrum;
 pub mod statistics;
 pub mod steady;
+pub mod turn;
 pub mod work_precision;
