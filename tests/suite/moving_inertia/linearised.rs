@@ -167,7 +167,13 @@ fn multipliers_are_those_of_the_flow_of_dop853() {
         ),
         (
             "crank_drive",
-            &["parameters.beta_K=0.1 us", "parameters.N2=24", "parameters.I2=20000 kg*mm^2", "parameters.m_p=2 kg", "start.speed=3000 rpm"],
+            &[
+                "parameters.beta_K=0.1 us",
+                "parameters.N2=24",
+                "parameters.I2=20000 kg*mm^2",
+                "parameters.m_p=2 kg",
+                "start.speed=3000 rpm",
+            ],
         ),
         (
             "crank_drive",

@@ -184,10 +184,10 @@ fn bent(m: &Model, d: Index, [name, rate]: [&Ident; 2], errors: &TokenStream) ->
             { #errors }
             let mut constant: f64 = { #value };
             for j in 0..#n {
-                constant -= normal[j] * q[j];
+                constant = constant - normal[j] * q[j];
             }
             for (law, unit) in &errors {
-                constant -= *unit * k[*law];
+                constant = constant - *unit * k[*law];
             }
             equations::Deflection { normal: R::row(&normal), constant, errors }
         }
