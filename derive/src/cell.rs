@@ -3,7 +3,7 @@
 
 use symbolica::atom::{Atom, AtomCore, Symbol};
 
-use crate::expr::{Expr, Kind, kind_and_name, number, symbol, total};
+use crate::expr::{Expr, Kind, kind_and_name, number, symbol, symbols, total};
 use crate::lagrange::{self, Motion, external, hessian, rows};
 use crate::markers::{all_present, markers, terms};
 use crate::model::Model;
@@ -36,6 +36,8 @@ pub(crate) fn derive(model: &Model, s: &Symbols, motion: &Motion) -> Cell {
         let how = if torque.is_linear() { "" } else { ", whose displacement is not linear" };
         culprits.push((markers(&value), format!("{value_text} in the torque `{}`{how}", torque.name)));
     }
+    let bends = Bends::of(model, s);
+    culprits.extend(bends.culprits.iter().cloned());
     let (mut nonlinear, mut nonlinear_with) = (vec![], vec![]);
     for (marks, text) in culprits {
         match &marks[..] {
@@ -51,9 +53,52 @@ pub(crate) fn derive(model: &Model, s: &Symbols, motion: &Motion) -> Cell {
     };
     let (potential, dissipation) = (linear(&model.potential), linear(&model.dissipation));
     let restoring = rows(n, lagrange::restoring(model, s, &potential, |v| s.by_coordinates(v)));
-    let stiffness = restoring.iter().map(|row| rows(n, s.by_coordinates(row).into_iter())).collect();
-    let load = constant.iter().zip(&restoring).map(|(constant, row)| (constant - at_rest(s, row)).expand()).collect();
-    Cell { stiffness, damping: hessian(n, &dissipation, |d| s.by_speeds(d)), load, nonlinear, nonlinear_with }
+    let restoring: Vec<Atom> = restoring.iter().map(|row| bends.straight(row)).collect();
+    let second = |row: &Atom| rows(n, s.by_coordinates(row).into_iter()).iter().map(|k| bends.straight(k)).collect();
+    let stiffness = restoring.iter().map(second).collect();
+    let damping = hessian(n, &dissipation, |d| s.by_speeds(d));
+    let damping = damping.iter().map(|row| row.iter().map(|c| bends.straight(c)).collect()).collect();
+    let load = constant
+        .iter()
+        .zip(&restoring)
+        .map(|(constant, row)| (constant - bends.straight(&at_rest(s, row))).expand())
+        .collect();
+    Cell { stiffness, damping, load, nonlinear, nonlinear_with }
+}
+
+/// The functions of positions by which deflections bend.
+struct Bends {
+    /// The functions and the effects without which they are zero.
+    zero: Vec<Symbol>,
+    /// What makes cells nonlinear, with the effects that it needs.
+    culprits: Vec<(Vec<String>, String)>,
+}
+
+impl Bends {
+    fn of(model: &Model, s: &Symbols) -> Self {
+        let (mut zero, mut culprits) = (vec![], vec![]);
+        for (deflection, _) in model.deflections.iter().zip(&s.deflections).filter(|(_, linear)| linear.bends) {
+            let named = symbols(&deflection.value.atom());
+            let functions = model.functions.iter().filter(|f| named.contains(&(Kind::Function, f.name.clone())));
+            for function in functions {
+                zero.extend(function.derivatives().iter().map(|d| symbol(Kind::Function, &d.name)));
+                zero.extend(function.with.iter().map(|effect| symbol(Kind::Marker, effect)));
+                let culprit =
+                    (function.with.iter().cloned().collect(), format!("the deflection {} bends", deflection.name));
+                if !culprits.contains(&culprit) {
+                    culprits.push(culprit);
+                }
+            }
+        }
+        Bends { zero, culprits }
+    }
+
+    /// The expression with straight deflections.
+    fn straight(&self, e: &Atom) -> Atom {
+        let straight =
+            self.zero.iter().fold(e.clone(), |e, s| e.replace(Atom::var(*s).to_pattern()).with(number(0).to_pattern()));
+        straight.expand()
+    }
 }
 
 /// The inertias that depend on the coordinates, as text, each with the effects that it needs.

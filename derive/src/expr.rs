@@ -6,8 +6,9 @@
 use std::cell::RefCell;
 use std::collections::{BTreeMap, HashMap};
 use std::ops::{Add, Div, Mul, Neg, Sub};
+use std::sync::LazyLock;
 
-use symbolica::atom::{Atom, AtomCore, Symbol};
+use symbolica::atom::{Atom, AtomCore, AtomView, Symbol};
 
 thread_local! {
     static ARENA: RefCell<Vec<Atom>> = const { RefCell::new(Vec::new()) };
@@ -133,6 +134,24 @@ fn new_symbol(kind: Kind, name: &str) -> Symbol {
     symbol.unwrap_or_else(|error| unreachable!("Symbolica refuses the symbol {namespace}::{name}: {error:?}"))
 }
 
+/// The arc tangent, with its derivative 1/(1 + x²), which Symbolica does not have.
+fn arc_tangent() -> Symbol {
+    static ATAN: LazyLock<Symbol> = LazyLock::new(|| {
+        symbolica::symbol!(
+            "smooth::atan",
+            der = |f, _, out| {
+                if let AtomView::Fun(f) = f
+                    && let Some(x) = f.iter().next()
+                {
+                    let x = x.to_owned();
+                    **out = number(1) / (number(1) + &x * &x);
+                }
+            }
+        )
+    });
+    *ATAN
+}
+
 /// The kind and the name of a symbol.
 pub(crate) fn kind_and_name(symbol: Symbol) -> (Kind, String) {
     let (namespace, name) = (symbol.get_namespace(), symbol.get_stripped_name());
@@ -193,7 +212,7 @@ impl Expr {
         Expr::var(Kind::Free, name)
     }
 
-    /// A function by name: `sin`, `cos`, `exp` or `log`. A model that contains another one is refused, above all piecewise ones
+    /// A function by name: `sin`, `cos`, `exp`, `log` or `atan`. A model that contains another one is refused, above all piecewise ones
     /// (`abs`, `max`, `heaviside`, ...): declare a law instead.
     pub fn function(name: &str, argument: Expr) -> Expr {
         let symbol = match name {
@@ -201,6 +220,7 @@ impl Expr {
             "cos" => Symbol::COS,
             "exp" => Symbol::EXP,
             "log" => Symbol::LOG,
+            "atan" => arc_tangent(),
             _ => symbol(Kind::Free, name),
         };
         Expr::new(symbolica::function!(symbol, argument.atom()))
@@ -234,6 +254,11 @@ impl Expr {
     /// The cosine.
     pub fn cos(self) -> Expr {
         Expr::function("cos", self)
+    }
+
+    /// The arc tangent.
+    pub fn atan(self) -> Expr {
+        Expr::function("atan", self)
     }
 
     /// Declares the rate of the named function `name` for [`Expr::dot`].

@@ -6,13 +6,15 @@ mod switch;
 
 use symbolica::atom::{Atom, AtomCore};
 
-use crate::expr::{Expr, Kind, speed_name, symbol, symbols, varies};
+use crate::expr::{Expr, Kind, number, speed_name, symbol, symbols, total, varies};
 
 pub(crate) use output::Output;
-pub(crate) use parts::{Coordinate, Deflection, Effect, Force, Function, Law, Motion, Parameter, Role, Torque};
+pub(crate) use parts::{
+    Coordinate, Deflection, Derivative, Effect, Force, Function, Law, Motion, Parameter, Role, Torque,
+};
 pub use parts::{Friction, Range, Start};
 pub use switch::{Describing, Switching};
-pub(crate) use switch::{Exit, Mode, REACTION, Switch};
+pub(crate) use switch::{Exit, Mode, REACTION, Switch, set};
 
 /// A drivetrain, described by its energies.
 ///
@@ -96,11 +98,43 @@ impl Model {
     /// be written in the function and its `.dot()`. The equations are then written in the function and its derivatives, `name`, `dname`,
     /// `ddname` and `dddname`, instead of being multiplied out. This is how a holonomic constraint is stated: solved for one quantity.
     pub fn function(&mut self, name: &str, of: Expr, value: impl FnOnce(Expr) -> Expr) -> Expr {
-        let function = Function { name: name.into(), of, value: value(of) };
-        let rate = Expr::var(Kind::Function, &function.derivative(1)) * self.position(of).dot();
-        Expr::set_rate(name, rate);
+        let (name, of, value) = (name.into(), vec![of], value(of));
+        self.declare_function(Function { name, of, value, gradient: vec![], with: None })
+    }
+
+    /// Names a smooth function of several positions: how far a line of action turns as the centres of gears move. `of` are coordinates or
+    /// named deflections without transmission errors; `value` and `gradient` give the function of them and its derivatives by them, which
+    /// the derivation compares. Inside the closure of an effect: it is zero in scenes without the effect. V may be written in it, and so may
+    /// deflections: these then bend, which means that they are not linear in the coordinates. The equations are written in the function and
+    /// its derivatives `name_by_x`, `name_by_x_by_y`.
+    pub fn function_of<const N: usize>(
+        &mut self,
+        name: &str,
+        of: [Expr; N],
+        value: impl FnOnce([Expr; N]) -> Expr,
+        gradient: impl FnOnce([Expr; N]) -> [Expr; N],
+    ) -> Expr {
+        let (value, gradient, with) = (value(of), gradient(of).to_vec(), self.within.clone());
+        self.declare_function(Function { name: name.into(), of: of.to_vec(), value, gradient, with })
+    }
+
+    fn declare_function(&mut self, function: Function) -> Expr {
+        let name = function.name.clone();
+        Expr::set_rate(&name, Expr::new(self.function_rate(&function, 0)));
         self.functions.push(function);
-        Expr::var(Kind::Function, name)
+        Expr::var(Kind::Function, &name)
+    }
+
+    /// The rate of a function, or of one of its derivatives, in the speeds: the sum of its derivatives times the rates of the positions, with
+    /// the marker of its effect.
+    pub(crate) fn function_rate(&self, function: &Function, derivative: usize) -> Atom {
+        let all = function.derivatives();
+        let next = all.get(derivative).map(|d| d.next.clone()).unwrap_or_default();
+        let parts = next.into_iter().zip(&function.of).filter_map(|(next, of)| {
+            Some(Atom::var(symbol(Kind::Function, &all.get(next)?.name)) * self.position(*of).dot().atom())
+        });
+        let marker = function.with.as_ref().map_or(number(1), |effect| Atom::var(symbol(Kind::Marker, effect)));
+        marker * total(parts.collect())
     }
 
     /// A coordinate, or a named deflection written in the coordinates.

@@ -9,11 +9,11 @@ mod switches;
 
 use symbolica::atom::{Atom, AtomCore};
 
-use crate::expr::{Kind, symbol};
+use crate::expr::{Expr, Kind, symbol, symbols};
 use crate::jump::Jump;
 use crate::lagrange::Motion;
 use crate::mobility::is_zero;
-use crate::model::Model;
+use crate::model::{Function, Model};
 use crate::print::{Style, print};
 use crate::slip::Slip;
 use crate::symbols::Symbols;
@@ -40,12 +40,31 @@ pub(crate) fn prove(model: &Model, s: &Symbols, motion: &Motion, jumps: &[Jump])
     switches::prove(&mut p)?;
     dampers::prove(&mut p)?;
     friction::prove(&mut p)?;
+    let straight = model.deflections.iter().zip(&s.deflections).filter(|(_, linear)| !linear.bends);
     p.claim(
         "every deflection equals the linear form by which the equations differentiate it",
-        model.deflections.iter().zip(&s.deflections).map(|(d, linear)| d.value.atom() - linear.of(&s.q)),
+        straight.map(|(d, linear)| d.value.atom() - linear.of(&s.q)),
+    )?;
+    let bent = model.deflections.iter().zip(&s.deflections).filter(|(_, linear)| linear.bends);
+    p.claim(
+        "every deflection that bends has the rate by which the equations differentiate it",
+        bent.map(|(d, linear)| d.value.dot().atom() - linear.rate(&s.v)),
+    )?;
+    p.claim(
+        "every function of several positions has the gradient that is written",
+        model.functions.iter().filter(|f| f.is_of_several()).flat_map(gradient).map(|rest| exact(motion, &rest)),
     )?;
     p.proved.extend(balance::without_jump_terms(model, s));
     Ok(p.proved)
+}
+
+/// The derivatives of a function of several positions, less those that are written.
+fn gradient(f: &Function) -> Vec<Atom> {
+    let by = |(of, slope): (&Expr, &Expr)| {
+        let (kind, name) = symbols(&of.atom()).into_iter().next()?;
+        Some(f.value.atom().derivative(symbol(kind, &name)) - slope.atom())
+    };
+    f.of.iter().zip(&f.gradient).filter_map(by).collect()
 }
 
 impl Proof<'_> {

@@ -4,12 +4,12 @@
 mod derivatives;
 mod named;
 
-use std::collections::HashMap;
+use std::collections::{BTreeMap, HashMap};
 
 use symbolica::atom::{Atom, AtomCore, Symbol};
 
 use crate::expr::{Kind, number, symbol};
-use crate::model::{Function, Model};
+use crate::model::{Derivative, Model};
 pub(crate) use named::{Force, Linear};
 
 /// Nonzero entries of a vector: index and entry, by rising index.
@@ -27,7 +27,7 @@ pub(crate) struct Symbols {
     pub phase: Vec<Sparse>,
     pub deflections: Vec<Linear>,
     pub forces: Vec<Force>,
-    /// The gradients of the named functions by the coordinates, and those of their derivatives up to the second.
+    /// The gradients of the named functions and of their derivatives by the coordinates; empty for the highest ones.
     functions: Vec<Vec<Sparse>>,
     /// What each symbol is.
     places: HashMap<Symbol, Place>,
@@ -43,7 +43,7 @@ pub(crate) enum Place {
     Law(usize),
     Slope(usize),
     Force(usize),
-    /// Index of a named function, and the order of a derivative of it.
+    /// Index of a named function, and which of it and its derivatives.
     Function(usize, usize),
 }
 
@@ -53,6 +53,16 @@ fn present(e: &Atom, places: &HashMap<Symbol, Place>) -> Vec<(Symbol, Place)> {
         e.get_all_symbols(false).into_iter().filter_map(|symbol| Some((symbol, *places.get(&symbol)?))).collect();
     all.sort_by_key(|(_, place)| *place);
     all
+}
+
+/// The sums of parts of a vector, by rising index.
+fn merged(parts: impl Iterator<Item = (usize, Atom)>) -> Sparse {
+    let mut sums = BTreeMap::new();
+    for (i, part) in parts {
+        let sum = sums.entry(i).or_insert_with(|| number(0));
+        *sum = &*sum + part;
+    }
+    sums.into_iter().collect()
 }
 
 impl Symbols {
@@ -90,15 +100,24 @@ impl Symbols {
             places,
         };
         for (f, function) in model.functions.iter().enumerate() {
-            let name = |order: usize| symbol(Kind::Function, &function.derivative(order));
-            symbols.places.extend((0..Function::ORDERS).map(|order| (name(order), Place::Function(f, order))));
-            let slopes = symbols.by_coordinates(&function.of.atom());
-            let gradient = |order: usize| {
-                let next = Atom::var(name(order + 1));
-                slopes.iter().map(|(i, slope)| (*i, &next * slope)).collect()
+            let all = function.derivatives();
+            let name = |i: usize| symbol(Kind::Function, &all[i].name);
+            symbols.places.extend((0..all.len()).map(|i| (name(i), Place::Function(f, i))));
+            let slopes: Vec<Sparse> = function.of.iter().map(|of| symbols.by_coordinates(&of.atom())).collect();
+            let present = gate(&function.with);
+            let gradient = |d: &Derivative| {
+                let parts = d.next.iter().zip(&slopes).flat_map(|(next, slopes)| {
+                    let next = &present * Atom::var(name(*next));
+                    slopes.iter().map(move |(i, slope)| (*i, &next * slope))
+                });
+                merged(parts)
             };
-            symbols.functions.push((0..Function::ORDERS - 1).map(gradient).collect());
+            symbols.functions.push(all.iter().map(gradient).collect());
         }
+        let bent: Vec<Linear> = (model.deflections.iter().zip(&symbols.deflections))
+            .map(|(deflection, straight)| straight.bent(&deflection.value.atom(), &symbols))
+            .collect();
+        symbols.deflections = bent;
         for (f, force) in model.forces.iter().enumerate() {
             symbols.forces.push(Force::new(force, &symbols));
             symbols.places.insert(symbol(Kind::Force, &force.name), Place::Force(f));

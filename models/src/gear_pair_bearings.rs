@@ -3,8 +3,8 @@
 use gearsim_derive::{Model, Range, Start};
 
 use crate::components::{
-    Direction, Gear, Sliding, bearing, damping, drive, external, load, mesh_with_play, pair, planar_rotor,
-    sliding_friction,
+    Direction, Gear, Sliding, bearing, damping, drive, external, load, mesh_on_centres, moving_centres, pair,
+    planar_rotor, sliding_friction,
 };
 
 /// The line of centres, from the driving to the driven gear, is the x axis. The driving gear turns counterclockwise.
@@ -15,8 +15,8 @@ pub fn gear_pair_bearings(m: &mut Model) {
     );
 
     let gears = pair(m, "", "1", "2");
-    let alpha = m.parameter("alpha", "rad", Some(20f64.to_radians()), Range::Positive, "pressure angle");
-    let alpha = Direction { cos: m.constant("cos_a", alpha.cos()), sin: m.constant("sin_a", alpha.sin()) };
+    let angle = m.parameter("alpha", "rad", Some(20f64.to_radians()), Range::Positive, "pressure angle");
+    let alpha = Direction { cos: m.constant("cos_a", angle.cos()), sin: m.constant("sin_a", angle.sin()) };
     let centre = |m: &mut Model, part: &str| {
         ["x", "y"].map(|axis| {
             m.coordinate(&format!("{axis}{part}"), "m", Start::Static, &format!("{axis} of the centre of gear {part}"))
@@ -31,8 +31,10 @@ pub fn gear_pair_bearings(m: &mut Model) {
     // Rolling does not deflect the mesh: of the rotations only s does. The line of action is at the angle -alpha.
     let (one, two) = (Gear { x: c1[0], y: c1[1], u: gears.s }, Gear { x: c2[0], y: c2[1], u: 0.into() });
     let line = alpha.mirrored();
-    let mesh =
-        mesh_with_play(m, "12", "mesh", gears.theta, external(one, line, two, line), one.across(line) + gears.u1);
+    let apart = [c2[0] - c1[0], c2[1] - c1[1]];
+    let bend = moving_centres(m, "12", apart, gears.sum_of_base_radii(), (angle, alpha));
+    let driving = one.across(line) + gears.u1;
+    let mesh = mesh_on_centres(m, "12", "mesh", gears.theta, (external(one, line, two, line), bend), driving);
     // The flanks slide when the gears turn relative to each other, and when their centres move across the line of action.
     let tau = alpha.sin / alpha.cos * gears.s - one.along(line) + two.along(line);
     let psi = gears.theta1 + gears.theta2;

@@ -5,6 +5,8 @@ mod common;
 mod derivatives;
 #[path = "moving_inertia/gears.rs"]
 mod gears;
+#[path = "moving_inertia/linearised.rs"]
+mod linearised;
 #[path = "moving_inertia/linkage.rs"]
 mod linkages;
 #[path = "moving_inertia/pendulums.rs"]

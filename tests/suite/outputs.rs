@@ -48,10 +48,10 @@ fn law_values(scene: &Scene, equations: &dyn Equations, x: &[f64]) -> Vec<f64> {
 
 /// The power that dampers and switches dissipate, from the dissipation function and the lost forces.
 fn taken(scene: &Scene, equations: &dyn Equations, q: &[f64], q_dot: &[f64], k: &[f64]) -> f64 {
-    let mut power = 2.0 * equations.dissipation(q_dot, k);
+    let mut power = 2.0 * equations.dissipation(q, q_dot, k);
     for i in (0..scene.model.switches.len()).filter(|&i| equations.mode(i, 0).is_some()) {
         let [a, b] = equations.lost(i, k);
-        let x = equations.deflection(equations.switched(i), k);
+        let x = equations.deflection(equations.switched(i), q, k);
         power += (a + b * x.value(q, k)) * x.normal.dot(q_dot);
     }
     power

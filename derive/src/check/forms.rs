@@ -72,14 +72,24 @@ pub(super) fn linear(model: &Model) -> Result<(), Slip> {
         let edges = offsets.map(|s| (Kind::Edge, &s.name));
         let errors = model.laws.iter().filter(|law| law.role == Role::Error).map(|law| (law.kind(), &law.name));
         let offsets: Vec<Atom> = edges.chain(errors).map(|(kind, name)| Atom::var(symbol(kind, name))).collect();
+        // So are functions of positions, each with a factor that is constant in a mode.
+        let functions: Vec<_> = symbols(&d.value.atom()).into_iter().filter(|s| s.0 == Kind::Function).collect();
+        let factor = |(kind, name): &(Kind, String)| d.value.atom().derivative(symbol(*kind, name)).expand();
+        let may_be_a_factor = |s: &(Kind, String)| matches!(s.0, Kind::Constant | Kind::Parameter | Kind::Switched);
+        let bends = functions.iter().all(|f| symbols(&factor(f)).iter().all(may_be_a_factor));
+        let parts = functions.iter().map(|f| factor(f) * Atom::var(symbol(f.0, &f.1)));
+        let straight = parts.fold(d.value.atom(), |value, part| value - part).expand();
+        let switched = symbols(&straight).iter().any(|s| matches!(s.0, Kind::Function | Kind::Switched));
         let value = offsets
             .iter()
-            .fold(d.value.atom(), |value, offset| value.replace(offset.to_pattern()).with(number(0).to_pattern()));
-        let offset = (d.value.atom() - &value).expand();
+            .fold(straight.clone(), |value, offset| value.replace(offset.to_pattern()).with(number(0).to_pattern()));
+        let offset = (&straight - &value).expand();
         let scaled =
             offsets.iter().fold(offset.clone(), |e, o| e.replace(o.to_pattern()).with((o * number(2)).to_pattern()));
         let rest = slopes(&value).into_iter().fold(value.clone(), |rest, (q, slope)| rest - slope * q);
-        if slopes(&value).iter().any(|(_, slope)| moves(slope))
+        if !bends
+            || switched
+            || slopes(&value).iter().any(|(_, slope)| moves(slope))
             || !is_zero(&rest)
             || moves(&offset)
             || !is_zero(&(scaled - offset * number(2)))

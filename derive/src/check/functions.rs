@@ -6,7 +6,7 @@ use symbolica::coefficient::CoefficientView;
 use crate::model::Model;
 use crate::slip::Slip;
 
-const SMOOTH: [&str; 4] = ["sin", "cos", "exp", "log"];
+const SMOOTH: [&str; 5] = ["sin", "cos", "exp", "log", "atan"];
 
 /// Refuses functions that are not smooth or not known, and numbers that cannot be written as code; `place` is for the message.
 pub(super) fn functions(model: &Model, e: AtomView, place: &str) -> Result<(), Slip> {

@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use crate::expr::{
     Kind, MOVING, acceleration_name, is_word, partial_name, power_name, reaction_name, speed_name, symbols,
 };
-use crate::model::{self, CONDITIONS, Model, mid_name};
+use crate::model::{CONDITIONS, Model, mid_name};
 use crate::slip::Slip;
 
 /// Words that cannot be names in the generated code: keywords of Rust, and names that this code uses itself.
@@ -75,8 +75,7 @@ pub(super) fn declared(model: &Model) -> Result<BTreeMap<String, &'static str>, 
     }
     for function in &model.functions {
         declare(&function.name, known(Function), false)?;
-        (1..model::Function::ORDERS)
-            .try_for_each(|order| declare(&function.derivative(order), known(Function), true))?;
+        function.derivatives().iter().skip(1).try_for_each(|d| declare(&d.name, known(Function), true))?;
     }
     for switch in &model.switches {
         switch.symbols.iter().try_for_each(|s| declare(&s.name, known(s.kind), false))?;

@@ -61,36 +61,46 @@ impl Places<'_> {
 
     fn deflections(&self) -> Result<(), Slip> {
         self.model.deflections.iter().try_for_each(|d| {
-            let why = "a deflection may depend on coordinates and transmission errors only";
-            let allowed = [Constant, Parameter, Coordinate, Edge, Error];
+            let why = "a deflection may depend on coordinates, transmission errors, and functions of positions with factors of switches";
+            let allowed = [Constant, Parameter, Coordinate, Edge, Error, Function, Switched];
             self.check(d.value, &format!("the deflection `{}`", d.name), &allowed, why)
         })?;
         self.model.switches.iter().try_for_each(|switch| self.switch(switch))
     }
 
-    /// A named function is one of a coordinate or of a named deflection that transmission errors do not shift.
+    /// A named function is one of coordinates or of named deflections that transmission errors do not shift.
     fn functions(&self) -> Result<(), Slip> {
         self.model.functions.iter().try_for_each(|function| {
             let place = format!("the function `{}`", function.name);
-            let why = "a function is one of a coordinate, or of a named deflection";
-            self.check(function.of, &place, &[Coordinate, Deflection], why)?;
-            let why = "the position of a function depends on coordinates only, without transmission errors";
-            self.check(self.model.position(function.of), &place, &[Constant, Parameter, Coordinate], why)?;
+            let mut positions = vec![];
+            for of in &function.of {
+                let why = "a function is one of a coordinate, or of a named deflection";
+                self.check(*of, &place, &[Coordinate, Deflection], why)?;
+                let why = "the position of a function depends on coordinates only, without transmission errors";
+                self.check(self.model.position(*of), &place, &[Constant, Parameter, Coordinate], why)?;
+                match symbols(&of.atom()).as_slice() {
+                    [(kind, name)] if of.atom() == Atom::var(symbol(*kind, name)) => {
+                        positions.push((*kind, name.clone()))
+                    }
+                    _ => {
+                        let (model, symbol) = (self.model.name.clone(), of.to_string());
+                        let why =
+                            "its position must be a coordinate or a named deflection; name it with m.deflection(...)";
+                        return Err(Slip::Misplaced { model, symbol, place, why });
+                    }
+                }
+            }
             let why = "a function may depend on its position, parameters and constants only";
-            let of = symbols(&function.of.atom());
-            if let Some((_, other)) = symbols(&function.value.atom())
-                .into_iter()
-                .find(|s| matches!(s.0, Coordinate | Deflection | Function) && !of.contains(s))
-            {
-                let (model, symbol) = (self.model.name.clone(), other);
-                return Err(Slip::Misplaced { model, symbol, place, why });
+            let values: Vec<Expr> = [function.value].iter().chain(&function.gradient).copied().collect();
+            let others = values.iter().flat_map(|value| symbols(&value.atom()));
+            let mut others =
+                others.filter(|s| matches!(s.0, Coordinate | Deflection | Function) && !positions.contains(s));
+            if let Some((_, symbol)) = others.next() {
+                return Err(Slip::Misplaced { model: self.model.name.clone(), symbol, place, why });
             }
-            if of.len() != 1 || function.of.atom() != Atom::var(symbol(of[0].0, &of[0].1)) {
-                let (model, symbol) = (self.model.name.clone(), function.of.to_string());
-                let why = "its position must be a coordinate or a named deflection; name it with m.deflection(...)";
-                return Err(Slip::Misplaced { model, symbol, place, why });
-            }
-            self.check(function.value, &place, &[Constant, Parameter, of[0].0], why)
+            values
+                .iter()
+                .try_for_each(|value| self.check(*value, &place, &[Constant, Parameter, Coordinate, Deflection], why))
         })
     }
 
@@ -120,6 +130,11 @@ impl Places<'_> {
                 return slip("a guard is linear in deflections, rates and the reaction", &mode.name);
             }
         }
+        let over = self.model.deflections.iter().find(|d| d.name == switch.over);
+        let bends = over.is_some_and(|d| symbols(&d.value.atom()).iter().any(|s| s.0 == Function));
+        if let Some(mode) = switch.modes.iter().find(|mode| mode.held).filter(|_| bends) {
+            return slip("a mode that holds needs a deflection that is linear in the coordinates", &mode.name);
+        }
         // A hold begins at rest: no energy is lost there.
         let rate = symbol(Rate, &speed_name(&switch.over));
         for (mode, exit) in switch.exits().filter(|(_, exit)| switch.mode(&exit.to).is_some_and(|to| to.held)) {
@@ -142,18 +157,26 @@ impl Places<'_> {
         let each = |pieces: &[Expr], what: &str, allowed: &[Kind], why| {
             pieces.iter().try_for_each(|piece| self.check(*piece, what, allowed, why))
         };
-        // Damping that depends on positions could be derived, but the engine has no equations for it.
         let moving = [Constant, Parameter, Mid, Function, Coordinate, Speed];
         let why = "T may depend on speeds, coordinates and functions of them, not on the mesh or on named deflections: write those in the \
                    coordinates";
         each(&self.model.kinetic, "the kinetic energy", &moving, why)?;
+        let several = self.model.functions.iter().filter(|function| function.is_of_several());
+        for function in several {
+            let named = |t: &Expr| symbols(&t.atom()).contains(&(Function, function.name.clone()));
+            if self.model.kinetic.iter().any(named) {
+                let (model, symbol, place) =
+                    (self.model.name.clone(), function.name.clone(), "the kinetic energy".to_string());
+                let why = "T may contain functions of one position only: it needs their third derivatives";
+                return Err(Slip::Misplaced { model, symbol, place, why });
+            }
+        }
         let positions = [Constant, Parameter, Mid, Law, Switched, Function, Deflection, Coordinate];
         let why = "V may depend on positions, not on speeds, and on transmission errors only through deflections, \
                    m.deflection(...)";
         each(&self.model.potential, "the potential energy", &positions, why)?;
-        let why =
-            "D may depend on speeds, not on positions or the mesh: the engine has no damping that depends on them";
-        let rates = [Constant, Parameter, Mid, Switched, Rate, Speed];
+        let why = "D may depend on speeds, coordinates and functions of them, not on the mesh";
+        let rates = [Constant, Parameter, Mid, Switched, Function, Coordinate, Rate, Speed];
         each(&self.model.dissipation, "the dissipation function", &rates, why)
     }
 

@@ -4,7 +4,8 @@ use symbolica::atom::{Atom, AtomCore};
 
 use super::block::Block;
 use crate::derivation::Derivation;
-use crate::expr::{Expr, Kind, number, symbol, symbols};
+use crate::expr::{Expr, Kind, kind_and_name, number, symbol, symbols};
+use crate::markers::all_present;
 use crate::model::Switch;
 use crate::print::{Style, print};
 use crate::tree::Tree;
@@ -30,10 +31,21 @@ pub(super) fn write(b: &mut Block, d: &Derivation) {
     if !m.functions.is_empty() {
         b.braces(1, "functions", |b| {
             for function in &m.functions {
-                for (order, value) in function.values().iter().enumerate() {
-                    let value = print(&Tree::new(value), Style::Rust);
-                    b.line(2, &format!("{} = {value};", function.derivative(order)));
+                let with = function.with.as_ref().map_or(String::new(), |effect| format!(" with {effect}"));
+                for derivative in function.derivatives() {
+                    let value = print(&Tree::new(&derivative.value), Style::Rust);
+                    b.line(2, &format!("{}{with} = {value};", derivative.name));
                 }
+            }
+        });
+    }
+    let bent: Vec<_> = d.symbols.deflections.iter().filter(|d| d.bends).collect();
+    if !bent.is_empty() {
+        b.braces(1, "rates", |b| {
+            for deflection in bent {
+                let rate = all_present(&deflection.rate(&d.symbols.v)).expand();
+                let name = kind_and_name(deflection.rate_symbol).1;
+                b.line(2, &format!("{name} = {};", print(&Tree::new(&rate), Style::Rust)));
             }
         });
     }

@@ -112,33 +112,76 @@ impl Effect {
     }
 }
 
-/// A named function of one position.
+/// A named function of one position, or of several.
 pub(crate) struct Function {
     pub name: String,
-    /// The position: a coordinate or a named deflection.
-    pub of: Expr,
-    /// The function, in the symbol of the position.
+    /// The positions: coordinates or named deflections that are linear.
+    pub of: Vec<Expr>,
+    /// The function, in the symbols of the positions.
     pub value: Expr,
+    /// Its derivatives by the positions, if there are several.
+    pub gradient: Vec<Expr>,
+    /// The effect without which it is zero.
+    pub with: Option<String>,
+}
+
+/// A named function, or a derivative of it.
+pub(crate) struct Derivative {
+    pub name: String,
+    /// In the symbols of the positions.
+    pub value: Atom,
+    /// Its own derivatives by the positions: indices in the list of all; empty for those of the highest order.
+    pub next: Vec<usize>,
 }
 
 impl Function {
-    /// Derivatives that the equations may contain: those of T in the Jacobian of the forces are of the third order.
-    pub const ORDERS: usize = 4;
+    /// Derivatives of a function of one position: those of T in the Jacobian of the forces are of the third order.
+    const ORDERS: usize = 4;
 
-    /// The name of its derivative of an order; of the order zero it is its own.
-    pub fn derivative(&self, order: usize) -> String {
-        format!("{}{}", "d".repeat(order), self.name)
+    /// Whether it is one of several positions: V and D may contain it, T may not.
+    pub fn is_of_several(&self) -> bool {
+        self.of.len() > 1
     }
 
-    /// The derivatives of the orders 0 to 3, in the symbol of the position.
-    pub fn values(&self) -> Vec<Atom> {
-        let mut values = vec![self.value.atom()];
-        for _ in 1..Function::ORDERS {
-            let by = symbols(&self.of.atom()).into_iter().next().map(|(kind, name)| symbol(kind, &name));
-            let last = values.last().cloned().unwrap_or_default();
-            values.push(by.map_or_else(Atom::default, |by| crate::trigonometry::shorter(&last.derivative(by))));
+    /// The function and its derivatives: of one position up to the third, of several up to the second.
+    pub fn derivatives(&self) -> Vec<Derivative> {
+        let by = |of: &Expr| symbols(&of.atom()).into_iter().next();
+        if !self.is_of_several() {
+            let name = |order: usize| format!("{}{}", "d".repeat(order), self.name);
+            let mut values = vec![self.value.atom()];
+            for _ in 1..Function::ORDERS {
+                let last = values.last().cloned().unwrap_or_default();
+                let slope = |(kind, name): (Kind, String)| last.derivative(symbol(kind, &name));
+                let slope = self.of.first().and_then(by).map_or_else(Atom::default, slope);
+                values.push(crate::trigonometry::shorter(&slope));
+            }
+            let next = |order: usize| if order + 1 < Function::ORDERS { vec![order + 1] } else { vec![] };
+            return values
+                .into_iter()
+                .enumerate()
+                .map(|(i, value)| Derivative { name: name(i), value, next: next(i) })
+                .collect();
         }
-        values
+        let (n, positions) = (self.of.len(), self.of.iter().filter_map(by).collect::<Vec<_>>());
+        let pairs: Vec<(usize, usize)> = (0..n).flat_map(|i| (i..n).map(move |j| (i, j))).collect();
+        let second = |i: usize, j: usize| 1 + n + pairs.iter().position(|p| *p == (i.min(j), i.max(j))).unwrap_or(0);
+        let name = |by: &[usize]| {
+            let by: String =
+                by.iter().filter_map(|i| positions.get(*i)).map(|(_, name)| format!("_by_{name}")).collect();
+            format!("{}{by}", self.name)
+        };
+        let mut all = vec![Derivative { name: name(&[]), value: self.value.atom(), next: (1..=n).collect() }];
+        for (i, slope) in self.gradient.iter().enumerate() {
+            let next = (0..n).map(|j| second(i, j)).collect();
+            all.push(Derivative { name: name(&[i]), value: slope.atom(), next });
+        }
+        for &(i, j) in &pairs {
+            let slope = self.gradient.get(i).map(|slope| slope.atom()).unwrap_or_default();
+            let by = positions.get(j).map(|(kind, name)| symbol(*kind, name));
+            let value = by.map_or_else(Atom::default, |by| slope.derivative(by));
+            all.push(Derivative { name: name(&[i, j]), value, next: vec![] });
+        }
+        all
     }
 }
 

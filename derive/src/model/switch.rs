@@ -101,6 +101,13 @@ impl Switching<'_> {
         self.model.deflections.iter_mut().filter(|d| d.name == over).for_each(|d| d.value = value);
     }
 
+    /// Subtracts `by` from the deflection: a function of positions times a factor that is constant in each mode.
+    pub fn bend(&mut self, by: Expr) {
+        self.delta = self.delta - by;
+        let over = self.switch().over.clone();
+        self.model.deflections.iter_mut().filter(|d| d.name == over).for_each(|d| d.value = (d.value - by).expand());
+    }
+
     /// A factor for energies and for the force that is lost, constant in each mode; `neutral` in scenes without the effect.
     pub fn factor(&mut self, name: &str, neutral: i64) -> Expr {
         self.switch().symbols.push(Constant { name: name.into(), kind: Kind::Switched, neutral });
@@ -234,6 +241,6 @@ pub(super) fn complete(model: &mut Model) {
 }
 
 /// The expression with a symbol replaced by a value.
-pub(super) fn set(e: &Atom, symbol: symbolica::atom::Symbol, value: &Atom) -> Atom {
+pub(crate) fn set(e: &Atom, symbol: symbolica::atom::Symbol, value: &Atom) -> Atom {
     e.replace(Atom::var(symbol).to_pattern()).with(value.to_pattern())
 }

@@ -7,7 +7,7 @@ use super::Proof;
 use crate::expr::{Expr, Kind, kind_and_name, number, symbol, total};
 use crate::lagrange::gradient;
 use crate::markers::all_present;
-use crate::model::{Function, JUMP_TERMS, Model, Torque};
+use crate::model::{JUMP_TERMS, Model, Torque};
 use crate::print::{Style, print};
 use crate::slip::Slip;
 use crate::symbols::Symbols;
@@ -63,12 +63,11 @@ fn displacement_rate(model: &Model, through: &Atom) -> Atom {
     })
 }
 
-/// The rate of a named function, or of one of its derivatives. It is the next derivative times the rate of the position.
+/// The rate of a named function, or of one of its derivatives.
 fn function_rate(model: &Model, name: &str) -> Option<Atom> {
     model.functions.iter().find_map(|function| {
-        let order = (0..Function::ORDERS - 1).find(|order| function.derivative(*order) == name)?;
-        let next = symbol(Kind::Function, &function.derivative(order + 1));
-        Some(Atom::var(next) * model.position(function.of).dot().atom())
+        let which = function.derivatives().iter().position(|d| d.name == name)?;
+        Some(model.function_rate(function, which))
     })
 }
 

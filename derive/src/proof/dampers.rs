@@ -37,7 +37,7 @@ fn takes(p: &Proof, what: &str, d: &Expr) -> Result<(), Slip> {
 /// The expression with the rates of deflections written in the speeds.
 fn in_speeds(p: &Proof, e: &Atom) -> Atom {
     symbols(e).into_iter().filter(|(kind, _)| *kind == Kind::Rate).fold(e.clone(), |e, (kind, name)| {
-        let rate = balance::deflection_rate(p.model, name.trim_end_matches("_dot"));
+        let rate = all_present(&balance::deflection_rate(p.model, name.trim_end_matches("_dot")));
         e.replace(Atom::var(symbol(kind, &name)).to_pattern()).with(rate.to_pattern())
     })
 }

@@ -4,10 +4,10 @@ use symbolica::atom::{Atom, AtomCore, Symbol};
 
 use super::Proof;
 use crate::check::never_negative;
-use crate::expr::{Expr, Kind, number, speed_name, symbol, total};
+use crate::expr::{Expr, Kind, number, speed_name, symbol, symbols, total};
 use crate::markers::all_present;
 use crate::mobility::is_zero;
-use crate::model::{Exit, Mode, Switch};
+use crate::model::{Exit, Mode, Switch, set};
 use crate::slip::Slip;
 
 /// Proves both of every switch.
@@ -26,12 +26,21 @@ pub(super) fn prove(p: &mut Proof) -> Result<(), Slip> {
 fn step(p: &Proof, switch: &Switch, mode: &Mode, exit: &Exit) -> Atom {
     let Some(beyond) = switch.mode(&exit.to) else { return number(0) };
     let over = symbol(Kind::Deflection, &switch.over);
-    // The deflection without the offset of a mode.
+    // The deflection without what the mode offsets and bends.
     let x = symbol(Kind::Free, "x");
+    let value = |name: &str| p.model.deflections.iter().find(|d| d.name == name).map_or(number(0), |d| d.value.atom());
+    let zero = |e: &Atom| switch.symbols.iter().fold(e.clone(), |e, s| set(&e, symbol(s.kind, &s.name), &number(0)));
+    let base = zero(&value(&switch.over));
     let plain = |mode: &Mode, e: &Atom| {
-        let offsets = switch.symbols.iter().zip(&mode.values).filter(|(s, _)| s.kind == Kind::Edge);
-        let offset = total(offsets.map(|(_, value)| value.atom()).collect());
-        let e = e.replace(Atom::var(over).to_pattern()).with((Atom::var(x) - offset).to_pattern());
+        let offset = (switch.within(mode, &value(&switch.over)) - &base).expand();
+        let mut e = e.replace(Atom::var(over).to_pattern()).with((Atom::var(x) + offset).to_pattern());
+        // Other deflections that differ from it by functions of positions.
+        for (kind, name) in symbols(&e).into_iter().filter(|s| s.0 == Kind::Deflection) {
+            let apart = (value(&name) - &base).expand();
+            if symbols(&apart).iter().all(|s| s.0 == Kind::Function) {
+                e = set(&e, symbol(kind, &name), &(Atom::var(x) + apart));
+            }
+        }
         switch.within(mode, &e)
     };
     let v = all_present(&total(p.model.potential.iter().map(|v| v.atom()).collect()));

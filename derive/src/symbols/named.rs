@@ -18,6 +18,10 @@ pub(crate) struct Linear {
     pub rest: Atom,
     /// Its derivatives by laws.
     pub by_law: Sparse,
+    /// The deflection, written in the coordinates.
+    value: Atom,
+    /// Whether it has functions in it: its derivatives by coordinates then depend on them.
+    pub bends: bool,
 }
 
 impl Linear {
@@ -42,12 +46,28 @@ impl Linear {
             slopes,
             rest: rest.expand(),
             by_law,
+            value,
+            bends: false,
         }
+    }
+
+    /// The same with the derivatives through the functions in its `value`; `s` has these.
+    pub(super) fn bent(&self, value: &Atom, s: &Symbols) -> Linear {
+        let functions = s.present(value).into_iter().filter_map(|(symbol, place)| match place {
+            Place::Function(f, which) => Some((value.derivative(symbol), &s.functions[f][which])),
+            _ => None,
+        });
+        let functions: Vec<_> = functions.collect();
+        let through =
+            functions.iter().flat_map(|(factor, gradient)| gradient.iter().map(move |(i, by)| (*i, factor * by)));
+        let slopes = super::merged(self.slopes.iter().cloned().chain(through));
+        let (rest, by_law, value) = (self.rest.clone(), self.by_law.clone(), self.value.clone());
+        Linear { slopes, rest, by_law, value, bends: !functions.is_empty(), ..*self }
     }
 
     /// The deflection, written in the coordinates `q`.
     pub fn of(&self, q: &[Symbol]) -> Atom {
-        self.rate(q) + &self.rest
+        if self.bends { self.value.clone() } else { self.rate(q) + &self.rest }
     }
 
     /// Its rate, written in the speeds `v`.

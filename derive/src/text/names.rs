@@ -6,7 +6,7 @@ use super::Writer;
 use crate::derivation::Derivation;
 use crate::expr::Expr;
 use crate::markers::all_present;
-use crate::model::{Function, Law, Role, Switch};
+use crate::model::{Law, Role, Switch};
 use crate::print::{Style, print};
 use crate::tree::Tree;
 
@@ -17,10 +17,13 @@ pub(super) fn write(d: &Derivation, w: &Writer) -> Vec<String> {
     let mut lines: Vec<String> = d.motion.constants.iter().map(|(name, value)| is(name, value)).collect();
     lines.extend(m.deflections.iter().map(|d| is(&d.name, &d.value.atom())));
     for function in &m.functions {
-        lines.push(is(&function.name, &function.value.atom()));
+        let without = function.with.as_ref().filter(|_| w.plain());
+        let without = without.map_or(String::new(), |effect| format!("; 0 without {}", effect.replace('_', " ")));
+        lines.push(is(&function.name, &function.value.atom()) + without.as_str());
         if w.plain() {
-            let names = (1..Function::ORDERS).map(|order| function.derivative(order)).collect::<Vec<_>>().join(", ");
-            lines.push(format!("{names}: the derivatives of {} by {}", function.name, function.of));
+            let names = function.derivatives().into_iter().skip(1).map(|d| d.name).collect::<Vec<_>>().join(", ");
+            let of = function.of.iter().map(|of| of.to_string()).collect::<Vec<_>>().join(", ");
+            lines.push(format!("{names}: the derivatives of {} by {of}", function.name));
         }
     }
     for force in &m.forces {

@@ -2,7 +2,8 @@
 //! the cells of a period. Its eigenvalues are the Floquet multipliers, by which a small disturbance grows per period (Meissner's
 //! equation and its generalisations; G. Floquet, 1883).
 //!
-//! Forces that are not linear, as friction of the flanks, are linearised about the steady motion (`about.rs`).
+//! Forces that are not linear, as friction of the flanks, are linearised about the steady motion (`about.rs`). Where M or F change along the
+//! motion, it is the motion that repeats, and the monodromy matrix is integrated along it (`orbit.rs`).
 //!
 //! Rigid motions, the null space of every K and of C, have the double multiplier 1. They are split off exactly, through their
 //! M-orthogonal complement. The verdict is on the other motions.
@@ -12,15 +13,17 @@ use nalgebra::{Complex, DMatrix};
 use crate::analysis::steady::{self, SteadyLaw};
 use crate::engine::Refusal;
 use crate::engine::modal::Modal;
-use crate::engine::system::{Steady, System};
+use crate::engine::system::{Motion, Steady, System};
 use crate::scene::Scene;
 use crate::tolerance::analysis;
 
 mod about;
 mod chart;
+mod orbit;
 mod period;
 
 pub use chart::{Chart, Spot, Varied};
+pub use orbit::Orbit;
 pub use period::{Aperiodic, Stretch, stretches};
 
 /// Why the stability of a scene cannot be determined.
@@ -33,6 +36,14 @@ pub enum FloquetError {
     Aperiodic(#[from] Aperiodic),
     #[error("nothing vibrates: every motion of the model is rigid")]
     Rigid,
+    #[error(
+        "no motion is found that repeats after a turn (the best one misses by {gap:.1e}): the torques change the speed too fast, or the motion is chaotic"
+    )]
+    NoOrbit { gap: f64 },
+    #[error("the motion of a turn is not smooth: {why}, so that it has no derivative")]
+    NotSmooth { why: &'static str },
+    #[error("the run of a turn stopped early: {why}")]
+    Stopped { why: String },
     #[error("the multipliers overflow: a period at this speed is too long for the growth in it; choose a higher speed")]
     Overflow,
 }
@@ -54,6 +65,8 @@ pub struct Floquet {
     pub mesh: f64,
     /// The steady motion about which forces are linearised; `None` if all are linear.
     pub steady: Option<Steady>,
+    /// The motion that repeats, about which the equations are linearised where they change along the motion.
+    pub orbit: Option<Orbit>,
 }
 
 /// How a small disturbance develops.
@@ -86,6 +99,9 @@ impl Floquet {
     /// # Errors
     /// If a cell has no modes, the stiffnesses have no common period, nothing vibrates, or the multipliers overflow.
     pub fn of(scene: &Scene, system: &System) -> Result<Floquet, FloquetError> {
+        if let Some(about) = system.steady().filter(|about| about.motion == Motion::Place) {
+            return orbit::of(scene, system, about);
+        }
         let courses = steady::acting(scene, system)?;
         let (period, stretches) = stretches(&courses)?;
         let means: Vec<f64> = courses.iter().map(SteadyLaw::mean).collect();
@@ -123,7 +139,7 @@ impl Floquet {
         let mesh = courses.iter().find(|c| c.steps).map_or(0.0, SteadyLaw::frequency);
         let natural = omega / std::f64::consts::TAU;
         let steady = system.steady().cloned();
-        Ok(Floquet { period, multipliers, rigid: split.rigid, verdict, natural, mesh, steady })
+        Ok(Floquet { period, multipliers, rigid: split.rigid, verdict, natural, mesh, steady, orbit: None })
     }
 
     /// Exponential growth of a disturbance per period: ln of the largest absolute value of a multiplier; negative if it decays.

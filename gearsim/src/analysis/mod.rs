@@ -14,4 +14,5 @@ pub mod sound;
 pub mod spectrum;
 pub mod statistics;
 pub mod steady;
+pub mod turn;
 pub mod work_precision;

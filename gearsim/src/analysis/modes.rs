@@ -3,7 +3,8 @@
 //! A mode is a pair of eigenvalues lambda of M lambda² + C lambda + K: natural frequency |lambda|/2 pi, damping factor
 //! zeta = -Re lambda/|lambda|, damped frequency Im lambda/2 pi, mode shape phi, complex if damping couples the modes.
 //!
-//! About a steady motion C and K need not be symmetric (`general.rs`). Energies are those of the linear part.
+//! About an equilibrium or a steady motion, C and K need not be symmetric (`general.rs`). Energies are those of the forces that have a
+//! potential. Where M and K change along the motion, the modes are those of one place ([`over_a_turn`]: of all places).
 //!
 //! - Share of a stiffness law in the strain energy: phi* (K(k) - K(k without the law)) phi/(phi* K phi), since K is linear in
 //!   the laws. Share of a spring: phi* K_s phi/(phi* K phi), see [`springs`].
@@ -18,10 +19,12 @@ use std::f64::consts::TAU;
 use nalgebra::{Complex, DMatrix, DVector};
 
 use crate::analysis::steady::SteadyLaw;
+use crate::analysis::turn::Turn;
 use crate::engine::Refusal;
 use crate::engine::modal::{Matrices, Modal};
 use crate::engine::mode::Mode;
-use crate::engine::system::System;
+use crate::engine::system::{Motion, System};
+use crate::scene::Scene;
 use crate::tolerance::analysis::NEAR_RESONANCE;
 
 use springs::Spring;
@@ -46,6 +49,8 @@ pub struct Vibration {
     pub damped: f64,
     /// Damping factor; `None` for a rigid motion.
     pub zeta: Option<f64>,
+    /// Rate at which a disturbance in this mode grows [1/s], the largest real part of its eigenvalues; 0 if none does.
+    pub growth: f64,
     /// Mode shape: amplitude of each coordinate (n). The coordinate with the largest sqrt(M_ii) |phi_i| has the amplitude 1.
     pub shape: Vec<Complex<f64>>,
     /// Share of each law in the strain energy; empty for a rigid motion.
@@ -144,17 +149,50 @@ fn vibration(
     let momentum = m.mass.map(Complex::from) * &shape;
     let (kinetic, total) = (energy(&m.mass), energy(&m.stiffness));
     let rigid = mode.omega2 == 0.0;
-    let share = |k: &DMatrix<f64>| (!rigid).then(|| energy(k) / total);
+    let share = |k: &DMatrix<f64>| (!rigid).then(|| if total == 0.0 { 0.0 } else { energy(k) / total });
     let omega = mode.omega2.sqrt();
     Vibration {
         natural: omega / TAU,
         damped: mode.damped_frequency() / TAU,
         zeta: (!rigid).then(|| mode.sigma / omega),
+        growth: 0.0,
         strain: laws.iter().filter_map(share).collect(),
         springs: springs.iter().filter_map(|spring| share(&spring.stiffness)).collect(),
         kinetic: shape.iter().zip(momentum.iter()).map(|(x, p)| (x.conj() * p).re / kinetic).collect(),
         shape: shape.iter().copied().collect(),
     }
+}
+
+/// Natural frequencies along a motion along which M or K change.
+#[derive(Debug, Clone)]
+pub struct OverATurn {
+    /// How long a turn takes [s].
+    pub time: f64,
+    /// Lowest and highest natural frequency of each mode over the places of a turn [Hz], by ascending frequency at each place.
+    pub natural: Vec<[f64; 2]>,
+}
+
+/// Number of places of a turn: the inertia of a crank has few harmonics.
+const PLACES: u32 = 72;
+
+/// The natural frequencies at the places of a turn with law values `k`, at the speeds of the start; `None` if the matrices do not change, or do
+/// not repeat.
+///
+/// # Errors
+/// Those of [`of`].
+pub fn over_a_turn(scene: &Scene, mut system: System, k: &[f64]) -> Result<Option<OverATurn>, Refusal> {
+    if system.steady().is_none_or(|about| about.motion != Motion::Place) {
+        return Ok(None);
+    }
+    let Some(Turn { shift, time, .. }) = Turn::of(scene, &system)? else { return Ok(None) };
+    let (step, mut natural) = (&shift * (1.0 / f64::from(PLACES)), vec![[f64::INFINITY, 0.0f64]; shift.len()]);
+    for _ in 0..PLACES {
+        for (range, mode) in natural.iter_mut().zip(of(&system, k, &[])?.modes) {
+            *range = [range[0].min(mode.natural), range[1].max(mode.natural)];
+        }
+        system = system.moved(&step);
+    }
+    Ok(Some(OverATurn { time, natural }))
 }
 
 /// A harmonic of a mesh frequency near a natural frequency.

@@ -9,7 +9,7 @@ use super::printing::Printing;
 use super::report::Linearised;
 use super::simulate::Source;
 use super::{Verb, files, page, provenance, report, terminal};
-use crate::analysis::floquet::{Chart, Floquet, Spot, Varied, Verdict};
+use crate::analysis::floquet::{Chart, Floquet, Orbit, Spot, Varied, Verdict};
 use crate::known;
 use crate::library::Error;
 use crate::output::summary::Provenance;
@@ -32,7 +32,9 @@ cells of a period. Its eigenvalues, the Floquet multipliers, say by which factor
 grows per period. Rigid motions always have the multiplier 1 and are left out.
 
 Friction of the flanks and torques that depend on the speed are linearised about the steady
-motion, whose speeds and mean forces are printed.
+motion, whose speeds and mean forces are printed. Where inertias change along the motion (a crank, a
+universal joint), no motion is steady: the equations are linearised about the one that repeats after
+a turn at the mean speed of the start.
 
 --vary varies a quantity of the scene, by values as of `gearsim sweep`. Given twice, the first quantity is the x axis
 and the second the y axis of a stability chart. Writes floquet.json; with --vary also stability.csv
@@ -80,12 +82,40 @@ struct Report<'a> {
     /// The steady motion about which forces are linearised that are not linear.
     #[serde(skip_serializing_if = "Option::is_none")]
     linearised: Option<Linearised<'a>>,
+    /// The motion that repeats, about which the equations are linearised where inertias change along it.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    orbit: Option<Repeats<'a>>,
     verdict: &'static str,
     /// Natural logarithm of the largest absolute value of a multiplier.
     growth_per_period: f64,
     /// Names of the other files in the same folder.
     files: Vec<String>,
     provenance: Provenance,
+}
+
+/// A motion that repeats after a turn.
+#[derive(Serialize)]
+struct Repeats<'a> {
+    /// Coordinate by which turns are counted, and how far it moves on in one [SI].
+    reference: &'a str,
+    turn: f64,
+    /// Coordinates and speeds at the start of the turn [SI], in the order of the model.
+    q: &'a [f64],
+    q_dot: &'a [f64],
+    /// Relative change of the speed of the reference in a turn.
+    drift: f64,
+    /// How far the turn is from closing [relative to the rotation].
+    gap: f64,
+    /// Real and imaginary part of the multiplier of a change of the speed of the rotation.
+    speed_multiplier: [f64; 2],
+}
+
+impl<'a> Repeats<'a> {
+    fn of(orbit: &'a Orbit) -> Self {
+        let Orbit { reference, turn, start: [q, q_dot], drift, gap, speed } = orbit;
+        let (turn, drift, gap) = (*turn, *drift, *gap);
+        Repeats { reference, turn, q, q_dot, drift, gap, speed_multiplier: [speed.re, speed.im] }
+    }
 }
 
 impl Verb for FloquetCommand {
@@ -117,10 +147,11 @@ impl Verb for FloquetCommand {
             rigid_motions: floquet.rigid,
             left_out: scene.left_out_if_linear(),
             linearised: Linearised::of(&scene, floquet.steady.as_ref()),
+            orbit: floquet.orbit.as_ref().map(Repeats::of),
             verdict: word(floquet.verdict),
             growth_per_period: floquet.growth(),
             files: folder.files().to_vec(),
-            provenance: provenance::of(&scene, "product of exact cell propagators".into()),
+            provenance: provenance::of(&scene, method(&floquet).into()),
         };
         let json = document::json("floquet", VERSION, &report)?;
         folder.write_bytes("floquet.json", json.as_bytes())?;
@@ -209,6 +240,14 @@ fn table(chart: &Chart) -> Result<Table, OutputError> {
     Ok(table)
 }
 
+/// How the monodromy matrix is found, in words.
+fn method(floquet: &Floquet) -> &'static str {
+    match floquet.orbit {
+        Some(_) => "variational equations along the motion that repeats, with saltation matrices",
+        None => "product of exact cell propagators",
+    }
+}
+
 fn word(verdict: Verdict) -> &'static str {
     match verdict {
         Verdict::Stable => "stable",
@@ -246,15 +285,26 @@ fn describe(f: &Floquet) -> String {
     let mut text = format!("{verdict}\n");
     text += &format!("period {} s, growth rate {} 1/s\n", short(f.period), short(f.growth() / f.period));
     let ratio = f.mesh / f.natural;
-    text += &format!(
+    let mesh = format!(
         "mesh frequency {} Hz, {} times the lowest natural frequency {} Hz at the mean stiffness\n",
         short(f.mesh),
         short(ratio),
         short(f.natural)
     );
+    text += &if f.mesh > 0.0 { mesh } else { format!("lowest natural frequency {} Hz\n", short(f.natural)) };
     let all: Vec<String> = f.multipliers.iter().take(12).map(z).collect();
     let more = if f.multipliers.len() > 12 { ", ..." } else { "" };
     text += &format!("multipliers {}{more}\n", all.join(", "));
+    if let Some(Orbit { reference, turn, drift, gap, speed, .. }) = &f.orbit {
+        text += &format!(
+            "about the motion that repeats after {reference} has moved on by {} (to {} of the rotation); its speed changes by {} % in a \
+             turn\nmultiplier of a change of the speed of the rotation, not in the verdict: {}\n",
+            short(*turn),
+            short(*gap),
+            short(100.0 * drift),
+            z(speed)
+        );
+    }
     text + &format!("rigid motions left out: {}\n", f.rigid)
 }
 

@@ -11,7 +11,7 @@ use super::report::Linearised;
 use super::simulate::Source;
 use super::{Verb, files, page, provenance, report, terminal};
 use crate::analysis::modes::springs::{self, Spring};
-use crate::analysis::modes::{self, CellModes};
+use crate::analysis::modes::{self, CellModes, OverATurn};
 use crate::analysis::steady::{self, SteadyLaw};
 use crate::output::summary::Provenance;
 use crate::output::{OutputFolder, document};
@@ -26,6 +26,10 @@ use crate::scene::Scene;
 A cell is a combination of the levels of the scene's stiffnesses. One cell is shown in full: that of
 the mid stiffnesses, (max + min)/2 of each law, or the one chosen by --cell. A table has the natural
 frequencies of all others.
+
+Nonlinear equations are linearised: about the equilibrium if nothing turns, else about the steady
+motion at the speeds of the start. Where inertias change along the motion, the modes are those of
+the place of the start; the range of each natural frequency over a turn follows.
 
 Writes modes.json with all results, a plot of the modes by energy, and, if meshes turn, a Campbell
 diagram: natural frequencies and mesh orders over the speed. Modes have the same numbers everywhere:
@@ -69,6 +73,9 @@ struct Report<'a> {
     mesh_frequencies: Vec<Option<f64>>,
     /// Harmonics of a mesh frequency near a damped natural frequency of the chosen cell.
     meetings: Vec<Meeting<'a>>,
+    /// Lowest and highest natural frequency of each mode over a turn of the motion [Hz], where the matrices change along it.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    natural_frequencies_over_a_turn: Option<&'a [[f64; 2]]>,
     /// What the analysis leaves out because it is linear.
     left_out: Vec<&'static str>,
     /// The steady motion about which forces are linearised that are not linear.
@@ -96,6 +103,9 @@ struct Mode {
     damped_frequency: f64,
     /// Damping factor zeta; `null` for a rigid motion.
     damping_factor: Option<f64>,
+    /// Rate at which a disturbance grows [1/s]; left out where none does.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    growth_rate: Option<f64>,
     /// Mode shape: real and imaginary part for each coordinate.
     shape: Vec<[f64; 2]>,
     /// Share of each law in the strain energy; empty for a rigid motion.
@@ -130,6 +140,8 @@ impl Verb for Modes {
         let cells = modes::combinations(&courses);
         let cells = cells.iter().map(|k| modes::of(&system, k, &springs)).collect::<Result<Vec<_>, _>>();
         let cells = cells.map_err(refused)?;
+        let moving = scene.entry()?.about_steady_motion(&scene).map_err(refused)?;
+        let turn = modes::over_a_turn(&scene, moving, &chosen.levels).map_err(refused)?;
         let path = self.source.folder(&scene, "_modes")?;
         let mut folder = OutputFolder::create(path)?;
         let shapes = plot::modes::draw(&scene, &chosen, &springs);
@@ -143,12 +155,14 @@ impl Verb for Modes {
             page.modes(&mut folder, &scene, &springs, &chosen, &cells, &figures)?;
         }
         let linearised = Linearised::of(&scene, system.steady());
-        let json = self.json(&scene, &courses, &springs, (&chosen, &cells, linearised), folder.files())?;
+        let json =
+            self.json(&scene, &courses, &springs, (&chosen, &cells, linearised, turn.as_ref()), folder.files())?;
         folder.write_bytes("modes.json", json.as_bytes())?;
         folder.commit("modes.json")?;
         let width = terminal::width();
         let text = || {
-            let text = table::render(&scene, &courses, &springs, &chosen, &cells, width);
+            let mut text = table::render(&scene, &courses, &springs, &chosen, &cells, width);
+            text += &turn.as_ref().map_or(String::new(), table::over_a_turn);
             let written = report::files(folder.path(), folder.files(), width);
             let head = report::scene(&scene, width)
                 + "\n"
@@ -187,7 +201,7 @@ impl Modes {
         scene: &Scene,
         courses: &[SteadyLaw],
         springs: &[Spring],
-        (chosen, cells, linearised): (&CellModes, &[CellModes], Option<Linearised<'_>>),
+        (chosen, cells, linearised, turn): (&CellModes, &[CellModes], Option<Linearised<'_>>, Option<&OverATurn>),
         files: &[String],
     ) -> Result<String, Failure> {
         let meeting = |m: &modes::Meeting| Meeting {
@@ -206,6 +220,7 @@ impl Modes {
             cells: cells.iter().map(cell).collect(),
             mesh_frequencies: courses.iter().map(|c| c.steps.then(|| c.mesh_frequency())).collect(),
             meetings: modes::meetings(courses, chosen).iter().map(meeting).collect(),
+            natural_frequencies_over_a_turn: turn.map(|turn| &turn.natural[..]),
             left_out: scene.left_out_if_linear(),
             linearised,
             files,
@@ -220,6 +235,7 @@ fn cell(cell: &CellModes) -> Cell {
         natural_frequency: v.natural,
         damped_frequency: v.damped,
         damping_factor: v.zeta,
+        growth_rate: (v.growth > 0.0).then_some(v.growth),
         shape: v.shape.iter().map(|z| [z.re, z.im]).collect(),
         strain_energy: v.strain.clone(),
         strain_energy_of_springs: v.springs.clone(),

@@ -8,7 +8,7 @@ use serde::Serialize;
 
 use super::{number, terminal};
 use crate::analysis::from_teeth;
-use crate::engine::system::Steady;
+use crate::engine::system::{Motion, Steady};
 use crate::output::summary::{Digits, Number, Observed, Summary};
 use crate::plot::outputs::is_first;
 use crate::scene::Scene;
@@ -120,6 +120,8 @@ pub(super) fn left_out(scene: &Scene, width: usize) -> String {
 pub(super) struct Linearised<'a> {
     /// The terms that are not linear.
     terms: &'a str,
+    /// What they are linearised about, in words.
+    about: &'static str,
     /// Coordinates, the elastic ones in static equilibrium [SI].
     coordinates: BTreeMap<&'static str, f64>,
     /// Speeds of the start [SI].
@@ -133,28 +135,39 @@ pub(super) struct Linearised<'a> {
 
 impl<'a> Linearised<'a> {
     pub(super) fn of(scene: &Scene, steady: Option<&'a Steady>) -> Option<Self> {
-        let Steady { q, q_dot, terms, outputs, both_flanks, .. } = steady?;
+        let Steady { motion, q, q_dot, terms, outputs, both_flanks, .. } = steady?;
         let named = |x: &[f64]| scene.model.coordinates.iter().map(|c| c.name).zip(x.iter().copied()).collect();
         let forces = outputs.iter().map(|(name, _, value)| (*name, *value)).collect();
-        let both_flanks = both_flanks.as_deref();
-        Some(Linearised { terms, coordinates: named(q), speeds: named(q_dot), forces, both_flanks })
+        let (about, both_flanks) = (about(*motion), both_flanks.as_deref());
+        Some(Linearised { terms, about, coordinates: named(q), speeds: named(q_dot), forces, both_flanks })
+    }
+}
+
+/// What equations are linearised about, in words.
+fn about(motion: Motion) -> &'static str {
+    match motion {
+        Motion::Equilibrium => "the equilibrium",
+        Motion::Steady => "the steady motion",
+        Motion::Place => "the place of the start, from which the matrices change along the motion,",
     }
 }
 
 /// The same in words; empty if everything is linear.
 pub(super) fn linearised(scene: &Scene, steady: Option<&Steady>, width: usize) -> String {
-    let Some(Steady { q_dot, terms, outputs, both_flanks, .. }) = steady else { return String::new() };
+    let Some(Steady { motion, q, q_dot, terms, outputs, both_flanks, .. }) = steady else { return String::new() };
+    let places = scene.model.coordinates.iter().zip(q.iter()).filter(|_| *motion != Motion::Steady);
+    let places = places.map(|(c, x)| format!("{} = {} {}", c.name, number::short(*x), c.unit));
     let speeds = scene.model.coordinates.iter().zip(q_dot.iter()).filter(|(_, v)| **v != 0.0);
     let speeds = speeds.map(|(c, v)| format!("{}' = {} {}/s", c.name, number::short(*v), c.unit));
     let forces = outputs
         .iter()
         .filter(|(.., x)| *x != 0.0)
         .map(|(name, unit, x)| format!("{name} = {} {unit}", number::short(*x)));
-    let motion = speeds.chain(forces).collect::<Vec<_>>().join(", ");
-    let mut text = line("linearised", &format!("{terms}, about the steady motion {motion}"), width) + "\n";
+    let values = places.chain(speeds).chain(forces).collect::<Vec<_>>().join(", ");
+    let mut text = line("linearised", &format!("{terms}, about {} {values}", about(*motion)), width) + "\n";
     if let Some(why) = both_flanks {
         let says = format!(
-            "the steady motion meets both flanks: {why}. Friction has the other sign on the other flank; linearised, it is that \
+            "the motion meets both flanks: {why}. Friction has the other sign on the other flank; linearised, it is that \
              of one flank alone. `gearsim run` has both"
         );
         text += &(line("note", &says, width) + "\n");

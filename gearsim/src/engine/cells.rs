@@ -106,7 +106,8 @@ impl Prepared {
     /// A cell with the laws' participation and the exits of the switches.
     pub fn new(cell: Cell, equations: &dyn Equations, (laws, switches, k): Stand<'_>) -> Self {
         let (participation, on_speed) = laws.iter().map(|l| cell.follow(&l.surface.normal, None)).unzip();
-        let guards = Guards::of(equations, switches, k);
+        // The deflections of linear cells do not bend.
+        let guards = Guards::of(equations, switches, &Vector::zeros(equations.coordinates()), k);
         let watch = |exit: &Exit| Watch::new(&cell, [exit.guard.on_q.clone(), exit.guard.on_speed.clone()]);
         let exits = guards.exits.iter().map(|exits| exits.iter().map(watch).collect()).collect();
         Prepared { participation, on_speed, guards: Arc::new(guards), exits, cell }

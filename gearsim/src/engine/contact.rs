@@ -220,8 +220,10 @@ impl Holds {
                     slips.extend(zeros.map(|form| Watch { end: End::Hold(law, Ending::Slip), form }));
                 }
                 Held::Switch(i) => {
-                    for exit in
-                        now.switches[i].exits(equations, k).into_iter().filter(|exit| exit.guard.on_reaction != 0.0)
+                    for exit in now.switches[i]
+                        .exits(equations, &now.state.q, k)
+                        .into_iter()
+                        .filter(|exit| exit.guard.on_reaction != 0.0)
                     {
                         let Affine { on_reaction, .. } = exit.guard;
                         let constant = exit.guard.constant_at(k) + RELEASE * on_reaction.abs() * forces;

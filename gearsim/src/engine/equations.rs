@@ -1,7 +1,7 @@
 //! The interface between a model and the engine. Its implementations are written by the `equations!` macro, never by hand.
 //!
 //! A model has n coordinates and L laws (stiffnesses, transmission errors, friction). For one set of effects it is given by T =
-//! q'ᵀM(q) q'/2, V(q; k), D(q') and Q. In most models M is constant ([`Equations::is_inertia_constant`]); linear cells have constant M.
+//! q'ᵀM(q) q'/2, V(q; k), D(q, q') and Q. In most models M is constant ([`Equations::is_inertia_constant`]); linear cells have constant M.
 //! Terms of effects that the set does not contain are not executed.
 
 use nalgebra::{DMatrix, DVector, Scalar};
@@ -33,7 +33,7 @@ pub trait Equations: Send + Sync {
     /// Strain energy V [J].
     fn potential(&self, q: &[f64], k: &[f64]) -> f64;
     /// Rayleigh's dissipation function D [W]; the dissipated power is 2 D.
-    fn dissipation(&self, q_dot: &[f64], k: &[f64]) -> f64;
+    fn dissipation(&self, q: &[f64], q_dot: &[f64], k: &[f64]) -> f64;
 
     /// Work of external torque `i` over the displacement `dq` [J]; only the part of the torque that does not depend on the state.
     fn torque_work(&self, i: usize, dq: &[f64]) -> f64;
@@ -74,7 +74,7 @@ pub trait Equations: Send + Sync {
     /// Adds the forces beside [`Equations::linear_forces`], where there are any.
     fn add_other_forces(&self, _q: &[f64], _q_dot: &[f64], _k: &[f64], _dk: &[f64], _force: &mut [f64]) {}
     /// The part of D beside [`Equations::linear_forces`] \[W\].
-    fn other_dissipation(&self, _q_dot: &[f64], _k: &[f64]) -> f64 {
+    fn other_dissipation(&self, _q: &[f64], _q_dot: &[f64], _k: &[f64]) -> f64 {
         0.0
     }
     /// Derivatives of the generalised forces by q and by q' (n x n each, one row per equation); `ddk` = d²k/ds².
@@ -125,8 +125,9 @@ pub trait Equations: Send + Sync {
     fn mode(&self, i: usize, _mode: usize) -> Option<Vec<f64>> {
         no_such("switch", i)
     }
-    /// What can end a mode of switch `i`; `k` has the values of this mode.
-    fn exits(&self, i: usize, _mode: usize, _k: &[f64]) -> Vec<Exit> {
+    /// What can end a mode of switch `i`; `k` has the values of this mode. Where deflections bend, the guards are those of their tangents at
+    /// `q`: exact there.
+    fn exits(&self, i: usize, _mode: usize, _q: &[f64], _k: &[f64]) -> Vec<Exit> {
         no_such("switch", i)
     }
     /// The force of switch `i` against its deflection x whose work is lost, f = a + b x: \[a, b\].
@@ -137,9 +138,13 @@ pub trait Equations: Send + Sync {
     fn switched(&self, i: usize) -> usize {
         no_such("switch", i)
     }
-    /// A named deflection.
-    fn deflection(&self, i: usize, _k: &[f64]) -> Deflection {
+    /// A named deflection; of one that bends its tangent at `q`.
+    fn deflection(&self, i: usize, _q: &[f64], _k: &[f64]) -> Deflection {
         no_such("deflection", i)
+    }
+    /// Whether a named deflection is not linear in the coordinates in this set of effects.
+    fn bends(&self) -> bool {
+        false
     }
 }
 

@@ -13,10 +13,6 @@ pub enum Refusal {
     )]
     Nonlinear { terms: String },
     #[error(
-        "the inertia depends on the position ({terms}): no motion of the model is steady, so that there are no constant matrices about one"
-    )]
-    MovingInertia { terms: String },
-    #[error(
         "the mass matrix is not positive definite: check the inertias. One is zero or negative, or so much smaller than another that rounding removes it"
     )]
     Mass,

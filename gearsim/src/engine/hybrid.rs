@@ -154,9 +154,9 @@ impl Hybrid<'_> {
         Cow::Owned(k)
     }
 
-    /// Whether every law is constant within its cells.
+    /// Whether every law is constant within its cells, and no deflection bends.
     pub fn steps_only(&self) -> bool {
-        self.laws.iter().all(|law| law.pitch.steps_only())
+        self.laws.iter().all(|law| law.pitch.steps_only()) && !self.equations.bends()
     }
 
     /// Whether the phase of a law can meet a boundary of its cell by its motion.
@@ -301,6 +301,9 @@ impl Hybrid<'_> {
         self.work.iter_mut().zip(reached.work).for_each(|(work, more)| *work += more);
         if !self.steps_only() {
             self.set_levels();
+            if self.equations.bends() {
+                self.guards = Arc::new(Guards::of(self.equations, &self.switches, &self.state.q, &self.k));
+            }
         }
     }
 

@@ -41,6 +41,7 @@ pub trait Real:
     fn sin(self) -> Self;
     fn cos(self) -> Self;
     fn tan(self) -> Self;
+    fn atan(self) -> Self;
     fn recip(self) -> Self;
 }
 
@@ -69,7 +70,7 @@ macro_rules! real {
             fn atan2(self, x: Self) -> Self {
                 <$number>::atan2(self, x)
             }
-            real!(of $number: sqrt exp ln sin cos tan recip);
+            real!(of $number: sqrt exp ln sin cos tan atan recip);
         }
     };
     (of $number:ty: $($function:ident)*) => {

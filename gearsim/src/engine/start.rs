@@ -58,7 +58,7 @@ pub fn begin(equations: &dyn Equations, scene: &Scene) -> Result<Initial, Refusa
     }
     let guess = Vector::from_fn(n, |i| scene.start.q[i].guess());
     let free: Vec<usize> = (0..n).filter(|&i| scene.start.q[i].is_static()).collect();
-    let mut switches = Switch::all(equations, scene.model, &scene.model.in_contact([]));
+    let mut switches = Switch::all(equations, scene.model, &guess, &scene.model.in_contact([]));
     let (mut state, mut others) = (State::new(guess.clone(), q_dot.clone()), None);
     let laws = if free.is_empty() {
         LawState::begin(equations, scene, &mut state)?
@@ -109,7 +109,7 @@ fn in_modes(
         switches.iter().for_each(|switch| switch.write(&mut k));
         let at_rest = Vector::zeros(settled.state.q.len());
         let next = switches.iter_mut().find_map(|switch| {
-            let exits = switch.exits(equations, &k);
+            let exits = switch.exits(equations, &settled.state.q, &k);
             let guards = exits.iter().map(|exit| &exit.guard).filter(|guard| guard.on_reaction == 0.0);
             let violated =
                 guards.into_iter().any(|guard| guard.value(&settled.state.q, &at_rest, &k) < -guard.rounding(&k));
@@ -133,7 +133,7 @@ fn is_at(
     resting: bool,
 ) -> bool {
     let (switch, k) = switch.in_mode(mode, k);
-    let exits = switch.exits(equations, &k);
+    let exits = switch.exits(equations, q, &k);
     let guards =
         exits.iter().map(|exit| &exit.guard).filter(|guard| guard.on_reaction == 0.0 && guard.on_speed.amax() == 0.0);
     guards.into_iter().all(|guard| {

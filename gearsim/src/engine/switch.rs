@@ -7,6 +7,9 @@
 //! (this is proved by the derivation), so there is no impulse. A step of a transmission error may violate a guard, and V steps with
 //! the mode: an impulse as any other ([`law::barrier`](crate::engine::law::barrier)).
 //!
+//! A deflection may bend: it is not linear in the coordinates, as the one along a line of action that turns with the centres. Its guards are
+//! then those of its tangent at a place, exact there, and methods by steps follow them along the motion.
+//!
 //! A mode may hold its deflection: x' = 0, by a reaction ([`crate::engine::contact`]).
 
 use std::sync::Arc;
@@ -40,14 +43,14 @@ pub struct Switch {
 }
 
 impl Switch {
-    /// The switches of a model that its effects ask for, each in its first mode. `k` are law values.
-    pub fn all(equations: &dyn Equations, model: &Model, k: &[f64]) -> Vec<Switch> {
+    /// The switches of a model that its effects ask for, each in its first mode, at the coordinates `q` and the law values `k`.
+    pub fn all(equations: &dyn Equations, model: &Model, q: &[f64], k: &[f64]) -> Vec<Switch> {
         let mut at = model.laws.len();
         let mut all = vec![];
         for (index, switch) in model.switches.iter().enumerate() {
             let values: Option<Vec<_>> = (0..switch.modes.len()).map(|mode| equations.mode(index, mode)).collect();
             if let Some(values) = values {
-                let Deflection { normal, errors, .. } = equations.deflection(equations.switched(index), k);
+                let Deflection { normal, errors, .. } = equations.deflection(equations.switched(index), q, k);
                 let modes = Arc::new((switch.modes, values));
                 let spent = vec![0.0; switch.modes.len()];
                 let shifted = !errors.is_empty();
@@ -108,9 +111,9 @@ impl Switch {
         (0..modes.len()).filter(move |mode| modes[*mode].rests)
     }
 
-    /// What can end its present mode, at the law values `k`.
-    pub fn exits(&self, equations: &dyn Equations, k: &[f64]) -> Vec<Exit> {
-        equations.exits(self.index, self.mode, k)
+    /// What can end its present mode, at the coordinates `q` and the law values `k`.
+    pub fn exits(&self, equations: &dyn Equations, q: &[f64], k: &[f64]) -> Vec<Exit> {
+        equations.exits(self.index, self.mode, q, k)
     }
 
     /// Whether its deflection is at rest, up to the rounding errors of the speeds.
@@ -138,12 +141,12 @@ struct Loss {
 }
 
 impl Guards {
-    /// Those of `switches` at the law values `k`.
-    pub fn of(equations: &dyn Equations, switches: &[Switch], k: &[f64]) -> Self {
-        let exits = |switch: &Switch| watched(switch.exits(equations, k));
+    /// Those of `switches` at the coordinates `q` and the law values `k`.
+    pub fn of(equations: &dyn Equations, switches: &[Switch], q: &[f64], k: &[f64]) -> Self {
+        let exits = |switch: &Switch| watched(switch.exits(equations, q, k));
         let lost = |switch: &Switch| {
             let [constant, slope] = equations.lost(switch.index, k);
-            let over = || equations.deflection(equations.switched(switch.index), k);
+            let over = || equations.deflection(equations.switched(switch.index), q, k);
             ((constant, slope) != (0.0, 0.0)).then(|| Loss { over: over(), constant, slope })
         };
         Guards { exits: switches.iter().map(exits).collect(), lost: switches.iter().filter_map(lost).collect() }
@@ -204,7 +207,7 @@ pub fn settle(
 ) -> bool {
     let before = switch.mode;
     for _ in 0..switch.modes() {
-        let exits = switch.exits(equations, k);
+        let exits = switch.exits(equations, q, k);
         let violated = |exit: &Exit| match crossed.and_then(|crossed| ratio(&exit.guard, crossed)) {
             Some(factor) => factor > 0.0,
             None => exit.guard.value(q, q_dot, k) < -exit.guard.rounding(k),
@@ -225,7 +228,7 @@ pub fn settle(
 /// Whether another mode of a switch admits a state: its guards are positive there, or about to be.
 fn admits(switch: &Switch, equations: &dyn Equations, mode: usize, (q, q_dot): (&[f64], &[f64]), k: &[f64]) -> bool {
     let (other, k) = switch.in_mode(mode, k);
-    other.exits(equations, &k).iter().filter(|exit| exit.guard.on_reaction == 0.0).all(|exit| {
+    other.exits(equations, q, &k).iter().filter(|exit| exit.guard.on_reaction == 0.0).all(|exit| {
         let value = exit.guard.value(q, q_dot, &k);
         value > 0.0 || (value == 0.0 && exit.guard.on_q.dot(q_dot) > 0.0)
     })

@@ -1,15 +1,19 @@
 //! The equations of a scene in the form that analyses use: matrices, propagators and the start.
 
+mod about;
+
+use nalgebra::DMatrix;
+
 use crate::engine::cell::{self, Cell};
-use crate::engine::equations::{DerivedModel, Equations, Known, Switching};
+use crate::engine::equations::{DerivedModel, Equations, Switching};
 use crate::engine::error::Refusal;
-use crate::engine::flanks;
-use crate::engine::modal::Matrices;
+use crate::engine::modal::{Matrices, inverse_root};
 use crate::engine::start;
 use crate::engine::vector::{Matrix, Vector};
-use crate::model::{Law, Model, Role, Start};
-use crate::profile::Profile;
+use crate::model::Model;
 use crate::scene::Scene;
+
+pub use about::{Motion, Steady, are_same};
 
 /// The equations of a scene. `k` holds the present value of each law; if it holds the stiffnesses alone, which come first, the other laws
 /// are zero, or about a steady motion at their means. Every switch is as without its effect: every play is in contact, and its
@@ -18,23 +22,6 @@ pub struct System {
     equations: Box<dyn Equations>,
     model: &'static Model,
     about: Option<Steady>,
-}
-
-/// A steady motion, about which the equations are linearised.
-#[derive(Debug, Clone)]
-pub struct Steady {
-    /// The coordinates, with the elastic ones in static equilibrium [SI] (n).
-    pub q: Vector,
-    /// The speeds of the start [SI] (n).
-    pub q_dot: Vector,
-    /// The mean of each law over its period; of transmission errors zero.
-    pub means: Vec<f64>,
-    /// The terms that are linearised, in words.
-    pub terms: String,
-    /// The outputs of the model that are forces, torques or powers: name, unit and value.
-    pub outputs: Vec<(&'static str, &'static str, f64)>,
-    /// Why the motion meets both flanks of a mesh, in words: friction of the flanks, linearised, is that of one; `None` if it meets one.
-    pub both_flanks: Option<String>,
 }
 
 impl System {
@@ -58,41 +45,16 @@ impl System {
         Ok(System { equations: derived.equations(scene)?, model: scene.model, about: None })
     }
 
-    /// The system of a scene. Forces that are not linear are linearised about the steady motion at the speeds of the start: friction of the
-    /// flanks, motors, loads. Coordinates that are static by default are in equilibrium there.
+    /// The system of a scene. What is not linear is linearised about a motion ([`Steady`]): an equilibrium if nothing turns, else the steady
+    /// motion at the speeds of the start. Coordinates that are static by default are in equilibrium there.
     ///
     /// # Errors
-    /// If the inertia depends on the coordinates, the effects contradict one another, or there is no equilibrium.
+    /// If the effects contradict one another, M is not positive definite there, or there is no equilibrium.
     pub fn about_steady_motion(derived: &DerivedModel, scene: &Scene) -> Result<System, Refusal> {
         let terms = scene.effects.nonlinear(scene.model);
-        let linear = Self::linear_part(derived, scene)?;
-        if terms.is_empty() {
-            return Ok(linear);
-        }
-        let System { equations, model, .. } = linear;
-        if !equations.is_inertia_constant() {
-            return Err(Refusal::MovingInertia { terms });
-        }
-        let mut resting = scene.clone();
-        for (given, coordinate) in resting.start.q.iter_mut().zip(model.coordinates) {
-            if coordinate.start == Start::Static && !given.is_static() {
-                *given = Start::Near(given.guess());
-            }
-        }
-        let begun = start::begin(&*equations, &resting)?;
-        let mean = |(law, given): (&Law, &Profile)| if law.role == Role::Error { 0.0 } else { given.mean() };
-        let means: Vec<f64> = scene.present().map(|(law, given)| mean((law, given))).collect();
-        let (q, q_dot) = (begun.absolute(), begun.state.q_dot.clone());
-        let k = begun.levels(&resting);
-        let is_force = |unit: &str| ["N", "N*m", "W"].contains(&unit);
-        let is_there = |with: Option<&str>| with.is_none_or(|effect| scene.effects.has(effect, model));
-        let outputs = model.outputs.iter().enumerate();
-        // What a run alone knows, reactions and powers of torques, has no value here.
-        let outputs = outputs.filter(|(_, output)| is_force(output.unit) && is_there(output.with) && !output.known);
-        let value = |i: usize| equations.output(i, &q, &q_dot, &k, &Known::default());
-        let outputs = outputs.map(|(i, output)| (output.name, output.unit, value(i))).collect();
-        let both_flanks = flanks::both(&*equations, scene, (&begun.state.q, &q_dot), &k);
-        Ok(System { equations, model, about: Some(Steady { q, q_dot, means, terms, outputs, both_flanks }) })
+        let System { equations, model, .. } = Self::linear_part(derived, scene)?;
+        let about = if terms.is_empty() { None } else { Some(Steady::of(&*equations, scene, terms)?) };
+        Ok(System { equations, model, about })
     }
 
     /// The steady motion about which it is linearised; `None` if it is linear.
@@ -105,24 +67,55 @@ impl System {
         self.equations.potential(q, &self.values(k))
     }
 
-    /// M, M⁻¹, C, K, f of the linear part.
+    /// The equations.
+    pub fn equations(&self) -> &dyn Equations {
+        &*self.equations
+    }
+
+    /// M, M⁻¹, C, K, f of the linear part. About a steady motion, M at its place, and K the derivatives of the forces that have a potential:
+    /// minus those of F at rest and without friction, made symmetric.
     ///
     /// # Errors
     /// If M is not positive definite, or a number overflows.
     pub fn matrices(&self, k: &[f64]) -> Result<Matrices, Refusal> {
-        cell::matrices(&*self.equations, &self.values(k))
+        let Some(Steady { q, .. }) = &self.about else { return cell::matrices(&*self.equations, &self.values(k)) };
+        let mass = self.equations.mass(q);
+        if mass.iter().any(|x| !x.is_finite()) {
+            return Err(Refusal::Overflow);
+        }
+        inverse_root(&mass)?; // an error if M is not positive definite
+        let without_friction = self.model.in_contact(k.iter().copied());
+        let (at_rest, flat) = (Vector::zeros(q.len()), vec![0.0; self.model.laws.len()]);
+        let [by_q, _] = self.equations.jacobian(q, &at_rest, &without_friction, &flat, &flat);
+        Ok(Matrices {
+            mobility: self.equations.mobility(q),
+            damping: self.equations.damping(&without_friction),
+            stiffness: DMatrix::from_fn(q.len(), q.len(), |i, j| -0.5 * (by_q[(i, j)] + by_q[(j, i)])),
+            load: (&self.equations.force(q, &at_rest, &without_friction, &flat)).into(),
+            mass,
+        })
     }
 
-    /// The same about the steady motion, C = -dF/dq' and K = -dF/dq there, while the laws keep their values. They need not be symmetric.
+    /// The same about the steady motion, while the laws keep their values: C = -dF/dq' and K = d(M q'' - F)/dq there. They need not be
+    /// symmetric.
     ///
     /// # Errors
     /// Those of [`System::matrices`].
     pub fn linearised(&self, k: &[f64]) -> Result<Matrices, Refusal> {
         let linear = self.matrices(k)?;
         let Some(Steady { q, q_dot, .. }) = &self.about else { return Ok(linear) };
-        let flat = vec![0.0; self.model.laws.len()];
-        let [by_q, by_speed] = self.equations.jacobian(q, q_dot, &self.values(k), &flat, &flat);
+        let (k, flat) = (self.values(k), vec![0.0; self.model.laws.len()]);
+        let [mut by_q, by_speed] = self.equations.jacobian(q, q_dot, &k, &flat, &flat);
+        if !self.equations.is_inertia_constant() {
+            by_q -= self.equations.inertia(q, &self.equations.acceleration(q, q_dot, &k, &flat));
+        }
         Ok(Matrices { damping: -by_speed, stiffness: -by_q, ..linear })
+    }
+
+    /// The same system about another place of its motion, the coordinates moved by `dq` (n).
+    pub fn moved(self, dq: &Vector) -> System {
+        let about = self.about.map(|about| Steady { q: &about.q + dq, ..about });
+        System { about, ..self }
     }
 
     /// The propagator: a small disturbance (dq, dq') at t = 0 gives its product with this matrix after the time `t` [s] (2n x

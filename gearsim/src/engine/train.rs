@@ -246,8 +246,8 @@ impl Equations for Assembly {
         self.linear.potential(q) + self.varying().map(|p| p.equations.potential(&p.at(q), &p.values(k))).sum::<f64>()
     }
 
-    fn dissipation(&self, q_dot: &[f64], k: &[f64]) -> f64 {
-        let varying = self.varying().map(|p| p.equations.dissipation(&p.at(q_dot), &p.values(k)));
+    fn dissipation(&self, q: &[f64], q_dot: &[f64], k: &[f64]) -> f64 {
+        let varying = self.varying().map(|p| p.equations.dissipation(&p.at(q), &p.at(q_dot), &p.values(k)));
         self.linear.dissipation(q_dot) + varying.sum::<f64>()
     }
 
@@ -308,8 +308,8 @@ impl Equations for Assembly {
         self.nonlinear().for_each(|part| part.add_force([q, q_dot, k, dk], force));
     }
 
-    fn other_dissipation(&self, q_dot: &[f64], k: &[f64]) -> f64 {
-        self.nonlinear().map(|p| p.equations.dissipation(&p.at(q_dot), &p.values(k))).sum()
+    fn other_dissipation(&self, q: &[f64], q_dot: &[f64], k: &[f64]) -> f64 {
+        self.nonlinear().map(|p| p.equations.dissipation(&p.at(q), &p.at(q_dot), &p.values(k))).sum()
     }
 
     fn jacobian(&self, q: &[f64], q_dot: &[f64], k: &[f64], dk: &[f64], ddk: &[f64]) -> [Matrix; 2] {
@@ -380,10 +380,10 @@ impl Equations for Assembly {
         self.parts[part].equations.mode(own, mode)
     }
 
-    fn exits(&self, i: usize, mode: usize, k: &[f64]) -> Vec<Exit> {
+    fn exits(&self, i: usize, mode: usize, q: &[f64], k: &[f64]) -> Vec<Exit> {
         let [part, own] = self.switches[i];
         let p = &self.parts[part];
-        let exits = p.equations.exits(own, mode, &p.values(k));
+        let exits = p.equations.exits(own, mode, &p.at(q), &p.values(k));
         exits.into_iter().map(|exit| Exit { guard: p.affine(exit.guard, self.n), ..exit }).collect()
     }
 
@@ -397,10 +397,10 @@ impl Equations for Assembly {
         i
     }
 
-    fn deflection(&self, i: usize, k: &[f64]) -> Deflection {
+    fn deflection(&self, i: usize, q: &[f64], k: &[f64]) -> Deflection {
         let [part, own] = self.deflections[i];
         let p = &self.parts[part];
-        let of = p.equations.deflection(own, &p.values(k));
+        let of = p.equations.deflection(own, &p.at(q), &p.values(k));
         let errors = of.errors.iter().map(|&(law, unit)| (p.part.values[law], unit)).collect();
         Deflection { normal: p.spread(&of.normal, self.n), errors, ..of }
     }

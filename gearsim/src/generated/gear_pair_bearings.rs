@@ -53,6 +53,8 @@ equations! {
     effects {
         viscous_friction_1 of viscous_friction "friction proportional to speed";
         viscous_friction_2 of viscous_friction "friction proportional to speed";
+        moving_centres_12 of moving_centres
+            "the line of action turns with the gears' centres, the pressure angle follows their distance, and the play opens with it";
         stiffness_step
             "the mesh stiffness steps as tooth pairs enter and leave, conserving energy by jump terms; else it has its mid value";
         rigid_kinematics requires(stiffness_step) excludes(frozen_phase)
@@ -71,18 +73,33 @@ equations! {
         jump_terms = stiffness_step, !rigid_kinematics, !frozen_phase;
         moving_phase = stiffness_step, !frozen_phase;
         transmission_error_12_and_jump_terms = transmission_error_12, stiffness_step, !rigid_kinematics, !frozen_phase;
+        moving_centres_12_and_backlash_12 = moving_centres_12, backlash_12;
+        moving_centres_12_and_damping = moving_centres_12, damping;
         transmission_error_12_and_sliding_friction_12_and_moving_phase = transmission_error_12, sliding_friction_12, stiffness_step,
             !frozen_phase;
         sliding_friction_12_and_moving_phase = sliding_friction_12, stiffness_step, !frozen_phase;
+        moving_centres_12_and_transmission_error_12_and_jump_terms = moving_centres_12, transmission_error_12, stiffness_step,
+            !rigid_kinematics, !frozen_phase;
+        moving_centres_12_and_sliding_friction_12 = moving_centres_12, sliding_friction_12;
+        moving_centres_12_and_jump_terms = moving_centres_12, stiffness_step, !rigid_kinematics, !frozen_phase;
         transmission_error_12_and_backlash_12_and_moving_phase = transmission_error_12, backlash_12, stiffness_step, !frozen_phase;
         transmission_error_12_and_moving_phase = transmission_error_12, stiffness_step, !frozen_phase;
         backlash_12_and_moving_phase = backlash_12, stiffness_step, !frozen_phase;
+        moving_centres_12_and_transmission_error_12_and_backlash_12_and_moving_phase = moving_centres_12, transmission_error_12,
+            backlash_12, stiffness_step, !frozen_phase;
+        moving_centres_12_and_transmission_error_12_and_moving_phase = moving_centres_12, transmission_error_12, stiffness_step,
+            !frozen_phase;
+        moving_centres_12_and_backlash_12_and_moving_phase = moving_centres_12, backlash_12, stiffness_step, !frozen_phase;
+        moving_centres_12_and_moving_phase = moving_centres_12, stiffness_step, !frozen_phase;
     }
 
     constants {
         h = r1/N1;
         cos_a = alpha.cos();
         sin_a = alpha.sin();
+        R12 = h*N1 + h*N2;
+        a12 = R12/cos_a;
+        inv12 = sin_a/cos_a - alpha;
         tiny12 = 1.0/1000000000000.0;
     }
     deflections {
@@ -90,9 +107,53 @@ equations! {
         by1 = y1;
         bx2 = x2;
         by2 = y2;
-        over12 = s - edge12 - e12 + cos_a*y1 - cos_a*y2 + sin_a*x1 - sin_a*x2;
+        x_c12 = x2 - x1;
+        y_c12 = y2 - y1;
+        drive12 = s - open12 - turn12 - e12 + cos_a*y1 - cos_a*y2 + sin_a*x1 - sin_a*x2;
+        coast12 = open12 - turn12 + s - e12 + cos_a*y1 - cos_a*y2 + sin_a*x1 - sin_a*x2;
+        over12 = s - turn12 - edge12 - e12 + cos_a*y1 - cos_a*y2 + sin_a*x1 - sin_a*x2 - flank12*open12;
         tau12 = cos_a*x2 - cos_a*x1 + sin_a*y1 - sin_a*y2 + sin_a*s/cos_a;
         psi12 = s/(2.0*h*N1) - s/(2.0*h*N2) + theta/N1 + theta/N2;
+    }
+    functions {
+        turn12 with moving_centres_12 = R12*(y_c12/(a12 + x_c12)).atan() - cos_a*y_c12 - sin_a*x_c12;
+        turn12_by_x_c12 with moving_centres_12 = -sin_a - R12*y_c12/(y_c12.powi(2) + (a12 + x_c12).powi(2));
+        turn12_by_y_c12 with moving_centres_12 = R12*(a12 + x_c12)/(y_c12.powi(2) + (a12 + x_c12).powi(2)) - cos_a;
+        turn12_by_x_c12_by_x_c12 with moving_centres_12 = 2.0*R12*y_c12*(a12 + x_c12)/(y_c12.powi(2) + (a12 + x_c12).powi(2)).powi(2);
+        turn12_by_x_c12_by_y_c12 with moving_centres_12 = 2.0*R12*y_c12.powi(2)/(y_c12.powi(2) + (a12 + x_c12).powi(2)).powi(2)
+            - R12/(y_c12.powi(2) + (a12 + x_c12).powi(2));
+        turn12_by_y_c12_by_y_c12 with moving_centres_12 = -2.0*R12*y_c12*(a12 + x_c12)/(y_c12.powi(2) + (a12 + x_c12).powi(2)).powi(2);
+        open12 with moving_centres_12 = (y_c12.powi(2) - R12.powi(2) + (a12 + x_c12).powi(2)).sqrt() - R12*inv12
+            - R12*((y_c12.powi(2) - R12.powi(2) + (a12 + x_c12).powi(2)).sqrt()/R12).atan();
+        open12_by_x_c12 with moving_centres_12 = (y_c12.powi(2) - R12.powi(2) + (a12 + x_c12).powi(2)).sqrt()*(a12 + x_c12)
+            /(y_c12.powi(2) + (a12 + x_c12).powi(2));
+        open12_by_y_c12 with moving_centres_12 = y_c12*(y_c12.powi(2) - R12.powi(2) + (a12 + x_c12).powi(2)).sqrt()
+            /(y_c12.powi(2) + (a12 + x_c12).powi(2));
+        open12_by_x_c12_by_x_c12 with moving_centres_12 = (a12 + x_c12).powi(2)
+            /((y_c12.powi(2) + (a12 + x_c12).powi(2))*(y_c12.powi(2) - R12.powi(2) + (a12 + x_c12).powi(2)).sqrt())
+            - 2.0*(a12 + x_c12).powi(2)*(y_c12.powi(2) - R12.powi(2) + (a12 + x_c12).powi(2)).sqrt()
+            /(y_c12.powi(2) + (a12 + x_c12).powi(2)).powi(2)
+            + (y_c12.powi(2) - R12.powi(2) + (a12 + x_c12).powi(2)).sqrt()/(y_c12.powi(2) + (a12 + x_c12).powi(2));
+        open12_by_x_c12_by_y_c12 with moving_centres_12 = y_c12*(a12 + x_c12)
+            /((y_c12.powi(2) + (a12 + x_c12).powi(2))*(y_c12.powi(2) - R12.powi(2) + (a12 + x_c12).powi(2)).sqrt())
+            - 2.0*y_c12*(y_c12.powi(2) - R12.powi(2) + (a12 + x_c12).powi(2)).sqrt()*(a12 + x_c12)
+            /(y_c12.powi(2) + (a12 + x_c12).powi(2)).powi(2);
+        open12_by_y_c12_by_y_c12 with moving_centres_12 = y_c12.powi(2)
+            /((y_c12.powi(2) + (a12 + x_c12).powi(2))*(y_c12.powi(2) - R12.powi(2) + (a12 + x_c12).powi(2)).sqrt())
+            - 2.0*y_c12.powi(2)*(y_c12.powi(2) - R12.powi(2) + (a12 + x_c12).powi(2)).sqrt()
+            /(y_c12.powi(2) + (a12 + x_c12).powi(2)).powi(2)
+            + (y_c12.powi(2) - R12.powi(2) + (a12 + x_c12).powi(2)).sqrt()/(y_c12.powi(2) + (a12 + x_c12).powi(2));
+    }
+    rates {
+        drive12_dot = s_dot + cos_a*y1_dot - cos_a*y2_dot + sin_a*x1_dot - sin_a*x2_dot + open12_by_x_c12*x1_dot - open12_by_x_c12*x2_dot
+            + open12_by_y_c12*y1_dot - open12_by_y_c12*y2_dot + turn12_by_x_c12*x1_dot - turn12_by_x_c12*x2_dot + turn12_by_y_c12*y1_dot
+            - turn12_by_y_c12*y2_dot;
+        coast12_dot = s_dot + cos_a*y1_dot - cos_a*y2_dot + sin_a*x1_dot - sin_a*x2_dot - open12_by_x_c12*x1_dot + open12_by_x_c12*x2_dot
+            - open12_by_y_c12*y1_dot + open12_by_y_c12*y2_dot + turn12_by_x_c12*x1_dot - turn12_by_x_c12*x2_dot + turn12_by_y_c12*y1_dot
+            - turn12_by_y_c12*y2_dot;
+        over12_dot = s_dot + cos_a*y1_dot - cos_a*y2_dot + sin_a*x1_dot - sin_a*x2_dot + flank12*open12_by_x_c12*x1_dot
+            - flank12*open12_by_x_c12*x2_dot + flank12*open12_by_y_c12*y1_dot - flank12*open12_by_y_c12*y2_dot + turn12_by_x_c12*x1_dot
+            - turn12_by_x_c12*x2_dot + turn12_by_y_c12*y1_dot - turn12_by_y_c12*y2_dot;
     }
     forces {
         F_mu12 {
@@ -116,8 +177,8 @@ equations! {
         }
     }
     switches {
-        over12 "m" (touch12 1.0, edge12 0.0, damp12 1.0, clip12 0.0) with backlash_12, "play of the mesh" {
-            upper (1.0, b12/2.0, 1.0, 0.0) rests counts "flanks met" {
+        over12 "m" (touch12 1.0, edge12 0.0, damp12 1.0, clip12 0.0, flank12 1.0) with backlash_12, "play of the mesh" {
+            upper (1.0, b12/2.0, 1.0, 0.0, 1.0) rests counts "flanks met" {
                 unless free { over12 { _ => 1.0; } }
                 until upper_loose {
                     over12 { _ => k12; }
@@ -128,7 +189,7 @@ equations! {
                     over12_dot { damping => -beta_K*k12_mid; }
                 }
             }
-            lower (1.0, -b12/2.0, 1.0, 0.0) rests counts "flanks met" {
+            lower (1.0, -b12/2.0, 1.0, 0.0, -1.0) rests counts "flanks met" {
                 unless free { over12 { _ => -1.0; } }
                 until lower_loose {
                     over12 { _ => -k12; }
@@ -139,38 +200,38 @@ equations! {
                     over12_dot { damping => beta_K*k12_mid; }
                 }
             }
-            free (0.0, 0.0, 0.0, 0.0) rests {
+            free (0.0, 0.0, 0.0, 0.0, 0.0) rests {
                 until upper {
-                    over12 { _ => -1.0; }
+                    drive12 { _ => -1.0; }
                     one { _ => b12/2.0; }
                 }
                 until lower {
-                    over12 { _ => 1.0; }
+                    coast12 { _ => 1.0; }
                     one { _ => b12/2.0; }
                 }
             }
-            upper_hit (1.0, b12/2.0, 0.0, 1.0) counts "flanks met" {
+            upper_hit (1.0, b12/2.0, 0.0, 1.0, 1.0) counts "flanks met" {
                 unless free { over12 { _ => 1.0; } }
                 until upper {
                     over12 { _ => -k12; }
                     over12_dot { damping => beta_K*k12_mid; }
                 }
             }
-            lower_hit (1.0, -b12/2.0, 0.0, 1.0) counts "flanks met" {
+            lower_hit (1.0, -b12/2.0, 0.0, 1.0, -1.0) counts "flanks met" {
                 unless free { over12 { _ => -1.0; } }
                 until lower {
                     over12 { _ => k12; }
                     over12_dot { damping => -beta_K*k12_mid; }
                 }
             }
-            upper_loose (1.0, b12/2.0, 0.0, -1.0) counts "flanks met" {
+            upper_loose (1.0, b12/2.0, 0.0, -1.0, 1.0) counts "flanks met" {
                 until free { over12 { _ => 1.0; } }
                 until upper {
                     over12 { _ => -k12; }
                     over12_dot { damping => -beta_K*k12_mid; }
                 }
             }
-            lower_loose (1.0, -b12/2.0, 0.0, -1.0) counts "flanks met" {
+            lower_loose (1.0, -b12/2.0, 0.0, -1.0, -1.0) counts "flanks met" {
                 until free { over12 { _ => -1.0; } }
                 until lower {
                     over12 { _ => k12; }
@@ -237,6 +298,11 @@ equations! {
         x1 {
             _ => -sin_a*k12*touch12*over12 - kb1*bx1;
             viscous_friction_1 => -cb1*bx1_dot;
+            moving_centres_12 => -k12*flank12*touch12*open12_by_x_c12*over12 - k12*touch12*turn12_by_x_c12*over12;
+            moving_centres_12_and_backlash_12 => -k12*clip12*flank12*touch12*open12_by_x_c12*over12
+                - k12*clip12*touch12*turn12_by_x_c12*over12;
+            moving_centres_12_and_damping => -beta_K*k12_mid*damp12*flank12*open12_by_x_c12*over12_dot
+                - beta_K*k12_mid*damp12*turn12_by_x_c12*over12_dot;
             backlash_12 => -sin_a*k12*clip12*touch12*over12;
             sliding_friction_12 => cos_a*side12*F_mu12;
             damping => -sin_a*beta_K*k12_mid*damp12*over12_dot - alpha_M*m1*x1_dot - beta_K*kb1*bx1_dot;
@@ -244,6 +310,11 @@ equations! {
         y1 {
             _ => -cos_a*k12*touch12*over12 - kb1*by1;
             viscous_friction_1 => -cb1*by1_dot;
+            moving_centres_12 => -k12*flank12*touch12*open12_by_y_c12*over12 - k12*touch12*turn12_by_y_c12*over12;
+            moving_centres_12_and_backlash_12 => -k12*clip12*flank12*touch12*open12_by_y_c12*over12
+                - k12*clip12*touch12*turn12_by_y_c12*over12;
+            moving_centres_12_and_damping => -beta_K*k12_mid*damp12*flank12*open12_by_y_c12*over12_dot
+                - beta_K*k12_mid*damp12*turn12_by_y_c12*over12_dot;
             backlash_12 => -cos_a*k12*clip12*touch12*over12;
             sliding_friction_12 => -sin_a*side12*F_mu12;
             damping => -cos_a*beta_K*k12_mid*damp12*over12_dot - alpha_M*m1*y1_dot - beta_K*kb1*by1_dot;
@@ -251,6 +322,11 @@ equations! {
         x2 {
             _ => sin_a*k12*touch12*over12 - kb2*bx2;
             viscous_friction_2 => -cb2*bx2_dot;
+            moving_centres_12 => k12*flank12*touch12*open12_by_x_c12*over12 + k12*touch12*turn12_by_x_c12*over12;
+            moving_centres_12_and_backlash_12 => k12*clip12*flank12*touch12*open12_by_x_c12*over12
+                + k12*clip12*touch12*turn12_by_x_c12*over12;
+            moving_centres_12_and_damping => beta_K*k12_mid*damp12*flank12*open12_by_x_c12*over12_dot
+                + beta_K*k12_mid*damp12*turn12_by_x_c12*over12_dot;
             backlash_12 => sin_a*k12*clip12*touch12*over12;
             sliding_friction_12 => -cos_a*side12*F_mu12;
             damping => sin_a*beta_K*k12_mid*damp12*over12_dot - alpha_M*m2*x2_dot - beta_K*kb2*bx2_dot;
@@ -258,6 +334,11 @@ equations! {
         y2 {
             _ => cos_a*k12*touch12*over12 - kb2*by2;
             viscous_friction_2 => -cb2*by2_dot;
+            moving_centres_12 => k12*flank12*touch12*open12_by_y_c12*over12 + k12*touch12*turn12_by_y_c12*over12;
+            moving_centres_12_and_backlash_12 => k12*clip12*flank12*touch12*open12_by_y_c12*over12
+                + k12*clip12*touch12*turn12_by_y_c12*over12;
+            moving_centres_12_and_damping => beta_K*k12_mid*damp12*flank12*open12_by_y_c12*over12_dot
+                + beta_K*k12_mid*damp12*turn12_by_y_c12*over12_dot;
             backlash_12 => cos_a*k12*clip12*touch12*over12;
             sliding_friction_12 => sin_a*side12*F_mu12;
             damping => cos_a*beta_K*k12_mid*damp12*over12_dot - alpha_M*m2*y2_dot - beta_K*kb2*by2_dot;
@@ -278,21 +359,45 @@ equations! {
             jump_terms => -dk12*touch12*over12;
         }
         theta x1 {
+            moving_centres_12_and_transmission_error_12_and_jump_terms => k12*de12*flank12*touch12*open12_by_x_c12
+                + k12*de12*touch12*turn12_by_x_c12;
+            moving_centres_12_and_sliding_friction_12 => -arm12*F_mu12_by_over12*flank12*open12_by_x_c12/N1
+                - arm12*F_mu12_by_over12*turn12_by_x_c12/N1 - arm12*F_mu12_by_over12*flank12*open12_by_x_c12/N2
+                - arm12*F_mu12_by_over12*turn12_by_x_c12/N2;
+            moving_centres_12_and_jump_terms => -dk12*flank12*touch12*open12_by_x_c12*over12 - dk12*touch12*turn12_by_x_c12*over12;
             transmission_error_12_and_jump_terms => sin_a*k12*de12*touch12;
             sliding_friction_12 => -sin_a*arm12*F_mu12_by_over12/N1 - sin_a*arm12*F_mu12_by_over12/N2;
             jump_terms => -sin_a*dk12*touch12*over12;
         }
         theta y1 {
+            moving_centres_12_and_transmission_error_12_and_jump_terms => k12*de12*flank12*touch12*open12_by_y_c12
+                + k12*de12*touch12*turn12_by_y_c12;
+            moving_centres_12_and_sliding_friction_12 => -arm12*F_mu12_by_over12*flank12*open12_by_y_c12/N1
+                - arm12*F_mu12_by_over12*turn12_by_y_c12/N1 - arm12*F_mu12_by_over12*flank12*open12_by_y_c12/N2
+                - arm12*F_mu12_by_over12*turn12_by_y_c12/N2;
+            moving_centres_12_and_jump_terms => -dk12*flank12*touch12*open12_by_y_c12*over12 - dk12*touch12*turn12_by_y_c12*over12;
             transmission_error_12_and_jump_terms => cos_a*k12*de12*touch12;
             sliding_friction_12 => -cos_a*arm12*F_mu12_by_over12/N1 - cos_a*arm12*F_mu12_by_over12/N2;
             jump_terms => -cos_a*dk12*touch12*over12;
         }
         theta x2 {
+            moving_centres_12_and_transmission_error_12_and_jump_terms => -k12*de12*flank12*touch12*open12_by_x_c12
+                - k12*de12*touch12*turn12_by_x_c12;
+            moving_centres_12_and_sliding_friction_12 => arm12*F_mu12_by_over12*flank12*open12_by_x_c12/N1
+                + arm12*F_mu12_by_over12*turn12_by_x_c12/N1 + arm12*F_mu12_by_over12*flank12*open12_by_x_c12/N2
+                + arm12*F_mu12_by_over12*turn12_by_x_c12/N2;
+            moving_centres_12_and_jump_terms => dk12*flank12*touch12*open12_by_x_c12*over12 + dk12*touch12*turn12_by_x_c12*over12;
             transmission_error_12_and_jump_terms => -sin_a*k12*de12*touch12;
             sliding_friction_12 => sin_a*arm12*F_mu12_by_over12/N1 + sin_a*arm12*F_mu12_by_over12/N2;
             jump_terms => sin_a*dk12*touch12*over12;
         }
         theta y2 {
+            moving_centres_12_and_transmission_error_12_and_jump_terms => -k12*de12*flank12*touch12*open12_by_y_c12
+                - k12*de12*touch12*turn12_by_y_c12;
+            moving_centres_12_and_sliding_friction_12 => arm12*F_mu12_by_over12*flank12*open12_by_y_c12/N1
+                + arm12*F_mu12_by_over12*turn12_by_y_c12/N1 + arm12*F_mu12_by_over12*flank12*open12_by_y_c12/N2
+                + arm12*F_mu12_by_over12*turn12_by_y_c12/N2;
+            moving_centres_12_and_jump_terms => dk12*flank12*touch12*open12_by_y_c12*over12 + dk12*touch12*turn12_by_y_c12*over12;
             transmission_error_12_and_jump_terms => -cos_a*k12*de12*touch12;
             sliding_friction_12 => cos_a*arm12*F_mu12_by_over12/N1 + cos_a*arm12*F_mu12_by_over12/N2;
             jump_terms => cos_a*dk12*touch12*over12;
@@ -325,24 +430,48 @@ equations! {
         }
         s x1 {
             _ => -sin_a*k12*touch12;
+            moving_centres_12 => -k12*flank12*touch12*open12_by_x_c12 - k12*touch12*turn12_by_x_c12;
+            moving_centres_12_and_backlash_12 => -k12*clip12*flank12*touch12*open12_by_x_c12 - k12*clip12*touch12*turn12_by_x_c12;
+            moving_centres_12_and_sliding_friction_12 => arm12*F_mu12_by_over12*flank12*open12_by_x_c12/(2.0*h*N2)
+                - sin_a*side12*F_mu12_by_over12*flank12*open12_by_x_c12/cos_a - sin_a*side12*F_mu12_by_over12*turn12_by_x_c12/cos_a
+                - arm12*F_mu12_by_over12*flank12*open12_by_x_c12/(2.0*h*N1) - arm12*F_mu12_by_over12*turn12_by_x_c12/(2.0*h*N1)
+                + arm12*F_mu12_by_over12*turn12_by_x_c12/(2.0*h*N2);
             backlash_12 => -sin_a*k12*clip12*touch12;
             sliding_friction_12 => sin_a*arm12*F_mu12_by_over12/(2.0*h*N2) - sin_a.powi(2)*side12*F_mu12_by_over12/cos_a
                 - sin_a*arm12*F_mu12_by_over12/(2.0*h*N1);
         }
         s y1 {
             _ => -cos_a*k12*touch12;
+            moving_centres_12 => -k12*flank12*touch12*open12_by_y_c12 - k12*touch12*turn12_by_y_c12;
+            moving_centres_12_and_backlash_12 => -k12*clip12*flank12*touch12*open12_by_y_c12 - k12*clip12*touch12*turn12_by_y_c12;
+            moving_centres_12_and_sliding_friction_12 => arm12*F_mu12_by_over12*flank12*open12_by_y_c12/(2.0*h*N2)
+                - sin_a*side12*F_mu12_by_over12*flank12*open12_by_y_c12/cos_a - sin_a*side12*F_mu12_by_over12*turn12_by_y_c12/cos_a
+                - arm12*F_mu12_by_over12*flank12*open12_by_y_c12/(2.0*h*N1) - arm12*F_mu12_by_over12*turn12_by_y_c12/(2.0*h*N1)
+                + arm12*F_mu12_by_over12*turn12_by_y_c12/(2.0*h*N2);
             backlash_12 => -cos_a*k12*clip12*touch12;
             sliding_friction_12 => cos_a*arm12*F_mu12_by_over12/(2.0*h*N2) - cos_a*arm12*F_mu12_by_over12/(2.0*h*N1)
                 - sin_a*side12*F_mu12_by_over12;
         }
         s x2 {
             _ => sin_a*k12*touch12;
+            moving_centres_12 => k12*flank12*touch12*open12_by_x_c12 + k12*touch12*turn12_by_x_c12;
+            moving_centres_12_and_backlash_12 => k12*clip12*flank12*touch12*open12_by_x_c12 + k12*clip12*touch12*turn12_by_x_c12;
+            moving_centres_12_and_sliding_friction_12 => sin_a*side12*F_mu12_by_over12*flank12*open12_by_x_c12/cos_a
+                + sin_a*side12*F_mu12_by_over12*turn12_by_x_c12/cos_a + arm12*F_mu12_by_over12*flank12*open12_by_x_c12/(2.0*h*N1)
+                + arm12*F_mu12_by_over12*turn12_by_x_c12/(2.0*h*N1) - arm12*F_mu12_by_over12*flank12*open12_by_x_c12/(2.0*h*N2)
+                - arm12*F_mu12_by_over12*turn12_by_x_c12/(2.0*h*N2);
             backlash_12 => sin_a*k12*clip12*touch12;
             sliding_friction_12 => sin_a.powi(2)*side12*F_mu12_by_over12/cos_a + sin_a*arm12*F_mu12_by_over12/(2.0*h*N1)
                 - sin_a*arm12*F_mu12_by_over12/(2.0*h*N2);
         }
         s y2 {
             _ => cos_a*k12*touch12;
+            moving_centres_12 => k12*flank12*touch12*open12_by_y_c12 + k12*touch12*turn12_by_y_c12;
+            moving_centres_12_and_backlash_12 => k12*clip12*flank12*touch12*open12_by_y_c12 + k12*clip12*touch12*turn12_by_y_c12;
+            moving_centres_12_and_sliding_friction_12 => sin_a*side12*F_mu12_by_over12*flank12*open12_by_y_c12/cos_a
+                + sin_a*side12*F_mu12_by_over12*turn12_by_y_c12/cos_a + arm12*F_mu12_by_over12*flank12*open12_by_y_c12/(2.0*h*N1)
+                + arm12*F_mu12_by_over12*turn12_by_y_c12/(2.0*h*N1) - arm12*F_mu12_by_over12*flank12*open12_by_y_c12/(2.0*h*N2)
+                - arm12*F_mu12_by_over12*turn12_by_y_c12/(2.0*h*N2);
             backlash_12 => cos_a*k12*clip12*touch12;
             sliding_friction_12 => cos_a*arm12*F_mu12_by_over12/(2.0*h*N1) - cos_a*arm12*F_mu12_by_over12/(2.0*h*N2)
                 + sin_a*side12*F_mu12_by_over12;
@@ -358,11 +487,30 @@ equations! {
                 - arm12*F_mu12_by_psi12_dot/(4.0*h.powi(2)*N2.powi(2));
             damping => -beta_K*k12_mid*damp12 - I1*alpha_M/(4.0*h.powi(2)*N1.powi(2)) - I2*alpha_M/(4.0*h.powi(2)*N2.powi(2));
         }
-        s x1_dot { damping => -sin_a*beta_K*k12_mid*damp12; }
-        s y1_dot { damping => -cos_a*beta_K*k12_mid*damp12; }
-        s x2_dot { damping => sin_a*beta_K*k12_mid*damp12; }
-        s y2_dot { damping => cos_a*beta_K*k12_mid*damp12; }
+        s x1_dot {
+            moving_centres_12_and_damping => -beta_K*k12_mid*damp12*flank12*open12_by_x_c12 - beta_K*k12_mid*damp12*turn12_by_x_c12;
+            damping => -sin_a*beta_K*k12_mid*damp12;
+        }
+        s y1_dot {
+            moving_centres_12_and_damping => -beta_K*k12_mid*damp12*flank12*open12_by_y_c12 - beta_K*k12_mid*damp12*turn12_by_y_c12;
+            damping => -cos_a*beta_K*k12_mid*damp12;
+        }
+        s x2_dot {
+            moving_centres_12_and_damping => beta_K*k12_mid*damp12*flank12*open12_by_x_c12 + beta_K*k12_mid*damp12*turn12_by_x_c12;
+            damping => sin_a*beta_K*k12_mid*damp12;
+        }
+        s y2_dot {
+            moving_centres_12_and_damping => beta_K*k12_mid*damp12*flank12*open12_by_y_c12 + beta_K*k12_mid*damp12*turn12_by_y_c12;
+            damping => cos_a*beta_K*k12_mid*damp12;
+        }
         x1 theta {
+            moving_centres_12_and_transmission_error_12_and_backlash_12_and_moving_phase => k12*de12*clip12*flank12*touch12
+                *open12_by_x_c12 + k12*de12*clip12*touch12*turn12_by_x_c12;
+            moving_centres_12_and_transmission_error_12_and_moving_phase => k12*de12*flank12*touch12*open12_by_x_c12
+                + k12*de12*touch12*turn12_by_x_c12;
+            moving_centres_12_and_backlash_12_and_moving_phase => -dk12*clip12*flank12*touch12*open12_by_x_c12*over12
+                - dk12*clip12*touch12*turn12_by_x_c12*over12;
+            moving_centres_12_and_moving_phase => -dk12*flank12*touch12*open12_by_x_c12*over12 - dk12*touch12*turn12_by_x_c12*over12;
             transmission_error_12_and_backlash_12_and_moving_phase => sin_a*k12*de12*clip12*touch12;
             transmission_error_12_and_sliding_friction_12_and_moving_phase => -cos_a*de12*side12*F_mu12_by_over12;
             transmission_error_12_and_moving_phase => sin_a*k12*de12*touch12;
@@ -372,42 +520,128 @@ equations! {
         }
         x1 s {
             _ => -sin_a*k12*touch12;
+            moving_centres_12 => -k12*flank12*touch12*open12_by_x_c12 - k12*touch12*turn12_by_x_c12;
+            moving_centres_12_and_backlash_12 => -k12*clip12*flank12*touch12*open12_by_x_c12 - k12*clip12*touch12*turn12_by_x_c12;
             backlash_12 => -sin_a*k12*clip12*touch12;
             sliding_friction_12 => cos_a*side12*F_mu12_by_over12;
         }
         x1 x1 {
             _ => -kb1 - sin_a.powi(2)*k12*touch12;
+            moving_centres_12 => k12*flank12*touch12*open12_by_x_c12_by_x_c12*over12 - 2.0*sin_a*k12*flank12*touch12*open12_by_x_c12
+                - 2.0*sin_a*k12*touch12*turn12_by_x_c12 - 2.0*k12*flank12*touch12*open12_by_x_c12*turn12_by_x_c12
+                + k12*touch12*turn12_by_x_c12_by_x_c12*over12 - k12*touch12*turn12_by_x_c12.powi(2)
+                - k12*flank12.powi(2)*touch12*open12_by_x_c12.powi(2);
+            moving_centres_12_and_backlash_12 => k12*clip12*flank12*touch12*open12_by_x_c12_by_x_c12*over12
+                - 2.0*sin_a*k12*clip12*flank12*touch12*open12_by_x_c12 - 2.0*sin_a*k12*clip12*touch12*turn12_by_x_c12
+                - 2.0*k12*clip12*flank12*touch12*open12_by_x_c12*turn12_by_x_c12 + k12*clip12*touch12*turn12_by_x_c12_by_x_c12*over12
+                - k12*clip12*touch12*turn12_by_x_c12.powi(2) - k12*clip12*flank12.powi(2)*touch12*open12_by_x_c12.powi(2);
+            moving_centres_12_and_sliding_friction_12 => cos_a*side12*F_mu12_by_over12*flank12*open12_by_x_c12
+                + cos_a*side12*F_mu12_by_over12*turn12_by_x_c12;
+            moving_centres_12_and_damping => beta_K*k12_mid*damp12*flank12*open12_by_x_c12_by_x_c12*over12_dot
+                + beta_K*k12_mid*damp12*turn12_by_x_c12_by_x_c12*over12_dot;
             backlash_12 => -sin_a.powi(2)*k12*clip12*touch12;
             sliding_friction_12 => cos_a*sin_a*side12*F_mu12_by_over12;
         }
         x1 y1 {
             _ => -cos_a*sin_a*k12*touch12;
+            moving_centres_12 => k12*flank12*touch12*open12_by_x_c12_by_y_c12*over12 - cos_a*k12*flank12*touch12*open12_by_x_c12
+                - cos_a*k12*touch12*turn12_by_x_c12 - sin_a*k12*flank12*touch12*open12_by_y_c12 - sin_a*k12*touch12*turn12_by_y_c12
+                - k12*flank12*touch12*open12_by_x_c12*turn12_by_y_c12 - k12*flank12*touch12*open12_by_y_c12*turn12_by_x_c12
+                - k12*touch12*turn12_by_x_c12*turn12_by_y_c12 + k12*touch12*turn12_by_x_c12_by_y_c12*over12
+                - k12*flank12.powi(2)*touch12*open12_by_x_c12*open12_by_y_c12;
+            moving_centres_12_and_backlash_12 => k12*clip12*flank12*touch12*open12_by_x_c12_by_y_c12*over12
+                - cos_a*k12*clip12*flank12*touch12*open12_by_x_c12 - cos_a*k12*clip12*touch12*turn12_by_x_c12
+                - sin_a*k12*clip12*flank12*touch12*open12_by_y_c12 - sin_a*k12*clip12*touch12*turn12_by_y_c12
+                - k12*clip12*flank12*touch12*open12_by_x_c12*turn12_by_y_c12 - k12*clip12*flank12*touch12*open12_by_y_c12*turn12_by_x_c12
+                - k12*clip12*touch12*turn12_by_x_c12*turn12_by_y_c12 + k12*clip12*touch12*turn12_by_x_c12_by_y_c12*over12
+                - k12*clip12*flank12.powi(2)*touch12*open12_by_x_c12*open12_by_y_c12;
+            moving_centres_12_and_sliding_friction_12 => cos_a*side12*F_mu12_by_over12*flank12*open12_by_y_c12
+                + cos_a*side12*F_mu12_by_over12*turn12_by_y_c12;
+            moving_centres_12_and_damping => beta_K*k12_mid*damp12*flank12*open12_by_x_c12_by_y_c12*over12_dot
+                + beta_K*k12_mid*damp12*turn12_by_x_c12_by_y_c12*over12_dot;
             backlash_12 => -cos_a*sin_a*k12*clip12*touch12;
             sliding_friction_12 => cos_a.powi(2)*side12*F_mu12_by_over12;
         }
         x1 x2 {
             _ => sin_a.powi(2)*k12*touch12;
+            moving_centres_12 => 2.0*sin_a*k12*flank12*touch12*open12_by_x_c12 + 2.0*sin_a*k12*touch12*turn12_by_x_c12
+                + 2.0*k12*flank12*touch12*open12_by_x_c12*turn12_by_x_c12 - k12*flank12*touch12*open12_by_x_c12_by_x_c12*over12
+                - k12*touch12*turn12_by_x_c12_by_x_c12*over12 + k12*touch12*turn12_by_x_c12.powi(2)
+                + k12*flank12.powi(2)*touch12*open12_by_x_c12.powi(2);
+            moving_centres_12_and_backlash_12 => 2.0*sin_a*k12*clip12*flank12*touch12*open12_by_x_c12
+                + 2.0*sin_a*k12*clip12*touch12*turn12_by_x_c12 + 2.0*k12*clip12*flank12*touch12*open12_by_x_c12*turn12_by_x_c12
+                - k12*clip12*flank12*touch12*open12_by_x_c12_by_x_c12*over12 - k12*clip12*touch12*turn12_by_x_c12_by_x_c12*over12
+                + k12*clip12*touch12*turn12_by_x_c12.powi(2) + k12*clip12*flank12.powi(2)*touch12*open12_by_x_c12.powi(2);
+            moving_centres_12_and_sliding_friction_12 => -cos_a*side12*F_mu12_by_over12*flank12*open12_by_x_c12
+                - cos_a*side12*F_mu12_by_over12*turn12_by_x_c12;
+            moving_centres_12_and_damping => -beta_K*k12_mid*damp12*flank12*open12_by_x_c12_by_x_c12*over12_dot
+                - beta_K*k12_mid*damp12*turn12_by_x_c12_by_x_c12*over12_dot;
             backlash_12 => sin_a.powi(2)*k12*clip12*touch12;
             sliding_friction_12 => -cos_a*sin_a*side12*F_mu12_by_over12;
         }
         x1 y2 {
             _ => cos_a*sin_a*k12*touch12;
+            moving_centres_12 => cos_a*k12*flank12*touch12*open12_by_x_c12 + cos_a*k12*touch12*turn12_by_x_c12
+                + sin_a*k12*flank12*touch12*open12_by_y_c12 + sin_a*k12*touch12*turn12_by_y_c12
+                + k12*flank12*touch12*open12_by_x_c12*turn12_by_y_c12 - k12*flank12*touch12*open12_by_x_c12_by_y_c12*over12
+                + k12*flank12*touch12*open12_by_y_c12*turn12_by_x_c12 + k12*touch12*turn12_by_x_c12*turn12_by_y_c12
+                - k12*touch12*turn12_by_x_c12_by_y_c12*over12 + k12*flank12.powi(2)*touch12*open12_by_x_c12*open12_by_y_c12;
+            moving_centres_12_and_backlash_12 => cos_a*k12*clip12*flank12*touch12*open12_by_x_c12
+                + cos_a*k12*clip12*touch12*turn12_by_x_c12 + sin_a*k12*clip12*flank12*touch12*open12_by_y_c12
+                + sin_a*k12*clip12*touch12*turn12_by_y_c12 + k12*clip12*flank12*touch12*open12_by_x_c12*turn12_by_y_c12
+                - k12*clip12*flank12*touch12*open12_by_x_c12_by_y_c12*over12 + k12*clip12*flank12*touch12*open12_by_y_c12*turn12_by_x_c12
+                + k12*clip12*touch12*turn12_by_x_c12*turn12_by_y_c12 - k12*clip12*touch12*turn12_by_x_c12_by_y_c12*over12
+                + k12*clip12*flank12.powi(2)*touch12*open12_by_x_c12*open12_by_y_c12;
+            moving_centres_12_and_sliding_friction_12 => -cos_a*side12*F_mu12_by_over12*flank12*open12_by_y_c12
+                - cos_a*side12*F_mu12_by_over12*turn12_by_y_c12;
+            moving_centres_12_and_damping => -beta_K*k12_mid*damp12*flank12*open12_by_x_c12_by_y_c12*over12_dot
+                - beta_K*k12_mid*damp12*turn12_by_x_c12_by_y_c12*over12_dot;
             backlash_12 => cos_a*sin_a*k12*clip12*touch12;
             sliding_friction_12 => -cos_a.powi(2)*side12*F_mu12_by_over12;
         }
         x1 theta_dot { sliding_friction_12 => cos_a*side12*F_mu12_by_psi12_dot/N1 + cos_a*side12*F_mu12_by_psi12_dot/N2; }
         x1 s_dot {
+            moving_centres_12_and_damping => -beta_K*k12_mid*damp12*flank12*open12_by_x_c12 - beta_K*k12_mid*damp12*turn12_by_x_c12;
             sliding_friction_12 => (cos_a*side12*F_mu12_by_psi12_dot/(h*N1) - cos_a*side12*F_mu12_by_psi12_dot/(h*N2))/2.0;
             damping => -sin_a*beta_K*k12_mid*damp12;
         }
         x1 x1_dot {
             viscous_friction_1 => -cb1;
+            moving_centres_12_and_damping => -2.0*sin_a*beta_K*k12_mid*damp12*flank12*open12_by_x_c12
+                - 2.0*sin_a*beta_K*k12_mid*damp12*turn12_by_x_c12 - 2.0*beta_K*k12_mid*damp12*flank12*open12_by_x_c12*turn12_by_x_c12
+                - beta_K*k12_mid*damp12*flank12.powi(2)*open12_by_x_c12.powi(2) - beta_K*k12_mid*damp12*turn12_by_x_c12.powi(2);
             damping => -alpha_M*m1 - beta_K*kb1 - sin_a.powi(2)*beta_K*k12_mid*damp12;
         }
-        x1 y1_dot { damping => -cos_a*sin_a*beta_K*k12_mid*damp12; }
-        x1 x2_dot { damping => sin_a.powi(2)*beta_K*k12_mid*damp12; }
-        x1 y2_dot { damping => cos_a*sin_a*beta_K*k12_mid*damp12; }
+        x1 y1_dot {
+            moving_centres_12_and_damping => -cos_a*beta_K*k12_mid*damp12*flank12*open12_by_x_c12
+                - cos_a*beta_K*k12_mid*damp12*turn12_by_x_c12 - sin_a*beta_K*k12_mid*damp12*flank12*open12_by_y_c12
+                - sin_a*beta_K*k12_mid*damp12*turn12_by_y_c12 - beta_K*k12_mid*damp12*flank12*open12_by_x_c12*turn12_by_y_c12
+                - beta_K*k12_mid*damp12*flank12*open12_by_y_c12*turn12_by_x_c12 - beta_K*k12_mid*damp12*turn12_by_x_c12*turn12_by_y_c12
+                - beta_K*k12_mid*damp12*flank12.powi(2)*open12_by_x_c12*open12_by_y_c12;
+            damping => -cos_a*sin_a*beta_K*k12_mid*damp12;
+        }
+        x1 x2_dot {
+            moving_centres_12_and_damping => 2.0*sin_a*beta_K*k12_mid*damp12*flank12*open12_by_x_c12
+                + 2.0*sin_a*beta_K*k12_mid*damp12*turn12_by_x_c12 + 2.0*beta_K*k12_mid*damp12*flank12*open12_by_x_c12*turn12_by_x_c12
+                + beta_K*k12_mid*damp12*flank12.powi(2)*open12_by_x_c12.powi(2) + beta_K*k12_mid*damp12*turn12_by_x_c12.powi(2);
+            damping => sin_a.powi(2)*beta_K*k12_mid*damp12;
+        }
+        x1 y2_dot {
+            moving_centres_12_and_damping => cos_a*beta_K*k12_mid*damp12*flank12*open12_by_x_c12
+                + cos_a*beta_K*k12_mid*damp12*turn12_by_x_c12 + sin_a*beta_K*k12_mid*damp12*flank12*open12_by_y_c12
+                + sin_a*beta_K*k12_mid*damp12*turn12_by_y_c12 + beta_K*k12_mid*damp12*flank12*open12_by_x_c12*turn12_by_y_c12
+                + beta_K*k12_mid*damp12*flank12*open12_by_y_c12*turn12_by_x_c12 + beta_K*k12_mid*damp12*turn12_by_x_c12*turn12_by_y_c12
+                + beta_K*k12_mid*damp12*flank12.powi(2)*open12_by_x_c12*open12_by_y_c12;
+            damping => cos_a*sin_a*beta_K*k12_mid*damp12;
+        }
         y1 theta {
+            moving_centres_12_and_transmission_error_12_and_backlash_12_and_moving_phase => k12*de12*clip12*flank12*touch12
+                *open12_by_y_c12 + k12*de12*clip12*touch12*turn12_by_y_c12;
+            moving_centres_12_and_transmission_error_12_and_moving_phase => k12*de12*flank12*touch12*open12_by_y_c12
+                + k12*de12*touch12*turn12_by_y_c12;
+            moving_centres_12_and_backlash_12_and_moving_phase => -dk12*clip12*flank12*touch12*open12_by_y_c12*over12
+                - dk12*clip12*touch12*turn12_by_y_c12*over12;
+            moving_centres_12_and_moving_phase => -dk12*flank12*touch12*open12_by_y_c12*over12 - dk12*touch12*turn12_by_y_c12*over12;
             transmission_error_12_and_backlash_12_and_moving_phase => cos_a*k12*de12*clip12*touch12;
             transmission_error_12_and_sliding_friction_12_and_moving_phase => sin_a*de12*side12*F_mu12_by_over12;
             transmission_error_12_and_moving_phase => cos_a*k12*de12*touch12;
@@ -417,42 +651,128 @@ equations! {
         }
         y1 s {
             _ => -cos_a*k12*touch12;
+            moving_centres_12 => -k12*flank12*touch12*open12_by_y_c12 - k12*touch12*turn12_by_y_c12;
+            moving_centres_12_and_backlash_12 => -k12*clip12*flank12*touch12*open12_by_y_c12 - k12*clip12*touch12*turn12_by_y_c12;
             backlash_12 => -cos_a*k12*clip12*touch12;
             sliding_friction_12 => -sin_a*side12*F_mu12_by_over12;
         }
         y1 x1 {
             _ => -cos_a*sin_a*k12*touch12;
+            moving_centres_12 => k12*flank12*touch12*open12_by_x_c12_by_y_c12*over12 - cos_a*k12*flank12*touch12*open12_by_x_c12
+                - cos_a*k12*touch12*turn12_by_x_c12 - sin_a*k12*flank12*touch12*open12_by_y_c12 - sin_a*k12*touch12*turn12_by_y_c12
+                - k12*flank12*touch12*open12_by_x_c12*turn12_by_y_c12 - k12*flank12*touch12*open12_by_y_c12*turn12_by_x_c12
+                - k12*touch12*turn12_by_x_c12*turn12_by_y_c12 + k12*touch12*turn12_by_x_c12_by_y_c12*over12
+                - k12*flank12.powi(2)*touch12*open12_by_x_c12*open12_by_y_c12;
+            moving_centres_12_and_backlash_12 => k12*clip12*flank12*touch12*open12_by_x_c12_by_y_c12*over12
+                - cos_a*k12*clip12*flank12*touch12*open12_by_x_c12 - cos_a*k12*clip12*touch12*turn12_by_x_c12
+                - sin_a*k12*clip12*flank12*touch12*open12_by_y_c12 - sin_a*k12*clip12*touch12*turn12_by_y_c12
+                - k12*clip12*flank12*touch12*open12_by_x_c12*turn12_by_y_c12 - k12*clip12*flank12*touch12*open12_by_y_c12*turn12_by_x_c12
+                - k12*clip12*touch12*turn12_by_x_c12*turn12_by_y_c12 + k12*clip12*touch12*turn12_by_x_c12_by_y_c12*over12
+                - k12*clip12*flank12.powi(2)*touch12*open12_by_x_c12*open12_by_y_c12;
+            moving_centres_12_and_sliding_friction_12 => -sin_a*side12*F_mu12_by_over12*flank12*open12_by_x_c12
+                - sin_a*side12*F_mu12_by_over12*turn12_by_x_c12;
+            moving_centres_12_and_damping => beta_K*k12_mid*damp12*flank12*open12_by_x_c12_by_y_c12*over12_dot
+                + beta_K*k12_mid*damp12*turn12_by_x_c12_by_y_c12*over12_dot;
             backlash_12 => -cos_a*sin_a*k12*clip12*touch12;
             sliding_friction_12 => -sin_a.powi(2)*side12*F_mu12_by_over12;
         }
         y1 y1 {
             _ => -kb1 - cos_a.powi(2)*k12*touch12;
+            moving_centres_12 => k12*flank12*touch12*open12_by_y_c12_by_y_c12*over12 - 2.0*cos_a*k12*flank12*touch12*open12_by_y_c12
+                - 2.0*cos_a*k12*touch12*turn12_by_y_c12 - 2.0*k12*flank12*touch12*open12_by_y_c12*turn12_by_y_c12
+                + k12*touch12*turn12_by_y_c12_by_y_c12*over12 - k12*touch12*turn12_by_y_c12.powi(2)
+                - k12*flank12.powi(2)*touch12*open12_by_y_c12.powi(2);
+            moving_centres_12_and_backlash_12 => k12*clip12*flank12*touch12*open12_by_y_c12_by_y_c12*over12
+                - 2.0*cos_a*k12*clip12*flank12*touch12*open12_by_y_c12 - 2.0*cos_a*k12*clip12*touch12*turn12_by_y_c12
+                - 2.0*k12*clip12*flank12*touch12*open12_by_y_c12*turn12_by_y_c12 + k12*clip12*touch12*turn12_by_y_c12_by_y_c12*over12
+                - k12*clip12*touch12*turn12_by_y_c12.powi(2) - k12*clip12*flank12.powi(2)*touch12*open12_by_y_c12.powi(2);
+            moving_centres_12_and_sliding_friction_12 => -sin_a*side12*F_mu12_by_over12*flank12*open12_by_y_c12
+                - sin_a*side12*F_mu12_by_over12*turn12_by_y_c12;
+            moving_centres_12_and_damping => beta_K*k12_mid*damp12*flank12*open12_by_y_c12_by_y_c12*over12_dot
+                + beta_K*k12_mid*damp12*turn12_by_y_c12_by_y_c12*over12_dot;
             backlash_12 => -cos_a.powi(2)*k12*clip12*touch12;
             sliding_friction_12 => -cos_a*sin_a*side12*F_mu12_by_over12;
         }
         y1 x2 {
             _ => cos_a*sin_a*k12*touch12;
+            moving_centres_12 => cos_a*k12*flank12*touch12*open12_by_x_c12 + cos_a*k12*touch12*turn12_by_x_c12
+                + sin_a*k12*flank12*touch12*open12_by_y_c12 + sin_a*k12*touch12*turn12_by_y_c12
+                + k12*flank12*touch12*open12_by_x_c12*turn12_by_y_c12 - k12*flank12*touch12*open12_by_x_c12_by_y_c12*over12
+                + k12*flank12*touch12*open12_by_y_c12*turn12_by_x_c12 + k12*touch12*turn12_by_x_c12*turn12_by_y_c12
+                - k12*touch12*turn12_by_x_c12_by_y_c12*over12 + k12*flank12.powi(2)*touch12*open12_by_x_c12*open12_by_y_c12;
+            moving_centres_12_and_backlash_12 => cos_a*k12*clip12*flank12*touch12*open12_by_x_c12
+                + cos_a*k12*clip12*touch12*turn12_by_x_c12 + sin_a*k12*clip12*flank12*touch12*open12_by_y_c12
+                + sin_a*k12*clip12*touch12*turn12_by_y_c12 + k12*clip12*flank12*touch12*open12_by_x_c12*turn12_by_y_c12
+                - k12*clip12*flank12*touch12*open12_by_x_c12_by_y_c12*over12 + k12*clip12*flank12*touch12*open12_by_y_c12*turn12_by_x_c12
+                + k12*clip12*touch12*turn12_by_x_c12*turn12_by_y_c12 - k12*clip12*touch12*turn12_by_x_c12_by_y_c12*over12
+                + k12*clip12*flank12.powi(2)*touch12*open12_by_x_c12*open12_by_y_c12;
+            moving_centres_12_and_sliding_friction_12 => sin_a*side12*F_mu12_by_over12*flank12*open12_by_x_c12
+                + sin_a*side12*F_mu12_by_over12*turn12_by_x_c12;
+            moving_centres_12_and_damping => -beta_K*k12_mid*damp12*flank12*open12_by_x_c12_by_y_c12*over12_dot
+                - beta_K*k12_mid*damp12*turn12_by_x_c12_by_y_c12*over12_dot;
             backlash_12 => cos_a*sin_a*k12*clip12*touch12;
             sliding_friction_12 => sin_a.powi(2)*side12*F_mu12_by_over12;
         }
         y1 y2 {
             _ => cos_a.powi(2)*k12*touch12;
+            moving_centres_12 => 2.0*cos_a*k12*flank12*touch12*open12_by_y_c12 + 2.0*cos_a*k12*touch12*turn12_by_y_c12
+                + 2.0*k12*flank12*touch12*open12_by_y_c12*turn12_by_y_c12 - k12*flank12*touch12*open12_by_y_c12_by_y_c12*over12
+                - k12*touch12*turn12_by_y_c12_by_y_c12*over12 + k12*touch12*turn12_by_y_c12.powi(2)
+                + k12*flank12.powi(2)*touch12*open12_by_y_c12.powi(2);
+            moving_centres_12_and_backlash_12 => 2.0*cos_a*k12*clip12*flank12*touch12*open12_by_y_c12
+                + 2.0*cos_a*k12*clip12*touch12*turn12_by_y_c12 + 2.0*k12*clip12*flank12*touch12*open12_by_y_c12*turn12_by_y_c12
+                - k12*clip12*flank12*touch12*open12_by_y_c12_by_y_c12*over12 - k12*clip12*touch12*turn12_by_y_c12_by_y_c12*over12
+                + k12*clip12*touch12*turn12_by_y_c12.powi(2) + k12*clip12*flank12.powi(2)*touch12*open12_by_y_c12.powi(2);
+            moving_centres_12_and_sliding_friction_12 => sin_a*side12*F_mu12_by_over12*flank12*open12_by_y_c12
+                + sin_a*side12*F_mu12_by_over12*turn12_by_y_c12;
+            moving_centres_12_and_damping => -beta_K*k12_mid*damp12*flank12*open12_by_y_c12_by_y_c12*over12_dot
+                - beta_K*k12_mid*damp12*turn12_by_y_c12_by_y_c12*over12_dot;
             backlash_12 => cos_a.powi(2)*k12*clip12*touch12;
             sliding_friction_12 => cos_a*sin_a*side12*F_mu12_by_over12;
         }
         y1 theta_dot { sliding_friction_12 => -sin_a*side12*F_mu12_by_psi12_dot/N1 - sin_a*side12*F_mu12_by_psi12_dot/N2; }
         y1 s_dot {
+            moving_centres_12_and_damping => -beta_K*k12_mid*damp12*flank12*open12_by_y_c12 - beta_K*k12_mid*damp12*turn12_by_y_c12;
             sliding_friction_12 => (sin_a*side12*F_mu12_by_psi12_dot/(h*N2) - sin_a*side12*F_mu12_by_psi12_dot/(h*N1))/2.0;
             damping => -cos_a*beta_K*k12_mid*damp12;
         }
-        y1 x1_dot { damping => -cos_a*sin_a*beta_K*k12_mid*damp12; }
+        y1 x1_dot {
+            moving_centres_12_and_damping => -cos_a*beta_K*k12_mid*damp12*flank12*open12_by_x_c12
+                - cos_a*beta_K*k12_mid*damp12*turn12_by_x_c12 - sin_a*beta_K*k12_mid*damp12*flank12*open12_by_y_c12
+                - sin_a*beta_K*k12_mid*damp12*turn12_by_y_c12 - beta_K*k12_mid*damp12*flank12*open12_by_x_c12*turn12_by_y_c12
+                - beta_K*k12_mid*damp12*flank12*open12_by_y_c12*turn12_by_x_c12 - beta_K*k12_mid*damp12*turn12_by_x_c12*turn12_by_y_c12
+                - beta_K*k12_mid*damp12*flank12.powi(2)*open12_by_x_c12*open12_by_y_c12;
+            damping => -cos_a*sin_a*beta_K*k12_mid*damp12;
+        }
         y1 y1_dot {
             viscous_friction_1 => -cb1;
+            moving_centres_12_and_damping => -2.0*cos_a*beta_K*k12_mid*damp12*flank12*open12_by_y_c12
+                - 2.0*cos_a*beta_K*k12_mid*damp12*turn12_by_y_c12 - 2.0*beta_K*k12_mid*damp12*flank12*open12_by_y_c12*turn12_by_y_c12
+                - beta_K*k12_mid*damp12*flank12.powi(2)*open12_by_y_c12.powi(2) - beta_K*k12_mid*damp12*turn12_by_y_c12.powi(2);
             damping => -alpha_M*m1 - beta_K*kb1 - cos_a.powi(2)*beta_K*k12_mid*damp12;
         }
-        y1 x2_dot { damping => cos_a*sin_a*beta_K*k12_mid*damp12; }
-        y1 y2_dot { damping => cos_a.powi(2)*beta_K*k12_mid*damp12; }
+        y1 x2_dot {
+            moving_centres_12_and_damping => cos_a*beta_K*k12_mid*damp12*flank12*open12_by_x_c12
+                + cos_a*beta_K*k12_mid*damp12*turn12_by_x_c12 + sin_a*beta_K*k12_mid*damp12*flank12*open12_by_y_c12
+                + sin_a*beta_K*k12_mid*damp12*turn12_by_y_c12 + beta_K*k12_mid*damp12*flank12*open12_by_x_c12*turn12_by_y_c12
+                + beta_K*k12_mid*damp12*flank12*open12_by_y_c12*turn12_by_x_c12 + beta_K*k12_mid*damp12*turn12_by_x_c12*turn12_by_y_c12
+                + beta_K*k12_mid*damp12*flank12.powi(2)*open12_by_x_c12*open12_by_y_c12;
+            damping => cos_a*sin_a*beta_K*k12_mid*damp12;
+        }
+        y1 y2_dot {
+            moving_centres_12_and_damping => 2.0*cos_a*beta_K*k12_mid*damp12*flank12*open12_by_y_c12
+                + 2.0*cos_a*beta_K*k12_mid*damp12*turn12_by_y_c12 + 2.0*beta_K*k12_mid*damp12*flank12*open12_by_y_c12*turn12_by_y_c12
+                + beta_K*k12_mid*damp12*flank12.powi(2)*open12_by_y_c12.powi(2) + beta_K*k12_mid*damp12*turn12_by_y_c12.powi(2);
+            damping => cos_a.powi(2)*beta_K*k12_mid*damp12;
+        }
         x2 theta {
+            moving_centres_12_and_transmission_error_12_and_backlash_12_and_moving_phase => -k12*de12*clip12*flank12*touch12
+                *open12_by_x_c12 - k12*de12*clip12*touch12*turn12_by_x_c12;
+            moving_centres_12_and_transmission_error_12_and_moving_phase => -k12*de12*flank12*touch12*open12_by_x_c12
+                - k12*de12*touch12*turn12_by_x_c12;
+            moving_centres_12_and_backlash_12_and_moving_phase => dk12*clip12*flank12*touch12*open12_by_x_c12*over12
+                + dk12*clip12*touch12*turn12_by_x_c12*over12;
+            moving_centres_12_and_moving_phase => dk12*flank12*touch12*open12_by_x_c12*over12 + dk12*touch12*turn12_by_x_c12*over12;
             transmission_error_12_and_backlash_12_and_moving_phase => -sin_a*k12*de12*clip12*touch12;
             transmission_error_12_and_sliding_friction_12_and_moving_phase => cos_a*de12*side12*F_mu12_by_over12;
             transmission_error_12_and_moving_phase => -sin_a*k12*de12*touch12;
@@ -462,42 +782,128 @@ equations! {
         }
         x2 s {
             _ => sin_a*k12*touch12;
+            moving_centres_12 => k12*flank12*touch12*open12_by_x_c12 + k12*touch12*turn12_by_x_c12;
+            moving_centres_12_and_backlash_12 => k12*clip12*flank12*touch12*open12_by_x_c12 + k12*clip12*touch12*turn12_by_x_c12;
             backlash_12 => sin_a*k12*clip12*touch12;
             sliding_friction_12 => -cos_a*side12*F_mu12_by_over12;
         }
         x2 x1 {
             _ => sin_a.powi(2)*k12*touch12;
+            moving_centres_12 => 2.0*sin_a*k12*flank12*touch12*open12_by_x_c12 + 2.0*sin_a*k12*touch12*turn12_by_x_c12
+                + 2.0*k12*flank12*touch12*open12_by_x_c12*turn12_by_x_c12 - k12*flank12*touch12*open12_by_x_c12_by_x_c12*over12
+                - k12*touch12*turn12_by_x_c12_by_x_c12*over12 + k12*touch12*turn12_by_x_c12.powi(2)
+                + k12*flank12.powi(2)*touch12*open12_by_x_c12.powi(2);
+            moving_centres_12_and_backlash_12 => 2.0*sin_a*k12*clip12*flank12*touch12*open12_by_x_c12
+                + 2.0*sin_a*k12*clip12*touch12*turn12_by_x_c12 + 2.0*k12*clip12*flank12*touch12*open12_by_x_c12*turn12_by_x_c12
+                - k12*clip12*flank12*touch12*open12_by_x_c12_by_x_c12*over12 - k12*clip12*touch12*turn12_by_x_c12_by_x_c12*over12
+                + k12*clip12*touch12*turn12_by_x_c12.powi(2) + k12*clip12*flank12.powi(2)*touch12*open12_by_x_c12.powi(2);
+            moving_centres_12_and_sliding_friction_12 => -cos_a*side12*F_mu12_by_over12*flank12*open12_by_x_c12
+                - cos_a*side12*F_mu12_by_over12*turn12_by_x_c12;
+            moving_centres_12_and_damping => -beta_K*k12_mid*damp12*flank12*open12_by_x_c12_by_x_c12*over12_dot
+                - beta_K*k12_mid*damp12*turn12_by_x_c12_by_x_c12*over12_dot;
             backlash_12 => sin_a.powi(2)*k12*clip12*touch12;
             sliding_friction_12 => -cos_a*sin_a*side12*F_mu12_by_over12;
         }
         x2 y1 {
             _ => cos_a*sin_a*k12*touch12;
+            moving_centres_12 => cos_a*k12*flank12*touch12*open12_by_x_c12 + cos_a*k12*touch12*turn12_by_x_c12
+                + sin_a*k12*flank12*touch12*open12_by_y_c12 + sin_a*k12*touch12*turn12_by_y_c12
+                + k12*flank12*touch12*open12_by_x_c12*turn12_by_y_c12 - k12*flank12*touch12*open12_by_x_c12_by_y_c12*over12
+                + k12*flank12*touch12*open12_by_y_c12*turn12_by_x_c12 + k12*touch12*turn12_by_x_c12*turn12_by_y_c12
+                - k12*touch12*turn12_by_x_c12_by_y_c12*over12 + k12*flank12.powi(2)*touch12*open12_by_x_c12*open12_by_y_c12;
+            moving_centres_12_and_backlash_12 => cos_a*k12*clip12*flank12*touch12*open12_by_x_c12
+                + cos_a*k12*clip12*touch12*turn12_by_x_c12 + sin_a*k12*clip12*flank12*touch12*open12_by_y_c12
+                + sin_a*k12*clip12*touch12*turn12_by_y_c12 + k12*clip12*flank12*touch12*open12_by_x_c12*turn12_by_y_c12
+                - k12*clip12*flank12*touch12*open12_by_x_c12_by_y_c12*over12 + k12*clip12*flank12*touch12*open12_by_y_c12*turn12_by_x_c12
+                + k12*clip12*touch12*turn12_by_x_c12*turn12_by_y_c12 - k12*clip12*touch12*turn12_by_x_c12_by_y_c12*over12
+                + k12*clip12*flank12.powi(2)*touch12*open12_by_x_c12*open12_by_y_c12;
+            moving_centres_12_and_sliding_friction_12 => -cos_a*side12*F_mu12_by_over12*flank12*open12_by_y_c12
+                - cos_a*side12*F_mu12_by_over12*turn12_by_y_c12;
+            moving_centres_12_and_damping => -beta_K*k12_mid*damp12*flank12*open12_by_x_c12_by_y_c12*over12_dot
+                - beta_K*k12_mid*damp12*turn12_by_x_c12_by_y_c12*over12_dot;
             backlash_12 => cos_a*sin_a*k12*clip12*touch12;
             sliding_friction_12 => -cos_a.powi(2)*side12*F_mu12_by_over12;
         }
         x2 x2 {
             _ => -kb2 - sin_a.powi(2)*k12*touch12;
+            moving_centres_12 => k12*flank12*touch12*open12_by_x_c12_by_x_c12*over12 - 2.0*sin_a*k12*flank12*touch12*open12_by_x_c12
+                - 2.0*sin_a*k12*touch12*turn12_by_x_c12 - 2.0*k12*flank12*touch12*open12_by_x_c12*turn12_by_x_c12
+                + k12*touch12*turn12_by_x_c12_by_x_c12*over12 - k12*touch12*turn12_by_x_c12.powi(2)
+                - k12*flank12.powi(2)*touch12*open12_by_x_c12.powi(2);
+            moving_centres_12_and_backlash_12 => k12*clip12*flank12*touch12*open12_by_x_c12_by_x_c12*over12
+                - 2.0*sin_a*k12*clip12*flank12*touch12*open12_by_x_c12 - 2.0*sin_a*k12*clip12*touch12*turn12_by_x_c12
+                - 2.0*k12*clip12*flank12*touch12*open12_by_x_c12*turn12_by_x_c12 + k12*clip12*touch12*turn12_by_x_c12_by_x_c12*over12
+                - k12*clip12*touch12*turn12_by_x_c12.powi(2) - k12*clip12*flank12.powi(2)*touch12*open12_by_x_c12.powi(2);
+            moving_centres_12_and_sliding_friction_12 => cos_a*side12*F_mu12_by_over12*flank12*open12_by_x_c12
+                + cos_a*side12*F_mu12_by_over12*turn12_by_x_c12;
+            moving_centres_12_and_damping => beta_K*k12_mid*damp12*flank12*open12_by_x_c12_by_x_c12*over12_dot
+                + beta_K*k12_mid*damp12*turn12_by_x_c12_by_x_c12*over12_dot;
             backlash_12 => -sin_a.powi(2)*k12*clip12*touch12;
             sliding_friction_12 => cos_a*sin_a*side12*F_mu12_by_over12;
         }
         x2 y2 {
             _ => -cos_a*sin_a*k12*touch12;
+            moving_centres_12 => k12*flank12*touch12*open12_by_x_c12_by_y_c12*over12 - cos_a*k12*flank12*touch12*open12_by_x_c12
+                - cos_a*k12*touch12*turn12_by_x_c12 - sin_a*k12*flank12*touch12*open12_by_y_c12 - sin_a*k12*touch12*turn12_by_y_c12
+                - k12*flank12*touch12*open12_by_x_c12*turn12_by_y_c12 - k12*flank12*touch12*open12_by_y_c12*turn12_by_x_c12
+                - k12*touch12*turn12_by_x_c12*turn12_by_y_c12 + k12*touch12*turn12_by_x_c12_by_y_c12*over12
+                - k12*flank12.powi(2)*touch12*open12_by_x_c12*open12_by_y_c12;
+            moving_centres_12_and_backlash_12 => k12*clip12*flank12*touch12*open12_by_x_c12_by_y_c12*over12
+                - cos_a*k12*clip12*flank12*touch12*open12_by_x_c12 - cos_a*k12*clip12*touch12*turn12_by_x_c12
+                - sin_a*k12*clip12*flank12*touch12*open12_by_y_c12 - sin_a*k12*clip12*touch12*turn12_by_y_c12
+                - k12*clip12*flank12*touch12*open12_by_x_c12*turn12_by_y_c12 - k12*clip12*flank12*touch12*open12_by_y_c12*turn12_by_x_c12
+                - k12*clip12*touch12*turn12_by_x_c12*turn12_by_y_c12 + k12*clip12*touch12*turn12_by_x_c12_by_y_c12*over12
+                - k12*clip12*flank12.powi(2)*touch12*open12_by_x_c12*open12_by_y_c12;
+            moving_centres_12_and_sliding_friction_12 => cos_a*side12*F_mu12_by_over12*flank12*open12_by_y_c12
+                + cos_a*side12*F_mu12_by_over12*turn12_by_y_c12;
+            moving_centres_12_and_damping => beta_K*k12_mid*damp12*flank12*open12_by_x_c12_by_y_c12*over12_dot
+                + beta_K*k12_mid*damp12*turn12_by_x_c12_by_y_c12*over12_dot;
             backlash_12 => -cos_a*sin_a*k12*clip12*touch12;
             sliding_friction_12 => cos_a.powi(2)*side12*F_mu12_by_over12;
         }
         x2 theta_dot { sliding_friction_12 => -cos_a*side12*F_mu12_by_psi12_dot/N1 - cos_a*side12*F_mu12_by_psi12_dot/N2; }
         x2 s_dot {
+            moving_centres_12_and_damping => beta_K*k12_mid*damp12*flank12*open12_by_x_c12 + beta_K*k12_mid*damp12*turn12_by_x_c12;
             sliding_friction_12 => (cos_a*side12*F_mu12_by_psi12_dot/(h*N2) - cos_a*side12*F_mu12_by_psi12_dot/(h*N1))/2.0;
             damping => sin_a*beta_K*k12_mid*damp12;
         }
-        x2 x1_dot { damping => sin_a.powi(2)*beta_K*k12_mid*damp12; }
-        x2 y1_dot { damping => cos_a*sin_a*beta_K*k12_mid*damp12; }
+        x2 x1_dot {
+            moving_centres_12_and_damping => 2.0*sin_a*beta_K*k12_mid*damp12*flank12*open12_by_x_c12
+                + 2.0*sin_a*beta_K*k12_mid*damp12*turn12_by_x_c12 + 2.0*beta_K*k12_mid*damp12*flank12*open12_by_x_c12*turn12_by_x_c12
+                + beta_K*k12_mid*damp12*flank12.powi(2)*open12_by_x_c12.powi(2) + beta_K*k12_mid*damp12*turn12_by_x_c12.powi(2);
+            damping => sin_a.powi(2)*beta_K*k12_mid*damp12;
+        }
+        x2 y1_dot {
+            moving_centres_12_and_damping => cos_a*beta_K*k12_mid*damp12*flank12*open12_by_x_c12
+                + cos_a*beta_K*k12_mid*damp12*turn12_by_x_c12 + sin_a*beta_K*k12_mid*damp12*flank12*open12_by_y_c12
+                + sin_a*beta_K*k12_mid*damp12*turn12_by_y_c12 + beta_K*k12_mid*damp12*flank12*open12_by_x_c12*turn12_by_y_c12
+                + beta_K*k12_mid*damp12*flank12*open12_by_y_c12*turn12_by_x_c12 + beta_K*k12_mid*damp12*turn12_by_x_c12*turn12_by_y_c12
+                + beta_K*k12_mid*damp12*flank12.powi(2)*open12_by_x_c12*open12_by_y_c12;
+            damping => cos_a*sin_a*beta_K*k12_mid*damp12;
+        }
         x2 x2_dot {
             viscous_friction_2 => -cb2;
+            moving_centres_12_and_damping => -2.0*sin_a*beta_K*k12_mid*damp12*flank12*open12_by_x_c12
+                - 2.0*sin_a*beta_K*k12_mid*damp12*turn12_by_x_c12 - 2.0*beta_K*k12_mid*damp12*flank12*open12_by_x_c12*turn12_by_x_c12
+                - beta_K*k12_mid*damp12*flank12.powi(2)*open12_by_x_c12.powi(2) - beta_K*k12_mid*damp12*turn12_by_x_c12.powi(2);
             damping => -alpha_M*m2 - beta_K*kb2 - sin_a.powi(2)*beta_K*k12_mid*damp12;
         }
-        x2 y2_dot { damping => -cos_a*sin_a*beta_K*k12_mid*damp12; }
+        x2 y2_dot {
+            moving_centres_12_and_damping => -cos_a*beta_K*k12_mid*damp12*flank12*open12_by_x_c12
+                - cos_a*beta_K*k12_mid*damp12*turn12_by_x_c12 - sin_a*beta_K*k12_mid*damp12*flank12*open12_by_y_c12
+                - sin_a*beta_K*k12_mid*damp12*turn12_by_y_c12 - beta_K*k12_mid*damp12*flank12*open12_by_x_c12*turn12_by_y_c12
+                - beta_K*k12_mid*damp12*flank12*open12_by_y_c12*turn12_by_x_c12 - beta_K*k12_mid*damp12*turn12_by_x_c12*turn12_by_y_c12
+                - beta_K*k12_mid*damp12*flank12.powi(2)*open12_by_x_c12*open12_by_y_c12;
+            damping => -cos_a*sin_a*beta_K*k12_mid*damp12;
+        }
         y2 theta {
+            moving_centres_12_and_transmission_error_12_and_backlash_12_and_moving_phase => -k12*de12*clip12*flank12*touch12
+                *open12_by_y_c12 - k12*de12*clip12*touch12*turn12_by_y_c12;
+            moving_centres_12_and_transmission_error_12_and_moving_phase => -k12*de12*flank12*touch12*open12_by_y_c12
+                - k12*de12*touch12*turn12_by_y_c12;
+            moving_centres_12_and_backlash_12_and_moving_phase => dk12*clip12*flank12*touch12*open12_by_y_c12*over12
+                + dk12*clip12*touch12*turn12_by_y_c12*over12;
+            moving_centres_12_and_moving_phase => dk12*flank12*touch12*open12_by_y_c12*over12 + dk12*touch12*turn12_by_y_c12*over12;
             transmission_error_12_and_backlash_12_and_moving_phase => -cos_a*k12*de12*clip12*touch12;
             transmission_error_12_and_sliding_friction_12_and_moving_phase => -sin_a*de12*side12*F_mu12_by_over12;
             transmission_error_12_and_moving_phase => -cos_a*k12*de12*touch12;
@@ -507,39 +913,118 @@ equations! {
         }
         y2 s {
             _ => cos_a*k12*touch12;
+            moving_centres_12 => k12*flank12*touch12*open12_by_y_c12 + k12*touch12*turn12_by_y_c12;
+            moving_centres_12_and_backlash_12 => k12*clip12*flank12*touch12*open12_by_y_c12 + k12*clip12*touch12*turn12_by_y_c12;
             backlash_12 => cos_a*k12*clip12*touch12;
             sliding_friction_12 => sin_a*side12*F_mu12_by_over12;
         }
         y2 x1 {
             _ => cos_a*sin_a*k12*touch12;
+            moving_centres_12 => cos_a*k12*flank12*touch12*open12_by_x_c12 + cos_a*k12*touch12*turn12_by_x_c12
+                + sin_a*k12*flank12*touch12*open12_by_y_c12 + sin_a*k12*touch12*turn12_by_y_c12
+                + k12*flank12*touch12*open12_by_x_c12*turn12_by_y_c12 - k12*flank12*touch12*open12_by_x_c12_by_y_c12*over12
+                + k12*flank12*touch12*open12_by_y_c12*turn12_by_x_c12 + k12*touch12*turn12_by_x_c12*turn12_by_y_c12
+                - k12*touch12*turn12_by_x_c12_by_y_c12*over12 + k12*flank12.powi(2)*touch12*open12_by_x_c12*open12_by_y_c12;
+            moving_centres_12_and_backlash_12 => cos_a*k12*clip12*flank12*touch12*open12_by_x_c12
+                + cos_a*k12*clip12*touch12*turn12_by_x_c12 + sin_a*k12*clip12*flank12*touch12*open12_by_y_c12
+                + sin_a*k12*clip12*touch12*turn12_by_y_c12 + k12*clip12*flank12*touch12*open12_by_x_c12*turn12_by_y_c12
+                - k12*clip12*flank12*touch12*open12_by_x_c12_by_y_c12*over12 + k12*clip12*flank12*touch12*open12_by_y_c12*turn12_by_x_c12
+                + k12*clip12*touch12*turn12_by_x_c12*turn12_by_y_c12 - k12*clip12*touch12*turn12_by_x_c12_by_y_c12*over12
+                + k12*clip12*flank12.powi(2)*touch12*open12_by_x_c12*open12_by_y_c12;
+            moving_centres_12_and_sliding_friction_12 => sin_a*side12*F_mu12_by_over12*flank12*open12_by_x_c12
+                + sin_a*side12*F_mu12_by_over12*turn12_by_x_c12;
+            moving_centres_12_and_damping => -beta_K*k12_mid*damp12*flank12*open12_by_x_c12_by_y_c12*over12_dot
+                - beta_K*k12_mid*damp12*turn12_by_x_c12_by_y_c12*over12_dot;
             backlash_12 => cos_a*sin_a*k12*clip12*touch12;
             sliding_friction_12 => sin_a.powi(2)*side12*F_mu12_by_over12;
         }
         y2 y1 {
             _ => cos_a.powi(2)*k12*touch12;
+            moving_centres_12 => 2.0*cos_a*k12*flank12*touch12*open12_by_y_c12 + 2.0*cos_a*k12*touch12*turn12_by_y_c12
+                + 2.0*k12*flank12*touch12*open12_by_y_c12*turn12_by_y_c12 - k12*flank12*touch12*open12_by_y_c12_by_y_c12*over12
+                - k12*touch12*turn12_by_y_c12_by_y_c12*over12 + k12*touch12*turn12_by_y_c12.powi(2)
+                + k12*flank12.powi(2)*touch12*open12_by_y_c12.powi(2);
+            moving_centres_12_and_backlash_12 => 2.0*cos_a*k12*clip12*flank12*touch12*open12_by_y_c12
+                + 2.0*cos_a*k12*clip12*touch12*turn12_by_y_c12 + 2.0*k12*clip12*flank12*touch12*open12_by_y_c12*turn12_by_y_c12
+                - k12*clip12*flank12*touch12*open12_by_y_c12_by_y_c12*over12 - k12*clip12*touch12*turn12_by_y_c12_by_y_c12*over12
+                + k12*clip12*touch12*turn12_by_y_c12.powi(2) + k12*clip12*flank12.powi(2)*touch12*open12_by_y_c12.powi(2);
+            moving_centres_12_and_sliding_friction_12 => sin_a*side12*F_mu12_by_over12*flank12*open12_by_y_c12
+                + sin_a*side12*F_mu12_by_over12*turn12_by_y_c12;
+            moving_centres_12_and_damping => -beta_K*k12_mid*damp12*flank12*open12_by_y_c12_by_y_c12*over12_dot
+                - beta_K*k12_mid*damp12*turn12_by_y_c12_by_y_c12*over12_dot;
             backlash_12 => cos_a.powi(2)*k12*clip12*touch12;
             sliding_friction_12 => cos_a*sin_a*side12*F_mu12_by_over12;
         }
         y2 x2 {
             _ => -cos_a*sin_a*k12*touch12;
+            moving_centres_12 => k12*flank12*touch12*open12_by_x_c12_by_y_c12*over12 - cos_a*k12*flank12*touch12*open12_by_x_c12
+                - cos_a*k12*touch12*turn12_by_x_c12 - sin_a*k12*flank12*touch12*open12_by_y_c12 - sin_a*k12*touch12*turn12_by_y_c12
+                - k12*flank12*touch12*open12_by_x_c12*turn12_by_y_c12 - k12*flank12*touch12*open12_by_y_c12*turn12_by_x_c12
+                - k12*touch12*turn12_by_x_c12*turn12_by_y_c12 + k12*touch12*turn12_by_x_c12_by_y_c12*over12
+                - k12*flank12.powi(2)*touch12*open12_by_x_c12*open12_by_y_c12;
+            moving_centres_12_and_backlash_12 => k12*clip12*flank12*touch12*open12_by_x_c12_by_y_c12*over12
+                - cos_a*k12*clip12*flank12*touch12*open12_by_x_c12 - cos_a*k12*clip12*touch12*turn12_by_x_c12
+                - sin_a*k12*clip12*flank12*touch12*open12_by_y_c12 - sin_a*k12*clip12*touch12*turn12_by_y_c12
+                - k12*clip12*flank12*touch12*open12_by_x_c12*turn12_by_y_c12 - k12*clip12*flank12*touch12*open12_by_y_c12*turn12_by_x_c12
+                - k12*clip12*touch12*turn12_by_x_c12*turn12_by_y_c12 + k12*clip12*touch12*turn12_by_x_c12_by_y_c12*over12
+                - k12*clip12*flank12.powi(2)*touch12*open12_by_x_c12*open12_by_y_c12;
+            moving_centres_12_and_sliding_friction_12 => -sin_a*side12*F_mu12_by_over12*flank12*open12_by_x_c12
+                - sin_a*side12*F_mu12_by_over12*turn12_by_x_c12;
+            moving_centres_12_and_damping => beta_K*k12_mid*damp12*flank12*open12_by_x_c12_by_y_c12*over12_dot
+                + beta_K*k12_mid*damp12*turn12_by_x_c12_by_y_c12*over12_dot;
             backlash_12 => -cos_a*sin_a*k12*clip12*touch12;
             sliding_friction_12 => -sin_a.powi(2)*side12*F_mu12_by_over12;
         }
         y2 y2 {
             _ => -kb2 - cos_a.powi(2)*k12*touch12;
+            moving_centres_12 => k12*flank12*touch12*open12_by_y_c12_by_y_c12*over12 - 2.0*cos_a*k12*flank12*touch12*open12_by_y_c12
+                - 2.0*cos_a*k12*touch12*turn12_by_y_c12 - 2.0*k12*flank12*touch12*open12_by_y_c12*turn12_by_y_c12
+                + k12*touch12*turn12_by_y_c12_by_y_c12*over12 - k12*touch12*turn12_by_y_c12.powi(2)
+                - k12*flank12.powi(2)*touch12*open12_by_y_c12.powi(2);
+            moving_centres_12_and_backlash_12 => k12*clip12*flank12*touch12*open12_by_y_c12_by_y_c12*over12
+                - 2.0*cos_a*k12*clip12*flank12*touch12*open12_by_y_c12 - 2.0*cos_a*k12*clip12*touch12*turn12_by_y_c12
+                - 2.0*k12*clip12*flank12*touch12*open12_by_y_c12*turn12_by_y_c12 + k12*clip12*touch12*turn12_by_y_c12_by_y_c12*over12
+                - k12*clip12*touch12*turn12_by_y_c12.powi(2) - k12*clip12*flank12.powi(2)*touch12*open12_by_y_c12.powi(2);
+            moving_centres_12_and_sliding_friction_12 => -sin_a*side12*F_mu12_by_over12*flank12*open12_by_y_c12
+                - sin_a*side12*F_mu12_by_over12*turn12_by_y_c12;
+            moving_centres_12_and_damping => beta_K*k12_mid*damp12*flank12*open12_by_y_c12_by_y_c12*over12_dot
+                + beta_K*k12_mid*damp12*turn12_by_y_c12_by_y_c12*over12_dot;
             backlash_12 => -cos_a.powi(2)*k12*clip12*touch12;
             sliding_friction_12 => -cos_a*sin_a*side12*F_mu12_by_over12;
         }
         y2 theta_dot { sliding_friction_12 => sin_a*side12*F_mu12_by_psi12_dot/N1 + sin_a*side12*F_mu12_by_psi12_dot/N2; }
         y2 s_dot {
+            moving_centres_12_and_damping => beta_K*k12_mid*damp12*flank12*open12_by_y_c12 + beta_K*k12_mid*damp12*turn12_by_y_c12;
             sliding_friction_12 => (sin_a*side12*F_mu12_by_psi12_dot/(h*N1) - sin_a*side12*F_mu12_by_psi12_dot/(h*N2))/2.0;
             damping => cos_a*beta_K*k12_mid*damp12;
         }
-        y2 x1_dot { damping => cos_a*sin_a*beta_K*k12_mid*damp12; }
-        y2 y1_dot { damping => cos_a.powi(2)*beta_K*k12_mid*damp12; }
-        y2 x2_dot { damping => -cos_a*sin_a*beta_K*k12_mid*damp12; }
+        y2 x1_dot {
+            moving_centres_12_and_damping => cos_a*beta_K*k12_mid*damp12*flank12*open12_by_x_c12
+                + cos_a*beta_K*k12_mid*damp12*turn12_by_x_c12 + sin_a*beta_K*k12_mid*damp12*flank12*open12_by_y_c12
+                + sin_a*beta_K*k12_mid*damp12*turn12_by_y_c12 + beta_K*k12_mid*damp12*flank12*open12_by_x_c12*turn12_by_y_c12
+                + beta_K*k12_mid*damp12*flank12*open12_by_y_c12*turn12_by_x_c12 + beta_K*k12_mid*damp12*turn12_by_x_c12*turn12_by_y_c12
+                + beta_K*k12_mid*damp12*flank12.powi(2)*open12_by_x_c12*open12_by_y_c12;
+            damping => cos_a*sin_a*beta_K*k12_mid*damp12;
+        }
+        y2 y1_dot {
+            moving_centres_12_and_damping => 2.0*cos_a*beta_K*k12_mid*damp12*flank12*open12_by_y_c12
+                + 2.0*cos_a*beta_K*k12_mid*damp12*turn12_by_y_c12 + 2.0*beta_K*k12_mid*damp12*flank12*open12_by_y_c12*turn12_by_y_c12
+                + beta_K*k12_mid*damp12*flank12.powi(2)*open12_by_y_c12.powi(2) + beta_K*k12_mid*damp12*turn12_by_y_c12.powi(2);
+            damping => cos_a.powi(2)*beta_K*k12_mid*damp12;
+        }
+        y2 x2_dot {
+            moving_centres_12_and_damping => -cos_a*beta_K*k12_mid*damp12*flank12*open12_by_x_c12
+                - cos_a*beta_K*k12_mid*damp12*turn12_by_x_c12 - sin_a*beta_K*k12_mid*damp12*flank12*open12_by_y_c12
+                - sin_a*beta_K*k12_mid*damp12*turn12_by_y_c12 - beta_K*k12_mid*damp12*flank12*open12_by_x_c12*turn12_by_y_c12
+                - beta_K*k12_mid*damp12*flank12*open12_by_y_c12*turn12_by_x_c12 - beta_K*k12_mid*damp12*turn12_by_x_c12*turn12_by_y_c12
+                - beta_K*k12_mid*damp12*flank12.powi(2)*open12_by_x_c12*open12_by_y_c12;
+            damping => -cos_a*sin_a*beta_K*k12_mid*damp12;
+        }
         y2 y2_dot {
             viscous_friction_2 => -cb2;
+            moving_centres_12_and_damping => -2.0*cos_a*beta_K*k12_mid*damp12*flank12*open12_by_y_c12
+                - 2.0*cos_a*beta_K*k12_mid*damp12*turn12_by_y_c12 - 2.0*beta_K*k12_mid*damp12*flank12*open12_by_y_c12*turn12_by_y_c12
+                - beta_K*k12_mid*damp12*flank12.powi(2)*open12_by_y_c12.powi(2) - beta_K*k12_mid*damp12*turn12_by_y_c12.powi(2);
             damping => -alpha_M*m2 - beta_K*kb2 - cos_a.powi(2)*beta_K*k12_mid*damp12;
         }
     }
@@ -665,6 +1150,9 @@ equations! {
     nonlinear_with {
         sliding_friction_12 "-side12*F_mu12 in the torque `slide12`";
         sliding_friction_12 "-arm12*F_mu12 in the torque `roll12`";
+        moving_centres_12 "the deflection drive12 bends";
+        moving_centres_12 "the deflection coast12 bends";
+        moving_centres_12 "the deflection over12 bends";
     }
     jump k12 { step { _ => dk12*touch12*over12.powi(2)/2.0; } }
     jump e12 { step { _ => k12*de12.powi(2)*touch12/2.0 - k12*de12*touch12*over12; } }
@@ -716,14 +1204,17 @@ equations! {
             _ => mesh_force_12*(s_dot/2.0 + cos_a*y1_dot + h*theta_dot + sin_a*x1_dot);
         }
         mesh_deflection_12 "m", "deflection of the mesh along the line of action, backlash not taken off" {
-            _ => s - e12 - (cos_a*y2 + sin_a*x2) + cos_a*y1 + sin_a*x1;
+            _ => s - turn12 - e12 - (cos_a*y2 + sin_a*x2) + cos_a*y1 + sin_a*x1;
         }
         dte_12 "m", "dynamic transmission error of the mesh along the line of action: positive if the driving gear is ahead" {
-            _ => s - (cos_a*y2 + sin_a*x2) + cos_a*y1 + sin_a*x1;
+            _ => s - turn12 - (cos_a*y2 + sin_a*x2) + cos_a*y1 + sin_a*x1;
         }
         mesh_loss_12 "W", "power that the damper of the mesh takes" {
             backlash_12 => k12*clip12*touch12*over12*over12_dot;
             damping => beta_K*k12_mid*damp12*over12_dot.powi(2);
+        }
+        play_opening_12 "m" with moving_centres_12, "half the opening of the play of the mesh by the motion of the gears' centres" {
+            _ => open12;
         }
         power_slide12 "W" with sliding_friction_12,
             "power of the friction of the mesh, through the sliding of the flanks at the pitch point: positive if it drives" {
@@ -766,6 +1257,8 @@ equations! {
 // - the friction `slide12` takes with `roll12` energy or none where psi12_dot and arm12 psi12_dot + side12 tau12_dot have one sign: where
 //   flanks slide as rolling makes them
 // - every deflection equals the linear form by which the equations differentiate it
+// - every deflection that bends has the rate by which the equations differentiate it
+// - every function of several positions has the gradient that is written
 // - without the jump terms the balance fails: energy is created at the rate dk12*touch12*over12^2*theta_dot/2 -
 //   k12*de12*touch12*over12*theta_dot
 //
@@ -773,7 +1266,7 @@ equations! {
 //
 // | output | sums | products, quotients | functions, roots |
 // | --- | --- | --- | --- |
-// | constants (once a scene) | 0 | 1 | 2 |
+// | constants (once a scene) | 2 | 5 | 2 |
 // | named forces | 2 | 9 | 2 |
-// | force | 24 | 160 | 0 |
+// | force | 36 | 260 | 0 |
 // | energy steps, all laws | 1 | 11 | 0 |

@@ -10,8 +10,8 @@ impl Scene {
     /// Natural frequencies, damping, mode shapes and shares of energy of the cell of the mid stiffnesses, (max + min)/2 of each law.
     ///
     /// # Errors
-    /// If the inertia depends on the coordinates. Forces that are not linear are linearised about the steady motion at the speeds of the
-    /// start.
+    /// If a mass matrix is not positive definite, or there is no equilibrium. What is not linear is linearised about the equilibrium, or about
+    /// the steady motion at the speeds of the start; where inertias change along the motion, about the place of the start.
     pub fn modes(&self) -> Result<CellModes, Error> {
         let levels: Vec<f64> = self.stiffnesses().map(|(_, law)| law.mid()).collect();
         self.modes_at(&levels)
@@ -33,10 +33,11 @@ impl Scene {
         modes::of(&system, levels, &springs).map_err(|refusal| self.refused(refusal))
     }
 
-    /// Stability of the steady rotation at the speeds of the start, by Floquet multipliers.
+    /// Stability of the steady rotation at the speeds of the start, by Floquet multipliers. Where inertias change along the motion, it is that
+    /// of the motion that repeats after a turn.
     ///
     /// # Errors
-    /// If a cell has no modes, the stiffnesses have no common period, nothing vibrates, or the multipliers overflow.
+    /// If a cell has no modes, the stiffnesses have no common period, no motion repeats, nothing vibrates, or the multipliers overflow.
     pub fn floquet(&self) -> Result<Floquet, Error> {
         let system = self.entry()?.about_steady_motion(self).map_err(|refusal| self.refused(refusal))?;
         Floquet::of(self, &system).map_err(|error| match error {

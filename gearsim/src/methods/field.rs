@@ -39,7 +39,7 @@ pub struct Field<'a> {
     pub begins: f64,
     /// Evaluations of the right-hand side so far.
     pub evaluations: u64,
-    /// Whether no law is curved: then k changes at events only.
+    /// Whether no law is curved and no deflection bends: then k and the factors of guards change at events only.
     steps_only: bool,
     /// Where it was last evaluated: the law values, and their first and second derivatives by the phase.
     k: Vec<f64>,
@@ -135,8 +135,8 @@ impl<'a> Field<'a> {
     #[inline]
     fn loss(&self, y: &Flow) -> f64 {
         let dissipation = match &self.linear {
-            Some(linear) => linear.dissipation(&y.v) + self.equations.other_dissipation(&y.v, &self.k),
-            None => self.equations.dissipation(&y.v, &self.k),
+            Some(linear) => linear.dissipation(&y.v) + self.equations.other_dissipation(&y.q, &y.v, &self.k),
+            None => self.equations.dissipation(&y.q, &y.v, &self.k),
         };
         let rayleigh = 2.0 * dissipation;
         if self.steps_only {
@@ -145,8 +145,8 @@ impl<'a> Field<'a> {
         if self.switches.is_empty() {
             return rayleigh;
         }
-        // With curved laws, the forces of switches change within a mode.
-        rayleigh + Guards::of(self.equations, &self.switches, &self.k).power(&y.q, &y.v, &self.k)
+        // With curved laws or bent deflections, the forces of switches change within a mode.
+        rayleigh + Guards::of(self.equations, &self.switches, &y.q, &self.k).power(&y.q, &y.v, &self.k)
     }
 
     /// The power of each torque, as far as it is not constant, at `y`, the time `t` after the step began \[W\].
@@ -155,6 +155,11 @@ impl<'a> Field<'a> {
         let varying = self.forcing.as_ref().map(|forcing| forcing.power(self.begins + t, &y.v));
         let of_state = |i| self.equations.torque_power(i, &y.q, &y.v, &self.k);
         (0..torques).map(|i| of_state(i) + varying.as_ref().map_or(0.0, |varying| varying[i])).collect()
+    }
+
+    /// Values of laws and switches, and slopes of the laws, where the field was last evaluated.
+    pub fn laws_at(&self) -> (&[f64], &[f64]) {
+        (&self.k, &self.dk)
     }
 
     /// Derivatives of the accelerations by q and by q' (N x N each, row = equation).
@@ -177,10 +182,10 @@ impl<'a> Field<'a> {
             Guard::Phase(i) => side.sign() * (self.laws[i].boundary(side) - y.q[self.laws[i].phase]),
             Guard::Exit(i, which) => {
                 self.set(t, y);
-                // With curved laws, the factors of a guard change within the mode.
+                // With curved laws, the factors of a guard change within the mode; with bent deflections its tangent turns.
                 let guards = match self.steps_only {
                     true => self.guards.clone(),
-                    false => Arc::new(Guards::of(self.equations, &self.switches, &self.k)),
+                    false => Arc::new(Guards::of(self.equations, &self.switches, &y.q, &self.k)),
                 };
                 guards.exits[i][which].guard.value(&y.q, &y.v, &self.k)
             }

@@ -149,7 +149,7 @@ fn allowed_speeds(mobility: &Matrix, energy: f64) -> Vector {
 
 impl Solver for BySteps<'_> {
     fn enter(&mut self, now: &mut Hybrid<'_>) -> Result<(), Refusal> {
-        now.guards = Arc::new(Guards::of(now.equations, &now.switches, &now.k));
+        now.guards = Arc::new(Guards::of(now.equations, &now.switches, &now.state.q, &now.k));
         self.field.enter(now);
         self.last = None;
         Ok(())

@@ -56,6 +56,7 @@ fn frequencies(html: &mut Html, scene: &Scene, cell: &CellModes) {
     let row = |(i, mode): (usize, &Vibration)| {
         let numbers = [i as f64, mode.natural, mode.damped, mode.zeta.unwrap_or(f64::NAN)];
         let kind = match (mode.natural > 0.0, mode.damped > 0.0) {
+            (false, _) if mode.growth > 0.0 => "unstable",
             (false, _) => "rigid motion",
             (true, true) => "vibrates",
             (true, false) => "overdamped",

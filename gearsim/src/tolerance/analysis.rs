@@ -112,3 +112,26 @@ pub(crate) const NO_LOAD_PART: f64 = 1e-6;
 pub(crate) const BEND: f64 = 1e-6;
 /// Slopes below this are rounding errors [relative to the largest].
 pub(crate) const BEND_ROUNDING: f64 = 1e-13;
+/// The forces are in balance if they are at most this [relative to the terms of K q]: coordinates have rounding errors, and iterations end.
+/// Larger: slow motions count as rest. Smaller: equilibria are not recognised.
+pub(crate) const AT_EQUILIBRIUM: f64 = 1e-8;
+/// The equations are the same at two places if M, accelerations and derivatives of the forces differ by less than this [relative]. Angles
+/// of thousands of radians have rounding errors of 1e-12. Larger: a weak dependence on the position is not seen.
+pub(crate) const SAME_EQUATIONS: f64 = 1e-9;
+/// Largest turn that is sought along which equations change [pitches, or whole turns]: a crank behind several stages. Larger: the search takes
+/// seconds.
+pub(crate) const TURN_PITCHES: u32 = 20_000;
+/// Error of a step of the propagator of small disturbances along a motion [1]. Larger: multipliers lose digits. Smaller: more steps.
+pub(crate) const MAGNUS_ERROR: f64 = 1e-11;
+/// Tolerance of the runs of a turn [relative]: the motion and its derivatives have ten digits.
+pub(crate) const ORBIT_TOLERANCE: f64 = 1e-12;
+/// A turn is closed if speeds and places return to this [relative to the rotation, by kinetic energy]. Larger: multipliers are those of a
+/// motion that does not repeat. Smaller: the errors of the run decide.
+pub(crate) const ORBIT_CLOSED: f64 = 1e-9;
+/// A turn that the search does not close further is accepted up to this, and its gap is printed [relative to the rotation].
+pub(crate) const ORBIT_ACCEPTED: f64 = 1e-6;
+/// Largest number of runs in the search of a motion that repeats [runs].
+pub(crate) const ORBIT_ROUNDS: usize = 12;
+/// Directions in which a turn closes by itself, as rigid motions [relative to the largest singular value]. Larger: weakly damped vibrations do
+/// not settle. Smaller: rigid motions run away.
+pub(crate) const ORBIT_RANK: f64 = 1e-10;

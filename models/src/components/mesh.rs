@@ -4,7 +4,7 @@ use std::f64::consts::TAU;
 
 use gearsim_derive::{Expr, Model, half};
 
-use super::{named, observed, play};
+use super::{Bend, named, observed, play, play_on_centres};
 
 /// The two factors of the spring force of a mesh.
 #[derive(Clone, Copy)]
@@ -44,6 +44,29 @@ pub fn mesh_with_play(
     m.potential(half(k * gap.touch * gap.over.sq()));
     observed::mesh(m, part, what, gap.over, [delta, error], driving.into());
     Mesh { stiffness: k * gap.touch, delta: gap.over }
+}
+
+/// A mesh as [`mesh_with_play`] whose gears' centres move: `bend` is what that subtracts from `delta`, and how far it opens the play.
+pub fn mesh_on_centres(
+    m: &mut Model,
+    part: &str,
+    what: &str,
+    phase: Expr,
+    (delta, bend): (Expr, Bend),
+    driving: Expr,
+) -> Mesh {
+    let k = stiffness(m, part, what, phase);
+    let error = transmission_error(m, part, what, phase);
+    let gap = play_on_centres(m, part, what, delta - error, bend);
+    m.potential(half(k * gap.touch * gap.over.sq()));
+    observed::mesh(m, part, what, gap.over, [delta - bend.turn, error], Some(driving));
+    let doc = format!("half the opening of the play of the {what} by the motion of the gears' centres");
+    m.output_with(&named_effect(part), &observed::of_part("play_opening", part), "m", bend.open, &doc);
+    Mesh { stiffness: k * gap.touch, delta: gap.over }
+}
+
+fn named_effect(part: &str) -> String {
+    observed::of_part("moving_centres", part)
 }
 
 fn transmission_error(m: &mut Model, part: &str, what: &str, phase: Expr) -> Expr {

@@ -25,6 +25,8 @@ pub struct Pair {
     pub n1: Expr,
     /// Number of teeth of the driven gear.
     pub n2: Expr,
+    /// Base radius per tooth [m].
+    pub h: Expr,
 }
 
 /// Declares the number of teeth `N` and the base radius `r` [m] of the driving gear `a`, the number of teeth of the driven gear
@@ -44,10 +46,15 @@ pub fn pair(m: &mut Model, of_mesh: &str, a: &str, b: &str) -> Pair {
     let s = m.coordinate(&format!("s{of_mesh}"), "m", Start::Static, &doc);
     let half = gearsim_derive::half(s / h);
     let u1 = h * theta + gearsim_derive::half(s);
-    Pair { theta, s, u1, theta1: (theta + half) / n1, theta2: (theta - half) / n2, n1, n2 }
+    Pair { theta, s, u1, theta1: (theta + half) / n1, theta2: (theta - half) / n2, n1, n2, h }
 }
 
 impl Pair {
+    /// The sum of the base radii [m].
+    pub fn sum_of_base_radii(&self) -> Expr {
+        self.h * (self.n1 + self.n2)
+    }
+
     /// The mesh of the pair with all effects of meshes: steps of the stiffness, play, a transmission error, sliding friction. `tangent` is
     /// that of the pressure angle. Declares what [`mesh_with_play`] and [`sliding_friction`] declare.
     pub fn mesh(&self, m: &mut Model, part: &str, what: &str, tangent: Expr) -> Mesh {

@@ -13,7 +13,7 @@
 
 use gearsim_derive::{Expr, Model, Range, half};
 
-use super::named;
+use super::{Bend, named};
 
 /// The symbols of a play.
 #[derive(Clone, Copy)]
@@ -31,45 +31,77 @@ pub struct Play {
 /// damper in the contact as `gap.damp * gap.over.dot().sq()`. Declares the names `over`, `touch`, `edge`, `damp` and `clip`, each
 /// followed by `part`.
 pub fn play(m: &mut Model, part: &str, what: &str, unit: &str, delta: Expr) -> Play {
+    play_of(m, part, what, unit, delta, None)
+}
+
+/// The same of a mesh whose centres move: play that opens with their distance. Declares the names `flank`, `drive` and `coast` too.
+pub fn play_on_centres(m: &mut Model, part: &str, what: &str, delta: Expr, bend: Bend) -> Play {
+    play_of(m, part, what, "m", delta, Some(bend))
+}
+
+fn play_of(m: &mut Model, part: &str, what: &str, unit: &str, delta: Expr, bend: Option<Bend>) -> Play {
     let mut size = Expr::from(0);
     let doc = "play between the flanks: contact on the drive or coast flank, free motion between";
     let effect = m.part_effect("backlash", part, doc, |m| {
         let doc = format!("backlash of the {what}: no contact within b/2 to either side");
         size = m.parameter(&named("b", part), unit, None, Range::Positive, &doc);
     });
-    dead_band(m, part, unit, delta, half(size), &effect, &format!("play of the {what}"))
+    band(m, part, unit, (delta, bend), half(size), [&effect, &format!("play of the {what}")])
 }
 
 /// A dead band of the deflection `delta` [unit], in an effect: there is no force while it is between `-edge` and `edge` [unit].
 pub fn dead_band(m: &mut Model, part: &str, unit: &str, delta: Expr, edge: Expr, effect: &str, doc: &str) -> Play {
+    band(m, part, unit, (delta, None), edge, [effect, doc])
+}
+
+fn band(
+    m: &mut Model,
+    part: &str,
+    unit: &str,
+    (delta, bend): (Expr, Option<Bend>),
+    edge: Expr,
+    [effect, doc]: [&str; 2],
+) -> Play {
     let name = |what: &str| format!("{what}{part}");
-    let mut gap = m.switch(&name("over"), unit, delta, effect, doc);
+    // The deflections of both flanks without play: the distances to contact are between them and the edges.
+    let turned = delta - bend.map_or(0.into(), |bend| bend.turn);
+    let sides = bend.map(|bend| {
+        [("drive", turned - bend.open), ("coast", turned + bend.open)].map(|(side, x)| m.deflection(&name(side), x))
+    });
+    let mut gap = m.switch(&name("over"), unit, turned, effect, doc);
     let touch = gap.factor(&name("touch"), 1);
     gap.offset(&name("edge"));
     let damp = gap.factor(&name("damp"), 1);
     let clip = gap.factor(&name("clip"), 0);
     gap.damped(&name("touch"), &name("damp"));
+    // The side of the opening: with neither flank in contact, neither; without play the drive flanks are in contact.
+    if let Some(bend) = bend {
+        let flank = gap.factor(&name("flank"), 1);
+        gap.bend(flank * bend.open);
+    }
     let (over, spring, damper) = (gap.over(), gap.spring(), gap.damper());
 
     let [zero, one] = [0, 1].map(Expr::from);
     let flanks = [("upper", one), ("lower", -one)];
+    let [drive, coast] = sides.unwrap_or([over, over]);
+    let values = |of: [Expr; 4], flank: Expr| of.into_iter().chain(bend.map(|_| flank)).collect::<Vec<_>>();
     for (flank, side) in flanks {
-        gap.mode(flank, &[one, side * edge, one, zero])
+        gap.mode(flank, &values([one, side * edge, one, zero], side))
             .rests()
             .counts("flanks met")
             .unless("free", side * over)
             .until(&format!("{flank}_loose"), side * (spring + damper))
             .until(&format!("{flank}_hit"), side * (spring - damper));
     }
-    gap.mode("free", &[zero; 4]).rests().until("upper", edge - over).until("lower", edge + over);
+    gap.mode("free", &values([zero; 4], zero)).rests().until("upper", edge - drive).until("lower", edge + coast);
     for (flank, side) in flanks {
-        gap.mode(&format!("{flank}_hit"), &[one, side * edge, zero, one])
+        gap.mode(&format!("{flank}_hit"), &values([one, side * edge, zero, one], side))
             .counts("flanks met")
             .unless("free", side * over)
             .until(flank, side * (damper - spring));
     }
     for (flank, side) in flanks {
-        gap.mode(&format!("{flank}_loose"), &[one, side * edge, zero, -one])
+        gap.mode(&format!("{flank}_loose"), &values([one, side * edge, zero, -one], side))
             .counts("flanks met")
             .until("free", side * over)
             .until(flank, -side * (spring + damper));

@@ -177,7 +177,28 @@ const SLIPS: &[Row] = &[
         m.dissipation(c * o.x.dot().sq());
     }),
     ("damping that is no square", "m*x_dot", |m, o| m.dissipation(o.m * o.x.dot())),
-    ("damping that depends on the position", "`x`", |m, o| m.dissipation(o.m * (o.x * o.x.dot()).sq())),
+    ("damping that depends on the mesh", "`k`", |m, o| {
+        let k = m.mesh_stiffness("k", "N/m", o.x, 1.0, "");
+        m.dissipation(half(k.value * o.x.dot().sq()));
+    }),
+    ("a function of two positions with a wrong gradient", "the gradient that is written", |m, o| {
+        let y = m.coordinate("y", "m", Start::At(0.0), "");
+        m.kinetic(half(o.m * y.dot().sq()));
+        let bend = m.function_of("bend", [o.x, y], |[x, y]| x * y, |[x, y]| [y, 2 * x]);
+        m.potential(half(o.s * (bend / o.x).sq()));
+    }),
+    ("T with a function of two positions", "`bend`", |m, o| {
+        let y = m.coordinate("y", "m", Start::At(0.0), "");
+        let bend = m.function_of("bend", [o.x, y], |[x, y]| x * y, |[x, y]| [y, x]);
+        m.kinetic(half(o.m * y.dot().sq()));
+        m.kinetic(half(o.m * bend.dot().sq()));
+    }),
+    ("a deflection with a square of a function", "the deflection `delta`", |m, o| {
+        let y = m.coordinate("y", "m", Start::At(0.0), "");
+        m.kinetic(half(o.m * y.dot().sq()));
+        let bend = m.function_of("bend", [o.x, y], |[x, y]| x * y, |[x, y]| [y, x]);
+        m.deflection("delta", o.x - bend.sq());
+    }),
     ("a torque along a square of a speed", "the torque `lift`", |m, o| m.torque_along("lift", o.s, o.x.dot().sq(), "")),
     ("a torque along a displacement", "the torque `lift`", |m, o| m.torque_along("lift", o.s, o.x + o.x.dot(), "")),
     ("a phase that is no coordinate", "`k`", |m, o| {

@@ -49,7 +49,7 @@ impl<const N: usize> Equations for Linear<N> {
     fn potential(&self, q: &[f64], _: &[f64]) -> f64 {
         0.5 * dot(q, &times(&self.stiffness, q))
     }
-    fn dissipation(&self, q_dot: &[f64], _: &[f64]) -> f64 {
+    fn dissipation(&self, _: &[f64], q_dot: &[f64], _: &[f64]) -> f64 {
         0.5 * dot(q_dot, &times(&self.damping, q_dot))
     }
     fn torque_work(&self, _: usize, dq: &[f64]) -> f64 {

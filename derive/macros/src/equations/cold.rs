@@ -163,6 +163,7 @@ pub fn cold(m: &Model) -> Vec<Cold> {
     all.extend(moving_inertia(m));
     all.extend(output(m));
     all.extend(switches::lost(m));
+    all.extend(switches::bends(m));
     all
 }
 

@@ -17,7 +17,20 @@ pub fn deflection(m: &Model, Assignment { name, value }: &Assignment, offsets: &
     let (mut always, mut mutable) = (quote!(), quote!());
     for (minus, addend) in addends(value, false) {
         let sign = if minus { quote!(-) } else { quote!(+) };
-        match gated(m).find(|value| names(addend).contains(&value.name.to_string())) {
+        let named = names(addend);
+        if let Some(effect) =
+            m.functions.iter().find_map(|f| f.with.as_ref().filter(|_| named.contains(&f.name.to_string())))
+        {
+            // Its functions and symbols are variables already.
+            mutable = quote!(mut);
+            let add = quote!(#name = #name #sign #addend;);
+            match offsets.iter_mut().find(|(known, _)| known == effect) {
+                Some((_, adds)) => adds.extend(add),
+                None => offsets.push((effect.clone(), add)),
+            }
+            continue;
+        }
+        match gated(m).find(|value| named.contains(&value.name.to_string())) {
             Some(Gated { name: symbol, effect, place, .. }) => {
                 mutable = quote!(mut);
                 let add = quote!(let #symbol = k[#place]; #name = #name #sign #addend;);

@@ -20,7 +20,8 @@ pub fn emit(mut m: Model) -> TokenStream {
     let describe = describe(&m);
     let (mut force, mut dissipation) = (Terms::of_force(&m), Terms::of_dissipation(&m));
     let terms = force.values().chain(dissipation.values());
-    let variables = m.deflections.iter_mut().chain(&mut m.rates).chain(&mut m.functions).map(|d| &mut d.value);
+    let of_positions = m.functions.iter_mut().map(|f| &mut f.value);
+    let variables = m.deflections.iter_mut().chain(&mut m.rates).map(|d| &mut d.value).chain(of_positions);
     let forces = m.forces.iter_mut().flat_map(|force| force.sum.iter_mut().map(|term| &mut term.value));
     let coefficients = hoist(variables.chain(forces).chain(terms).collect());
     let m = &m;
@@ -87,8 +88,8 @@ pub fn emit(mut m: Model) -> TokenStream {
                 let (q, q_dot) = (equations::array(q), equations::array(q_dot));
                 self.numbers.force(&self.met, q, q_dot, k, dk, equations::array_mut(force));
             }
-            fn dissipation(&self, q_dot: &[f64], k: &[f64]) -> f64 {
-                self.numbers.dissipation(&self.met, equations::array(q_dot), k)
+            fn dissipation(&self, q: &[f64], q_dot: &[f64], k: &[f64]) -> f64 {
+                self.numbers.dissipation(&self.met, equations::array(q), equations::array(q_dot), k)
             }
             #(#calls)*
         }
@@ -97,18 +98,21 @@ pub fn emit(mut m: Model) -> TokenStream {
 
 /// The cells of a scene in double-double numbers.
 fn exactly(m: &Model) -> TokenStream {
+    let n = Index::from(m.coordinates.len());
     let switches = (!m.switches.is_empty()).then(|| {
         quote! {
             fn mode(&self, i: usize, mode: usize) -> Option<Vec<real::Df64>> {
                 self.numbers.mode(&self.met, i, mode).as_deref().map(equations::numbers)
             }
             fn exits(&self, i: usize, mode: usize, k: &[real::Df64]) -> Vec<equations::Exit<real::Df64>> {
-                let exits = self.numbers.exits(&self.met, i, mode, &equations::numbers(k));
+                let at = [real::Double::from(0.0); #n];
+                let exits = self.numbers.exits(&self.met, i, mode, &at, &equations::numbers(k));
                 exits.iter().map(equations::Exit::in_numbers).collect()
             }
             fn switched(&self, i: usize, k: &[real::Df64]) -> equations::Deflection<real::Df64> {
+                let at = [real::Double::from(0.0); #n];
                 let switched = self.numbers.switched(&self.met, i);
-                self.numbers.deflection(&self.met, switched, &equations::numbers(k)).in_numbers()
+                self.numbers.deflection(&self.met, switched, &at, &equations::numbers(k)).in_numbers()
             }
         }
     });

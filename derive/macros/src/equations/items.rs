@@ -113,6 +113,16 @@ impl Parse for Assignment {
     }
 }
 
+impl Parse for Function {
+    fn parse(input: ParseStream) -> Result<Self> {
+        let (name, with) = (input.parse()?, with(input)?);
+        input.parse::<Token![=]>()?;
+        let value = input.parse()?;
+        input.parse::<Token![;]>()?;
+        Ok(Self { name, with, value })
+    }
+}
+
 impl Parse for Switch {
     fn parse(input: ParseStream) -> Result<Self> {
         let (over, unit) = (input.parse()?, input.parse()?);

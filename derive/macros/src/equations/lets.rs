@@ -12,7 +12,7 @@ use crate::equations::cells::any_number;
 use crate::equations::deflections::{Offsets, deflection};
 use crate::equations::effects::is_met;
 use crate::equations::gated::{Gated, gated};
-use crate::equations::model::{Assignment, Model, Row};
+use crate::equations::model::{Assignment, Function, Model, Row};
 use crate::equations::sums::block;
 
 /// `let over = ..;` for each variable that `code` names, after those in which it is written itself; without those that
@@ -20,7 +20,8 @@ use crate::equations::sums::block;
 pub fn lets(m: &Model, code: &TokenStream, before: &TokenStream) -> TokenStream {
     let known = used(m, before);
     let known: BTreeSet<_> = known.iter().map(Variable::name).collect();
-    let (mut values, mut offsets, mut functions, mut forces) = (quote!(), Offsets::new(), quote!(), quote!());
+    let (mut values, mut offsets, mut functions, mut bent, mut forces) =
+        (quote!(), Offsets::new(), quote!(), quote!(), quote!());
     for variable in used(m, code).into_iter().filter(|variable| !known.contains(variable.name())) {
         match variable {
             Variable::Gated(Gated { name, effect, place, neutral }) => {
@@ -28,27 +29,43 @@ pub fn lets(m: &Model, code: &TokenStream, before: &TokenStream) -> TokenStream 
                 values.extend(quote!(let #name = if #met { k[#place] } else { #neutral.into() };));
             }
             Variable::Linear(linear) => values.extend(deflection(m, linear, &mut offsets)),
-            Variable::Function(Assignment { name, value }) => functions.extend(quote!(let #name: f64 = #value;)),
+            Variable::Function(Function { name, with, value }) => functions.extend(match with.as_ref().map(is_met) {
+                Some(met) => quote!(let #name: f64 = if #met { #value } else { 0.0 };),
+                None => quote!(let #name: f64 = #value;),
+            }),
+            Variable::Bent(deflected) => {
+                let mut offsets = Offsets::new();
+                bent.extend(deflection(m, deflected, &mut offsets));
+                bent.extend(with_effects(offsets));
+            }
             Variable::Force(Row { name, sum }) => {
                 let value = block(sum);
                 forces.extend(quote!(let #name: f64 = #value;));
             }
         }
     }
-    let offsets = offsets.into_iter().map(|(effect, add)| {
+    let offsets = with_effects(offsets);
+    quote!(#values #offsets #functions #bent #forces)
+}
+
+/// The statements of offsets, each behind a test of its effect.
+fn with_effects(offsets: Offsets) -> TokenStream {
+    let each = offsets.into_iter().map(|(effect, add)| {
         let met = is_met(&effect);
         quote!(if #met { #add })
     });
-    quote!(#values #(#offsets)* #functions #forces)
+    each.collect()
 }
 
 /// The functions of positions that `code` names and their positions, in any kind of number R.
 pub fn positions(m: &Model, code: &TokenStream) -> TokenStream {
     let plain = used(m, code).into_iter().filter_map(|variable| match variable {
-        Variable::Linear(assignment) | Variable::Function(assignment) => Some(assignment),
+        Variable::Linear(Assignment { name, value }) | Variable::Function(Function { name, value, .. }) => {
+            Some((name, value))
+        }
         _ => None,
     });
-    let each = plain.map(|Assignment { name, value }| {
+    let each = plain.map(|(name, value)| {
         let value = any_number(value);
         quote!(let #name: R = #value;)
     });
@@ -64,21 +81,30 @@ pub fn with_lets(m: &Model, code: TokenStream) -> TokenStream {
 /// A variable.
 enum Variable<'a> {
     Gated(Gated<'a>),
-    /// A deflection or a rate.
+    /// A deflection that is linear, or its rate.
     Linear(&'a Assignment),
-    /// A function of a position, or a derivative of it.
-    Function(&'a Assignment),
+    /// A function of positions, or a derivative of it.
+    Function(&'a Function),
+    /// A deflection with functions in it, or its rate.
+    Bent(&'a Assignment),
     /// A named force, a partial derivative of one, or an output.
     Force(&'a Row),
 }
 
 /// The variables that `code` names, and those in which they are written, in the order in which they are defined.
 fn used<'a>(m: &'a Model, code: &TokenStream) -> Vec<Variable<'a>> {
-    let linear = m.deflections.iter().chain(&m.rates).map(Variable::Linear);
+    let deflections = || m.deflections.iter().zip(&m.rates).map(|(d, rate)| (d, rate, is_bent(m, &d.value)));
+    let linear = |which: fn(&'a Assignment) -> Variable<'a>, bent| {
+        let these = deflections().filter(move |(.., is)| *is == bent);
+        let (values, rates): (Vec<_>, Vec<_>) = these.map(|(d, rate, _)| (d, rate)).unzip();
+        values.into_iter().chain(rates).map(which)
+    };
     let functions = m.functions.iter().map(Variable::Function);
     let outputs = m.outputs.iter().map(|output| &output.value);
     let forces = m.forces.iter().chain(&m.partials).chain(outputs).map(Variable::Force);
-    let all = gated(m).map(Variable::Gated).chain(linear).chain(functions).chain(forces);
+    let straight = linear(Variable::Linear, false);
+    let all = gated(m).map(Variable::Gated).chain(straight).chain(functions);
+    let all = all.chain(linear(Variable::Bent, true)).chain(forces);
     let mut used: Vec<_> = all.collect();
     let mut names = names(code);
     used.reverse();
@@ -91,6 +117,11 @@ fn used<'a>(m: &'a Model, code: &TokenStream) -> Vec<Variable<'a>> {
     });
     used.reverse();
     used
+}
+
+/// Whether a deflection has functions in it.
+pub fn is_bent(m: &Model, value: &syn::Expr) -> bool {
+    !m.functions.is_empty() && m.functions.iter().any(|f| names(value).contains(&f.name.to_string()))
 }
 
 /// All names in a piece of code.
@@ -107,7 +138,8 @@ impl Variable<'_> {
     fn name(&self) -> &Ident {
         match self {
             Variable::Gated(gated) => gated.name,
-            Variable::Linear(Assignment { name, .. }) | Variable::Function(Assignment { name, .. }) => name,
+            Variable::Linear(Assignment { name, .. }) | Variable::Bent(Assignment { name, .. }) => name,
+            Variable::Function(Function { name, .. }) => name,
             Variable::Force(Row { name, .. }) => name,
         }
     }
@@ -118,6 +150,7 @@ impl Variable<'_> {
             Variable::Gated(_) => quote!(),
             // Without offsets: the deflection itself sees to them.
             Variable::Linear(_) => quote!(),
+            Variable::Bent(bent) => bent.value.to_token_stream(),
             Variable::Function(function) => function.value.to_token_stream(),
             Variable::Force(row) => row.sum.iter().map(|term| term.value.to_token_stream()).collect(),
         }

@@ -16,10 +16,10 @@ pub struct Model {
     pub conditions: Vec<Condition>,
     pub constants: Vec<Assignment>,
     pub deflections: Vec<Assignment>,
-    /// Rates of the deflections. Not in the file: `resolve` writes the deflections in the speeds.
+    /// Rates of the deflections: of bent ones as in the file, of the others written by `resolve` in the speeds.
     pub rates: Vec<Assignment>,
-    /// Functions of one position, and their derivatives.
-    pub functions: Vec<Assignment>,
+    /// Functions of positions, and their derivatives.
+    pub functions: Vec<Function>,
     pub switches: Vec<Switch>,
     pub kinetic: Sum,
     pub potential: Sum,
@@ -124,6 +124,13 @@ pub struct Effect {
 pub struct Condition {
     pub name: Ident,
     pub effects: Vec<(bool, Ident)>,
+}
+
+/// `NAME = EXPR;` or `NAME with EFFECT = EXPR;`: zero without the effect.
+pub struct Function {
+    pub name: Ident,
+    pub with: Option<Ident>,
+    pub value: Expr,
 }
 
 /// `NAME = EXPR;`

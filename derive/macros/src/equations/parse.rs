@@ -47,6 +47,7 @@ impl Model {
             "conditions" => self.conditions = list(input)?,
             "constants" => self.constants = list(input)?,
             "deflections" => self.deflections = list(input)?,
+            "rates" => self.rates = list(input)?,
             "functions" => self.functions = list(input)?,
             "switches" => self.switches = list(input)?,
             "energies" => parts(input, &["kinetic", "potential", "dissipation"], |part, input| {

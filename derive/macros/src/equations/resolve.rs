@@ -15,15 +15,26 @@ pub fn resolve(m: &mut Model, errors: &mut Vec<Error>) {
     }
 
     // Deflections are linear: with speeds in place of coordinates, and edges and errors zero, they give the rates. Errors in them are
-    // reported once, with the deflections.
-    m.rates = m
-        .deflections
-        .iter()
-        .map(|d| Assignment { name: format_ident!("{}", speed(&d.name)), value: d.value.clone() })
-        .collect();
+    // reported once, with the deflections. The file has the rates of bent ones.
+    let mut given = std::mem::take(&mut m.rates);
+    let bent = Scope::of(m, "rates").coordinates(m, "q").speeds(m).functions(m).gated(m);
+    given.iter_mut().for_each(|rate| bent.expression(&mut rate.value, errors));
     let rates = Scope::of(m, "deflections").coordinates(m, "q_dot").offsets(m, quote!(0.0));
-    m.rates.iter_mut().for_each(|d| rates.expression(&mut d.value, &mut vec![]));
-    let deflections = Scope::of(m, "deflections").coordinates(m, "q").gated(m);
+    for d in &m.deflections {
+        let name = format_ident!("{}", speed(&d.name));
+        m.rates.push(match given.iter().position(|rate| rate.name == name) {
+            Some(i) => given.swap_remove(i),
+            None => {
+                let mut value = d.value.clone();
+                rates.expression(&mut value, &mut vec![]);
+                Assignment { name, value }
+            }
+        });
+    }
+    for rate in given {
+        errors.push(Error::new(rate.name.span(), format!("`{}` is not the rate of a deflection", rate.name)));
+    }
+    let deflections = Scope::of(m, "deflections").coordinates(m, "q").functions(m).gated(m);
     m.deflections.iter_mut().for_each(|d| deflections.expression(&mut d.value, errors));
     let (constants, moving) = (Scope::of(m, "the values of a mode"), Scope::of(m, "switches").laws(m, 0).gated(m));
     for switch in &mut m.switches {
@@ -38,7 +49,7 @@ pub fn resolve(m: &mut Model, errors: &mut Vec<Error>) {
     kinetic.sum(&mut m.kinetic, errors);
     let potential = Scope::of(m, "potential").coordinates(m, "q").deflections(m).functions(m).laws(m, 0).gated(m);
     potential.sum(&mut m.potential, errors);
-    let dissipation = Scope::of(m, "dissipation").speeds(m).rates(m).gated(m);
+    let dissipation = Scope::of(m, "dissipation").coordinates(m, "q").speeds(m).rates(m).functions(m).gated(m);
     dissipation.sum(&mut m.dissipation, errors);
 
     // In the work of a constant torque the coordinates stand for their changes.

@@ -10,10 +10,11 @@ use crate::equations::gated;
 use crate::equations::model::{Model, Sum};
 
 /// Methods of f64 that are smooth, with the number of their arguments.
-const METHODS: [(&str, usize); 10] = [
+const METHODS: [(&str, usize); 11] = [
     ("powi", 1),
     ("powf", 1),
     ("atan2", 1),
+    ("atan", 0),
     ("sqrt", 0),
     ("exp", 0),
     ("ln", 0),

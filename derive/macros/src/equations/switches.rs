@@ -1,5 +1,7 @@
 //! The functions that describe the switches of a scene to the engine.
 
+use std::collections::BTreeSet;
+
 use proc_macro2::TokenStream;
 use quote::quote;
 use syn::{Ident, Index};
@@ -7,8 +9,8 @@ use syn::{Ident, Index};
 use crate::equations::cold::{Cold, Returns, Takes, in_any_number};
 use crate::equations::effects::is_met;
 use crate::equations::gated::{self, Gated, gated};
-use crate::equations::lets::{names, with_lets};
-use crate::equations::model::{Exit, Model, Row, Switch};
+use crate::equations::lets::{is_bent, names, with_lets};
+use crate::equations::model::{Exit, Function, Model, Row, Switch};
 use crate::equations::sums::block;
 
 /// The rows of a linear form that are no deflection and no rate.
@@ -56,7 +58,7 @@ pub fn cells(m: &Model) -> Vec<Cold> {
         ),
         cold(
             "exits",
-            &[Takes::Index("i"), Takes::Index("mode"), Takes::Laws("k")],
+            &[Takes::Index("i"), Takes::Index("mode"), Takes::Coordinates("q"), Takes::Laws("k")],
             Returns::In(|r| quote!(Vec<equations::Exit<#r>>)),
             in_any_number(with_lets(m, exits)),
         ),
@@ -93,10 +95,10 @@ fn exit(m: &Model, switch: &Switch, Exit { to, sudden, guard }: &Exit) -> TokenS
             return quote!(guard.on_reaction += #coefficient;);
         }
         match m.rates.iter().position(|rate| rate.name == *name).map(Index::from) {
-            Some(d) => quote!(guard.add_rate(#coefficient, &self.deflection(met, #d, k));),
+            Some(d) => quote!(guard.add_rate(#coefficient, &self.deflection(met, #d, q, k));),
             None => {
                 let d = deflection_index(m, name);
-                quote!(guard.add(#coefficient, &self.deflection(met, #d, k));)
+                quote!(guard.add(#coefficient, &self.deflection(met, #d, q, k));)
             }
         }
     });
@@ -110,7 +112,7 @@ fn exit(m: &Model, switch: &Switch, Exit { to, sudden, guard }: &Exit) -> TokenS
     }
 }
 
-/// The function `deflection`: the linear form of each deflection, at the law values `k`.
+/// The function `deflection`: the linear form of each deflection at the law values `k`; of a bent one its tangent at `q`.
 fn deflection(m: &Model) -> Cold {
     let n = Index::from(m.coordinates.len());
     let arms = m.deflections.iter().zip(&m.rates).enumerate().map(|(d, (deflection, rate))| {
@@ -122,18 +124,18 @@ fn deflection(m: &Model) -> Cold {
                 let (name, value) = (gated.name, values(&gated));
                 quote!(let #name = #value;)
             });
-            quote!({ #(#lets)* let q = [0.0; #n]; #value })
+            let functions = m.functions.iter().map(|f| &f.name).filter(|name| used.contains(&name.to_string()));
+            quote!({ #(#lets)* #(let #functions = 0.0;)* let q = [0.0; #n]; #value })
         };
         let is_error = |name: &Ident| gated::errors(m).any(|(_, law)| law.name == *name);
+        if is_bent(m, &deflection.value) {
+            return bent(m, d, [&deflection.name, &rate.name], &errors_of(m, &used, &with));
+        }
         let constant = with(&|Gated { name, effect, place, neutral }| {
             let met = is_met(effect);
             if is_error(name) { quote!(0.0) } else { quote!(if #met { k[#place] } else { #neutral }) }
         });
-        let errors = gated::errors(m).filter(|(_, law)| used.contains(&law.name.to_string())).map(|(i, law)| {
-            let (i, met) = (Index::from(i), law.with.as_ref().map(is_met));
-            let unit = with(&|gated| if *gated.name == law.name { quote!(1.0) } else { quote!(0.0) });
-            quote!(if #met { errors.push((#i, #unit)); })
-        });
+        let errors = errors_of(m, &used, &with);
         quote! {
             #d => {
                 let normal: [f64; #n] = std::array::from_fn(|j| {
@@ -141,17 +143,71 @@ fn deflection(m: &Model) -> Cold {
                     #slope
                 });
                 let mut errors = vec![];
-                #(#errors)*
+                #errors
                 equations::Deflection { normal: R::row(&normal), constant: #constant, errors }
             }
         }
     });
     Cold {
         name: "deflection",
-        takes: &[Takes::Index("i"), Takes::Laws("k")],
+        takes: &[Takes::Index("i"), Takes::Coordinates("q"), Takes::Laws("k")],
         returns: Returns::In(|r| quote!(equations::Deflection<#r>)),
         body: in_any_number(quote!(match i { #(#arms)* _ => equations::no_such("deflection", i) })),
     }
+}
+
+/// The statements that note the transmission errors in a deflection that names `used`; `with` is its value with given offsets.
+fn errors_of(
+    m: &Model,
+    used: &BTreeSet<String>,
+    with: &dyn Fn(&dyn Fn(&Gated<'_>) -> TokenStream) -> TokenStream,
+) -> TokenStream {
+    let each = gated::errors(m).filter(|(_, law)| used.contains(&law.name.to_string())).map(|(i, law)| {
+        let (i, met) = (Index::from(i), law.with.as_ref().map(is_met));
+        let unit = with(&|gated| if *gated.name == law.name { quote!(1.0) } else { quote!(0.0) });
+        quote!(if #met { errors.push((#i, #unit)); })
+    });
+    each.collect()
+}
+
+/// The arm of a bent deflection: value and gradient at `q`, the value as that of a linear form.
+fn bent(m: &Model, d: Index, [name, rate]: [&Ident; 2], errors: &TokenStream) -> TokenStream {
+    let n = Index::from(m.coordinates.len());
+    let (value, slope) = (with_lets(m, quote!(#name)), with_lets(m, quote!(#rate)));
+    quote! {
+        #d => {
+            let normal: [f64; #n] = std::array::from_fn(|j| {
+                let q_dot: [f64; #n] = std::array::from_fn(|i| if i == j { 1.0 } else { 0.0 });
+                #slope
+            });
+            let mut errors: Vec<(usize, f64)> = vec![];
+            { #errors }
+            let mut constant: f64 = { #value };
+            for j in 0..#n {
+                constant = constant - normal[j] * q[j];
+            }
+            for (law, unit) in &errors {
+                constant = constant - *unit * k[*law];
+            }
+            equations::Deflection { normal: R::row(&normal), constant, errors }
+        }
+    }
+}
+
+/// Whether any deflection bends in a set of effects; nothing if the model has none that does.
+pub fn bends(m: &Model) -> Option<Cold> {
+    let bent = m.deflections.iter().filter(|d| is_bent(m, &d.value));
+    let named = |f: &&Function| bent.clone().any(|d| names(&d.value).contains(&f.name.to_string()));
+    let functions: Vec<_> = m.functions.iter().filter(named).collect();
+    let always = functions.iter().any(|f| f.with.is_none());
+    let present: BTreeSet<_> = functions.iter().filter_map(|f| f.with.clone()).collect();
+    let present = present.iter().map(is_met);
+    (!functions.is_empty()).then(|| Cold {
+        name: "bends",
+        takes: &[],
+        returns: Returns::Plain(quote!(bool)),
+        body: quote!(#always #(|| #present)*),
+    })
 }
 
 /// The index of a deflection; `check` has made sure that it exists.

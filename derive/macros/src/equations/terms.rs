@@ -101,7 +101,7 @@ pub fn functions(m: &Model, force: &Terms, dissipation: &Terms) -> TokenStream {
         }
 
         #[inline(always)]
-        fn dissipation(&self, met: &Met, q_dot: &[f64; #n], k: &[f64]) -> f64 {
+        fn dissipation(&self, met: &Met, q: &[f64; #n], q_dot: &[f64; #n], k: &[f64]) -> f64 {
             let mut v = 0.0;
             #dissipation
             v

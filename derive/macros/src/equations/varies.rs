@@ -14,7 +14,8 @@ pub fn varies(m: &Model, parameter: &Ident) -> bool {
     let mut apart = terms(&[&m.kinetic, &m.potential, &m.dissipation]);
     apart.extend(terms(&m.torques.iter().map(|t| &t.power).collect::<Vec<_>>()));
     apart.extend(rows(&m.forces));
-    apart.extend(m.constants.iter().chain(&m.deflections).chain(&m.functions).map(|a| a.value.clone()));
+    apart.extend(m.constants.iter().chain(&m.deflections).map(|a| a.value.clone()));
+    apart.extend(m.functions.iter().map(|f| f.value.clone()));
     apart.extend(m.motions.iter().flat_map(|motion| motion.speeds.iter().map(|s| s.value.clone())));
     for matrix in
         [&m.mass, &m.stiffness, &m.damping].into_iter().chain(&m.mobility).chain([&m.inertia]).chain(&m.jacobian)

@@ -72,6 +72,15 @@ pub fn candidates(base: &Scene) -> Vec<Candidate> {
         candidates.push(Candidate { without, how, scene: with(base, &names), way });
         candidates.extend(parts(base, &present, name));
     }
+    // Effects that bend deflections need nothing more in the scene: what they would change is estimated too.
+    for name in Effects(u64::MAX).names(model).into_iter().filter(|name| !present.contains(name) && bends(base, name)) {
+        let names: Vec<_> = present.iter().copied().chain([name]).collect();
+        let scene = with(base, &names);
+        if scene.effects.contradictions(model).is_empty() {
+            let (without, how) = (format!("nothing, and with {name}"), format!("add `{name}`"));
+            candidates.push(Candidate { without, how, scene, way: Way::Run });
+        }
+    }
     candidates
 }
 
@@ -89,6 +98,13 @@ fn parts<'a>(base: &'a Scene, present: &'a [&'static str], name: &'static str) -
     };
     let of_parts = base.model.effects.iter().filter(move |effect| several && effect.of == Some(name));
     of_parts.map(move |effect| without(effect.name))
+}
+
+/// Whether an effect makes a deflection depend on the coordinates in another way than linearly.
+fn bends(scene: &Scene, name: &str) -> bool {
+    let of =
+        |effect: &str| scene.model.effects.iter().any(|e| e.name == effect && (effect == name || e.of == Some(name)));
+    scene.model.nonlinear_with.iter().any(|(effect, term)| of(effect) && term.ends_with(" bends"))
 }
 
 fn with(scene: &Scene, names: &[&str]) -> Scene {

@@ -17,6 +17,10 @@ pub enum Aperiodic {
         "the meshes `{first}` and `{second}` have no common period: the ratio of their frequencies, {ratio}, is not one of whole numbers up to {most}"
     )]
     Incommensurate { first: &'static str, second: &'static str, ratio: f64, most: u64 },
+    #[error(
+        "the equations change along the motion and do not repeat after any number of turns: give the coordinates that turn speeds in whole ratios"
+    )]
+    NoTurn,
     #[error("a common period of all meshes has more than {most} steps")]
     Long { most: usize },
 }

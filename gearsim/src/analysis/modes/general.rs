@@ -3,7 +3,7 @@
 
 use nalgebra::{Complex, DMatrix, DVector};
 
-use super::{CellModes, Spring, vibration};
+use super::{CellModes, Spring, Vibration, vibration};
 use crate::engine::modal::Matrices;
 use crate::engine::mode::Mode;
 use crate::tolerance::analysis::{EQUAL_EIGENVALUES, RIGID, RIGID_EIGENVALUE};
@@ -22,7 +22,9 @@ pub fn of(
         let before = pairs[..i].iter().filter(|(other, _)| (other - slow).norm() <= EQUAL_EIGENVALUES * slow.norm());
         let shape = shape(linearised, slow, before.count());
         let (sigma, omega2) = (-0.5 * (slow + fast).re, (slow * fast).re.max(0.0));
-        modes.push(vibration(&Mode::new(sigma, omega2), shape, linear, laws, springs));
+        let rate = slow.re.max(fast.re);
+        let growth = if rate > EQUAL_EIGENVALUES * fast.norm() { rate } else { 0.0 };
+        modes.push(Vibration { growth, ..vibration(&Mode::new(sigma, omega2), shape, linear, laws, springs) });
     }
     CellModes { levels: k.to_vec(), modes, coupled: true }
 }

@@ -3,7 +3,7 @@
 use std::fmt::Write;
 
 use crate::analysis::modes::springs::Spring;
-use crate::analysis::modes::{CellModes, HARMONICS, MOST_CELLS, Vibration, meetings};
+use crate::analysis::modes::{CellModes, HARMONICS, MOST_CELLS, OverATurn, Vibration, meetings};
 use crate::analysis::steady::SteadyLaw;
 use crate::cli::number::short;
 use crate::cli::terminal;
@@ -44,6 +44,7 @@ fn levels(scene: &Scene, values: &[f64]) -> String {
 
 fn one(scene: &Scene, springs: &[Spring], i: usize, mode: &Vibration, width: usize) -> String {
     let head = match mode.zeta {
+        _ if mode.growth > 0.0 => format!("unstable: a disturbance grows at {} 1/s", short(mode.growth)),
         None => "rigid motion".to_owned(),
         Some(zeta) if mode.damped > 0.0 => {
             format!("{} Hz, damped {} Hz, zeta {}", short(mode.natural), short(mode.damped), short(zeta))
@@ -76,6 +77,15 @@ fn one(scene: &Scene, springs: &[Spring], i: usize, mode: &Vibration, width: usi
         for (n, line) in terminal::wrap(&says, width.saturating_sub(16).max(20)).lines().enumerate() {
             let _ = writeln!(text, "      {:<8}  {line}", if n == 0 { name } else { "" });
         }
+    }
+    text
+}
+
+/// The ranges of the natural frequencies over a turn of the motion.
+pub(super) fn over_a_turn(turn: &OverATurn) -> String {
+    let mut text = format!("\nnatural frequencies over a turn of the motion, {} s, in Hz\n\n", short(turn.time));
+    for (i, [low, high]) in turn.natural.iter().enumerate().filter(|(_, range)| range[1] > 0.0) {
+        let _ = writeln!(text, "{i:>4}  {} to {}", short(*low), short(*high));
     }
     text
 }

@@ -88,7 +88,7 @@ impl Refined<'_> {
             }
             End::Exit(i, which) => {
                 let (switch, plain) = (&now.switches[i], &now.guards.exits[i][which]);
-                let place = switch.exits(now.equations, &now.k).iter().position(|exit| exit == plain)?;
+                let place = switch.exits(now.equations, &now.state.q, &now.k).iter().position(|exit| exit == plain)?;
                 let (k, number) = (k(), switch.index);
                 self.exact.exits(number, switch.mode, &k).get(place).map(|exit| Guard::affine(&exit.guard, &k))
             }

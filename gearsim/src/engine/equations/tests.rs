@@ -56,7 +56,7 @@ fn energies_and_work() {
     let (w1, w2) = ((V[0] + V[1]) / n1, (V[0] - V[1]) / n2);
     close(&[e.kinetic(&Q, &V)], &[i1 * w1 * w1 / 2.0 + i2 * w2 * w2 / 2.0]);
     close(&[e.potential(&Q, &K)], &[K[0] * Q[1] * Q[1]]);
-    close(&[e.dissipation(&V, &K)], &[constants().2 * V[1] * V[1]]);
+    close(&[e.dissipation(&Q, &V, &K)], &[constants().2 * V[1] * V[1]]);
     let works = [e.torque_work(0, &Q), e.torque_work(1, &Q)];
     close(&works, &[t0 * (Q[0] + Q[1]), -t0 * (Q[0] - Q[1])]);
     close(&[e.work(&Q)], &[2.0 * t0 * Q[1]]);
@@ -191,7 +191,7 @@ fn terms_of_absent_effects_are_not_evaluated() {
         let a = e.acceleration(&Q, &V, &K, &[f64::INFINITY]);
         close(&a, &[-m1 * K[0] * Q[1], -m2 * K[0] * Q[1]]);
         close(&e.force(&Q, &V, &K, &[f64::NAN]), &[0.0, -2.0 * K[0] * Q[1]]);
-        assert_eq!([e.dissipation(&V, &K), e.work(&Q), e.torque_work(0, &Q)], [0.0; 3]);
+        assert_eq!([e.dissipation(&Q, &V, &K), e.work(&Q), e.torque_work(0, &Q)], [0.0; 3]);
         // Rigid kinematics keeps the moving phase: its forces change with theta by the slope of k.
         let slope = if effects & RIGID_KINEMATICS > 0 { 0.0 } else { f64::NAN };
         let [by_q, by_v] = accelerated(&e.mobility(&Q), e.jacobian(&Q, &V, &K, &[slope], &[f64::NAN]));
@@ -262,7 +262,7 @@ mod two_masses {
 fn the_smallest_valid_file() {
     let e = two_masses::TwoMasses::equations(0, &[3.0], &[7.0]).unwrap();
     assert!(two_masses::TwoMasses::equations(1, &[3.0], &[7.0]).is_none());
-    assert_eq!((e.kinetic(&Q, &[1.0, 1.0]), e.dissipation(&[1.0, 1.0], &[]), e.work(&[1.0, 1.0])), (0.0, 0.0, 0.0));
+    assert_eq!((e.kinetic(&Q, &[1.0, 1.0]), e.dissipation(&Q, &[1.0, 1.0], &[]), e.work(&[1.0, 1.0])), (0.0, 0.0, 0.0));
     assert_eq!(e.potential(&[2.0, 1.0], &[7.0]), 4.0);
     assert_eq!(e.force(&[2.0, 1.0], &[0.0; 2], &[7.0], &[0.0]), [-1.0, -6.0]);
     // M⁻¹ = [[4, -2], [-2, 4]]/9 for M = [[3, 1.5], [1.5, 3]].

@@ -72,7 +72,7 @@ macro_rules! functions {
 }
 
 impl Double {
-    functions!(sqrt exp ln sin cos tan recip);
+    functions!(sqrt exp ln sin cos tan atan recip);
 
     #[inline(never)]
     pub(super) fn powi(self, n: i32) -> Double {

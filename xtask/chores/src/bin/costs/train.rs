@@ -86,7 +86,7 @@ impl Equations for Train {
     fn potential(&self, q: &[f64], k: &[f64]) -> f64 {
         (1..self.n).map(|i| 0.5 * spring(k[0], i) * q[i] * q[i]).sum()
     }
-    fn dissipation(&self, q_dot: &[f64], _: &[f64]) -> f64 {
+    fn dissipation(&self, _: &[f64], q_dot: &[f64], _: &[f64]) -> f64 {
         (1..self.n).map(|i| 0.5 * self.beta * spring(K_MID, i) * q_dot[i] * q_dot[i]).sum()
     }
     fn torque_work(&self, _: usize, dq: &[f64]) -> f64 {

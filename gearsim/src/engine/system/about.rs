@@ -1,0 +1,140 @@
+//! What equations that are not linear are linearised about: an equilibrium, a steady motion, or a place of a motion.
+//!
+//! | motion | when | matrices |
+//! | --- | --- | --- |
+//! | [`Motion::Equilibrium`] | nothing turns, and F(q, 0) = 0 | constant |
+//! | [`Motion::Steady`] | M and F do not change as the coordinates move on at the speeds of the start | constant |
+//! | [`Motion::Place`] | else: a crank turns, or is not at rest where it stands | those of one instant |
+
+use crate::engine::equations::{Equations, Known};
+use crate::engine::error::Refusal;
+use crate::engine::flanks;
+use crate::engine::start::{self, Initial};
+use crate::engine::vector::{Matrix, Vector};
+use crate::model::{Law, Role, Start};
+use crate::profile::Profile;
+use crate::scene::Scene;
+use crate::tolerance::analysis::{AT_EQUILIBRIUM, SAME_EQUATIONS};
+
+/// What the equations are linearised about.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Motion {
+    /// A state of rest in which all forces vanish.
+    Equilibrium,
+    /// A motion at constant speeds, along which the equations do not change.
+    Steady,
+    /// An instant of a motion along which the equations change: its place and its speeds.
+    Place,
+}
+
+/// A motion, about which the equations are linearised.
+#[derive(Debug, Clone)]
+pub struct Steady {
+    /// Which kind of motion it is.
+    pub motion: Motion,
+    /// The coordinates, with the elastic ones in static equilibrium [SI] (n).
+    pub q: Vector,
+    /// The speeds of the start [SI] (n).
+    pub q_dot: Vector,
+    /// The mean of each law over its period; of transmission errors zero.
+    pub means: Vec<f64>,
+    /// The terms that are linearised, in words.
+    pub terms: String,
+    /// The outputs of the model that are forces, torques or powers: name, unit and value.
+    pub outputs: Vec<(&'static str, &'static str, f64)>,
+    /// Why the motion meets both flanks of a mesh, in words: friction of the flanks, linearised, is that of one; `None` if it meets one.
+    pub both_flanks: Option<String>,
+}
+
+impl Steady {
+    /// The motion of a scene whose `terms` are not linear.
+    ///
+    /// # Errors
+    /// If there is no equilibrium of the elastic coordinates.
+    pub fn of(equations: &dyn Equations, scene: &Scene, terms: String) -> Result<Steady, Refusal> {
+        let model = scene.model;
+        let mean = |(law, given): (&Law, &Profile)| if law.role == Role::Error { 0.0 } else { given.mean() };
+        let means: Vec<f64> = scene.present().map(|(law, given)| mean((law, given))).collect();
+        let (motion, begun) = find(equations, scene, &model.in_contact(means.iter().copied()))?;
+        let (q, q_dot) = (begun.absolute(), begun.state.q_dot.clone());
+        let k = begun.levels(scene);
+        let is_force = |unit: &str| ["N", "N*m", "W"].contains(&unit);
+        let is_there = |with: Option<&str>| with.is_none_or(|effect| scene.effects.has(effect, model));
+        let outputs = model.outputs.iter().enumerate();
+        // What a run alone knows, reactions and powers of torques, has no value here.
+        let outputs = outputs.filter(|(_, output)| is_force(output.unit) && is_there(output.with) && !output.known);
+        let value = |i: usize| equations.output(i, &q, &q_dot, &k, &Known::default());
+        let outputs = outputs.map(|(i, output)| (output.name, output.unit, value(i))).collect();
+        let both_flanks = flanks::both(equations, scene, (&begun.state.q, &q_dot), &k);
+        Ok(Steady { motion, q, q_dot, means, terms, outputs, both_flanks })
+    }
+}
+
+/// The motion of a scene, and the state from which it starts; `means` are the mean values of the laws.
+fn find(equations: &dyn Equations, scene: &Scene, means: &[f64]) -> Result<(Motion, Initial), Refusal> {
+    let static_by_default = |i: usize| scene.model.coordinates[i].start == Start::Static;
+    let begun = start::begin(equations, &settling(scene, static_by_default))?;
+    let (q, q_dot) = (begun.absolute(), &begun.state.q_dot);
+    let flat = vec![0.0; scene.model.laws.len()];
+    if q_dot.iter().any(|v| *v != 0.0) {
+        let moving = changes(equations, &q, q_dot, (means, &flat));
+        return Ok((if moving { Motion::Place } else { Motion::Steady }, begun));
+    }
+    if is_balanced(equations, &q, (&begun.levels(scene), &flat)) {
+        return Ok((Motion::Equilibrium, begun));
+    }
+    // The stated values, from which all coordinates may move to an equilibrium.
+    if let Ok(settled) = start::begin(equations, &settling(scene, |_| true))
+        && is_balanced(equations, &settled.absolute(), (&settled.levels(scene), &flat))
+    {
+        return Ok((Motion::Equilibrium, settled));
+    }
+    Ok((if equations.is_inertia_constant() { Motion::Steady } else { Motion::Place }, begun))
+}
+
+/// The scene with the given coordinates in static equilibrium, found from their stated values.
+fn settling(scene: &Scene, which: impl Fn(usize) -> bool) -> Scene {
+    let mut settling = scene.clone();
+    for (i, given) in settling.start.q.iter_mut().enumerate() {
+        if which(i) && !given.is_static() {
+            *given = Start::Near(given.guess());
+        }
+    }
+    settling
+}
+
+/// Whether the forces vanish at rest at `q`, up to the rounding errors of `q`.
+fn is_balanced(equations: &dyn Equations, q: &[f64], (k, flat): (&[f64], &[f64])) -> bool {
+    let at_rest = Vector::zeros(q.len());
+    let force = equations.force(q, &at_rest, k, flat);
+    let [by_q, _] = equations.jacobian(q, &at_rest, k, flat, flat);
+    let size = |i: usize| (0..q.len()).map(|j| (by_q[(i, j)] * q[j]).abs()).sum::<f64>();
+    (0..q.len()).all(|i| force[i].abs() <= AT_EQUILIBRIUM * size(i))
+}
+
+/// Whether M or F change as the coordinates move on from `q` at the speeds `q_dot`, at fixed values and slopes of the laws.
+fn changes(equations: &dyn Equations, q: &Vector, q_dot: &Vector, laws: (&[f64], &[f64])) -> bool {
+    // No whole number of turns, teeth or radians.
+    const PLACES: [f64; 3] = [0.618_033_988_7, 1.732_050_807_5, 41.303_162_87];
+    let fastest = q_dot.amax();
+    PLACES.iter().any(|x| !are_same(equations, [q, &(q + &(q_dot * (x / fastest)))], q_dot, laws))
+}
+
+/// Whether M and F are the same at two places, up to rounding errors, at fixed values and slopes of the laws.
+pub fn are_same(
+    equations: &dyn Equations,
+    [one, other]: [&Vector; 2],
+    q_dot: &Vector,
+    (k, flat): (&[f64], &[f64]),
+) -> bool {
+    let close = |a: &Matrix, b: &Matrix| (a - b).amax() <= SAME_EQUATIONS * a.amax().max(b.amax());
+    let [a, b] = [one, other].map(|q| equations.mass(q));
+    let [[a_q, a_v], [b_q, b_v]] = [one, other].map(|q| equations.jacobian(q, q_dot, k, flat, flat));
+    if !(close(&a, &b) && close(&a_q, &b_q) && close(&a_v, &b_v)) {
+        return false;
+    }
+    let [f, g] = [one, other].map(|q| equations.force(q, q_dot, k, flat));
+    // Each force is known to the rounding errors of the place.
+    let size = |i: usize| (0..f.len()).map(|j| (a_q[(i, j)] * other[j]).abs()).sum::<f64>().max(f[i].abs());
+    (0..f.len()).all(|i| (f[i] - g[i]).abs() <= SAME_EQUATIONS * size(i))
+}
