@@ -1,8 +1,8 @@
 //! The kernel of plain events: L simulations pass one step of a stiffness at once.
 //!
-//! An event is plain if the phase is certainly monotone, Newton's method converges, the step lies before the end of the run, and
-//! the energy is sufficient to pass it. A lane whose event is not plain is not changed; the general loop ([`simulate`]) handles
-//! its event.
+//! An event is plain if the phase is certainly monotone, or a single vibration takes part in it ([`turning`]), Newton's method converges, the
+//! step lies before the end of the run, and the motion passes it or is turned back without being pressed against it. A lane whose
+//! event is not plain is not changed; the general loop ([`simulate`]) handles its event.
 //!
 //! The kernel is compiled for a few numbers of coordinates N, for L = 8 ([`ensemble`](crate::ensemble)) and for L = 1
 //! ([`alone`]). If a simulation has fewer coordinates, the last ones stay at rest.
@@ -22,8 +22,9 @@ mod flight;
 mod handover;
 pub mod kind;
 pub mod pack;
+mod turning;
 
-use crate::tolerance::events::{BOUND_MARGIN, REVERSION_LIMIT, ROOT_ERROR};
+use crate::tolerance::events::{BOUND_MARGIN, REVERSION_LIMIT, ROOT_ERROR, SHORT_BOUNCE};
 use crate::tolerance::modes::{KERNEL_ANGLE, SERIES_SPAN, SHIFT_SPAN};
 use cells::Cells;
 use flight::{Flight, Point, Response, responses};
@@ -65,8 +66,9 @@ pub struct Lanes<const N: usize, const L: usize> {
     pub turns: [i64; L],
     /// Whether a law has a period of several turns.
     pub long: bool,
-    /// Number of cell changes since the lane was loaded.
+    /// Number of cell changes since the lane was loaded, and of reflections.
     pub changes: [u64; L],
+    pub reflections: [u64; L],
     /// Prediction for the next passage of each cell.
     pub expected: Vec<Expected<N, L>>,
 }
@@ -123,10 +125,12 @@ impl<const N: usize, const L: usize> Expected<N, L> {
     }
 }
 
-/// The direction in which the phase of each lane moves.
+/// The boundary that the phase of each lane meets.
 struct Target<const L: usize> {
-    /// Whether the phase is proved to be monotone.
+    /// Whether it is certain: the phase is proved to be monotone, or its crossing was found.
     monotone: Mask<L>,
+    /// Whether the crossing of a phase that may turn back was found. `steady` is then about its time.
+    found: Mask<L>,
     /// Whether it moves to the upper boundary.
     up: Mask<L>,
     /// 1 towards the upper boundary, -1 towards the lower one.
@@ -147,6 +151,10 @@ pub struct Attempt<const N: usize, const L: usize> {
     pub t: Pack<L>,
     /// Whether it is at the upper boundary of the cell.
     up: Mask<L>,
+    /// Whether the motion is turned back.
+    turned: Mask<L>,
+    /// Whether the phase may have turned within the flight. Its time then predicts no other.
+    found: Mask<L>,
     /// Number of evaluations of the motion.
     pub evaluations: usize,
     /// Time to the event at the steady part of the speed [s].
@@ -202,7 +210,11 @@ impl<const N: usize, const L: usize> Lanes<N, L> {
         // Solve.
         let flight = Flight::new(cells, &self.q, &self.q_dot);
         // Locate.
-        let target = self.target(cells, &flight);
+        let mut target = self.target(cells, &flight);
+        let unsure = active.without(target.monotone);
+        if unsure.intersects(active) {
+            self.turn(cells, &flight, &mut target, unsure);
+        }
         let sure = active.and(target.monotone);
         let (sure, t, points, evaluations) = self.locate(cells, &flight, &target, &expected, sure);
         // Jump.
@@ -224,17 +236,23 @@ impl<const N: usize, const L: usize> Lanes<N, L> {
         let expected = self.expected(attempt.common.is_some(), attempt.common.unwrap_or(0));
         let next = expected.next(cells, &self.rigid, attempt.t, attempt.steady);
         // All events are plain almost always. The branch lets the next flight start without waiting for the mask.
-        if attempt.sure.is_all() {
-            self.keep(attempt, &next, Mask::of(|_| true));
+        let all = Mask::of(|_| true);
+        if attempt.sure.is_all() && !attempt.found.intersects(all) {
+            self.keep(attempt, &next, [all, all]);
         } else {
-            self.keep(attempt, &next, attempt.sure);
+            self.keep(attempt, &next, [attempt.sure, attempt.sure.without(attempt.found)]);
         }
-        self.enter(attempt.up, attempt.sure);
+        if attempt.turned.intersects(attempt.sure) {
+            for lane in (0..L).filter(|lane| attempt.turned.and(attempt.sure).is_set(*lane)) {
+                self.reflections[lane] += 1;
+            }
+        }
+        self.enter(attempt.up, attempt.sure.without(attempt.turned));
     }
 
-    /// Stores the state after the event in the lanes `sure`.
+    /// Stores the state after the event in the lanes `sure`, and the next prediction in those that it holds for.
     #[inline(always)]
-    fn keep(&mut self, attempt: &Attempt<N, L>, next: &Expected<N, L>, sure: Mask<L>) {
+    fn keep(&mut self, attempt: &Attempt<N, L>, next: &Expected<N, L>, [sure, predicted]: [Mask<L>; 2]) {
         for i in 0..N {
             self.q[i] = attempt.q[i].or(sure, self.q[i]);
             self.q_dot[i] = attempt.q_dot[i].or(sure, self.q_dot[i]);
@@ -242,7 +260,7 @@ impl<const N: usize, const L: usize> Lanes<N, L> {
         }
         self.dissipated = attempt.dissipated.or(sure, self.dissipated);
         self.advance(attempt.t, sure);
-        self.expect(next, sure, attempt.common);
+        self.expect(next, predicted, attempt.common);
     }
 
     /// The boundary to which the phase moves, and whether the phase is proved to be monotone: the steady part of its speed
@@ -264,7 +282,8 @@ impl<const N: usize, const L: usize> Lanes<N, L> {
         let boundary = cells.bounds[1].or_uniform(up, cells.bounds[0]);
         let gap = sign * (boundary - self.q[self.phase]);
         let monotone = uniform.and(drift.abs().compare(oscillation, |d, w| d > w * (1.0 + BOUND_MARGIN)));
-        Target { monotone, up, sign, boundary, gap, steady: gap / drift.abs() }
+        let found = Mask::of(|_| false);
+        Target { monotone, found, up, sign, boundary, gap, steady: gap / drift.abs() }
     }
 
     /// The time of the crossing, the modes at that time, and the number of evaluations: Newton's method from the predicted time.
@@ -280,8 +299,10 @@ impl<const N: usize, const L: usize> Lanes<N, L> {
     ) -> (Mask<L>, Pack<L>, [Point<L>; N], usize) {
         let guess =
             (target.steady + expected.lateness).zip(target.steady, |t, steady| if t > 0.0 { t } else { steady });
+        let guess = target.steady.or(target.found, guess);
         // The condition is also false for NaN.
         let near_enough = ((guess - expected.t) * cells.rate).compare(guess, |angle, _| angle.abs() <= SHIFT_SPAN);
+        let near_enough = near_enough.without(target.found);
         let elsewhere = Mask::of(|_| true).without(near_enough);
         let (mut t, mut near) = (expected.t, flight.all_after(&expected.responses));
         if elsewhere.intersects(sure) {
@@ -324,10 +345,13 @@ impl<const N: usize, const L: usize> Lanes<N, L> {
         let in_time = taken.compare(self.end - self.clock[0] - self.clock[1], |t, left| t < left);
         let angle = cells.rate * taken;
         let resolved = angle.compare(angle, |angle, _| (angle >= SERIES_SPAN) & (angle < KERNEL_ANGLE));
-        (sure.and(done).and(in_time).and(resolved), taken, points, evaluations)
+        // A crossing that was found is the one beside it.
+        let beside = ((taken - guess) * cells.rate).compare(guess, |angle, _| angle.abs() <= 2.0 * SHIFT_SPAN);
+        let sure = sure.and(done).and(in_time).and(resolved);
+        (sure.without(target.found.without(beside)), taken, points, evaluations)
     }
 
-    /// The state after the event, in the lanes whose energy is sufficient to pass.
+    /// The state after the event, in the lanes that pass or are turned back.
     #[inline(always)]
     fn jump(
         &self,
@@ -366,13 +390,33 @@ impl<const N: usize, const L: usize> Lanes<N, L> {
         let lowered = 2.0 * self.compliance * dv;
         let square = v * v - lowered;
         let gain = -(target.sign * lowered) / (square.sqrt() + v.abs());
+        let passes = square.compare(v, |square, v| (square > 0.0) & v.is_finite());
+        let turned = square.compare(v, |square, v| (square < 0.0) & v.is_finite());
+        let (mut gain, mut goes_on) = (gain, passes);
+        if turned.intersects(sure) {
+            gain = (-2.0 * v).or(turned, gain);
+            goes_on = goes_on.with(turned.and(self.is_free(cells, flight, points, v)));
+        }
         for i in 0..N {
             [q_dot[i], lost[i]] = two_sum(q_dot[i], (gained[i] + lost[i]) + self.direction[i] * gain);
         }
-        q[self.phase] = cells.entered[1].or_uniform(target.up, cells.entered[0]);
-        let passes = square.compare(v, |square, v| (square > 0.0) & v.is_finite());
-        let (sure, up, steady) = (sure.and(passes), target.up, target.steady);
-        Attempt { sure, t, up, evaluations, steady, arrival, q, q_dot, lost, dissipated, common }
+        q[self.phase] = target.boundary.or_uniform(turned, cells.entered[1].or_uniform(target.up, cells.entered[0]));
+        let (sure, up, steady, found) = (sure.and(goes_on), target.up, target.steady, target.found);
+        Attempt { sure, t, up, turned, found, evaluations, steady, arrival, q, q_dot, lost, dissipated, common }
+    }
+
+    /// Whether a motion that is turned back with the normal speed `v` is not pressed against the step ([`presses`]): its bounce is longer than a
+    /// pressed one. The acceleration after the impulse is at most that before it and what the dampers add.
+    ///
+    /// [`presses`]: crate::engine::contact::presses
+    #[inline(always)]
+    fn is_free(&self, cells: &Cells<N, L>, flight: &Flight<'_, N, L>, points: &[Point<L>; N], v: Pack<L>) -> Mask<L> {
+        let mut acceleration = Pack::all(0.0);
+        for i in 0..N {
+            acceleration = acceleration + cells.modes[i].part * flight.derivatives(i, &points[i])[1];
+        }
+        let bounce = 2.0 * v.abs() * cells.rate;
+        bounce.compare(acceleration, |bounce, a| bounce > SHORT_BOUNCE * (a.abs() + bounce))
     }
 
     /// Displacement of the phase towards its boundary, and its first four derivatives.

@@ -90,7 +90,7 @@ impl<'a> Simulation<'a> {
     }
 
     /// Runs to the end. `recorder` notes samples at a rate \[1/s\] and, if told to, the limits at every event; `watch`
-    /// is told the time after every event.
+    /// is told the time after events, not after each of those that pass in some microseconds.
     ///
     /// # Errors
     /// Where the run cannot go on; what was recorded until then is in the recorder.
@@ -100,13 +100,22 @@ impl<'a> Simulation<'a> {
         watch: &mut dyn FnMut(f64),
     ) -> Result<(), Stop> {
         let mut recording = recorder.map(|(recorder, rate, events)| Recording::new(recorder, rate, events));
-        while !self.step(&mut recording)? {
+        while !self.go_on(&mut recording)? {
             watch(self.now.clock.now());
             if let Some(recording) = &recording {
                 recording.require_room()?;
             }
         }
         Ok(())
+    }
+
+    /// Goes on to the next event, past many if they are plain and not recorded. Returns whether the run is over.
+    #[inline]
+    fn go_on(&mut self, recording: &mut Option<Recording<'_, '_>>) -> Result<bool, Stop> {
+        if self.is_plain() && self.pass_all_plain(recording) {
+            return Ok(false);
+        }
+        self.step_in_general(recording)
     }
 
     /// Goes on to the next event, or to the end of the run. Returns whether the run is over.

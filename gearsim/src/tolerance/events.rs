@@ -152,3 +152,12 @@ pub(crate) const INDEPENDENT: f64 = 1e-12;
 
 /// Cells with holds that are kept for the next time they are met [cells]. It decides the memory, not the accuracy.
 pub(crate) const HELD_CELLS: usize = 4096;
+
+/// A phase that turns back this close to a boundary is left to the general search [relative to the width of the cell and the way of the phase]:
+/// rounding errors of the way are 1e6 times smaller. Smaller: rounding errors could decide whether a boundary is met. Larger: more
+/// events are left.
+pub(crate) const TURN_NEAR: f64 = 1e-9;
+
+/// Step of Newton's method towards the crossing of such a phase at which the series of the motion goes on from there [fastest time of the
+/// cell]: half of the longest shift of the series. It decides the cost.
+pub(crate) const TURN_STEP: f64 = 4e-3;

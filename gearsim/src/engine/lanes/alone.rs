@@ -19,7 +19,24 @@ pub trait Alone: Send + Sync {
 
     /// Moves the simulation past the located event, and counts the evaluations of the motion.
     fn pass(&mut self, simulation: &mut Simulation<'_>);
+
+    /// Moves the simulation past its plain events before the time `until` \[s\], at most some thousand.
+    fn advance(&mut self, simulation: &mut Simulation<'_>, until: f64) -> Stopped;
 }
+
+/// Why the kernel did not go on.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Stopped {
+    /// It has passed as many events as it may at once.
+    Enough,
+    /// The next event is plain, but it is not before the given time.
+    Due,
+    /// The next event is not plain.
+    General,
+}
+
+/// Most events that are passed at once: some ten microseconds.
+const AT_ONCE: u64 = 1024;
 
 /// The kernel for a simulation; `None` if none of its events can be plain.
 pub fn of(simulation: &Simulation<'_>) -> Option<Box<dyn Alone>> {
@@ -68,6 +85,46 @@ impl<const N: usize> Alone for Lane<N> {
         self.lanes.unload(0, simulation);
         simulation.now.counts.cost.evaluations += attempt.evaluations as u64;
         simulation.now.counts.cost.steps += attempt.evaluations as u64;
+    }
+
+    fn advance(&mut self, simulation: &mut Simulation<'_>, until: f64) -> Stopped {
+        self.lanes.load(0, simulation, false);
+        let (stopped, evaluations) = Arch::new().dispatch(Advance { lanes: &mut self.lanes, until });
+        if evaluations > 0 {
+            self.lanes.unload(0, simulation);
+            simulation.now.counts.cost.evaluations += evaluations;
+            simulation.now.counts.cost.steps += evaluations;
+        }
+        stopped
+    }
+}
+
+/// Passes events, compiled for the vector instructions of the processor at hand.
+struct Advance<'l, const N: usize> {
+    lanes: &'l mut Lanes<N, 1>,
+    until: f64,
+}
+
+impl<const N: usize> NullaryFnOnce for Advance<'_, N> {
+    /// Why it stopped, and the evaluations of the motion on the way.
+    type Output = (Stopped, u64);
+
+    #[inline(always)]
+    fn call(self) -> (Stopped, u64) {
+        let Advance { lanes, until } = self;
+        let mut evaluations = 0;
+        for _ in 0..AT_ONCE {
+            let attempt = lanes.attempt(Mask::of(|_| true));
+            if !attempt.sure.is_set(0) {
+                return (Stopped::General, evaluations);
+            }
+            if lanes.clock_after(attempt.t)[0].0[0] >= until {
+                return (Stopped::Due, evaluations);
+            }
+            lanes.take(&attempt);
+            evaluations += attempt.evaluations as u64;
+        }
+        (Stopped::Enough, evaluations)
     }
 }
 

@@ -32,6 +32,7 @@ impl<const N: usize, const L: usize> Lanes<N, L> {
             turns: [0; L],
             long: false,
             changes: [0; L],
+            reflections: [0; L],
             expected: vec![Expected::NOTHING; places],
         }
     }
@@ -55,7 +56,8 @@ impl<const N: usize, const L: usize> Lanes<N, L> {
         (self.clock[0].0[lane], self.clock[1].0[lane]) = (simulation.now.clock.0.hi(), simulation.now.clock.0.lo());
         self.end.0[lane] = simulation.now.t_end;
         self.dissipated.0[lane] = simulation.now.dissipated;
-        (self.at[lane], self.turns[lane], self.changes[lane]) = (law.cell, 0, 0);
+        (self.at[lane], self.turns[lane]) = (law.cell, 0);
+        (self.changes[lane], self.reflections[lane]) = (0, 0);
     }
 
     /// Writes the state of a lane back to its simulation.
@@ -70,5 +72,6 @@ impl<const N: usize, const L: usize> Lanes<N, L> {
         simulation.now.clock.0 = Df64::new_full(self.clock[0].0[lane], self.clock[1].0[lane]);
         simulation.now.dissipated = self.dissipated.0[lane];
         simulation.now.counts.cell_changes += self.changes[lane];
+        simulation.now.counts.reflections += self.reflections[lane];
     }
 }

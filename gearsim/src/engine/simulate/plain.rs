@@ -1,11 +1,31 @@
 //! Plain events: steps that the kernel passes ([`lanes`](crate::engine::lanes)).
 
-use crate::engine::lanes::alone;
+use crate::engine::lanes::alone::{self, Stopped};
 use crate::trajectory::Moment;
 
 use super::{Recording, Simulation};
 
 impl Simulation<'_> {
+    /// Passes plain events, many at once where their rows are not recorded. Returns whether it passed any and the next one may be
+    /// plain too.
+    pub(super) fn pass_all_plain(&mut self, recording: &mut Option<Recording<'_, '_>>) -> bool {
+        if recording.as_mut().is_some_and(|recording| recording.of_events().is_some()) {
+            return self.pass_plain(recording);
+        }
+        let Some(mut kernel) = self.kernel.take().unwrap_or_else(|| alone::of(self)) else {
+            self.kernel = Some(None);
+            return false;
+        };
+        let until = recording.as_ref().map_or(f64::INFINITY, Recording::due);
+        let stopped = kernel.advance(self, until);
+        self.kernel = Some(Some(kernel));
+        match stopped {
+            Stopped::Enough => true,
+            Stopped::Due => self.pass_plain(recording),
+            Stopped::General => false,
+        }
+    }
+
     /// Passes the next step, if the kernel can; else changes nothing. Returns whether it has.
     #[inline]
     pub(super) fn pass_plain(&mut self, recording: &mut Option<Recording<'_, '_>>) -> bool {

@@ -55,7 +55,7 @@ pub const PATHS: &[Path] = &[
     path("cell_600rpm", "a cell change at 600 rpm", None, || cells("spectrum_600rpm_exact", &[])),
     path(
         "event_of_a_stall",
-        "an event of the pair at 600 rpm under 50 N m, turned back by half of the steps",
+        "an event of the pair at 600 rpm under 50 N m, which stalls: 34 of 176 events are reflections",
         None,
         stall,
     ),
@@ -158,7 +158,7 @@ fn cells(name: &str, overrides: &[&str]) -> Job {
 }
 
 fn stall() -> Job {
-    let mut simulation = simulation(scene("spectrum_600rpm_exact", &["parameters.T0=50 N*m"]));
+    let mut simulation = simulation(scene("spectrum_600rpm_exact", &["parameters.T0=50 N*m", "run.t_end=0.8 s"]));
     Box::new(move || {
         simulation.run(None, &mut |_| {}).expect("the run ends");
         simulation.now.counts.events()
