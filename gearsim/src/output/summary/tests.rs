@@ -11,7 +11,7 @@ fn summary() -> Summary {
     let (force, unit) = ("mesh_force_12".into(), "N".into());
     let mesh = Mesh { force, unit, largest, at_rest, dynamic_factor, kv_iso6336 };
     let [contact_ratio, overlap_ratio, mean, min, max] = [1.5, 0.0, 1.5e8, 1e8, 2e8].map(Number);
-    let levels = [1e8, 2e8].map(|value| Level { value: Number(value), width: Number(3.14) }).to_vec();
+    let levels = [1e8, 2e8].map(|value| Level { value: Number(value), width: Number(3.0) }).to_vec();
     let (unit, phase_unit) = ("N/m".into(), "rad".into());
     let law = LawFromTeeth { contact_ratio, overlap_ratio, unit, phase_unit, mean, min, max, levels };
     let load = LoadSpectrum { unit: "rad".into(), cycles: Number(12.5), largest_range: Number(1e-3) };
