@@ -34,7 +34,7 @@ fn run(scene: &Scene) -> Outcome {
 
 /// Where the flanks of two involute gears stand: a string from the base circle of the first gear to that of the second, crossed between the
 /// circles.
-struct String {
+struct Cord {
     /// Penetration of the drive flanks [m].
     depth: f64,
     /// Direction of the string, from the first gear to the second.
@@ -44,7 +44,7 @@ struct String {
 /// The string at the rotations a1, a2 of the gears, each in its own direction, and the displacements of their centres. At rest it has the
 /// pressure angle, and the depth zero. It touches the first circle at the angle b: the free lengths of the flanks' involutes are
 /// r1 (a1 - b) and -r2 (a2 + b), up to a constant, and overlap by what they exceed the distance of the points of contact.
-fn string([a1, a2]: [f64; 2], [x1, y1, x2, y2]: [f64; 4]) -> String {
+fn string([a1, a2]: [f64; 2], [x1, y1, x2, y2]: [f64; 4]) -> Cord {
     let free = |[x1, y1, x2, y2]: [f64; 4]| {
         let distance = (R1 + R2) / ALPHA.cos();
         let (dx, dy) = (distance + x2 - x1, y2 - y1);
@@ -55,7 +55,7 @@ fn string([a1, a2]: [f64; 2], [x1, y1, x2, y2]: [f64; 4]) -> String {
     };
     let ((b, length), (b0, length0)) = (free([x1, y1, x2, y2]), free([0.0; 4]));
     let depth = R1 * a1 - R2 * a2 - (R1 + R2) * (b - b0) - (length - length0);
-    String { depth, along: [-b.sin(), b.cos()] }
+    Cord { depth, along: [-b.sin(), b.cos()] }
 }
 
 /// theta and s of rotations of the gears.
@@ -84,7 +84,7 @@ fn forces_act_along_the_string_between_the_base_circles() {
             let v: [f64; 4] = std::array::from_fn(|_| next(1.0));
             let moved =
                 |h: f64| string([a[0] + h * w[0], a[1] + h * w[1]], std::array::from_fn(|i| c[i] + h * v[i])).depth;
-            let String { depth, along } = string(a, c);
+            let Cord { depth, along } = string(a, c);
             let h = 1e-6;
             let rate = (moved(h) - moved(-h)) / (2.0 * h);
             let force = k * depth + beta * mid * rate;
@@ -141,7 +141,7 @@ fn small_motions_are_those_of_the_linear_model() {
 /// inv a), and the coast flank after b/2 - R phi + R (inv a' - inv a) beyond the middle.
 #[test]
 fn the_play_opens_as_the_centres_move_apart() {
-    let (x, y, b) = (0.4e-3, 0.2e-3, 100e-6);
+    let (x, y, b) = (0.4e-3, 0.1e-3, 100e-6);
     let involute = |a: f64| a.tan() - a;
     let distance = (R1 + R2) / ALPHA.cos();
     let between = (distance + x).hypot(y);

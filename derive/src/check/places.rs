@@ -163,7 +163,8 @@ impl Places<'_> {
         each(&self.model.kinetic, "the kinetic energy", &moving, why)?;
         let several = self.model.functions.iter().filter(|function| function.is_of_several());
         for function in several {
-            let named = |t: &Expr| symbols(&t.atom()).contains(&(Function, function.name.clone()));
+            let all: Vec<_> = function.derivatives().into_iter().map(|d| (Function, d.name)).collect();
+            let named = |t: &Expr| symbols(&t.atom()).iter().any(|s| all.contains(s));
             if self.model.kinetic.iter().any(named) {
                 let (model, symbol, place) =
                     (self.model.name.clone(), function.name.clone(), "the kinetic energy".to_string());

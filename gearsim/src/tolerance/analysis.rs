@@ -122,7 +122,7 @@ pub(crate) const SAME_EQUATIONS: f64 = 1e-9;
 /// seconds.
 pub(crate) const TURN_PITCHES: u32 = 20_000;
 /// Error of a step of the propagator of small disturbances along a motion [1]. Larger: multipliers lose digits. Smaller: more steps.
-pub(crate) const MAGNUS_ERROR: f64 = 1e-11;
+pub(crate) const MAGNUS_ERROR: f64 = 1e-9;
 /// Tolerance of the runs of a turn [relative]: the motion and its derivatives have ten digits.
 pub(crate) const ORBIT_TOLERANCE: f64 = 1e-12;
 /// A turn is closed if speeds and places return to this [relative to the rotation, by kinetic energy]. Larger: multipliers are those of a
@@ -130,8 +130,11 @@ pub(crate) const ORBIT_TOLERANCE: f64 = 1e-12;
 pub(crate) const ORBIT_CLOSED: f64 = 1e-9;
 /// A turn that the search does not close further is accepted up to this, and its gap is printed [relative to the rotation].
 pub(crate) const ORBIT_ACCEPTED: f64 = 1e-6;
+/// Farther from closed than this [relative to the rotation], turns are taken one after another as long as they come closer. Larger: Newton's
+/// method starts where it does not converge. Smaller: more turns where vibrations decay slowly.
+pub(crate) const ORBIT_NEAR: f64 = 1e-4;
 /// Largest number of runs in the search of a motion that repeats [runs].
-pub(crate) const ORBIT_ROUNDS: usize = 12;
+pub(crate) const ORBIT_ROUNDS: usize = 30;
 /// Directions in which a turn closes by itself, as rigid motions [relative to the largest singular value]. Larger: weakly damped vibrations do
 /// not settle. Smaller: rigid motions run away.
 pub(crate) const ORBIT_RANK: f64 = 1e-10;

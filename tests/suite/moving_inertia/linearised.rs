@@ -168,7 +168,7 @@ fn multipliers_are_those_of_the_flow_of_dop853() {
         (
             "crank_drive",
             &[
-                "parameters.beta_K=0.1 us",
+                "parameters.beta_K=1 us",
                 "parameters.N2=24",
                 "parameters.I2=20000 kg*mm^2",
                 "parameters.m_p=2 kg",
@@ -180,8 +180,9 @@ fn multipliers_are_those_of_the_flow_of_dop853() {
             &[
                 "effects=[\"stiffness_step\", \"rigid_kinematics\", \"torques\", \"damping\"]",
                 "parameters.N2=24",
+                "parameters.I2=20000 kg*mm^2",
                 "parameters.m_p=2 kg",
-                "parameters.beta_K=0.1 us",
+                "parameters.beta_K=1 us",
                 "start.speed=3000 rpm",
             ],
         ),
@@ -292,4 +293,45 @@ fn a_joint_shakes_its_drive_as_by_hand() {
         verdicts.push(floquet.verdict.is_unstable());
     }
     assert_eq!(verdicts, [true, false], "unstable beside the first speed only");
+}
+
+#[test]
+fn probe() {
+    for set in [
+        vec!["parameters.beta_K=0.2 us", "parameters.N2=24", "start.speed=1500 rpm"],
+        vec!["parameters.beta_K=0.2 us", "parameters.N2=24", "start.speed=600 rpm"],
+        vec![
+            "parameters.beta_K=1 us",
+            "parameters.N2=24",
+            "parameters.I2=20000 kg*mm^2",
+            "parameters.m_p=2 kg",
+            "start.speed=3000 rpm",
+        ],
+        vec![
+            "parameters.beta_K=1 us",
+            "parameters.N2=24",
+            "parameters.I2=20000 kg*mm^2",
+            "parameters.m_p=2 kg",
+            "start.speed=1500 rpm",
+        ],
+        vec![
+            "parameters.beta_K=1 us",
+            "parameters.N2=24",
+            "parameters.I2=20000 kg*mm^2",
+            "parameters.m_p=2 kg",
+            "parameters.T_load=2.5 N*m",
+            "start.speed=3000 rpm",
+        ],
+    ] {
+        let all: Vec<String> = set.iter().map(|s| s.to_string()).collect();
+        let scene = common::scene("crank_drive", &all);
+        let entry = common::model("crank_drive");
+        let begin = std::time::Instant::now();
+        let floquet = Floquet::of(&scene, &entry.about_steady_motion(&scene).unwrap());
+        eprintln!(
+            "{set:?} {:?}: {:?}",
+            begin.elapsed(),
+            floquet.map(|f| (f.multipliers.clone(), f.orbit.map(|o| (o.drift, o.gap, o.speed))))
+        );
+    }
 }

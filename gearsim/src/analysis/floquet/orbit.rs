@@ -32,7 +32,7 @@ use crate::methods::steps::BySteps;
 use crate::model::Start;
 use crate::scene::Scene;
 use crate::scene::solver::Method;
-use crate::tolerance::analysis::{ORBIT_ACCEPTED, ORBIT_CLOSED, ORBIT_RANK, ORBIT_ROUNDS, ORBIT_TOLERANCE};
+use crate::tolerance::analysis::{ORBIT_ACCEPTED, ORBIT_CLOSED, ORBIT_NEAR, ORBIT_RANK, ORBIT_ROUNDS, ORBIT_TOLERANCE};
 
 use variational::{Carried, Variational};
 
@@ -111,6 +111,15 @@ impl Shooting<'_> {
             if gap <= ORBIT_CLOSED {
                 break;
             }
+            // Far away, a turn by itself comes closer if vibrations decay.
+            if gap > ORBIT_NEAR {
+                let next = self.onwards(&place, &shot);
+                let tried = self.shoot(&next).ok().map(|shot| (self.gap(&next, &shot), shot));
+                if let Some((next_gap, tried)) = tried.filter(|(next_gap, _)| *next_gap < 0.7 * gap) {
+                    (place, shot, gap) = (next, tried, next_gap);
+                    continue;
+                }
+            }
             let step = self.newton(&place, &shot).ok_or(FloquetError::NoOrbit { gap })?;
             // A step too far leaves the range in which the flow is nearly linear.
             let mut part = 1.0;
@@ -136,6 +145,16 @@ impl Shooting<'_> {
             Some(why) => Err(FloquetError::NotSmooth { why }),
             None => Ok((place, shot)),
         }
+    }
+
+    /// Where a turn from `place` came to, as the start of another: with the same reference coordinate, and the speed that a turn in the given
+    /// time asks for.
+    fn onwards(&self, (q, v): &Place, shot: &Shot) -> Place {
+        let reference = self.turn.reference;
+        let mut next = (&shot.q - &self.turn.shift, shot.v.clone());
+        let moved = (shot.q[reference] - q[reference]) / self.turn.shift[reference];
+        (next.0[reference], next.1[reference]) = (q[reference], v[reference] / moved);
+        next
     }
 
     /// The coordinates a short way along the motion, where no law is near a step, so that turns begin and end within the same cells.

@@ -22,6 +22,9 @@ use crate::methods::flow::Flow;
 use crate::methods::steps::BySteps;
 use crate::tolerance::analysis::{MAGNUS_ERROR, MAGNUS_STEPS};
 
+/// Most terms of a series: it is shorter for exponents up to size ten.
+const MOST_TERMS: u32 = 60;
+
 /// What a solver has carried along.
 #[derive(Debug)]
 pub struct Carried {
@@ -138,9 +141,20 @@ impl Carrier<'_, '_, '_> {
             let middle = (step as f64 + 0.5) * h;
             let (first, second) = (self.generator(middle - apart), self.generator(middle + apart));
             let twist = &second * &first - &first * &second;
-            let over = ((first + second) * (0.5 * h) + twist * (3f64.sqrt() / 12.0 * h * h)).exp();
-            let carried = &mut *self.carried.borrow_mut();
-            carried.phi = over * &carried.phi;
+            let exponent = (first + second) * (0.5 * h) + twist * (3f64.sqrt() / 12.0 * h * h);
+            multiply_by_exponential(&exponent, &mut self.carried.borrow_mut().phi);
+        }
+    }
+}
+
+/// phi becomes exp(a) phi, by its power series: `a` is of size one at most, the angle of the fastest vibration in a step of a method.
+fn multiply_by_exponential(a: &DMatrix<f64>, phi: &mut DMatrix<f64>) {
+    let mut term = phi.clone();
+    for k in 1..=MOST_TERMS {
+        term = a * term * (1.0 / f64::from(k));
+        *phi += &term;
+        if term.amax() <= 0.1 * f64::EPSILON * phi.amax() {
+            break;
         }
     }
 }
