@@ -14,6 +14,9 @@ use crate::engine::lanes::{Lanes, Target};
 use crate::tolerance::events::{TURN_NEAR, TURN_STEP};
 use crate::tolerance::modes::KERNEL_ANGLE;
 
+#[cfg(test)]
+mod tests;
+
 /// Most intervals, and most steps of Newton's method in one. What needs more is left to the general loop.
 const MOST: (u32, u32) = (16, 16);
 
@@ -187,11 +190,8 @@ impl Phase {
     /// The phase at a time.
     #[inline(always)]
     fn at(&self, t: f64) -> Place {
-        let ([sine], [cosine]) = {
-            let (sine, cosine) = sin_cos(Pack([self.w * t]));
-            (sine.0, cosine.0)
-        };
-        self.placed(t, cosine, sine, self.a)
+        let (sine, cosine) = sin_cos(Pack([self.w * t]));
+        self.placed(t, cosine.0[0], sine.0[0], self.a)
     }
 
     /// The phase at a zero of y'', where cos wt and sin wt are known.

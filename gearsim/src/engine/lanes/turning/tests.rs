@@ -1,0 +1,67 @@
+//! First crossings of random phases, compared with a scan.
+
+use super::*;
+
+/// Random numbers in 0..1.
+fn random(seed: &mut u64) -> f64 {
+    *seed = seed.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
+    (*seed >> 11) as f64 / (1u64 << 53) as f64
+}
+
+/// A phase of unit frequency that starts on a boundary or between two, with any drift.
+fn draw(seed: &mut u64) -> (Phase, [f64; 2]) {
+    let mut even = |size: f64| size * (2.0 * random(seed) - 1.0);
+    let (sigma, omega2, part) = (even(0.2).abs(), 1.0, even(2.0));
+    let w: f64 = (omega2 - sigma * sigma).sqrt();
+    let (v, y, drift) = (even(1.0), even(1.0), even(0.5));
+    let a = -2.0 * sigma * v - omega2 * y;
+    let jerk = -2.0 * sigma * a - omega2 * v;
+    let phase = Phase {
+        drift,
+        part,
+        sigma,
+        per_omega2: 1.0 / omega2,
+        w,
+        v: [v, (a + sigma * v) / w],
+        a: [a, (jerk + sigma * a) / w],
+        start: y,
+    };
+    let (width, place) = (even(4.0).abs() + 1e-3, even(1.0));
+    // A third of them leave the boundary that they start on.
+    let inwards = drift + part * v;
+    let down = match place {
+        p if p.abs() > 0.33 => width * p.abs(),
+        _ if inwards > 0.0 => 0.0,
+        _ => width,
+    };
+    (phase, [down, width - down])
+}
+
+#[test]
+fn first_crossings_are_those_of_a_scan() {
+    let (mut seed, mut found, mut left) = (1, 0u32, 0u32);
+    let (until, steps) = (40.0, 8000);
+    for _ in 0..4000 {
+        let (phase, gaps) = draw(&mut seed);
+        let outside = |t: f64| {
+            let s = phase.at(t).s;
+            if s > gaps[1] { Some(true) } else { (s < -gaps[0]).then_some(false) }
+        };
+        let seen = (1..=steps).map(|i| until * f64::from(i) / f64::from(steps)).find_map(|t| Some((outside(t)?, t)));
+        let Some((up, t)) = phase.first(gaps, 1.0 + 2.0 * phase.sigma, until) else {
+            left += u32::from(seen.is_some());
+            continue;
+        };
+        found += 1;
+        // It lies where it was found, whether or not it is deep enough for the scan.
+        let there = phase.at(t);
+        let (gap, speed) = if up { (gaps[1] - there.s, there.rate) } else { (gaps[0] + there.s, -there.rate) };
+        assert!(gap.abs() <= 2.0 * TURN_STEP * (speed.abs() + TURN_STEP), "{gap} at {t}, {gaps:?}");
+        assert!(speed > -2.0 * TURN_STEP, "{speed} at {t}, {gaps:?}");
+        if let Some((side, at)) = seen {
+            assert!(t <= at + 2.0 * TURN_STEP, "{t} is later than {at}, {gaps:?}");
+            assert!(side == up || t < at - until / f64::from(steps), "{up} at {t}, {side} at {at}, {gaps:?}");
+        }
+    }
+    assert!(found > 2000 && left * 20 < found, "{found} found, {left} left");
+}
