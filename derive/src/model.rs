@@ -1,5 +1,6 @@
 //! The builder of a model: coordinates, parameters, laws, effects, the energies T and V, the dissipation function D, torques.
 
+mod function;
 mod output;
 mod parts;
 mod switch;
@@ -8,10 +9,9 @@ use symbolica::atom::{Atom, AtomCore};
 
 use crate::expr::{Expr, Kind, number, speed_name, symbol, symbols, total, varies};
 
+pub(crate) use function::{Derivative, Function};
 pub(crate) use output::Output;
-pub(crate) use parts::{
-    Coordinate, Deflection, Derivative, Effect, Force, Function, Law, Motion, Parameter, Role, Torque,
-};
+pub(crate) use parts::{Coordinate, Deflection, Effect, Force, Law, Motion, Parameter, Role, Torque};
 pub use parts::{Friction, Range, Start};
 pub use switch::{Describing, Switching};
 pub(crate) use switch::{Exit, Mode, REACTION, Switch, set};
@@ -86,7 +86,7 @@ impl Model {
     }
 
     /// Names a deflection, for example of a spring: a linear form of the coordinates without a constant term, from which
-    /// transmission errors may be subtracted. V may be written in the deflection, D in its `.dot()`, which does not contain the
+    /// transmission errors and functions of several positions ([`Model::function_of`]) may be subtracted. V may be written in the deflection, D in its `.dot()`, which does not contain the
     /// rate of an error. The equations are then written in the deflection instead of being multiplied out.
     pub fn deflection(&mut self, name: &str, value: Expr) -> Expr {
         self.deflections.push(Deflection { name: name.into(), value: value.expand() });

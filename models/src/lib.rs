@@ -32,7 +32,7 @@
 //!      give the parameters declared inside. `m.part_effect(name, part, doc, |m| ...)` is an effect of one part: a scene names
 //!      `backlash` for all parts, or `backlash_12` for one.
 //!    - `m.constant(name, value)`, `m.deflection(name, value)`, `m.force(name, value)`: names for a recurring constant, for the
-//!      deflection of a spring (a linear form of the coordinates), or for a factor that torques share. The equations are written in
+//!      deflection of a spring (a linear form of the coordinates, and functions of positions), or for a factor that torques share. The equations are written in
 //!      these names.
 //!    - `m.output(name, unit, value, doc)`: what a run can record besides the coordinates, for example `m.spring(x) + m.damper(x)`, the
 //!      force along a named deflection. Components declare their own: forces, torques, transmission errors, speeds, losses.
@@ -40,6 +40,9 @@
 //!      stated, solved for one quantity: the place of a piston as a function of its crank's angle. T, V and the displacements of
 //!      torques may contain it and its `.dot()`. T may depend on coordinates in any other way too; the equations are then integrated
 //!      by a stepping method. The components `slider_crank` and `universal_joint` are of this kind.
+//!    - `m.function_of(name, [x, y], |[x, y]| value, |[x, y]| gradient)`: a smooth function of several positions. Deflections may have it as
+//!      an addend: they then bend, and springs, dampers, play and its modes follow them. D may depend on coordinates and functions too. The
+//!      component `moving_centres` is of this kind.
 //!    - `m.torque_along(name, value, speed, doc)`: a torque whose displacement has no closed form, but whose speed has.
 //!    - `m.motion(name, unit, speeds, doc)`: a rigid motion by which a scene may state all speeds in one number.
 //! 2. Declare the file below, `pub mod my_train;`, and add one line to [`MODELS`]. For a model with n equal parts write one function

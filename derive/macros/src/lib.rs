@@ -46,7 +46,9 @@
 //! deflections {                       // linear in the coordinates; each also declares its rate, here `over_dot`
 //!     over = x - edge;                // may be used in potential, force, jacobian, step; the rate in dissipation, force, jacobian
 //! }
-//! // functions { x = r*phi.cos(); dx = -r*phi.sin(); }   // smooth functions of a coordinate or deflection, and their derivatives
+//! // functions { x = r*phi.cos(); dx = -r*phi.sin(); }   // smooth functions of coordinates or deflections, and their derivatives
+//! // functions { turn with centres = (y/a).atan(); }     // zero without the effect; deflections with such functions in them bend
+//! // rates { over_dot = x_dot - turn_by_y*y_dot; }       // the rates of deflections that bend; those of others follow from them
 //! switches {                          // modes of a deflection; the symbols in parentheses are constant in each, here without `backlash`
 //!     over "m" (edge 0.0, touch 1.0) with backlash, "play" {
 //!         upper (b/2.0, 1.0) rests counts "flanks met" {     // `rests`: a static start may be in it; `counts`: what is counted

@@ -37,9 +37,9 @@ pub enum FloquetError {
     #[error("nothing vibrates: every motion of the model is rigid")]
     Rigid,
     #[error(
-        "no motion is found that repeats after a turn (the best one misses by {gap:.1e}): the torques change the speed too fast, or the motion is chaotic"
+        "no motion is found that repeats after a turn: the torques change the speed too fast, steps turn the motion back, or it is chaotic"
     )]
-    NoOrbit { gap: f64 },
+    NoOrbit,
     #[error("the motion of a turn is not smooth: {why}, so that it has no derivative")]
     NotSmooth { why: &'static str },
     #[error("the run of a turn stopped early: {why}")]

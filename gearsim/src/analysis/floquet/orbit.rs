@@ -120,7 +120,7 @@ impl Shooting<'_> {
                     continue;
                 }
             }
-            let step = self.newton(&place, &shot).ok_or(FloquetError::NoOrbit { gap })?;
+            let step = self.newton(&place, &shot).ok_or(FloquetError::NoOrbit)?;
             // A step too far leaves the range in which the flow is nearly linear.
             let mut part = 1.0;
             loop {
@@ -135,13 +135,13 @@ impl Shooting<'_> {
                     }
                     // Rounding errors do not fall.
                     Some(_) if gap <= ORBIT_ACCEPTED => break 'rounds,
-                    None if part < 1e-3 => return Err(FloquetError::NoOrbit { gap }),
+                    None if part < 1e-3 => return Err(FloquetError::NoOrbit),
                     _ => part *= 0.5,
                 }
             }
         }
         match shot.trouble {
-            _ if gap.is_nan() || gap > ORBIT_ACCEPTED => Err(FloquetError::NoOrbit { gap }),
+            _ if gap.is_nan() || gap > ORBIT_ACCEPTED => Err(FloquetError::NoOrbit),
             Some(why) => Err(FloquetError::NotSmooth { why }),
             None => Ok((place, shot)),
         }

@@ -1,0 +1,81 @@
+//! Named functions of positions, and their derivatives.
+//!
+//! A function f of one position has the derivatives `df`, `ddf`, `dddf`. One of several positions x, y, .. has `f_by_x`, which its author gives
+//! so that they are short, and `f_by_x_by_y`; that they are its derivatives is proved.
+
+use symbolica::atom::{Atom, AtomCore};
+
+use crate::expr::{Expr, Kind, symbol, symbols};
+
+/// A named function of one position, or of several.
+pub(crate) struct Function {
+    pub name: String,
+    /// The positions: coordinates or named deflections that are linear.
+    pub of: Vec<Expr>,
+    /// The function, in the symbols of the positions.
+    pub value: Expr,
+    /// Its derivatives by the positions, if there are several.
+    pub gradient: Vec<Expr>,
+    /// The effect without which it is zero.
+    pub with: Option<String>,
+}
+
+/// A named function, or a derivative of it.
+pub(crate) struct Derivative {
+    pub name: String,
+    /// In the symbols of the positions.
+    pub value: Atom,
+    /// Its own derivatives by the positions: indices in the list of all; empty for those of the highest order.
+    pub next: Vec<usize>,
+}
+
+impl Function {
+    /// Derivatives of a function of one position: those of T in the Jacobian of the forces are of the third order.
+    const ORDERS: usize = 4;
+
+    /// Whether it is one of several positions: V and D may contain it, T may not.
+    pub fn is_of_several(&self) -> bool {
+        self.of.len() > 1
+    }
+
+    /// The function and its derivatives: of one position up to the third, of several up to the second.
+    pub fn derivatives(&self) -> Vec<Derivative> {
+        let positions: Vec<_> = self.of.iter().filter_map(|of| symbols(&of.atom()).into_iter().next()).collect();
+        if self.is_of_several() { self.of_several(&positions) } else { self.of_one(positions.first()) }
+    }
+
+    fn of_one(&self, by: Option<&(Kind, String)>) -> Vec<Derivative> {
+        let mut values = vec![self.value.atom()];
+        for _ in 1..Function::ORDERS {
+            let last = values.last().cloned().unwrap_or_default();
+            let slope = by.map_or_else(Atom::default, |(kind, name)| last.derivative(symbol(*kind, name)));
+            values.push(crate::trigonometry::shorter(&slope));
+        }
+        let name = |order: usize| format!("{}{}", "d".repeat(order), self.name);
+        let next = |order: usize| if order + 1 < Function::ORDERS { vec![order + 1] } else { vec![] };
+        let each = values.into_iter().enumerate();
+        each.map(|(order, value)| Derivative { name: name(order), value, next: next(order) }).collect()
+    }
+
+    fn of_several(&self, positions: &[(Kind, String)]) -> Vec<Derivative> {
+        let n = self.of.len();
+        let pairs: Vec<(usize, usize)> = (0..n).flat_map(|i| (i..n).map(move |j| (i, j))).collect();
+        let second = |i: usize, j: usize| 1 + n + pairs.iter().position(|p| *p == (i.min(j), i.max(j))).unwrap_or(0);
+        let name = |by: &[usize]| {
+            let by = by.iter().filter_map(|i| positions.get(*i)).map(|(_, name)| format!("_by_{name}"));
+            format!("{}{}", self.name, by.collect::<String>())
+        };
+        let mut all = vec![Derivative { name: name(&[]), value: self.value.atom(), next: (1..=n).collect() }];
+        for (i, slope) in self.gradient.iter().enumerate() {
+            let next = (0..n).map(|j| second(i, j)).collect();
+            all.push(Derivative { name: name(&[i]), value: slope.atom(), next });
+        }
+        for &(i, j) in &pairs {
+            let slope = self.gradient.get(i).map(|slope| slope.atom()).unwrap_or_default();
+            let value =
+                positions.get(j).map_or_else(Atom::default, |(kind, name)| slope.derivative(symbol(*kind, name)));
+            all.push(Derivative { name: name(&[i, j]), value, next: vec![] });
+        }
+        all
+    }
+}
