@@ -73,7 +73,7 @@ fn an_unknown_name_is_refused() {
 
 #[test]
 fn a_name_that_its_block_may_not_use_is_refused() {
-    refused("C*damp*over_dot.powi(2)", "C*damp*phi.powi(2)", "phi", "`phi` is unknown in dissipation");
+    refused("C*damp*over_dot.powi(2)", "C*damp*k*over_dot.powi(2)", "k", "`k` is unknown in dissipation");
     refused("M1 = (N1", "M1 = (M2", "M2", "`M2` is unknown in constants");
     refused("theta phi { _ => M1/2.0; }", "theta phi { _ => k; }", "k", "`k` is unknown in mobility");
 }
