@@ -46,7 +46,9 @@ fn run(scene: &Scene, now: f64, more: i64) -> (State, Vec<f64>) {
     simulation.now.clock.set(now);
     simulation.now.state.turns[0] += more;
     let mut times = vec![];
-    simulation.run(None, &mut |t| times.push(t)).unwrap();
+    while !simulation.step(&mut None).unwrap() {
+        times.push(simulation.now.clock.now());
+    }
     (simulation.now.state, times)
 }
 

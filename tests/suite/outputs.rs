@@ -64,12 +64,14 @@ fn the_losses_by_cause_sum_to_the_loss_of_the_account() {
         let scene = scene(&name, &[]);
         let equations = model(scene.model.name).equations(&scene).unwrap();
         let n = equations.coordinates();
-        let losses = || scene.output.record.iter().filter(|&&i| scene.model.outputs[i].is_loss());
+        let is_present = |with: Option<&str>| with.is_none_or(|effect| scene.effects.has(effect, scene.model));
+        let outputs = || scene.model.outputs.iter().enumerate().filter(|(_, output)| is_present(output.with));
+        let losses = || outputs().filter(|(_, output)| output.is_loss()).map(|(i, _)| i);
         let numbers = proptest::collection::vec(-1.0..1.0_f64, 3 * n + 16);
         let check = |x: Vec<f64>| {
             let q: Vec<f64> = x[..n].iter().map(|x| 1e-3 * x).collect();
             let (q_dot, k) = (&x[n..2 * n], law_values(&scene, &*equations, &x[2 * n..]));
-            let each: Vec<f64> = losses().map(|&i| equations.output(i, &q, q_dot, &k, &Known::default())).collect();
+            let each: Vec<f64> = losses().map(|i| equations.output(i, &q, q_dot, &k, &Known::default())).collect();
             let all = taken(&scene, &*equations, &q, q_dot, &k);
             let scale = each.iter().map(|loss| loss.abs()).sum::<f64>();
             prop_assert!((each.iter().sum::<f64>() - all).abs() <= 1e-12 * scale, "{name}: {each:?} sum to {all}");

@@ -101,7 +101,13 @@ impl Pair {
             simulation.go_on_from(from.state.clone(), from.laws.clone(), vec![]).expect("a cell of the same scene");
         }
         let mut times = vec![];
-        let stop = simulation.run(None, &mut |t| times.push(t)).err();
+        let stop = loop {
+            match simulation.step(&mut None) {
+                Ok(true) => break None,
+                Ok(false) => times.push(simulation.now.clock.now()),
+                Err(stop) => break Some(stop),
+            }
+        };
         let (state, cell, laws, counts) = (
             simulation.now.state.clone(),
             simulation.now.cell(),

@@ -53,7 +53,7 @@ equations! {
         transmission_error_12 of transmission_error requires(stiffness_step)
             "flanks deviate from their ideal position: V = k (delta - e)^2/2, with the jump terms of e where it steps";
         backlash_12 of backlash "play between the flanks: contact on the drive or coast flank, free motion between";
-        sliding_friction_12 of sliding_friction requires(stiffness_step) excludes(rigid_kinematics, frozen_phase)
+        sliding_friction_12 of sliding_friction requires(stiffness_step)
             "Coulomb friction between the flanks, against their sliding, which turns as a tooth pair passes the pitch point";
         torques "constant torques of motor and load";
         damping "Rayleigh damping, C = alpha_M M + beta_K K at the mid stiffness";
