@@ -98,7 +98,7 @@ fn loaded(_: &mut String) -> f64 {
         ];
         let scene = common::scene("oh2005/spectrum_600rpm_exact", &set);
         let exact = common::run(&scene);
-        let scene = Scene { solver: Solver { method: Some(Method::Dop853), ..scene.solver.clone() }, ..scene };
+        let scene = Scene { solver: Solver { method: Some(Method::Dop853), ..scene.solver }, ..scene };
         let run = |scene: &_| common::model("gear_pair").run(scene, &mut |_| {});
         let steps = digits::noted(&scene, common::run(&scene), &run);
         let claimed = 10f64.powf(-steps.digits.expect("a companion that runs").at_end);

@@ -194,13 +194,13 @@ fn multipliers_are_those_of_the_flow_of_dop853() {
         let floquet = Floquet::of(&scene, &entry.about_steady_motion(&scene).unwrap()).unwrap();
         let orbit = floquet.orbit.as_ref().expect("the inertia changes");
         let start: Vec<f64> = orbit.start.concat();
-        let [end, rate] = flow(&entry, &scene, &start, floquet.period);
+        let [end, rate] = flow(entry, &scene, &start, floquet.period);
         assert!(
             (end[0] - start[0] - orbit.turn).abs() < 1e-7 && (end[1] - start[1]).abs() < 1e-6 * start[1].abs(),
             "{name} does not close"
         );
         let units = [1e-6, 1e-9, 1e-5, 1e-5];
-        let phi = differences(&start, &units, |y| flow(&entry, &scene, y, floquet.period)[0].clone());
+        let phi = differences(&start, &units, |y| flow(entry, &scene, y, floquet.period)[0].clone());
         let (found, expected) = (of_multipliers(&floquet), invariants(&phi, &rate));
         println!(
             "{name}: {:?}, speed {}, drift {:.2e}, gap {:.1e}: {found:?}, by differences {expected:?}",

@@ -156,12 +156,11 @@ fn deflection(m: &Model) -> Cold {
     }
 }
 
+/// The value of each offset of a deflection.
+type Offsets<'a> = &'a dyn Fn(&Gated<'_>) -> TokenStream;
+
 /// The statements that note the transmission errors in a deflection that names `used`; `with` is its value with given offsets.
-fn errors_of(
-    m: &Model,
-    used: &BTreeSet<String>,
-    with: &dyn Fn(&dyn Fn(&Gated<'_>) -> TokenStream) -> TokenStream,
-) -> TokenStream {
+fn errors_of(m: &Model, used: &BTreeSet<String>, with: &dyn Fn(Offsets<'_>) -> TokenStream) -> TokenStream {
     let each = gated::errors(m).filter(|(_, law)| used.contains(&law.name.to_string())).map(|(i, law)| {
         let (i, met) = (Index::from(i), law.with.as_ref().map(is_met));
         let unit = with(&|gated| if *gated.name == law.name { quote!(1.0) } else { quote!(0.0) });

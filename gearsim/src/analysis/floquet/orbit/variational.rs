@@ -82,7 +82,7 @@ impl Solver for Variational<'_> {
         if let Some(event) = carried.event.take() {
             let y = Flow { q: now.state.q.clone(), v: now.state.q_dot.clone(), lost: 0.0 };
             let acceleration = self.field.rate(0.0, &y).v;
-            match event.saltation(now, &self.field.laws_at().1, &acceleration, &self.frictions) {
+            match event.saltation(now, self.field.laws_at().1, &acceleration, &self.frictions) {
                 Ok(saltation) => carried.phi = carried.scaled(&saltation) * &carried.phi,
                 Err(trouble) => carried.trouble = carried.trouble.or(Some(trouble)),
             }
