@@ -41,7 +41,7 @@ struct Cord {
     along: [f64; 2],
 }
 
-/// The string at the rotations a1, a2 of the gears, each in its own direction, and the displacements of their centres. At rest it has the
+/// The string between the base circles. a1 and a2 are the rotations of the gears, each in its own direction; the centres are displaced. At rest it has the
 /// pressure angle, and the depth zero. It touches the first circle at the angle b: the free lengths of the flanks' involutes are
 /// r1 (a1 - b) and -r2 (a2 + b), up to a constant, and overlap by what they exceed the distance of the points of contact.
 fn string([a1, a2]: [f64; 2], [x1, y1, x2, y2]: [f64; 4]) -> Cord {

@@ -20,7 +20,7 @@ pub(crate) struct Linear {
     pub by_law: Sparse,
     /// The deflection, written in the coordinates.
     value: Atom,
-    /// Whether it has functions in it: its derivatives by coordinates then depend on them.
+    /// Whether it contains functions of positions. Its derivatives by the coordinates then depend on the coordinates.
     pub bends: bool,
 }
 

@@ -127,8 +127,8 @@ impl<const N: usize, const L: usize> Expected<N, L> {
 
 /// The boundary that the phase of each lane meets.
 struct Target<const L: usize> {
-    /// Whether it is certain: the phase is proved to be monotone, or its crossing was found.
-    monotone: Mask<L>,
+    /// Whether the boundary is certain: the phase is proved to be monotone, or its crossing was found.
+    certain: Mask<L>,
     /// Whether the crossing of a phase that may turn back was found. `steady` is then about its time.
     found: Mask<L>,
     /// Whether it moves to the upper boundary.
@@ -211,11 +211,11 @@ impl<const N: usize, const L: usize> Lanes<N, L> {
         let flight = Flight::new(cells, &self.q, &self.q_dot);
         // Locate.
         let mut target = self.target(cells, &flight);
-        let unsure = active.without(target.monotone);
+        let unsure = active.without(target.certain);
         if unsure.intersects(active) {
             self.turn(cells, &flight, &mut target, unsure);
         }
-        let sure = active.and(target.monotone);
+        let sure = active.and(target.certain);
         let (sure, t, points, evaluations) = self.locate(cells, &flight, &target, &expected, sure);
         // Jump.
         let common = together.then_some(first);
@@ -283,7 +283,7 @@ impl<const N: usize, const L: usize> Lanes<N, L> {
         let gap = sign * (boundary - self.q[self.phase]);
         let monotone = uniform.and(drift.abs().compare(oscillation, |d, w| d > w * (1.0 + BOUND_MARGIN)));
         let found = Mask::of(|_| false);
-        Target { monotone, found, up, sign, boundary, gap, steady: gap / drift.abs() }
+        Target { certain: monotone, found, up, sign, boundary, gap, steady: gap / drift.abs() }
     }
 
     /// The time of the crossing, the modes at that time, and the number of evaluations: Newton's method from the predicted time.

@@ -34,7 +34,7 @@ const UNITS: [(&str, &str); 3] = [("kg*m^2", "kg"), ("N*m/rad", "N/m"), ("N*m*s/
 
 /// The radii of the parameters of a scene.
 pub(super) trait Radii {
-    /// The radius of this parameter [m], or what lacks. `value` has those of the other parameters.
+    /// The radius that refers to this parameter [m], or a text that says what is missing. `value` gives the value of another parameter.
     fn radius(&self, parameter: &Parameter, value: &dyn Fn(&str) -> Option<f64>) -> Result<f64, String>;
 }
 

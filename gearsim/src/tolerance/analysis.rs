@@ -135,6 +135,7 @@ pub(crate) const ORBIT_ACCEPTED: f64 = 1e-6;
 pub(crate) const ORBIT_NEAR: f64 = 1e-4;
 /// Largest number of runs in the search of a motion that repeats [runs].
 pub(crate) const ORBIT_ROUNDS: usize = 30;
-/// Directions in which a turn closes by itself, as rigid motions [relative to the largest singular value]. Larger: weakly damped vibrations do
+/// Singular values below this count as zero [relative to the largest]: a turn closes for any displacement in their directions, as for rigid
+/// motions. Larger: weakly damped vibrations do
 /// not settle. Smaller: rigid motions run away.
 pub(crate) const ORBIT_RANK: f64 = 1e-10;

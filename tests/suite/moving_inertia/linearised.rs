@@ -61,7 +61,7 @@ fn squares([m1, m2, l1, l2]: [f64; 4], [s1, s2]: [f64; 2]) -> [f64; 2] {
     squares
 }
 
-/// Hanging: two frequencies. With the lower pendulum, or both, upright: what stands falls at the rate of the closed form.
+/// If both pendulums hang, there are two natural frequencies. If the lower one or both are upright, they fall at the rate of the closed form.
 #[test]
 fn a_double_pendulum_has_the_eigenvalues_of_the_closed_form() {
     let p = [1.0, 0.6, 0.5, 0.4];

@@ -85,19 +85,19 @@ pub fn candidates(base: &Scene) -> Vec<Candidate> {
 }
 
 /// The scene without the effect `name` of all parts at each of its parts alone; none where the effect is not one of several parts.
-fn parts<'a>(base: &'a Scene, present: &'a [&'static str], name: &'static str) -> impl Iterator<Item = Candidate> + 'a {
-    let parts: Vec<&'static str> =
-        base.model.effects.iter().filter(|effect| effect.of == Some(name)).map(|effect| effect.name).collect();
-    let several = parts.len() > 1;
-    let without = move |part: &'static str| {
-        let others: Vec<&str> = parts.iter().copied().filter(|other| *other != part).collect();
-        let names: Vec<&str> = present.iter().copied().filter(|other| *other != name).chain(others.clone()).collect();
+fn parts(base: &Scene, present: &[&'static str], name: &str) -> Vec<Candidate> {
+    let parts: Vec<_> = base.model.effects.iter().filter(|e| e.of == Some(name)).map(|e| e.name).collect();
+    if parts.len() < 2 {
+        return vec![];
+    }
+    let without = |part: &&'static str| {
+        let others: Vec<_> = parts.iter().copied().filter(|other| other != part).collect();
         let quoted: Vec<_> = others.iter().map(|other| format!("`{other}`")).collect();
         let how = format!("name {} instead of `{name}`", quoted.join(", "));
-        Candidate { without: part.into(), how, scene: with(base, &names), way: Way::Run }
+        let names: Vec<_> = present.iter().copied().filter(|other| *other != name).chain(others).collect();
+        Candidate { without: part.to_string(), how, scene: with(base, &names), way: Way::Run }
     };
-    let of_parts = base.model.effects.iter().filter(move |effect| several && effect.of == Some(name));
-    of_parts.map(move |effect| without(effect.name))
+    parts.iter().map(without).collect()
 }
 
 /// Whether an effect makes a deflection depend on the coordinates in another way than linearly.

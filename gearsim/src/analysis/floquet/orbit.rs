@@ -188,8 +188,7 @@ impl Shooting<'_> {
         }
         let equations = self.system.equations();
         let now = Hybrid::new(equations, &scene, start::begin(equations, &scene)?, None);
-        let why = String::new();
-        let by_steps = |method| choice::numerical(&Choice { method, give_way: true, why: why.clone() }, &scene);
+        let by_steps = |method| choice::numerical(&Choice { method, give_way: true, why: String::new() }, &scene);
         let named = scene.solver.method.filter(|method| !method.has_fixed_steps());
         let chosen = by_steps(named.unwrap_or(Method::Dop853)).or_else(|| by_steps(Method::Dop853));
         let (method, settings) = chosen.ok_or(FloquetError::Rigid)?;

@@ -29,7 +29,7 @@ pub struct Series<'a> {
 }
 
 impl<'a> Series<'a> {
-    /// The motion that begins at the time `since` with the modal speeds and forces `start` \[s\].
+    /// The motion that begins at the time `since` \[s\] with the modal speeds and forces `start`.
     pub fn new(cell: &'a Cell, forces: Forces<'a>, since: Df64, fastest: f64, start: [DVector<Df64>; 2]) -> Self {
         let rate = cell.rate.max(fastest);
         // Without any rate the series is a polynomial, and ends.

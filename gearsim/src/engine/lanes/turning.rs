@@ -58,7 +58,7 @@ impl<const N: usize, const L: usize> Lanes<N, L> {
             let Some((up, t)) = phase.and_then(|phase| phase.first(gaps, cells.rate.0[lane], left)) else { continue };
             let here = Mask::of(|i| i == lane);
             let side = usize::from(up);
-            target.monotone = target.monotone.with(here);
+            target.certain = target.certain.with(here);
             target.found = target.found.with(here);
             target.up = if up { target.up.with(here) } else { target.up.without(here) };
             target.sign.0[lane] = if up { 1.0 } else { -1.0 };

@@ -6,7 +6,8 @@
 //! and the axial force is the mesh force times tan(beta_b): F_a = F_t tan(beta). Source: ISO 21771-1:2024; G. Niemann, H. Winter,
 //! Maschinenelemente II. The deflection stays linear, and cells exact.
 //!
-//! All axes have one positive direction: that about which the first rotor of the train turns right-handed as it turns in the positive sense.
+//! All axes have the same positive direction. The first rotor of the train, when it turns at positive speed, turns about this direction by the
+//! right-hand rule.
 
 use super::draft::{Axial, DraftPart, Geometry, Rotor, Term, named};
 use super::read::{Item, Reader};

@@ -19,7 +19,7 @@ pub(super) fn joined(draft: &Draft, report: &mut Report) {
     }
 }
 
-/// The sense in which each rotor turns in space, relative to the first of its part of the train: 1 or -1.
+/// The direction in which each rotor turns: 1 if it is that of the first rotor connected with it, -1 if it is the opposite one.
 pub(super) fn of(draft: &Draft) -> Vec<f64> {
     let (senses, _) = follow(draft);
     senses.into_iter().map(|same| if same { 1.0 } else { -1.0 }).collect()

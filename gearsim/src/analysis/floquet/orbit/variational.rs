@@ -145,7 +145,7 @@ impl Carrier<'_, '_, '_> {
     }
 }
 
-/// The exponent of the sixth order for a step `h`, from A at the points of Gauss.
+/// The exponent of a step of length `h` \[s\] by Magnus' expansion of the sixth order. The arguments are A at the three Gauss points.
 fn magnus([before, middle, after]: &[DMatrix<f64>; 3], h: f64) -> DMatrix<f64> {
     let twist = |a: &DMatrix<f64>, b: &DMatrix<f64>| a * b - b * a;
     let a1 = middle * h;
