@@ -76,7 +76,7 @@ fn first_reflection(outcome: &Outcome) -> Option<f64> {
 /// Times of the steps at which the phase was reflected, if `turned`, or else of those that it passed [s].
 fn steps(outcome: &Outcome, turned: bool) -> impl Iterator<Item = f64> {
     let run = &outcome.trajectory;
-    let back = |i: usize| run.q_dot[0][i] == -run.q_dot[0][i - 1];
+    let back = |i: usize| run.q_dot[0][i] * run.q_dot[0][i - 1] < 0.0;
     (1..run.len()).filter(move |i| run.moment[*i] == Moment::After && back(*i) == turned).map(|i| run.t[i])
 }
 
