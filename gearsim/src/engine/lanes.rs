@@ -23,6 +23,7 @@ mod handover;
 pub mod kind;
 pub mod pack;
 mod turning;
+pub mod vectors;
 
 use crate::tolerance::events::{BOUND_MARGIN, REVERSION_LIMIT, ROOT_ERROR, SHORT_BOUNCE};
 use crate::tolerance::modes::{KERNEL_ANGLE, SERIES_SPAN, SHIFT_SPAN};

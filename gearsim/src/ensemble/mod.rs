@@ -5,12 +5,12 @@
 //! lane. The events are those of a single run, with the same guarantee; the states differ from it by rounding errors only. The
 //! result of a simulation does not depend on the other lanes, to the last bit.
 //!
-//! `pulp` selects the vector instructions of the processor.
+//! A processor without the vector instructions that the kernel is compiled for takes each event by the general loop.
 
 #[cfg(test)]
 mod tests;
 
-use pulp::{Arch, NullaryFnOnce};
+use pulp::NullaryFnOnce;
 
 use crate::engine::Stop;
 use crate::engine::lanes::kind::Kind;
@@ -95,7 +95,7 @@ impl Ensemble<'_, '_> {
                 return;
             }
             let job = Advance { lanes: &mut lanes, active: active.without(waiting), waiting: active.and(waiting) };
-            (left, waiting) = Arch::new().dispatch(job);
+            (left, waiting) = kind.vectors.run(job);
         }
     }
 

@@ -1,9 +1,10 @@
 //! The kernel with one lane: plain events of a single simulation.
 
-use pulp::{Arch, NullaryFnOnce};
+use pulp::NullaryFnOnce;
 
 use crate::engine::lanes::kind::Kind;
 use crate::engine::lanes::pack::Mask;
+use crate::engine::lanes::vectors::Vectors;
 use crate::engine::lanes::{Attempt, LARGEST, Lanes};
 use crate::engine::record::State;
 use crate::engine::simulate::Simulation;
@@ -51,13 +52,14 @@ pub fn of(simulation: &Simulation<'_>) -> Option<Box<dyn Alone>> {
 struct Lane<const N: usize> {
     lanes: Lanes<N, 1>,
     next: Option<Attempt<N, 1>>,
+    vectors: Vectors,
 }
 
 impl<const N: usize> Lane<N> {
     fn new(kind: &Kind, simulation: &Simulation<'_>) -> Self {
         let mut lanes = Lanes::new(kind);
         lanes.load(0, simulation, true);
-        Lane { lanes, next: None }
+        Lane { lanes, next: None, vectors: kind.vectors }
     }
 }
 
@@ -65,7 +67,7 @@ impl<const N: usize> Alone for Lane<N> {
     #[inline]
     fn locate(&mut self, simulation: &Simulation<'_>) -> Option<f64> {
         self.lanes.load(0, simulation, false);
-        let attempt = Arch::new().dispatch(Try(&self.lanes));
+        let attempt = self.vectors.run(Try(&self.lanes));
         self.next = attempt.sure.is_set(0).then_some(attempt);
         self.next.map(|attempt| attempt.t.0[0])
     }
@@ -89,7 +91,7 @@ impl<const N: usize> Alone for Lane<N> {
 
     fn advance(&mut self, simulation: &mut Simulation<'_>, until: f64) -> Stopped {
         self.lanes.load(0, simulation, false);
-        let (stopped, evaluations) = Arch::new().dispatch(Advance { lanes: &mut self.lanes, until });
+        let (stopped, evaluations) = self.vectors.run(Advance { lanes: &mut self.lanes, until });
         if evaluations > 0 {
             self.lanes.unload(0, simulation);
             simulation.now.counts.cost.evaluations += evaluations;
@@ -99,7 +101,7 @@ impl<const N: usize> Alone for Lane<N> {
     }
 }
 
-/// Passes events, compiled for the vector instructions of the processor at hand.
+/// Passes events.
 struct Advance<'l, const N: usize> {
     lanes: &'l mut Lanes<N, 1>,
     until: f64,
@@ -128,7 +130,7 @@ impl<const N: usize> NullaryFnOnce for Advance<'_, N> {
     }
 }
 
-/// Compiled for the vector instructions of the processor at hand.
+/// Looks for the next event.
 struct Try<'l, const N: usize>(&'l Lanes<N, 1>);
 
 impl<const N: usize> NullaryFnOnce for Try<'_, N> {

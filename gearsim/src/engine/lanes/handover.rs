@@ -13,7 +13,7 @@ impl<const N: usize, const L: usize> Lanes<N, L> {
     /// Empty lanes for simulations of one kind, with at most N coordinates.
     pub fn new(kind: &Kind) -> Self {
         let zero = Pack::all(0.0);
-        let Kind { places, phase, ref rigid } = *kind;
+        let Kind { places, phase, ref rigid, .. } = *kind;
         // Modes beyond those of the model stay at rest.
         let rigid = std::array::from_fn(|i| rigid.get(i).copied().unwrap_or(true));
         Lanes {

@@ -2,6 +2,7 @@
 
 use crate::engine::cell::Cell;
 use crate::engine::lanes::LARGEST;
+use crate::engine::lanes::vectors::Vectors;
 use crate::engine::mode::Mode;
 use crate::engine::simulate::Simulation;
 use crate::tolerance::modes::EIGENVALUES_APART;
@@ -15,12 +16,16 @@ pub struct Kind {
     pub phase: usize,
     /// Whether each mode is rigid. It is the same in every cell; the other modes oscillate.
     pub rigid: Vec<bool>,
+    /// The instructions that all are compiled for.
+    pub vectors: Vectors,
 }
 
 impl Kind {
-    /// The kind of a simulation; `None` if it cannot run in a lane: it has too many coordinates, its events are never plain, or a
+    /// The kind of a simulation; `None` if it cannot run in a lane: the processor
+    /// lacks the vector instructions, or the simulation has too many coordinates, its events are never plain, or a
     /// mode is rigid in some cells only, is damped too strongly to oscillate, or is coupled to others by damping.
     pub fn of(simulation: &Simulation<'_>) -> Option<Self> {
+        let vectors = Vectors::of_processor()?;
         let law =
             simulation.now.laws.first().filter(|_| simulation.is_plain() && simulation.now.state.q.len() <= LARGEST)?;
         let cells = simulation.cells()?.all()?;
@@ -29,6 +34,6 @@ impl Kind {
         let plain = |(mode, rigid): (&Mode, &bool)| if *rigid { mode.is_rigid() } else { oscillates(mode) };
         let fits = |cell: &Cell| cell.coupling.is_none() && cell.modes.iter().zip(&rigid).all(plain);
         let fits = cells.iter().all(|prepared| fits(&prepared.cell));
-        fits.then_some(Kind { places: law.pitch.cells(), phase: law.phase, rigid })
+        fits.then_some(Kind { places: law.pitch.cells(), phase: law.phase, rigid, vectors })
     }
 }
