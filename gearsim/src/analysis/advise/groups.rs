@@ -61,9 +61,8 @@ impl Groups {
             let (i, parameter) = *p;
             let effect = parameter.with?;
             let present = scene.effects.has(effect, model);
-            let rolls = |name: &str| model.laws.iter().any(|law| law.rolling && law.phase == name);
-            let alike = (0..statics.len())
-                .filter(|&j| model.coordinates[j].unit == parameter.unit && !rolls(model.coordinates[j].name));
+            let turns = |j: usize| scene.effects.turns(model.coordinates[j].name, model);
+            let alike = (0..statics.len()).filter(|&j| model.coordinates[j].unit == parameter.unit && !turns(j));
             let largest = alike.fold(0.0f64, |m, j| m.max(statics[j].abs()));
             (present && largest > 0.0).then(|| (parameter.name, scene.parameters[i] / largest))
         };
