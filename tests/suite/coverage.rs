@@ -55,7 +55,8 @@ struct Section {
 
 /// The models with their effects, then the parts of trains.
 fn sections() -> Vec<Section> {
-    let of = |(title, about): (String, &'static str)| Section { rows: scenes::of(&title), title, about, what: "effect" };
+    let of =
+        |(title, about): (String, &'static str)| Section { rows: scenes::of(&title), title, about, what: "effect" };
     let rows = parts::scenes(scenes::T_END).into_iter().map(|(name, scene)| (name, Ok(scene))).collect();
     let about = "each kind of part that its tables list, alone beside a pair of gears or in a planetary stage: its table and key, or an effect that all have";
     let parts = Section { title: "train, part by part".into(), about, what: "part", rows };
@@ -64,7 +65,8 @@ fn sections() -> Vec<Section> {
 
 /// What each command gives for each row, in their order. The rows are shared among two threads.
 fn results(sections: &[Section]) -> Vec<Vec<Result<(), String>>> {
-    let scenes: Vec<&Result<Scene, String>> = sections.iter().flat_map(|section| &section.rows).map(|row| &row.1).collect();
+    let scenes: Vec<&Result<Scene, String>> =
+        sections.iter().flat_map(|section| &section.rows).map(|row| &row.1).collect();
     let done: Vec<OnceLock<_>> = scenes.iter().map(|_| OnceLock::new()).collect();
     let next = AtomicUsize::new(0);
     let work = || {

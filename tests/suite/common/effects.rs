@@ -108,7 +108,9 @@ pub fn needed(model: &Model, effect: &'static str) -> Vec<&'static str> {
 /// Whether one of two effects excludes the other.
 pub fn exclude(model: &Model, a: &str, b: &str) -> bool {
     let of = |name: &str| model.effects.iter().find(|e| e.name == name).and_then(|e| e.of);
-    let names = |e: &Effect, b: &str| e.excludes.iter().any(|other| *other == b || of(b) == Some(*other) || of(other) == Some(b));
+    let names = |e: &Effect, b: &str| {
+        e.excludes.iter().any(|other| *other == b || of(b) == Some(*other) || of(other) == Some(b))
+    };
     let excludes = |a: &str, b: &str| model.effects.iter().any(|e| is(e, a) && names(e, b));
     excludes(a, b) || excludes(b, a)
 }

@@ -184,8 +184,7 @@ pub fn scenes(t_end: f64) -> Vec<(&'static str, Scene)> {
 
 /// Every effect of every element is in a scene.
 fn complete(bare: &Model) {
-    let all: Vec<&str> =
-        BESIDE_A_PAIR.iter().chain(BESIDE_PLANETS).flat_map(|part| part.1).copied().collect();
+    let all: Vec<&str> = BESIDE_A_PAIR.iter().chain(BESIDE_PLANETS).flat_map(|part| part.1).copied().collect();
     for effect in bare.elements.iter().flat_map(|element| element.effects) {
         let name = effect.name.strip_suffix("_x").unwrap_or(effect.name);
         assert!(all.contains(&name), "no part in tests/suite/coverage/parts.rs has the effect `{name}`");
