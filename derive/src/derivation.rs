@@ -117,19 +117,36 @@ impl Derivation<'_> {
     }
 
     /// Whether the phase of a law rolls: energies and torques depend on this coordinate only through laws. Whole pitches of it
-    /// then change nothing, so that the engine may count them separately.
-    pub(crate) fn rolling(&self, law: &Law) -> bool {
+    /// then change nothing, so that the engine may count them separately. `None` if it never rolls; else the effects of which each alone
+    /// stops it, as a support of a rotor that turns. An effect at all parts stands for those of its parts.
+    pub(crate) fn rolling(&self, law: &Law) -> Option<Vec<String>> {
         let phase = expr::symbols(&law.phase.atom());
-        let [(kind, name)] = phase.as_slice() else { return false };
+        let [(kind, name)] = phase.as_slice() else { return None };
         let s = &self.symbols;
-        let Some(i) = s.q.iter().position(|q| *q == expr::symbol(*kind, name)) else { return false };
+        let i = s.q.iter().position(|q| *q == expr::symbol(*kind, name))?;
         let m = self.model;
-        let still = |parts: &mut dyn Iterator<Item = Atom>| {
+        let along = |parts: &mut dyn Iterator<Item = Atom>| {
             let along = parts.flat_map(|e| s.by_coordinates(&e)).filter(|(j, _)| *j == i);
-            total(along.map(|(_, by)| by).collect()).expand().is_zero()
+            total(along.map(|(_, by)| by).collect()).expand()
         };
-        [&m.kinetic, &m.potential, &m.dissipation].iter().all(|e| still(&mut e.iter().map(|piece| piece.atom())))
-            && self.motion.external.iter().all(|force| still(&mut std::iter::once(m.written_out(force))))
+        let energies = [&m.kinetic, &m.potential, &m.dissipation].into_iter();
+        let energies = energies.map(|e| along(&mut e.iter().map(|piece| piece.atom())));
+        let forces = self.motion.external.iter().map(|force| along(&mut std::iter::once(m.written_out(force))));
+        let mut stopped: Vec<String> = vec![];
+        for term in energies.chain(forces).flat_map(|sum| markers::terms(&sum)) {
+            match &markers::markers(&term)[..] {
+                [effect] if m.effects.iter().any(|e| e.name == *effect) => stopped.push(effect.clone()),
+                _ => return None,
+            }
+        }
+        let of = |effect: &String| m.effects.iter().find(|e| e.name == *effect).and_then(|e| e.of.clone());
+        let all =
+            |of: &String| m.effects.iter().filter(|e| e.of.as_ref() == Some(of)).all(|e| stopped.contains(&e.name));
+        let mut named: Vec<String> =
+            stopped.iter().map(|effect| of(effect).filter(&all).unwrap_or_else(|| effect.clone())).collect();
+        named.sort();
+        named.dedup();
+        Some(named)
     }
 
     /// Effects and conditions in the order in which terms are printed.

@@ -143,6 +143,8 @@ pub struct Law {
     /// Whether nothing else depends on the number of whole pitches in the phase. The engine then subtracts whole pitches and counts
     /// them, so that large angles do not lose digits.
     pub rolling: bool,
+    /// The effects of which each stops the rolling, as a support of what turns.
+    pub held: &'static [&'static str],
     /// The effect that activates it; without this effect it is zero. `None` for a stiffness, which is always active.
     pub with: Option<&'static str>,
     /// Its meaning for the mesh.
@@ -249,6 +251,8 @@ pub struct Effect {
     pub requires: &'static [&'static str],
     /// Effects that must not be active.
     pub excludes: &'static [&'static str],
+    /// Whether it makes deflections bend: they then depend on the coordinates in another way than linearly.
+    pub bends: bool,
 }
 
 /// A quantity that a run can record: a force, a loss, a speed.

@@ -8,7 +8,7 @@
 //!    - `m.coordinate(name, unit, start, doc)`: declares a coordinate and returns it as an expression. Expressions have
 //!      `+ - * /`, `.sq()`, `.sqrt()`, `.sin()`, `.cos()`, and `.dot()` for the time derivative. Numbers are integers: write a half
 //!      as `half(...)`, any other number as a parameter with a default.
-//!    - [`components`] add bodies and their connections, with their parameters: `rotor`, `planar_rotor`, `shaft`, `ground`,
+//!    - [`components`] add bodies and their connections, with their parameters: `rotor`, `planar_rotor`, `shaft`, `ground`, `torsional_support`,
 //!      `bearing`, `dry_friction`, `viscous`, `overrunning_clutch`, `mesh` (with transmission errors; with backlash too:
 //!      `mesh_with_play`), `sliding_friction`, `pair` (two gears), `geared` (rigidly), `stage` (planets), `drive`, `load`, `governor`, `dc_motor`, `induction_motor`, `fan`, and last `damping`. The
 //!      names of parameters end in the name of the part: `rotor(m, "1", ...)` declares `I1`, `rotor(m, "t", ...)` declares `I_t`.

@@ -2,7 +2,7 @@
 
 use gearsim_derive::{Model, Start};
 
-use crate::components::{Gear, bearing, damping, drive, ground, load, planar_rotor, stage};
+use crate::components::{Gear, bearing, damping, drive, ground, load, planar_rotor, stage, torsional_support};
 
 /// Sun, ring and carrier on bearings, `n` planets on bearings on the carrier.
 pub fn planar_planetary(m: &mut Model, n: usize) {
@@ -21,6 +21,8 @@ pub fn planar_planetary(m: &mut Model, n: usize) {
         centre
     });
     ground(m, "r", "ring's torsional support", theta_r);
+    torsional_support(m, "s", "sun's torsional support", stage.theta_s);
+    torsional_support(m, "c", "carrier's torsional support", stage.theta_c);
     let gear = |[x, y]: [_; 2], u| Gear { x, y, u };
     let (sun, ring) = (gear(sun, stage.r_s * stage.theta_s), gear(ring, stage.r_r * theta_r));
     stage.planets_on_bearings(m, n, sun, ring, gear(carrier, stage.a * stage.theta_c));

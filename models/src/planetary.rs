@@ -2,7 +2,7 @@
 
 use gearsim_derive::{Model, Start};
 
-use crate::components::{damping, drive, ground, load, rotor, stage};
+use crate::components::{damping, drive, ground, load, rotor, stage, torsional_support};
 
 /// Coordinates: the phase, the rotation of the ring, and the rotations of the carrier and of each of `n` planets in excess of
 /// rigid rolling.
@@ -16,6 +16,8 @@ pub fn planetary(m: &mut Model, n: usize) {
     rotor(m, "c", "carrier without planets", stage.theta_c);
     rotor(m, "r", "ring", theta_r);
     ground(m, "r", "ring's torsional support", theta_r);
+    torsional_support(m, "s", "sun's torsional support", stage.theta_s);
+    torsional_support(m, "c", "carrier's torsional support", stage.theta_c);
     stage.planets(m, n, theta_r);
     drive(m, "motor", "sun", stage.theta_s);
     load(m, "load", "carrier", stage.theta_c);

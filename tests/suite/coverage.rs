@@ -4,30 +4,36 @@
 
 #[path = "coverage/commands.rs"]
 mod commands;
+#[path = "coverage/parts.rs"]
+mod parts;
 #[path = "common/effects.rs"]
 mod scenes;
 
 use std::fmt::Write;
+use std::sync::OnceLock;
+use std::sync::atomic::{AtomicUsize, Ordering};
 
 use commands::COMMANDS;
+use gearsim::Scene;
 
 /// The table, in Markdown.
 fn table() -> String {
+    let sections = sections();
+    let results = results(&sections);
     let mut reasons: Vec<String> = vec![];
     let mut text = String::from(
-        "# What works with what\n\nMade by `cargo xtask coverage`: for each effect of each model a scene with this effect, and each command on it. A letter is a reason, \
-         listed at the end. Models that differ in a number of parts are shown once.\n",
+        "# What works with what\n\nMade by `cargo xtask coverage`: for each effect of each model a scene with this effect, and each command on it. An effect of several parts \
+         is shown at all of them, and at the first alone. Of trains each kind of part is shown. A letter is a reason, listed at the end. Models that \
+         differ in a number of parts are shown once.\n",
     );
     let names = COMMANDS.iter().map(|command| command.0).collect::<Vec<_>>().join(" | ");
-    for (model, about) in scenes::models() {
+    let mut results = results.into_iter();
+    for Section { title, about, what, rows } in &sections {
         let _ =
-            write!(text, "\n## {model}\n\n{about}\n\n| effect | {names} |\n|{}\n", " --- |".repeat(COMMANDS.len() + 1));
-        for (effect, scene) in scenes::of(&model) {
-            let cells: Vec<String> = match &scene {
-                Ok(scene) => COMMANDS.iter().map(|command| cell((command.1)(scene), &mut reasons)).collect(),
-                Err(reason) => vec![cell(Err(reason.clone()), &mut reasons); COMMANDS.len()],
-            };
-            let _ = writeln!(text, "| {effect} | {} |", cells.join(" | "));
+            write!(text, "\n## {title}\n\n{about}\n\n| {what} | {names} |\n|{}\n", " --- |".repeat(COMMANDS.len() + 1));
+        for (row, done) in rows.iter().zip(results.by_ref()) {
+            let cells: Vec<String> = done.into_iter().map(|done| cell(done, &mut reasons)).collect();
+            let _ = writeln!(text, "| {} | {} |", row.0, cells.join(" | "));
         }
     }
     text += "\n## Reasons\n\n";
@@ -35,6 +41,47 @@ fn table() -> String {
         let _ = writeln!(text, "- **{}**: {reason}", letter(i));
     }
     text
+}
+
+/// A table of the document.
+struct Section {
+    title: String,
+    about: &'static str,
+    /// The heading of its first column.
+    what: &'static str,
+    /// Its rows, each with its scene, or why there is none.
+    rows: Vec<(&'static str, Result<Scene, String>)>,
+}
+
+/// The models with their effects, then the parts of trains.
+fn sections() -> Vec<Section> {
+    let of =
+        |(title, about): (String, &'static str)| Section { rows: scenes::of(&title), title, about, what: "effect" };
+    let rows = parts::scenes(scenes::T_END).into_iter().map(|(name, scene)| (name, Ok(scene))).collect();
+    let about = "each kind of part that its tables list, alone beside a pair of gears or in a planetary stage: its table and key, or an effect that all have";
+    let parts = Section { title: "train, part by part".into(), about, what: "part", rows };
+    scenes::models().into_iter().map(of).chain([parts]).collect()
+}
+
+/// What each command gives for each row, in their order. The rows are shared among two threads.
+fn results(sections: &[Section]) -> Vec<Vec<Result<(), String>>> {
+    let scenes: Vec<&Result<Scene, String>> =
+        sections.iter().flat_map(|section| &section.rows).map(|row| &row.1).collect();
+    let done: Vec<OnceLock<_>> = scenes.iter().map(|_| OnceLock::new()).collect();
+    let next = AtomicUsize::new(0);
+    let work = || {
+        loop {
+            let i = next.fetch_add(1, Ordering::Relaxed);
+            let Some(scene) = scenes.get(i) else { return };
+            let all = COMMANDS.iter().map(|command| scene.as_ref().map_err(Clone::clone).and_then(command.1)).collect();
+            let _ = done[i].set(all);
+        }
+    };
+    std::thread::scope(|threads| {
+        threads.spawn(work);
+        threads.spawn(work);
+    });
+    done.into_iter().map(|row| row.into_inner().expect("each row is worked on")).collect()
 }
 
 /// `yes`, or the letter of a reason, which is added if it is new.

@@ -10,6 +10,8 @@ mod common;
 mod forces;
 #[path = "sliding_friction/loss.rs"]
 mod loss;
+#[path = "sliding_friction/standstill.rs"]
+mod standstill;
 #[path = "sliding_friction/steady.rs"]
 mod steady;
 

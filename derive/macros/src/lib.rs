@@ -24,6 +24,7 @@
 //! }
 //! laws {                              // declares k, its derivatives dk and ddk by the phase, and k_mid = (max + min)/2
 //!     k "N/m" phase x period 1.0, "stiffness";                   // `period 1.0 rolling`: whole pitches of x change nothing but the law
+//!                                                                // `rolling unless(support)`: not in scenes with this effect
 //! // e "m" phase x period 1.0 with transmission_error, "error"; // `with`: zero without the effect; an offset of deflections; such laws come last
 //! // side "1" phase x period 1.0 with friction as side, "side"; // a factor of torques, of any sign; `as arm`: never negative
 //! }

@@ -227,6 +227,12 @@ fn laws_with_an_effect_must_come_last() {
         "{errors:?}"
     );
     refused("rolling with transmission_error", "rolling with errors", "errors", "there is no effect `errors`");
+    refused(
+        "rolling with transmission_error",
+        "rolling unless(support) with transmission_error",
+        "support",
+        "there is no effect `support`",
+    );
     let apart = r#"f "rad" phase theta period 1.0 with transmission_error, "error"; arm "rad""#;
     let errors = self::errors(r#"arm "rad""#, apart);
     assert!(

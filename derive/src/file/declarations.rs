@@ -55,9 +55,13 @@ fn parameter(b: &mut Block, p: &Parameter) {
     b.line(2, &format!("{} {:?} {default}, {range}, {:?};", p.name, p.unit, p.doc));
 }
 
-fn law(b: &mut Block, law: &Law, rolling: bool) {
+fn law(b: &mut Block, law: &Law, rolling: Option<Vec<String>>) {
     let phase = print(&Tree::new(&law.phase.atom()), Style::Rust);
-    let rolling = if rolling { " rolling" } else { "" };
+    let rolling = match rolling.as_deref() {
+        None => String::new(),
+        Some([]) => " rolling".into(),
+        Some(effects) => format!(" rolling unless({})", effects.join(", ")),
+    };
     let with = law.with.as_ref().map_or(String::new(), |effect| format!(" with {effect}{}", role(law.role)));
     let Law { name, unit, period, doc, .. } = law;
     b.line(2, &format!("{name} {unit:?} phase {phase} period {period:?}{rolling}{with}, {doc:?};"));

@@ -103,8 +103,11 @@ impl Floquet {
             return orbit::of(scene, system, about);
         }
         let courses = steady::acting(scene, system)?;
-        let (period, stretches) = stretches(&courses)?;
         let means: Vec<f64> = courses.iter().map(SteadyLaw::mean).collect();
+        if steady::is_held(scene, system, &means)? {
+            return Err(Aperiodic::Held.into());
+        }
+        let (period, stretches) = stretches(&courses)?;
         let lowest = Modal::of(&system.matrices(&means)?)?.modes.iter().map(|m| m.omega2).find(|w| *w > 0.0);
         let omega = lowest.ok_or(FloquetError::Rigid)?.sqrt();
 

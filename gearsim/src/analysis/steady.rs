@@ -7,6 +7,7 @@ use crate::engine::system::System;
 use crate::model::{Law, Role};
 use crate::profile::{Curve, Profile};
 use crate::scene::Scene;
+use crate::tolerance::analysis::STRAINED;
 
 /// A law in steady rotation.
 #[derive(Debug, Clone, PartialEq)]
@@ -75,6 +76,25 @@ pub fn speeds(scene: &Scene, system: &System) -> Vec<f64> {
         *speed = given.unwrap_or(*speed);
     }
     speeds
+}
+
+/// Whether springs resist the rigid motions by which a scene states its speeds: a support to the ground holds what turns. `k` are the law
+/// values.
+///
+/// # Errors
+/// [`Refusal`] if the cell has no matrices.
+pub fn is_held(scene: &Scene, system: &System, k: &[f64]) -> Result<bool, Refusal> {
+    let stiffness = system.matrices(k)?.stiffness;
+    let mut speeds = vec![0.0; scene.model.coordinates.len()];
+    for (i, size) in scene.start.motions.iter().enumerate() {
+        speeds.iter_mut().zip(&*system.motion(i)).for_each(|(speed, unit)| *speed += size * unit);
+    }
+    let held = |i: usize| {
+        let terms = speeds.iter().enumerate().map(|(j, speed)| stiffness[(i, j)] * speed);
+        let (force, size) = terms.fold((0.0, 0.0f64), |(sum, size), term| (sum + term, size + term.abs()));
+        f64::abs(force) > STRAINED * size
+    };
+    Ok((0..speeds.len()).any(held))
 }
 
 /// The stiffnesses of a scene in steady rotation, in the order of the model's laws.

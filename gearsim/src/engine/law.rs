@@ -66,7 +66,7 @@ impl LawState {
             // All laws on one coordinate are counted in the same turns.
             let on_phase: Vec<_> = scene.present().filter(|(other, _)| other.phase == law.phase).collect();
             let periods: Vec<f64> = on_phase.iter().map(|(other, _)| other.period).collect();
-            let counted = turn::common(&periods).filter(|_| law.rolling);
+            let counted = turn::common(&periods).filter(|_| scene.effects.rolls(law, model));
             let which = on_phase.iter().position(|(other, _)| other.name == law.name).unwrap_or(0);
             let (period, times) = counted.as_ref().map_or((law.period, 1), |(turn, times)| (*turn, times[which]));
             let pitch = match switching {

@@ -76,6 +76,11 @@ impl Switch {
         &self.modes.0[self.mode]
     }
 
+    /// When its present mode began \[s\].
+    pub fn since(&self) -> f64 {
+        self.since
+    }
+
     /// Adds the time until `now` \[s\] to that of the present mode, which may end now.
     pub fn spend(&mut self, now: f64) {
         self.spent[self.mode] += now - self.since;

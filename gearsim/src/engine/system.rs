@@ -149,6 +149,14 @@ impl System {
         self.equations.motion(i)
     }
 
+    /// The deflection of the switch of an effect, as that of a mesh with play, at the coordinates `q` and without the edge of its mode;
+    /// `None` if the effect has no switch.
+    pub fn switched(&self, effect: &str, q: &[f64]) -> Option<f64> {
+        let i = self.model.switches.iter().position(|switch| switch.with == effect)?;
+        let over = self.equations.deflection(self.equations.switched(i), q, &self.model.in_contact([]));
+        Some(over.normal.dot(q))
+    }
+
     /// The coordinates at the start of a scene (n), including those in static equilibrium.
     ///
     /// # Errors

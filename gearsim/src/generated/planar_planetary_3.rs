@@ -48,6 +48,8 @@ equations! {
         kb_r "N/m" required, from 0.0 to inf, "radial stiffness of the bearing of the ring";
         cb_r "N*s/m" required with viscous_friction_r, from 0.0 to inf, "radial damping of the bearing of the ring: force per speed";
         k_r "N*m/rad" required, from 0.0 to inf, "torsional stiffness of the ring's torsional support";
+        k_s "N*m/rad" required with torsional_support_s, from 0.0 to inf, "torsional stiffness of the sun's torsional support";
+        k_c "N*m/rad" required with torsional_support_c, from 0.0 to inf, "torsional stiffness of the carrier's torsional support";
         m_p "kg" required, open 0.0 to inf, "mass of a planet";
         I_p "kg*m^2" required, open 0.0 to inf, "moment of inertia of a planet";
         kb_p "N/m" required, from 0.0 to inf, "radial stiffness of a planet's bearing";
@@ -61,23 +63,29 @@ equations! {
         beta_K "s" default 0.0, from 0.0 to inf, "damping in proportion to stiffness";
     }
     laws {
-        k_s1 "N/m" phase theta period 6.283185307179586 rolling, "stiffness of the mesh of sun and planet 1 along the line of action";
-        k_r1 "N/m" phase theta period 6.283185307179586 rolling, "stiffness of the mesh of ring and planet 1 along the line of action";
-        k_s2 "N/m" phase theta period 6.283185307179586 rolling, "stiffness of the mesh of sun and planet 2 along the line of action";
-        k_r2 "N/m" phase theta period 6.283185307179586 rolling, "stiffness of the mesh of ring and planet 2 along the line of action";
-        k_s3 "N/m" phase theta period 6.283185307179586 rolling, "stiffness of the mesh of sun and planet 3 along the line of action";
-        k_r3 "N/m" phase theta period 6.283185307179586 rolling, "stiffness of the mesh of ring and planet 3 along the line of action";
-        e_s1 "m" phase theta period 6.283185307179586 rolling with transmission_error_s1,
+        k_s1 "N/m" phase theta period 6.283185307179586 rolling unless(torsional_support),
+            "stiffness of the mesh of sun and planet 1 along the line of action";
+        k_r1 "N/m" phase theta period 6.283185307179586 rolling unless(torsional_support),
+            "stiffness of the mesh of ring and planet 1 along the line of action";
+        k_s2 "N/m" phase theta period 6.283185307179586 rolling unless(torsional_support),
+            "stiffness of the mesh of sun and planet 2 along the line of action";
+        k_r2 "N/m" phase theta period 6.283185307179586 rolling unless(torsional_support),
+            "stiffness of the mesh of ring and planet 2 along the line of action";
+        k_s3 "N/m" phase theta period 6.283185307179586 rolling unless(torsional_support),
+            "stiffness of the mesh of sun and planet 3 along the line of action";
+        k_r3 "N/m" phase theta period 6.283185307179586 rolling unless(torsional_support),
+            "stiffness of the mesh of ring and planet 3 along the line of action";
+        e_s1 "m" phase theta period 6.283185307179586 rolling unless(torsional_support) with transmission_error_s1,
             "transmission error of the mesh of sun and planet 1 along the line of action";
-        e_r1 "m" phase theta period 6.283185307179586 rolling with transmission_error_r1,
+        e_r1 "m" phase theta period 6.283185307179586 rolling unless(torsional_support) with transmission_error_r1,
             "transmission error of the mesh of ring and planet 1 along the line of action";
-        e_s2 "m" phase theta period 6.283185307179586 rolling with transmission_error_s2,
+        e_s2 "m" phase theta period 6.283185307179586 rolling unless(torsional_support) with transmission_error_s2,
             "transmission error of the mesh of sun and planet 2 along the line of action";
-        e_r2 "m" phase theta period 6.283185307179586 rolling with transmission_error_r2,
+        e_r2 "m" phase theta period 6.283185307179586 rolling unless(torsional_support) with transmission_error_r2,
             "transmission error of the mesh of ring and planet 2 along the line of action";
-        e_s3 "m" phase theta period 6.283185307179586 rolling with transmission_error_s3,
+        e_s3 "m" phase theta period 6.283185307179586 rolling unless(torsional_support) with transmission_error_s3,
             "transmission error of the mesh of sun and planet 3 along the line of action";
-        e_r3 "m" phase theta period 6.283185307179586 rolling with transmission_error_r3,
+        e_r3 "m" phase theta period 6.283185307179586 rolling unless(torsional_support) with transmission_error_r3,
             "transmission error of the mesh of ring and planet 3 along the line of action";
     }
     motions { speed "rad/s" { theta_dot = Z_r*Z_s/(Z_r + Z_s); }, "rotational speed of the sun, ring at rest"; }
@@ -85,6 +93,8 @@ equations! {
         viscous_friction_s of viscous_friction "friction proportional to speed";
         viscous_friction_c of viscous_friction "friction proportional to speed";
         viscous_friction_r of viscous_friction "friction proportional to speed";
+        torsional_support_s of torsional_support "a torsional spring to the ground: it holds what else turns";
+        torsional_support_c of torsional_support "a torsional spring to the ground: it holds what else turns";
         stiffness_step
             "the mesh stiffness steps as tooth pairs enter and leave, conserving energy by jump terms; else it has its mid value";
         rigid_kinematics requires(stiffness_step) excludes(frozen_phase)
@@ -110,6 +120,8 @@ equations! {
     conditions {
         jump_terms = stiffness_step, !rigid_kinematics, !frozen_phase;
         moving_phase = stiffness_step, !frozen_phase;
+        torsional_support_s_and_damping = torsional_support_s, damping;
+        torsional_support_c_and_damping = torsional_support_c, damping;
         transmission_error_s1_and_jump_terms = transmission_error_s1, stiffness_step, !rigid_kinematics, !frozen_phase;
         transmission_error_r1_and_jump_terms = transmission_error_r1, stiffness_step, !rigid_kinematics, !frozen_phase;
         transmission_error_s2_and_jump_terms = transmission_error_s2, stiffness_step, !rigid_kinematics, !frozen_phase;
@@ -157,6 +169,8 @@ equations! {
         bx_r = x_r;
         by_r = y_r;
         twist_r = theta_r;
+        twist_s = theta_c + theta/Z_r + theta/Z_s;
+        twist_c = theta_c + theta/Z_r;
         radial1 = cos_c1*x_c - zeta1 + sin_c1*y_c;
         tangential1 = cos_c1*y_c - eta1 - sin_c1*x_c;
         delta_s1 = u1 - e_s1 - cos_a*eta1 + cos_s1*y_s - sin_a*zeta1 - sin_s1*x_s;
@@ -187,11 +201,15 @@ equations! {
                 + kb_r*bx_r.powi(2) + kb_r*by_r.powi(2) + kb_s*bx_s.powi(2) + kb_s*by_s.powi(2) + k_r1*delta_r1.powi(2)
                 + k_r2*delta_r2.powi(2) + k_r3*delta_r3.powi(2) + k_s1*delta_s1.powi(2) + k_s2*delta_s2.powi(2)
                 + k_s3*delta_s3.powi(2))/2.0;
+            torsional_support_s => k_s*twist_s.powi(2)/2.0;
+            torsional_support_c => k_c*twist_c.powi(2)/2.0;
         }
         dissipation {
             viscous_friction_s => (cb_s*bx_s_dot.powi(2) + cb_s*by_s_dot.powi(2))/2.0;
             viscous_friction_c => (cb_c*bx_c_dot.powi(2) + cb_c*by_c_dot.powi(2))/2.0;
             viscous_friction_r => (cb_r*bx_r_dot.powi(2) + cb_r*by_r_dot.powi(2))/2.0;
+            torsional_support_s_and_damping => beta_K*k_s*twist_s_dot.powi(2)/2.0;
+            torsional_support_c_and_damping => beta_K*k_c*twist_c_dot.powi(2)/2.0;
             viscous_friction_p => (cb_p*radial1_dot.powi(2) + cb_p*radial2_dot.powi(2) + cb_p*radial3_dot.powi(2)
                 + cb_p*tangential1_dot.powi(2) + cb_p*tangential2_dot.powi(2) + cb_p*tangential3_dot.powi(2))/2.0;
             damping => (I_c*alpha_M*(theta_c_dot + theta_dot/Z_r).powi(2)
@@ -258,6 +276,10 @@ equations! {
     }
     force {
         theta {
+            torsional_support_s => -k_s*twist_s/Z_r - k_s*twist_s/Z_s;
+            torsional_support_s_and_damping => -beta_K*k_s*twist_s_dot/Z_r - beta_K*k_s*twist_s_dot/Z_s;
+            torsional_support_c => -k_c*twist_c/Z_r;
+            torsional_support_c_and_damping => -beta_K*k_c*twist_c_dot/Z_r;
             transmission_error_s1_and_jump_terms => k_s1*de_s1*delta_s1;
             transmission_error_r1_and_jump_terms => k_r1*de_r1*delta_r1;
             transmission_error_s2_and_jump_terms => k_s2*de_s2*delta_s2;
@@ -278,6 +300,10 @@ equations! {
         }
         theta_c {
             _ => h*Z_r*k_r1*delta_r1 + h*Z_r*k_r2*delta_r2 + h*Z_r*k_r3*delta_r3;
+            torsional_support_s => -k_s*twist_s;
+            torsional_support_s_and_damping => -beta_K*k_s*twist_s_dot;
+            torsional_support_c => -k_c*twist_c;
+            torsional_support_c_and_damping => -beta_K*k_c*twist_c_dot;
             torques => T_motor - T_load;
             damping => h*Z_r*beta_K*k_r1_mid*delta_r1_dot - a*alpha_M*m_p*eta1_dot - a*alpha_M*m_p*eta2_dot - a*alpha_M*m_p*eta3_dot
                 + h*Z_r*beta_K*k_r2_mid*delta_r2_dot + h*Z_r*beta_K*k_r3_mid*delta_r3_dot + 3.0*h*I_p*alpha_M*theta_dot/r_p
@@ -388,6 +414,8 @@ equations! {
     }
     jacobian {
         theta theta {
+            torsional_support_s => -k_s/Z_r.powi(2) - 2.0*k_s/(Z_r*Z_s) - k_s/Z_s.powi(2);
+            torsional_support_c => -k_c/Z_r.powi(2);
             transmission_error_s1_and_jump_terms => k_s1*dde_s1*delta_s1 - k_s1*de_s1.powi(2) + 2.0*de_s1*dk_s1*delta_s1;
             transmission_error_r1_and_jump_terms => k_r1*dde_r1*delta_r1 - k_r1*de_r1.powi(2) + 2.0*de_r1*dk_r1*delta_r1;
             transmission_error_s2_and_jump_terms => k_s2*dde_s2*delta_s2 - k_s2*de_s2.powi(2) + 2.0*de_s2*dk_s2*delta_s2;
@@ -398,6 +426,8 @@ equations! {
                 - ddk_s2*delta_s2.powi(2) - ddk_s3*delta_s3.powi(2))/2.0;
         }
         theta theta_c {
+            torsional_support_s => -k_s/Z_r - k_s/Z_s;
+            torsional_support_c => -k_c/Z_r;
             transmission_error_r1_and_jump_terms => -h*Z_r*k_r1*de_r1;
             transmission_error_r2_and_jump_terms => -h*Z_r*k_r2*de_r2;
             transmission_error_r3_and_jump_terms => -h*Z_r*k_r3*de_r3;
@@ -479,11 +509,15 @@ equations! {
             jump_terms => dk_r3*delta_r3 - dk_s3*delta_s3;
         }
         theta theta_dot {
+            torsional_support_s_and_damping => -beta_K*k_s/Z_r.powi(2) - 2.0*beta_K*k_s/(Z_r*Z_s) - beta_K*k_s/Z_s.powi(2);
+            torsional_support_c_and_damping => -beta_K*k_c/Z_r.powi(2);
             damping => 6.0*h*I_p*alpha_M/(r_p*Z_r) - I_c*alpha_M/Z_r.powi(2) - 3.0*I_p*alpha_M/Z_r.powi(2) - I_s*alpha_M/Z_r.powi(2)
                 - 2.0*I_s*alpha_M/(Z_r*Z_s) - I_s*alpha_M/Z_s.powi(2) - 3.0*a.powi(2)*alpha_M*m_p/Z_r.powi(2)
                 - 3.0*h.powi(2)*I_p*alpha_M/r_p.powi(2);
         }
         theta theta_c_dot {
+            torsional_support_s_and_damping => -beta_K*k_s/Z_r - beta_K*k_s/Z_s;
+            torsional_support_c_and_damping => -beta_K*k_c/Z_r;
             damping => 3.0*h*I_p*alpha_M/r_p - I_c*alpha_M/Z_r - 3.0*I_p*alpha_M/Z_r - I_s*alpha_M/Z_r - I_s*alpha_M/Z_s
                 - 3.0*a.powi(2)*alpha_M*m_p/Z_r;
         }
@@ -494,12 +528,18 @@ equations! {
         theta eta3_dot { damping => -a*alpha_M*m_p/Z_r; }
         theta u3_dot { damping => h*I_p*alpha_M/r_p.powi(2) - I_p*alpha_M/(r_p*Z_r); }
         theta_c theta {
+            torsional_support_s => -k_s/Z_r - k_s/Z_s;
+            torsional_support_c => -k_c/Z_r;
             transmission_error_r1_and_moving_phase => -h*Z_r*k_r1*de_r1;
             transmission_error_r2_and_moving_phase => -h*Z_r*k_r2*de_r2;
             transmission_error_r3_and_moving_phase => -h*Z_r*k_r3*de_r3;
             moving_phase => h*Z_r*dk_r1*delta_r1 + h*Z_r*dk_r2*delta_r2 + h*Z_r*dk_r3*delta_r3;
         }
-        theta_c theta_c { _ => -h.powi(2)*Z_r.powi(2)*k_r1 - h.powi(2)*Z_r.powi(2)*k_r2 - h.powi(2)*Z_r.powi(2)*k_r3; }
+        theta_c theta_c {
+            _ => -h.powi(2)*Z_r.powi(2)*k_r1 - h.powi(2)*Z_r.powi(2)*k_r2 - h.powi(2)*Z_r.powi(2)*k_r3;
+            torsional_support_s => -k_s;
+            torsional_support_c => -k_c;
+        }
         theta_c theta_r { _ => h.powi(2)*Z_r.powi(2)*k_r1 + h.powi(2)*Z_r.powi(2)*k_r2 + h.powi(2)*Z_r.powi(2)*k_r3; }
         theta_c x_r { _ => -h*sin_r1*Z_r*k_r1 - h*sin_r2*Z_r*k_r2 - h*sin_r3*Z_r*k_r3; }
         theta_c y_r { _ => cos_r1*h*Z_r*k_r1 + cos_r2*h*Z_r*k_r2 + cos_r3*h*Z_r*k_r3; }
@@ -513,10 +553,14 @@ equations! {
         theta_c eta3 { _ => -cos_a*h*Z_r*k_r3; }
         theta_c u3 { _ => -h*Z_r*k_r3; }
         theta_c theta_dot {
+            torsional_support_s_and_damping => -beta_K*k_s/Z_r - beta_K*k_s/Z_s;
+            torsional_support_c_and_damping => -beta_K*k_c/Z_r;
             damping => 3.0*h*I_p*alpha_M/r_p - I_c*alpha_M/Z_r - 3.0*I_p*alpha_M/Z_r - I_s*alpha_M/Z_r - I_s*alpha_M/Z_s
                 - 3.0*a.powi(2)*alpha_M*m_p/Z_r;
         }
         theta_c theta_c_dot {
+            torsional_support_s_and_damping => -beta_K*k_s;
+            torsional_support_c_and_damping => -beta_K*k_c;
             damping => -I_c*alpha_M - 3.0*I_p*alpha_M - I_s*alpha_M - 3.0*a.powi(2)*alpha_M*m_p - h.powi(2)*Z_r.powi(2)*beta_K*k_r1_mid
                 - h.powi(2)*Z_r.powi(2)*beta_K*k_r2_mid - h.powi(2)*Z_r.powi(2)*beta_K*k_r3_mid;
         }
@@ -1085,7 +1129,19 @@ equations! {
     }
     cell {
         stiffness {
-            theta_c theta_c { _ => h.powi(2)*Z_r.powi(2)*k_r1 + h.powi(2)*Z_r.powi(2)*k_r2 + h.powi(2)*Z_r.powi(2)*k_r3; }
+            theta theta {
+                torsional_support_s => k_s/Z_r.powi(2) + 2.0*k_s/(Z_r*Z_s) + k_s/Z_s.powi(2);
+                torsional_support_c => k_c/Z_r.powi(2);
+            }
+            theta theta_c {
+                torsional_support_s => k_s/Z_r + k_s/Z_s;
+                torsional_support_c => k_c/Z_r;
+            }
+            theta_c theta_c {
+                _ => h.powi(2)*Z_r.powi(2)*k_r1 + h.powi(2)*Z_r.powi(2)*k_r2 + h.powi(2)*Z_r.powi(2)*k_r3;
+                torsional_support_s => k_s;
+                torsional_support_c => k_c;
+            }
             theta_c theta_r { _ => -h.powi(2)*Z_r.powi(2)*k_r1 - h.powi(2)*Z_r.powi(2)*k_r2 - h.powi(2)*Z_r.powi(2)*k_r3; }
             theta_c x_r { _ => h*sin_r1*Z_r*k_r1 + h*sin_r2*Z_r*k_r2 + h*sin_r3*Z_r*k_r3; }
             theta_c y_r { _ => -cos_r1*h*Z_r*k_r1 - cos_r2*h*Z_r*k_r2 - cos_r3*h*Z_r*k_r3; }
@@ -1193,11 +1249,15 @@ equations! {
         }
         damping {
             theta theta {
+                torsional_support_s_and_damping => beta_K*k_s/Z_r.powi(2) + 2.0*beta_K*k_s/(Z_r*Z_s) + beta_K*k_s/Z_s.powi(2);
+                torsional_support_c_and_damping => beta_K*k_c/Z_r.powi(2);
                 damping => I_c*alpha_M/Z_r.powi(2) - 6.0*h*I_p*alpha_M/(r_p*Z_r) + 3.0*I_p*alpha_M/Z_r.powi(2) + I_s*alpha_M/Z_r.powi(2)
                     + 2.0*I_s*alpha_M/(Z_r*Z_s) + I_s*alpha_M/Z_s.powi(2) + 3.0*a.powi(2)*alpha_M*m_p/Z_r.powi(2)
                     + 3.0*h.powi(2)*I_p*alpha_M/r_p.powi(2);
             }
             theta theta_c {
+                torsional_support_s_and_damping => beta_K*k_s/Z_r + beta_K*k_s/Z_s;
+                torsional_support_c_and_damping => beta_K*k_c/Z_r;
                 damping => I_c*alpha_M/Z_r - 3.0*h*I_p*alpha_M/r_p + 3.0*I_p*alpha_M/Z_r + I_s*alpha_M/Z_r + I_s*alpha_M/Z_s
                     + 3.0*a.powi(2)*alpha_M*m_p/Z_r;
             }
@@ -1208,6 +1268,8 @@ equations! {
             theta eta3 { damping => a*alpha_M*m_p/Z_r; }
             theta u3 { damping => I_p*alpha_M/(r_p*Z_r) - h*I_p*alpha_M/r_p.powi(2); }
             theta_c theta_c {
+                torsional_support_s_and_damping => beta_K*k_s;
+                torsional_support_c_and_damping => beta_K*k_c;
                 damping => I_c*alpha_M + 3.0*I_p*alpha_M + I_s*alpha_M + 3.0*a.powi(2)*alpha_M*m_p + h.powi(2)*Z_r.powi(2)*beta_K*k_r1_mid
                     + h.powi(2)*Z_r.powi(2)*beta_K*k_r2_mid + h.powi(2)*Z_r.powi(2)*beta_K*k_r3_mid;
             }
@@ -1496,6 +1558,30 @@ equations! {
             _ => theta_r_dot*shaft_torque_r;
         }
         shaft_loss_r "W", "power that the damper of the ring's torsional support takes" { damping => beta_K*k_r*twist_r_dot.powi(2); }
+        shaft_twist_s "rad" with torsional_support_s, "twist of the sun's torsional support" { _ => twist_s; }
+        shaft_torque_s "N*m" with torsional_support_s, "torque in the sun's torsional support, damper included" {
+            torsional_support_s => k_s*twist_s;
+            torsional_support_s_and_damping => beta_K*k_s*twist_s_dot;
+        }
+        shaft_power_s "W" with torsional_support_s,
+            "power that enters the sun's torsional support at its first end: torque times the speed of that end" {
+            _ => shaft_torque_s*(theta_c_dot + theta_dot*(1.0/Z_r + 1.0/Z_s));
+        }
+        shaft_loss_s "W" with torsional_support_s, "power that the damper of the sun's torsional support takes" {
+            torsional_support_s_and_damping => beta_K*k_s*twist_s_dot.powi(2);
+        }
+        shaft_twist_c "rad" with torsional_support_c, "twist of the carrier's torsional support" { _ => twist_c; }
+        shaft_torque_c "N*m" with torsional_support_c, "torque in the carrier's torsional support, damper included" {
+            torsional_support_c => k_c*twist_c;
+            torsional_support_c_and_damping => beta_K*k_c*twist_c_dot;
+        }
+        shaft_power_c "W" with torsional_support_c,
+            "power that enters the carrier's torsional support at its first end: torque times the speed of that end" {
+            _ => shaft_torque_c*(theta_c_dot + theta_dot/Z_r);
+        }
+        shaft_loss_c "W" with torsional_support_c, "power that the damper of the carrier's torsional support takes" {
+            torsional_support_c_and_damping => beta_K*k_c*twist_c_dot.powi(2);
+        }
         planet_bearing_force_1_radial "N", "radial force on the bearing of planet 1" {
             _ => kb_p*radial1;
             viscous_friction_p => cb_p*radial1_dot;
@@ -1703,5 +1789,5 @@ equations! {
 // | output | sums | products, quotients | functions, roots |
 // | --- | --- | --- | --- |
 // | constants (once a scene) | 14 | 11 | 20 |
-// | force | 175 | 602 | 0 |
+// | force | 177 | 623 | 0 |
 // | energy steps, all laws | 6 | 48 | 0 |

@@ -28,6 +28,8 @@ equations! {
         I_c "kg*m^2" required, open 0.0 to inf, "moment of inertia of the carrier without planets";
         I_r "kg*m^2" required, open 0.0 to inf, "moment of inertia of the ring";
         k_r "N*m/rad" required, from 0.0 to inf, "torsional stiffness of the ring's torsional support";
+        k_s "N*m/rad" required with torsional_support_s, from 0.0 to inf, "torsional stiffness of the sun's torsional support";
+        k_c "N*m/rad" required with torsional_support_c, from 0.0 to inf, "torsional stiffness of the carrier's torsional support";
         m_p "kg" required, open 0.0 to inf, "mass of a planet";
         I_p "kg*m^2" required, open 0.0 to inf, "moment of inertia of a planet";
         T_motor "N*m" required with torques, open -inf to inf, "driving torque of the sun";
@@ -36,33 +38,43 @@ equations! {
         beta_K "s" default 0.0, from 0.0 to inf, "damping in proportion to stiffness";
     }
     laws {
-        k_s1 "N/m" phase theta period 6.283185307179586 rolling, "stiffness of the mesh of sun and planet 1 along the line of action";
-        k_r1 "N/m" phase theta period 6.283185307179586 rolling, "stiffness of the mesh of ring and planet 1 along the line of action";
-        k_s2 "N/m" phase theta period 6.283185307179586 rolling, "stiffness of the mesh of sun and planet 2 along the line of action";
-        k_r2 "N/m" phase theta period 6.283185307179586 rolling, "stiffness of the mesh of ring and planet 2 along the line of action";
-        k_s3 "N/m" phase theta period 6.283185307179586 rolling, "stiffness of the mesh of sun and planet 3 along the line of action";
-        k_r3 "N/m" phase theta period 6.283185307179586 rolling, "stiffness of the mesh of ring and planet 3 along the line of action";
-        k_s4 "N/m" phase theta period 6.283185307179586 rolling, "stiffness of the mesh of sun and planet 4 along the line of action";
-        k_r4 "N/m" phase theta period 6.283185307179586 rolling, "stiffness of the mesh of ring and planet 4 along the line of action";
-        e_s1 "m" phase theta period 6.283185307179586 rolling with transmission_error_s1,
+        k_s1 "N/m" phase theta period 6.283185307179586 rolling unless(torsional_support),
+            "stiffness of the mesh of sun and planet 1 along the line of action";
+        k_r1 "N/m" phase theta period 6.283185307179586 rolling unless(torsional_support),
+            "stiffness of the mesh of ring and planet 1 along the line of action";
+        k_s2 "N/m" phase theta period 6.283185307179586 rolling unless(torsional_support),
+            "stiffness of the mesh of sun and planet 2 along the line of action";
+        k_r2 "N/m" phase theta period 6.283185307179586 rolling unless(torsional_support),
+            "stiffness of the mesh of ring and planet 2 along the line of action";
+        k_s3 "N/m" phase theta period 6.283185307179586 rolling unless(torsional_support),
+            "stiffness of the mesh of sun and planet 3 along the line of action";
+        k_r3 "N/m" phase theta period 6.283185307179586 rolling unless(torsional_support),
+            "stiffness of the mesh of ring and planet 3 along the line of action";
+        k_s4 "N/m" phase theta period 6.283185307179586 rolling unless(torsional_support),
+            "stiffness of the mesh of sun and planet 4 along the line of action";
+        k_r4 "N/m" phase theta period 6.283185307179586 rolling unless(torsional_support),
+            "stiffness of the mesh of ring and planet 4 along the line of action";
+        e_s1 "m" phase theta period 6.283185307179586 rolling unless(torsional_support) with transmission_error_s1,
             "transmission error of the mesh of sun and planet 1 along the line of action";
-        e_r1 "m" phase theta period 6.283185307179586 rolling with transmission_error_r1,
+        e_r1 "m" phase theta period 6.283185307179586 rolling unless(torsional_support) with transmission_error_r1,
             "transmission error of the mesh of ring and planet 1 along the line of action";
-        e_s2 "m" phase theta period 6.283185307179586 rolling with transmission_error_s2,
+        e_s2 "m" phase theta period 6.283185307179586 rolling unless(torsional_support) with transmission_error_s2,
             "transmission error of the mesh of sun and planet 2 along the line of action";
-        e_r2 "m" phase theta period 6.283185307179586 rolling with transmission_error_r2,
+        e_r2 "m" phase theta period 6.283185307179586 rolling unless(torsional_support) with transmission_error_r2,
             "transmission error of the mesh of ring and planet 2 along the line of action";
-        e_s3 "m" phase theta period 6.283185307179586 rolling with transmission_error_s3,
+        e_s3 "m" phase theta period 6.283185307179586 rolling unless(torsional_support) with transmission_error_s3,
             "transmission error of the mesh of sun and planet 3 along the line of action";
-        e_r3 "m" phase theta period 6.283185307179586 rolling with transmission_error_r3,
+        e_r3 "m" phase theta period 6.283185307179586 rolling unless(torsional_support) with transmission_error_r3,
             "transmission error of the mesh of ring and planet 3 along the line of action";
-        e_s4 "m" phase theta period 6.283185307179586 rolling with transmission_error_s4,
+        e_s4 "m" phase theta period 6.283185307179586 rolling unless(torsional_support) with transmission_error_s4,
             "transmission error of the mesh of sun and planet 4 along the line of action";
-        e_r4 "m" phase theta period 6.283185307179586 rolling with transmission_error_r4,
+        e_r4 "m" phase theta period 6.283185307179586 rolling unless(torsional_support) with transmission_error_r4,
             "transmission error of the mesh of ring and planet 4 along the line of action";
     }
     motions { speed "rad/s" { theta_dot = Z_r*Z_s/(Z_r + Z_s); }, "rotational speed of the sun, ring at rest"; }
     effects {
+        torsional_support_s of torsional_support "a torsional spring to the ground: it holds what else turns";
+        torsional_support_c of torsional_support "a torsional spring to the ground: it holds what else turns";
         stiffness_step
             "the mesh stiffness steps as tooth pairs enter and leave, conserving energy by jump terms; else it has its mid value";
         rigid_kinematics requires(stiffness_step) excludes(frozen_phase)
@@ -91,6 +103,8 @@ equations! {
     conditions {
         jump_terms = stiffness_step, !rigid_kinematics, !frozen_phase;
         moving_phase = stiffness_step, !frozen_phase;
+        torsional_support_s_and_damping = torsional_support_s, damping;
+        torsional_support_c_and_damping = torsional_support_c, damping;
         transmission_error_s1_and_jump_terms = transmission_error_s1, stiffness_step, !rigid_kinematics, !frozen_phase;
         transmission_error_r1_and_jump_terms = transmission_error_r1, stiffness_step, !rigid_kinematics, !frozen_phase;
         transmission_error_s2_and_jump_terms = transmission_error_s2, stiffness_step, !rigid_kinematics, !frozen_phase;
@@ -118,6 +132,8 @@ equations! {
     }
     deflections {
         twist_r = theta_r;
+        twist_s = theta_c + theta/Z_r + theta/Z_s;
+        twist_c = theta_c + theta/Z_r;
         delta_s1 = u1 - e_s1;
         delta_r1 = h*Z_r*theta_r - u1 - e_r1 - h*Z_r*theta_c;
         delta_s2 = u2 - e_s2;
@@ -139,8 +155,12 @@ equations! {
         potential {
             _ => (k_r*twist_r.powi(2) + k_r1*delta_r1.powi(2) + k_r2*delta_r2.powi(2) + k_r3*delta_r3.powi(2) + k_r4*delta_r4.powi(2)
                 + k_s1*delta_s1.powi(2) + k_s2*delta_s2.powi(2) + k_s3*delta_s3.powi(2) + k_s4*delta_s4.powi(2))/2.0;
+            torsional_support_s => k_s*twist_s.powi(2)/2.0;
+            torsional_support_c => k_c*twist_c.powi(2)/2.0;
         }
         dissipation {
+            torsional_support_s_and_damping => beta_K*k_s*twist_s_dot.powi(2)/2.0;
+            torsional_support_c_and_damping => beta_K*k_c*twist_c_dot.powi(2)/2.0;
             damping => I_c*alpha_M*(theta_c_dot + theta_dot/Z_r).powi(2)/2.0
                 + I_p*alpha_M*(theta_c_dot + (u1_dot - h*theta_dot)/r_p + theta_dot/Z_r).powi(2)/2.0
                 + I_p*alpha_M*(theta_c_dot + (u2_dot - h*theta_dot)/r_p + theta_dot/Z_r).powi(2)/2.0
@@ -185,6 +205,10 @@ equations! {
     }
     force {
         theta {
+            torsional_support_s => -k_s*twist_s/Z_r - k_s*twist_s/Z_s;
+            torsional_support_s_and_damping => -beta_K*k_s*twist_s_dot/Z_r - beta_K*k_s*twist_s_dot/Z_s;
+            torsional_support_c => -k_c*twist_c/Z_r;
+            torsional_support_c_and_damping => -beta_K*k_c*twist_c_dot/Z_r;
             transmission_error_s1_and_jump_terms => k_s1*de_s1*delta_s1;
             transmission_error_r1_and_jump_terms => k_r1*de_r1*delta_r1;
             transmission_error_s2_and_jump_terms => k_s2*de_s2*delta_s2;
@@ -207,6 +231,10 @@ equations! {
         }
         theta_c {
             _ => h*Z_r*k_r1*delta_r1 + h*Z_r*k_r2*delta_r2 + h*Z_r*k_r3*delta_r3 + h*Z_r*k_r4*delta_r4;
+            torsional_support_s => -k_s*twist_s;
+            torsional_support_s_and_damping => -beta_K*k_s*twist_s_dot;
+            torsional_support_c => -k_c*twist_c;
+            torsional_support_c_and_damping => -beta_K*k_c*twist_c_dot;
             torques => T_motor - T_load;
             damping => h*Z_r*beta_K*k_r1_mid*delta_r1_dot + h*Z_r*beta_K*k_r2_mid*delta_r2_dot + h*Z_r*beta_K*k_r3_mid*delta_r3_dot
                 + h*Z_r*beta_K*k_r4_mid*delta_r4_dot + 4.0*h*I_p*alpha_M*theta_dot/r_p - I_c*alpha_M*theta_c_dot
@@ -243,6 +271,8 @@ equations! {
     }
     jacobian {
         theta theta {
+            torsional_support_s => -k_s/Z_r.powi(2) - 2.0*k_s/(Z_r*Z_s) - k_s/Z_s.powi(2);
+            torsional_support_c => -k_c/Z_r.powi(2);
             transmission_error_s1_and_jump_terms => k_s1*dde_s1*delta_s1 - k_s1*de_s1.powi(2) + 2.0*de_s1*dk_s1*delta_s1;
             transmission_error_r1_and_jump_terms => k_r1*dde_r1*delta_r1 - k_r1*de_r1.powi(2) + 2.0*de_r1*dk_r1*delta_r1;
             transmission_error_s2_and_jump_terms => k_s2*dde_s2*delta_s2 - k_s2*de_s2.powi(2) + 2.0*de_s2*dk_s2*delta_s2;
@@ -255,6 +285,8 @@ equations! {
                 - ddk_s1*delta_s1.powi(2) - ddk_s2*delta_s2.powi(2) - ddk_s3*delta_s3.powi(2) - ddk_s4*delta_s4.powi(2))/2.0;
         }
         theta theta_c {
+            torsional_support_s => -k_s/Z_r - k_s/Z_s;
+            torsional_support_c => -k_c/Z_r;
             transmission_error_r1_and_jump_terms => -h*Z_r*k_r1*de_r1;
             transmission_error_r2_and_jump_terms => -h*Z_r*k_r2*de_r2;
             transmission_error_r3_and_jump_terms => -h*Z_r*k_r3*de_r3;
@@ -289,11 +321,15 @@ equations! {
             jump_terms => dk_r4*delta_r4 - dk_s4*delta_s4;
         }
         theta theta_dot {
+            torsional_support_s_and_damping => -beta_K*k_s/Z_r.powi(2) - 2.0*beta_K*k_s/(Z_r*Z_s) - beta_K*k_s/Z_s.powi(2);
+            torsional_support_c_and_damping => -beta_K*k_c/Z_r.powi(2);
             damping => 8.0*h*I_p*alpha_M/(r_p*Z_r) - I_c*alpha_M/Z_r.powi(2) - 4.0*I_p*alpha_M/Z_r.powi(2) - I_s*alpha_M/Z_r.powi(2)
                 - 2.0*I_s*alpha_M/(Z_r*Z_s) - I_s*alpha_M/Z_s.powi(2) - 4.0*a.powi(2)*alpha_M*m_p/Z_r.powi(2)
                 - 4.0*h.powi(2)*I_p*alpha_M/r_p.powi(2);
         }
         theta theta_c_dot {
+            torsional_support_s_and_damping => -beta_K*k_s/Z_r - beta_K*k_s/Z_s;
+            torsional_support_c_and_damping => -beta_K*k_c/Z_r;
             damping => 4.0*h*I_p*alpha_M/r_p - I_c*alpha_M/Z_r - 4.0*I_p*alpha_M/Z_r - I_s*alpha_M/Z_r - I_s*alpha_M/Z_s
                 - 4.0*a.powi(2)*alpha_M*m_p/Z_r;
         }
@@ -302,6 +338,8 @@ equations! {
         theta u3_dot { damping => h*I_p*alpha_M/r_p.powi(2) - I_p*alpha_M/(r_p*Z_r); }
         theta u4_dot { damping => h*I_p*alpha_M/r_p.powi(2) - I_p*alpha_M/(r_p*Z_r); }
         theta_c theta {
+            torsional_support_s => -k_s/Z_r - k_s/Z_s;
+            torsional_support_c => -k_c/Z_r;
             transmission_error_r1_and_moving_phase => -h*Z_r*k_r1*de_r1;
             transmission_error_r2_and_moving_phase => -h*Z_r*k_r2*de_r2;
             transmission_error_r3_and_moving_phase => -h*Z_r*k_r3*de_r3;
@@ -310,6 +348,8 @@ equations! {
         }
         theta_c theta_c {
             _ => -h.powi(2)*Z_r.powi(2)*k_r1 - h.powi(2)*Z_r.powi(2)*k_r2 - h.powi(2)*Z_r.powi(2)*k_r3 - h.powi(2)*Z_r.powi(2)*k_r4;
+            torsional_support_s => -k_s;
+            torsional_support_c => -k_c;
         }
         theta_c theta_r {
             _ => h.powi(2)*Z_r.powi(2)*k_r1 + h.powi(2)*Z_r.powi(2)*k_r2 + h.powi(2)*Z_r.powi(2)*k_r3 + h.powi(2)*Z_r.powi(2)*k_r4;
@@ -319,10 +359,14 @@ equations! {
         theta_c u3 { _ => -h*Z_r*k_r3; }
         theta_c u4 { _ => -h*Z_r*k_r4; }
         theta_c theta_dot {
+            torsional_support_s_and_damping => -beta_K*k_s/Z_r - beta_K*k_s/Z_s;
+            torsional_support_c_and_damping => -beta_K*k_c/Z_r;
             damping => 4.0*h*I_p*alpha_M/r_p - I_c*alpha_M/Z_r - 4.0*I_p*alpha_M/Z_r - I_s*alpha_M/Z_r - I_s*alpha_M/Z_s
                 - 4.0*a.powi(2)*alpha_M*m_p/Z_r;
         }
         theta_c theta_c_dot {
+            torsional_support_s_and_damping => -beta_K*k_s;
+            torsional_support_c_and_damping => -beta_K*k_c;
             damping => -I_c*alpha_M - 4.0*I_p*alpha_M - I_s*alpha_M - 4.0*a.powi(2)*alpha_M*m_p - h.powi(2)*Z_r.powi(2)*beta_K*k_r1_mid
                 - h.powi(2)*Z_r.powi(2)*beta_K*k_r2_mid - h.powi(2)*Z_r.powi(2)*beta_K*k_r3_mid - h.powi(2)*Z_r.powi(2)*beta_K*k_r4_mid;
         }
@@ -414,8 +458,18 @@ equations! {
     }
     cell {
         stiffness {
+            theta theta {
+                torsional_support_s => k_s/Z_r.powi(2) + 2.0*k_s/(Z_r*Z_s) + k_s/Z_s.powi(2);
+                torsional_support_c => k_c/Z_r.powi(2);
+            }
+            theta theta_c {
+                torsional_support_s => k_s/Z_r + k_s/Z_s;
+                torsional_support_c => k_c/Z_r;
+            }
             theta_c theta_c {
                 _ => h.powi(2)*Z_r.powi(2)*k_r1 + h.powi(2)*Z_r.powi(2)*k_r2 + h.powi(2)*Z_r.powi(2)*k_r3 + h.powi(2)*Z_r.powi(2)*k_r4;
+                torsional_support_s => k_s;
+                torsional_support_c => k_c;
             }
             theta_c theta_r {
                 _ => -h.powi(2)*Z_r.powi(2)*k_r1 - h.powi(2)*Z_r.powi(2)*k_r2 - h.powi(2)*Z_r.powi(2)*k_r3 - h.powi(2)*Z_r.powi(2)*k_r4;
@@ -439,11 +493,15 @@ equations! {
         }
         damping {
             theta theta {
+                torsional_support_s_and_damping => beta_K*k_s/Z_r.powi(2) + 2.0*beta_K*k_s/(Z_r*Z_s) + beta_K*k_s/Z_s.powi(2);
+                torsional_support_c_and_damping => beta_K*k_c/Z_r.powi(2);
                 damping => I_c*alpha_M/Z_r.powi(2) - 8.0*h*I_p*alpha_M/(r_p*Z_r) + 4.0*I_p*alpha_M/Z_r.powi(2) + I_s*alpha_M/Z_r.powi(2)
                     + 2.0*I_s*alpha_M/(Z_r*Z_s) + I_s*alpha_M/Z_s.powi(2) + 4.0*a.powi(2)*alpha_M*m_p/Z_r.powi(2)
                     + 4.0*h.powi(2)*I_p*alpha_M/r_p.powi(2);
             }
             theta theta_c {
+                torsional_support_s_and_damping => beta_K*k_s/Z_r + beta_K*k_s/Z_s;
+                torsional_support_c_and_damping => beta_K*k_c/Z_r;
                 damping => I_c*alpha_M/Z_r - 4.0*h*I_p*alpha_M/r_p + 4.0*I_p*alpha_M/Z_r + I_s*alpha_M/Z_r + I_s*alpha_M/Z_s
                     + 4.0*a.powi(2)*alpha_M*m_p/Z_r;
             }
@@ -452,6 +510,8 @@ equations! {
             theta u3 { damping => I_p*alpha_M/(r_p*Z_r) - h*I_p*alpha_M/r_p.powi(2); }
             theta u4 { damping => I_p*alpha_M/(r_p*Z_r) - h*I_p*alpha_M/r_p.powi(2); }
             theta_c theta_c {
+                torsional_support_s_and_damping => beta_K*k_s;
+                torsional_support_c_and_damping => beta_K*k_c;
                 damping => I_c*alpha_M + 4.0*I_p*alpha_M + I_s*alpha_M + 4.0*a.powi(2)*alpha_M*m_p + h.powi(2)*Z_r.powi(2)*beta_K*k_r1_mid
                     + h.powi(2)*Z_r.powi(2)*beta_K*k_r2_mid + h.powi(2)*Z_r.powi(2)*beta_K*k_r3_mid + h.powi(2)*Z_r.powi(2)*beta_K*k_r4_mid;
             }
@@ -518,6 +578,30 @@ equations! {
             _ => theta_r_dot*shaft_torque_r;
         }
         shaft_loss_r "W", "power that the damper of the ring's torsional support takes" { damping => beta_K*k_r*twist_r_dot.powi(2); }
+        shaft_twist_s "rad" with torsional_support_s, "twist of the sun's torsional support" { _ => twist_s; }
+        shaft_torque_s "N*m" with torsional_support_s, "torque in the sun's torsional support, damper included" {
+            torsional_support_s => k_s*twist_s;
+            torsional_support_s_and_damping => beta_K*k_s*twist_s_dot;
+        }
+        shaft_power_s "W" with torsional_support_s,
+            "power that enters the sun's torsional support at its first end: torque times the speed of that end" {
+            _ => shaft_torque_s*(theta_c_dot + theta_dot*(1.0/Z_r + 1.0/Z_s));
+        }
+        shaft_loss_s "W" with torsional_support_s, "power that the damper of the sun's torsional support takes" {
+            torsional_support_s_and_damping => beta_K*k_s*twist_s_dot.powi(2);
+        }
+        shaft_twist_c "rad" with torsional_support_c, "twist of the carrier's torsional support" { _ => twist_c; }
+        shaft_torque_c "N*m" with torsional_support_c, "torque in the carrier's torsional support, damper included" {
+            torsional_support_c => k_c*twist_c;
+            torsional_support_c_and_damping => beta_K*k_c*twist_c_dot;
+        }
+        shaft_power_c "W" with torsional_support_c,
+            "power that enters the carrier's torsional support at its first end: torque times the speed of that end" {
+            _ => shaft_torque_c*(theta_c_dot + theta_dot/Z_r);
+        }
+        shaft_loss_c "W" with torsional_support_c, "power that the damper of the carrier's torsional support takes" {
+            torsional_support_c_and_damping => beta_K*k_c*twist_c_dot.powi(2);
+        }
         mesh_force_s1 "N",
             "force of the mesh of sun and planet 1 along the line of action, damper included: positive if it presses the drive flanks" {
             _ => k_s1*delta_s1;
@@ -703,5 +787,5 @@ equations! {
 // | output | sums | products, quotients | functions, roots |
 // | --- | --- | --- | --- |
 // | constants (once a scene) | 2 | 11 | 2 |
-// | force | 84 | 342 | 0 |
+// | force | 86 | 363 | 0 |
 // | energy steps, all laws | 8 | 64 | 0 |

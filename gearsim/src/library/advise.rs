@@ -156,7 +156,7 @@ fn of(base: &Scene, watch: &dyn Fn(f64)) -> Result<Advice, Error> {
     };
     let context = Context {
         base,
-        here: Measures::of(&outcome, &bands),
+        here: Measures::of(&outcome, base, &bands),
         mesh: groups.as_ref().map_or(0.0, Groups::mesh),
         expected: steady.as_ref().ok().and_then(|s| expected(base, s, &bands, None).ok()),
         steady: steady.ok(),
@@ -195,7 +195,7 @@ impl Context<'_> {
         let estimate = self.estimate(&candidate)?;
         let (truth, time) = match timed(&candidate.scene, self.watch) {
             Ok((outcome, seconds)) => {
-                let there = Measures::of(&outcome, self.bands);
+                let there = Measures::of(&outcome, self.base, self.bands);
                 (Ok(self.here.apart(&there, &self.units())), seconds / self.seconds)
             }
             Err(Error::Refused { refusal, .. }) => (Err(refusal.to_string()), f64::NAN),
@@ -216,7 +216,7 @@ impl Context<'_> {
         let short = short_run(self.base, self.mesh);
         let shortened = |scene: &Scene| Scene { t_end: short, ..scene.clone() };
         let run = |scene: &Scene| shortened(scene).run_alone(&mut |t| (self.watch)(t));
-        let measures = |scene: &Scene| run(scene).map(|results| Measures::of(&results.outcome, self.bands));
+        let measures = |scene: &Scene| run(scene).map(|results| Measures::of(&results.outcome, self.base, self.bands));
         match (measures(self.base), measures(&candidate.scene)) {
             (Ok(here), Ok(there)) => {
                 Ok(Estimate::Short(here.apart(&there, &self.units()).over(short, self.base.t_end)))
@@ -231,7 +231,7 @@ impl Context<'_> {
     /// SI units of the elastic coordinates.
     fn units(&self) -> Vec<&'static str> {
         let model = self.base.model;
-        coordinates(model).0.into_iter().map(|i| model.coordinates[i].unit).collect()
+        coordinates(self.base).0.into_iter().map(|i| model.coordinates[i].unit).collect()
     }
 }
 

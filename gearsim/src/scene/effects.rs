@@ -4,7 +4,7 @@ use super::Effects;
 use super::document::Node;
 use super::field;
 use super::mistake::{Report, list};
-use crate::model::{Effect, Model};
+use crate::model::{Effect, Law, Model};
 
 impl Effects {
     /// Whether effect `i` of the model is in the set.
@@ -35,6 +35,16 @@ impl Effects {
             }
         }
         names
+    }
+
+    /// Whether the phase of a law rolls in scenes with these effects: nothing else depends on its whole pitches.
+    pub fn rolls(self, law: &Law, model: &Model) -> bool {
+        law.rolling && !law.held.iter().any(|effect| self.has(effect, model))
+    }
+
+    /// Whether a coordinate of a model turns on and on in scenes with these effects: it is the phase of a law that rolls.
+    pub fn turns(self, coordinate: &str, model: &Model) -> bool {
+        model.laws.iter().any(|law| law.phase == coordinate && self.rolls(law, model))
     }
 
     /// The terms that make cells of `model` nonlinear with these effects, as text; empty if cells are linear.

@@ -5,6 +5,10 @@
 /// Smaller: a result with a deflection at rest seems to have no digits left.
 pub(crate) const AT_REST: f64 = 1e-9;
 
+/// Forces of springs along a rigid motion are zero up to this [relative to the sum of their absolute values]: they cancel to a few rounding
+/// errors of each. Smaller: rounding errors hold what turns. Larger: a soft support of a stiff train is not seen.
+pub(crate) const STRAINED: f64 = 1e-12;
+
 /// A Floquet multiplier within this distance of the unit circle [1] counts as being on it, and one with an imaginary part below
 /// this [relative] counts as real. A double multiplier has an error of sqrt(eps) = 1.5e-8. Smaller: undamped systems become
 /// unstable by rounding errors. Larger: slow growth is not seen.

@@ -15,9 +15,15 @@
 //! M. Vaishya, R. Singh, J. Sound Vib. 243 (2001); S. He, R. Gunda, R. Singh, J. Sound Vib. 301 (2007).
 //!
 //! Two functions are smoothed. sgn(psi') is replaced by psi'/(psi'² + w_mix²)^(1/2): friction decreases at low speed and is zero at
-//! rest; there is no stiction. |F| is replaced by k (delta² + tiny²)^(1/2), which is differentiable at zero load; tiny = 1e-12 in
+//! rest. |F| is replaced by k (delta² + tiny²)^(1/2), which is differentiable at zero load; tiny = 1e-12 in
 //! the unit of delta is far below any deflection of interest. F is the force of the mesh spring without that of the damper.
 //! Friction acts on the coast flank as on the drive flank.
+//!
+//! There is no stiction. Turning gears have none: the sliding speed tau' + xi psi' follows from the rotation and passes zero at an
+//! instant. Gears that stand under load would stick, psi' = 0, while the moment of the other forces along psi is at most mu |F| arm; here
+//! they creep with psi' = w_mix x/(1 - x²)^(1/2), x the moment over mu |F| arm. A switch of psi that holds cannot state this limit: guards of
+//! switches may not contain friction laws such as arm, and the force that a switch takes is linear in its own deflection, while |F| is that
+//! of the mesh; its sign would have to be proved from the guards of the mode, with those of the flank in contact.
 
 use std::f64::consts::TAU;
 

@@ -45,7 +45,7 @@ pub use pair::{Pair, pair};
 pub use planets::{Stage, stage};
 pub use play::{Play, dead_band, play, play_on_centres};
 pub use rotor::{planar_rotor, rotor};
-pub use shaft::{ground, shaft};
+pub use shaft::{ground, shaft, torsional_support};
 pub use slider_crank::slider_crank;
 pub use thrust_bearing::thrust_bearing;
 pub use universal_joint::universal_joint;

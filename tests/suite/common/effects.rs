@@ -4,7 +4,7 @@
 
 use std::path::{Path, PathBuf};
 
-use gearsim::model::Model;
+use gearsim::model::{Effect, Model};
 use gearsim::{Scene, usual_levels, usual_value};
 
 /// Models that differ from another one only in a number of parts.
@@ -20,7 +20,7 @@ const SAME: &[&str] = &[
 ];
 
 /// Scenes that run longer than this [s] are cut.
-const T_END: f64 = 5e-4;
+pub const T_END: f64 = 5e-4;
 
 /// Name and title of each model.
 pub fn models() -> Vec<(String, &'static str)> {
@@ -28,12 +28,23 @@ pub fn models() -> Vec<(String, &'static str)> {
     all.map(|model| (model.name.to_string(), model.title)).collect()
 }
 
-/// Each effect of a model, beginning with none, and a scene with it; the error is why there is none.
+/// Each effect of a model and a scene with it; the error is why there is none. An effect of parts is there at all of them, and where there
+/// are several, at the first alone.
 pub fn of(model: &str) -> Vec<(&'static str, Result<Scene, String>)> {
     let base = base(model);
-    let effects = base.model.effects.iter().filter(|effect| effect.of.is_none()).map(|effect| effect.name);
-    let with = |effect| (effect, scene(&base, effect));
-    effects.map(with).collect()
+    let mut names: Vec<&'static str> = vec![];
+    for effect in base.model.effects {
+        let Some(of) = effect.of else {
+            names.push(effect.name);
+            continue;
+        };
+        if !names.contains(&of) {
+            names.push(of);
+            let several = base.model.effects.iter().filter(|other| other.of == Some(of)).count() > 1;
+            names.extend(several.then_some(effect.name));
+        }
+    }
+    names.into_iter().map(|effect| (effect, scene(&base, effect))).collect()
 }
 
 /// The first committed scene of a model, cut to at most `T_END`.
@@ -73,7 +84,9 @@ pub fn committed(model: &str, t_end: f64) -> Vec<Scene> {
 fn scene(base: &Scene, effect: &'static str) -> Result<Scene, String> {
     let model = base.model;
     let mut names = needed(model, effect);
-    for name in base.effects.names(model) {
+    // The effect at one part alone is not that at all of them, which the scene may have.
+    let all = model.effects.iter().find(|e| e.name == effect).and_then(|e| e.of);
+    for name in base.effects.names(model).into_iter().filter(|name| Some(*name) != all) {
         if !names.contains(&name) && !names.iter().any(|other| exclude(model, name, other)) {
             names.push(name);
         }
@@ -85,7 +98,7 @@ fn scene(base: &Scene, effect: &'static str) -> Result<Scene, String> {
 pub fn needed(model: &Model, effect: &'static str) -> Vec<&'static str> {
     let (mut names, mut i) = (vec![effect], 0);
     while i < names.len() {
-        let needed = model.effects.iter().find(|e| e.name == names[i]).map_or(&[][..], |e| e.requires);
+        let needed = model.effects.iter().find(|e| is(e, names[i])).map_or(&[][..], |e| e.requires);
         names.extend(needed.iter().filter(|name| !names.contains(name)).copied().collect::<Vec<_>>());
         i += 1;
     }
@@ -94,8 +107,17 @@ pub fn needed(model: &Model, effect: &'static str) -> Vec<&'static str> {
 
 /// Whether one of two effects excludes the other.
 pub fn exclude(model: &Model, a: &str, b: &str) -> bool {
-    let excludes = |a: &str, b: &str| model.effects.iter().any(|e| e.name == a && e.excludes.contains(&b));
+    let of = |name: &str| model.effects.iter().find(|e| e.name == name).and_then(|e| e.of);
+    let names = |e: &Effect, b: &str| {
+        e.excludes.iter().any(|other| *other == b || of(b) == Some(*other) || of(other) == Some(b))
+    };
+    let excludes = |a: &str, b: &str| model.effects.iter().any(|e| is(e, a) && names(e, b));
     excludes(a, b) || excludes(b, a)
+}
+
+/// Whether an effect has a name, or is the one of that name at a part.
+fn is(effect: &Effect, name: &str) -> bool {
+    effect.name == name || effect.of == Some(name)
 }
 
 /// The overrides of a scene that give it the effects `names`.

@@ -35,6 +35,47 @@ pub fn lin_parker(n: usize) -> Vec<f64> {
     frequencies(&format!("model = \"planar_planetary_{n}\"{TABLE_1}{laws}"))
 }
 
+/// Torsional supports of sun and carrier in N/m, as the paper writes them (k_su, k_cu). In its modes of translation, which come in pairs, and in
+/// those of the planets alone, no central member rotates: the printed frequencies of these stay. Those of rotation rise, and the rigid
+/// rotation ends. The paper's matrices with all supports are in `by_hand`.
+fn supports_of_sun_and_carrier() {
+    type Printed = &'static [f64];
+    let printed: [(usize, Printed, Printed, Printed); 2] = [
+        (3, &[743.2, 1102.4, 1896.0, 2276.4, 6986.3, 9647.9], &[], &[0.0, 1475.7, 1930.3, 2658.3, 7462.8, 11775.3]),
+        (
+            4,
+            &[727.27, 1091.16, 1892.8, 2342.5, 7189.9, 10437.6],
+            &[1808.2, 5963.8, 6981.7],
+            &[0.0, 1536.6, 1970.6, 2625.7, 7773.6, 13071.1],
+        ),
+    ];
+    for (n, pairs, planets, rotations) in printed {
+        let meshes = (1..=n).flat_map(|i| [format!("k_s{i}"), format!("k_r{i}")]);
+        let laws: String = meshes.map(|k| format!("{k} = {{ steps = [{{ value = \"5e8 N/m\" }}] }}\n")).collect();
+        let held = |effects: &str, supports: &str| {
+            let table = TABLE_1.replace("effects = []", effects).replace("[laws]", &format!("{supports}\n[laws]"));
+            frequencies(&format!("model = \"planar_planetary_{n}\"{table}{laws}"))
+        };
+        let both = held("effects = [\"torsional_support\"]", "k_s = \"2e8 N/m\"\nk_c = \"5e8 N/m\"");
+        let sun = held("effects = [\"torsional_support_s\"]", "k_s = \"2e8 N/m\"");
+        for found in [&both, &sun] {
+            let near = |f: f64| found.iter().filter(|found| (**found / f - 1.0).abs() < 1e-4).count();
+            pairs.iter().for_each(|f| assert_eq!(near(*f), 2, "{n} planets, {f} Hz: {found:?}"));
+            planets.iter().for_each(|f| assert_eq!(near(*f), 1, "{n} planets, {f} Hz: {found:?}"));
+        }
+        let rotating = |found: &[f64]| -> Vec<f64> {
+            let known = |f: &f64| pairs.iter().chain(planets).any(|printed| (f / printed - 1.0).abs() < 1e-4);
+            found.iter().copied().filter(|f| !known(f)).collect()
+        };
+        // By Courant and Fischer no frequency falls where a spring is added.
+        let (free, sun, both) = (rotations, rotating(&sun), rotating(&both));
+        assert!(sun.len() == 6 && both.len() == 6 && sun[0] > 100.0, "{sun:?} {both:?}");
+        for i in 0..6 {
+            assert!(free[i] < sun[i] * (1.0 + 1e-4) && sun[i] < both[i] * (1.0 + 1e-9), "{free:?} {sun:?} {both:?}");
+        }
+    }
+}
+
 fn frequencies(text: &str) -> Vec<f64> {
     let scene = Scene::from_toml("printed", text).unwrap_or_else(|e| panic!("{e}"));
     scene.modes().expect("a linear cell").modes.iter().map(|mode| mode.natural).collect()
@@ -42,6 +83,7 @@ fn frequencies(text: &str) -> Vec<f64> {
 
 pub const TESTS: &[(&str, fn())] = &[
     ("gears_in_kg", gears_in_kg),
+    ("supports_of_sun_and_carrier", supports_of_sun_and_carrier),
     ("supports_of_a_train", supports_of_a_train),
     ("the_radius_is_named", the_radius_is_named),
     ("bearing_dampers", bearing_dampers),

@@ -2,17 +2,23 @@
 
 use gearsim::engine::equations::{Derived, Equations};
 use gearsim::model::Model;
+use gearsim::scene::Effects;
 use nalgebra::{DMatrix, DVector, SymmetricEigen};
 
-/// The equations of a model without effects, with a value for every law.
+/// The equations of a model, with a value for every law.
 pub struct Train {
     pub model: Model,
     pub equations: Box<dyn Equations>,
     pub k: Vec<f64>,
 }
 
-/// The model `D` with `numbers`, given by name, for its parameters and laws; the other parameters have their defaults.
+/// The model `D` without effects, with `numbers`, given by name, for its parameters and laws; the other parameters have their defaults.
 pub fn train<D: Derived>(numbers: &[(&str, f64)]) -> Train {
+    train_with::<D>(&[], numbers)
+}
+
+/// The same with effects, each at all its parts.
+pub fn train_with<D: Derived>(effects: &[&str], numbers: &[(&str, f64)]) -> Train {
     let model = D::MODEL;
     let given = |name: &str| numbers.iter().find(|n| n.0 == name).map(|n| n.1);
     let number = |name, default: Option<f64>| {
@@ -28,7 +34,8 @@ pub fn train<D: Derived>(numbers: &[(&str, f64)]) -> Train {
     let parameters: Vec<f64> =
         model.parameters.iter().map(|p| number(p.name, p.default.or(p.with.map(|_| f64::NAN)))).collect();
     let k = model.in_contact(model.laws.iter().map(|l| number(l.name, l.with.map(|_| 0.0))));
-    let equations = D::equations(0, &parameters, &k).expect("no effects, so none contradict");
+    let effects = Effects::from_names(effects.iter().copied(), &model).expect("effects of the model");
+    let equations = D::equations(effects.0, &parameters, &k).expect("effects that do not contradict");
     Train { model, equations, k }
 }
 

@@ -25,7 +25,7 @@ equations! {
         beta "rad" required with joint, from 0.0 to inf, "angle between the shafts of the universal joint, less than a quarter turn";
         I_o "kg*m^2" required with joint, open 0.0 to inf, "moment of inertia behind the joint";
     }
-    laws { k "N*m/rad" phase theta period 1.0, "stiffness of the spring of the wheel"; }
+    laws { k "N*m/rad" phase theta period 1.0 rolling unless(crank, gravity, joint), "stiffness of the spring of the wheel"; }
     motions { speed "rad/s" { theta_dot = 1.0; }, "rotational speed of the flywheel"; }
     effects {
         stiffness_step

@@ -6,21 +6,21 @@ use gearsim::scene::Scene;
 use crate::common;
 
 /// A derived model's scene, and the tables that list the same parts.
-struct Pair {
+struct Pair<'a> {
     scene: &'static str,
-    tables: &'static str,
+    tables: &'a str,
     /// Names that differ: in the derived model, in the train.
-    renamed: &'static [(&'static str, &'static str)],
+    renamed: &'a [(&'static str, &'static str)],
 }
 
-const CHAIN: Pair = Pair {
+const CHAIN: Pair<'static> = Pair {
     scene: "chain_5",
     tables: "[rotors]\n1={}\n2={}\n3={}\n4={}\n5={}\n[shafts]\n1={between=['1','2']}\n2={between=['2','3']}\n\
              3={between=['3','4']}\n4={between=['4','5']}\n[drives]\nmotor={rotor='1'}\n[loads]\nload={rotor='5'}\n",
     renamed: &[],
 };
 
-const BRANCHES: Pair = Pair {
+const BRANCHES: Pair<'static> = Pair {
     scene: "geared_branches",
     tables: "[rotors]\n1={}\nm={}\na={}\nb={}\n2={}\n[shafts]\nm={between=['m','1']}\na={between=['1','a']}\n\
              b={between=['2','b']}\n[meshes]\n12={between=['1','2'],stiffness='rigid',teeth=[1,1]}\n\
@@ -28,14 +28,14 @@ const BRANCHES: Pair = Pair {
     renamed: &[],
 };
 
-const SHAFTS: Pair = Pair {
+const SHAFTS: Pair<'static> = Pair {
     scene: "gear_pair_shafts",
     tables: "[rotors]\n1={}\nm={}\n2={}\nl={}\n[shafts]\nm={between=['m','1']}\nl={between=['2','l']}\n\
              [meshes]\n12={between=['1','2']}\n[drives]\nmotor={rotor='m'}\n[loads]\nload={rotor='l'}\n",
     renamed: &[],
 };
 
-const TWO_STAGE: Pair = Pair {
+const TWO_STAGE: Pair<'static> = Pair {
     scene: "two_stage",
     tables: "[rotors]\n1={}\nm={}\n2={}\n3={}\n4={}\nl={}\n[shafts]\nm={between=['m','1']}\n\
              l={between=['4','l']}\nc={between=['2','3']}\n[meshes]\n12={between=['1','2']}\n34={between=['3','4']}\n\
@@ -43,7 +43,7 @@ const TWO_STAGE: Pair = Pair {
     renamed: &[],
 };
 
-const PLANETARY: Pair = Pair {
+const PLANETARY: Pair<'static> = Pair {
     scene: "planetary_3",
     tables: "[rotors]\ns={}\nc={}\nr={}\n[planets.p]\nsun='s'\ncarrier='c'\nring='r'\ncount=3\nteeth=[27,99]\n\
              [supports]\nr={rotor='r'}\n[drives]\nmotor={rotor='s'}\n[loads]\nload={rotor='c'}\n",
@@ -63,9 +63,14 @@ const PLANETARY: Pair = Pair {
     ],
 };
 
-impl Pair {
+impl Pair<'_> {
     /// Both scenes with the same overrides.
     fn scenes(&self, overrides: &[&str]) -> [Scene; 2] {
+        self.scenes_of([overrides; 2])
+    }
+
+    /// Both scenes, each with its overrides.
+    fn scenes_of(&self, overrides: [&[&str]; 2]) -> [Scene; 2] {
         let path = common::root().join(format!("models/scenes/{}.toml", self.scene));
         let text = std::fs::read_to_string(path).expect("a scene");
         let mut listed = text.replace(&format!("model = {:?}", self.scene), "model = \"train\"");
@@ -74,8 +79,8 @@ impl Pair {
             listed = listed.replace(from, to);
         }
         let listed = format!("{listed}\n{}", self.tables);
-        let overrides: Vec<String> = overrides.iter().map(|text| text.to_string()).collect();
-        [text, listed].map(|text| {
+        let [derived, of_train] = overrides.map(|all| all.iter().map(|text| text.to_string()).collect::<Vec<_>>());
+        [(text, derived), (listed, of_train)].map(|(text, overrides)| {
             Scene::parse("both", "both.toml", &text, &overrides, &common::models())
                 .unwrap_or_else(|mistakes| panic!("{}", mistakes.render(100, false)))
         })
@@ -83,7 +88,12 @@ impl Pair {
 
     /// Runs both, and returns the largest difference of an output or an energy, relative to its largest value.
     fn compare(&self, overrides: &[&str]) -> f64 {
-        let [derived, listed] = self.scenes(overrides).map(|scene| common::run(&scene));
+        self.apart(self.scenes(overrides), overrides)
+    }
+
+    /// The same of two scenes.
+    fn apart(&self, scenes: [Scene; 2], overrides: &[&str]) -> f64 {
+        let [derived, listed] = scenes.map(|scene| common::run(&scene));
         assert_eq!(events(&derived), events(&listed), "{}: events", self.scene);
         assert_eq!(derived.solver.method, listed.solver.method, "{}", self.scene);
         let mut worst: (f64, &str) = (0.0, "");
@@ -166,6 +176,34 @@ fn two_stages() {
 #[test]
 fn planets() {
     assert!(PLANETARY.compare(&["run.t_end=\"20 ms\""]) < 1e-8);
+}
+
+/// Supports of sun and carrier, an effect of the derived model and tables of the train: the same frequencies, and the same motion from the
+/// static equilibrium under a torque that varies.
+#[test]
+fn planets_with_supports_of_sun_and_carrier() {
+    let pair = Pair {
+        tables: &format!("{}[supports.s]\nrotor='s'\n[supports.c]\nrotor='c'\n", PLANETARY.tables),
+        renamed: &[PLANETARY.renamed, &[("speed = \"1500 rpm\"\n", "")]].concat(),
+        ..PLANETARY
+    };
+    let both = [
+        "parameters.k_s=\"80 kN*m/rad\"",
+        "parameters.k_c=\"3 MN*m/rad\"",
+        "parameters.T_motor={mean=\"300 N*m\",harmonics=[{amplitude=\"200 N*m\",frequency=\"700 Hz\"}]}",
+        "run.t_end=\"20 ms\"",
+    ];
+    let held = "effects=[\"stiffness_step\",\"torques\",\"damping\",\"torsional_support\"]";
+    let derived = [&both[..], &[held, "start.speed=\"0 rpm\"", "start.theta=\"static\""]].concat();
+    let [derived, listed] = pair.scenes_of([&derived, &both]);
+    let frequencies = |scene: &Scene| -> Vec<f64> {
+        scene.modes().expect("linear cells").modes.iter().map(|mode| mode.natural).collect()
+    };
+    let (a, b) = (frequencies(&derived), frequencies(&listed));
+    assert!(a.len() == 6 && a[0] > 10.0, "{a:?}");
+    assert!(a.iter().zip(&b).all(|(a, b)| (a / b - 1.0).abs() < 1e-10), "{a:?} {b:?}");
+    let off = pair.apart([derived, listed], &["supports"]);
+    assert!(off < 1e-8, "{off:e}");
 }
 
 #[test]

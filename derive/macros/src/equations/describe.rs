@@ -7,6 +7,7 @@ use syn::{Ident, LitStr};
 use crate::equations::lets::{names, with_lets};
 use crate::equations::model::*;
 use crate::equations::sums::block;
+use crate::equations::switches::bending;
 use crate::equations::varies::varies;
 
 /// The expression of type `gearsim::model::Model`.
@@ -15,11 +16,11 @@ pub fn describe(m: &Model) -> TokenStream {
     let source = m.source.as_ref().map_or_else(String::new, LitStr::value);
     let coordinates = m.coordinates.iter().map(coordinate);
     let parameters = m.parameters.iter().map(|p| parameter(p, varies(m, &p.name)));
-    let laws = m.laws.iter().map(|Law { name, unit, phase, period, rolling, with, role, doc }| {
+    let laws = m.laws.iter().map(|Law { name, unit, phase, period, rolling, held, with, role, doc }| {
         let (name, phase, with) = (name.to_string(), phase.to_string(), option(with));
-        let role = format_ident!("{role:?}");
+        let (role, held) = (format_ident!("{role:?}"), strings(held));
         quote!(model::Law {
-            name: #name, unit: #unit, phase: #phase, period: #period, rolling: #rolling, with: #with,
+            name: #name, unit: #unit, phase: #phase, period: #period, rolling: #rolling, held: #held, with: #with,
             role: model::Role::#role, doc: #doc
         })
     });
@@ -29,8 +30,10 @@ pub fn describe(m: &Model) -> TokenStream {
     });
     let effects = m.effects.iter().map(|e| {
         let (name, doc, requires, excludes) = (e.name.to_string(), &e.doc, strings(&e.requires), strings(&e.excludes));
-        let of = option(&e.of);
-        quote!(model::Effect { name: #name, of: #of, doc: #doc, requires: #requires, excludes: #excludes })
+        let (of, bends) = (option(&e.of), bending(m).any(|function| function.with.as_ref() == Some(&e.name)));
+        quote!(model::Effect {
+            name: #name, of: #of, doc: #doc, requires: #requires, excludes: #excludes, bends: #bends
+        })
     });
     let torques = m.torques.iter().map(|Torque { name, doc, .. }| {
         let name = name.to_string();

@@ -33,6 +33,10 @@ pub fn check(m: &Model, errors: &mut Vec<Error>) {
     let related = related.chain(m.nonlinear_with.iter().map(|n| &n.effect));
     let related = related.chain(m.parameters.iter().filter_map(|p| p.with.as_ref()));
     let related = related.chain(m.laws.iter().filter_map(|l| l.with.as_ref()));
+    let held = |name: &&Ident| index(m, name).is_none() && m.effects.iter().all(|e| e.of.as_ref() != Some(name));
+    for name in m.laws.iter().flat_map(|law| &law.held).filter(held) {
+        errors.push(Error::new(name.span(), format!("there is no effect `{name}`")));
+    }
     let related = related.chain(m.functions.iter().filter_map(|f| f.with.as_ref()));
     let related = related.chain(m.switches.iter().map(|switch| &switch.effect));
     for name in related.chain(m.conditions.iter().flat_map(|c| c.effects.iter().map(|(_, name)| name))) {

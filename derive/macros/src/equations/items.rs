@@ -45,8 +45,15 @@ impl Parse for Law {
         word(input, "period")?;
         let period = number(input)?;
         let rolling = peek_word(input, "rolling");
+        let mut held = vec![];
         if rolling {
             word(input, "rolling")?;
+            if peek_word(input, "unless") {
+                word(input, "unless")?;
+                let inner;
+                parenthesized!(inner in input);
+                held.extend(Punctuated::<Ident, Token![,]>::parse_terminated(&inner)?);
+            }
         }
         let with = with(input)?;
         let role = match (&with, input.parse::<Option<Token![as]>>()?) {
@@ -54,7 +61,7 @@ impl Parse for Law {
             (_, None) => Role::Error,
             _ => [Role::Side, Role::Arm][choice(input, &["side", "arm"])?],
         };
-        Ok(Self { name, unit, phase, period, rolling, with, role, doc: doc(input)? })
+        Ok(Self { name, unit, phase, period, rolling, held, with, role, doc: doc(input)? })
     }
 }
 

@@ -83,6 +83,8 @@ pub struct Law {
     pub period: f64,
     /// `rolling`: whole pitches of the phase change nothing but the law, so that the engine may count them separately.
     pub rolling: bool,
+    /// `unless(a, b)`: the effects of which each stops it, as a support of what turns.
+    pub held: Vec<Ident>,
     /// `with EFFECT`: the law is zero without the effect.
     pub with: Option<Ident>,
     pub role: Role,

@@ -195,9 +195,7 @@ fn bent(m: &Model, d: Index, [name, rate]: [&Ident; 2], errors: &TokenStream) ->
 
 /// Whether any deflection bends in a set of effects; nothing if the model has none that does.
 pub fn bends(m: &Model) -> Option<Cold> {
-    let bent = m.deflections.iter().filter(|d| is_bent(m, &d.value));
-    let named = |f: &&Function| bent.clone().any(|d| names(&d.value).contains(&f.name.to_string()));
-    let functions: Vec<_> = m.functions.iter().filter(named).collect();
+    let functions: Vec<_> = bending(m).collect();
     let always = functions.iter().any(|f| f.with.is_none());
     let present: BTreeSet<_> = functions.iter().filter_map(|f| f.with.clone()).collect();
     let present = present.iter().map(is_met);
@@ -207,6 +205,12 @@ pub fn bends(m: &Model) -> Option<Cold> {
         returns: Returns::Plain(quote!(bool)),
         body: quote!(#always #(|| #present)*),
     })
+}
+
+/// The functions by which deflections bend.
+pub fn bending(m: &Model) -> impl Iterator<Item = &Function> {
+    let bent: Vec<_> = m.deflections.iter().filter(|d| is_bent(m, &d.value)).collect();
+    m.functions.iter().filter(move |f| bent.iter().any(|d| names(&d.value).contains(&f.name.to_string())))
 }
 
 /// The index of a deflection; `check` has made sure that it exists.

@@ -102,9 +102,7 @@ fn parts(base: &Scene, present: &[&'static str], name: &str) -> Vec<Candidate> {
 
 /// Whether an effect makes a deflection depend on the coordinates in another way than linearly.
 fn bends(scene: &Scene, name: &str) -> bool {
-    let of =
-        |effect: &str| scene.model.effects.iter().any(|e| e.name == effect && (effect == name || e.of == Some(name)));
-    scene.model.nonlinear_with.iter().any(|(effect, term)| of(effect) && term.ends_with(" bends"))
+    scene.model.effects.iter().any(|effect| effect.bends && (effect.name == name || effect.of == Some(name)))
 }
 
 fn with(scene: &Scene, names: &[&str]) -> Scene {

@@ -30,7 +30,7 @@ pub struct Expected {
 /// # Errors
 /// [`Unknown`] if a cell has no modes or a settled motion does not exist.
 pub fn expected(scene: &Scene, steady: &Steady<'_>, bands: &Bands, without: Option<Way>) -> Result<Expected, Unknown> {
-    let (elastic, rolling) = coordinates(scene.model);
+    let (elastic, rolling) = coordinates(scene);
     let mut measures = Measures {
         rms: vec![0.0; elastic.len()],
         peak: vec![0.0; elastic.len()],

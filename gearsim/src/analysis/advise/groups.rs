@@ -15,7 +15,8 @@ pub struct Groups {
     pub modes: Vec<(f64, f64)>,
     /// Harmonics of a mesh frequency near a natural frequency, the nearest first, each with the name of its law.
     pub meetings: Vec<(&'static str, Meeting)>,
-    /// Parameters of effects over the largest static deflection of a coordinate in the same unit, e.g. the backlash.
+    /// Parameters of effects over a static deflection in the same unit: the backlash of a mesh over the deflection of this mesh, others over
+    /// the largest of a coordinate.
     pub gaps: Vec<(&'static str, f64)>,
 }
 
@@ -61,11 +62,16 @@ impl Groups {
             let (i, parameter) = *p;
             let effect = parameter.with?;
             let present = scene.effects.has(effect, model);
-            let rolls = |name: &str| model.laws.iter().any(|law| law.rolling && law.phase == name);
-            let alike = (0..statics.len())
-                .filter(|&j| model.coordinates[j].unit == parameter.unit && !rolls(model.coordinates[j].name));
-            let largest = alike.fold(0.0f64, |m, j| m.max(statics[j].abs()));
-            (present && largest > 0.0).then(|| (parameter.name, scene.parameters[i] / largest))
+            let turns = |j: usize| scene.effects.turns(model.coordinates[j].name, model);
+            let alike = (0..statics.len()).filter(|&j| model.coordinates[j].unit == parameter.unit && !turns(j));
+            let largest = || alike.fold(0.0f64, |m, j| m.max(statics[j].abs()));
+            if !present {
+                return None;
+            }
+            // The play of a part is compared with the deflection of this part.
+            let own = system.switched(effect, &statics).map(f64::abs).filter(|own| *own > 0.0);
+            let size = own.unwrap_or_else(largest);
+            (size > 0.0).then(|| (parameter.name, scene.parameters[i] / size))
         };
         let gaps = model.parameters.iter().enumerate().filter_map(|p| gap(&p)).collect();
         let modes = cell.modes.iter().filter_map(|mode| Some((mode.damped, mode.zeta?))).collect();

@@ -1,8 +1,8 @@
 //! The results of a run in a few numbers, and the deviation of two runs in them.
 
 use crate::analysis::spectrum::{segment_length, uniform_samples, welch};
-use crate::model::Model;
 use crate::run::Outcome;
+use crate::scene::Scene;
 use crate::tolerance::analysis::{COUNTED_EVENTS, FAINT_BAND, NO_MOTION, SAME_INSTANT};
 use crate::trajectory::{Moment, Trajectory};
 
@@ -78,18 +78,18 @@ impl Bands {
     }
 }
 
-/// Indices of the coordinates that do not rotate continuously, and of those that do.
-pub fn coordinates(model: &Model) -> (Vec<usize>, Vec<usize>) {
-    let rolls = |i: &usize| model.laws.iter().any(|law| law.rolling && law.phase == model.coordinates[*i].name);
-    let (rolling, elastic) = (0..model.coordinates.len()).partition(rolls);
+/// Indices of the coordinates that do not rotate continuously in a scene, and of those that do.
+pub fn coordinates(scene: &Scene) -> (Vec<usize>, Vec<usize>) {
+    let turns = |i: &usize| scene.effects.turns(scene.model.coordinates[*i].name, scene.model);
+    let (rolling, elastic) = (0..scene.model.coordinates.len()).partition(turns);
     (elastic, rolling)
 }
 
 impl Measures {
-    /// The measures of a run.
-    pub fn of(outcome: &Outcome, bands: &Bands) -> Measures {
+    /// The measures of a run, of the coordinates that are elastic and rotate in `scene`: those with which it is compared.
+    pub fn of(outcome: &Outcome, scene: &Scene, bands: &Bands) -> Measures {
         let run = &outcome.trajectory;
-        let (elastic, rolling) = coordinates(run.model);
+        let (elastic, rolling) = coordinates(scene);
         let samples: Vec<usize> = run.samples().collect();
         let column = |of: &[f64]| samples.iter().map(|&row| of[row]).collect::<Vec<_>>();
         let even = uniform_samples(run).ok();

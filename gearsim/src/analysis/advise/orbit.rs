@@ -115,13 +115,16 @@ impl<'a> Steady<'a> {
             return Err(Unknown::Curved);
         }
         let courses = steady::all_courses(scene, system)?;
+        let means: Vec<f64> = courses.iter().map(SteadyLaw::mean).collect();
+        if steady::is_held(scene, system, &means)? {
+            return Err(Aperiodic::Held.into());
+        }
         let (period, stretches) = stretches(&courses)?;
         if stretches.len() > ORBIT_STRETCHES {
             return Err(Unknown::Long(stretches.len()));
         }
         let model = scene.model;
         let phase = |name: &str| model.coordinates.iter().position(|c| c.name == name).unwrap_or(0);
-        let means: Vec<f64> = courses.iter().map(SteadyLaw::mean).collect();
         let at_mean = system.matrices(&means)?;
         let modal = Modal::of(&at_mean)?;
         let elastic: Vec<usize> = (0..modal.modes.len()).filter(|&i| modal.modes[i].omega2 > 0.0).collect();

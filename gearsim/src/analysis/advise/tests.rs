@@ -89,6 +89,22 @@ fn the_jump_strength_is_the_papers() {
     assert!((groups.mesh() - 240.0).abs() < 1e-9 && groups.meshes[0].ratio == 2780.0 / 1430.0);
 }
 
+/// The play of each mesh over its own static deflection F/k at the mid stiffness: 95 N m drive the first stage, three times as much the second.
+#[test]
+fn play_is_compared_with_the_deflection_of_its_mesh() {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../models/scenes/two_stage.toml");
+    let models: Vec<_> = MODELS.iter().map(|entry| entry.model).collect();
+    let set = ["effects=[\"torques\", \"backlash\"]", "parameters.b12=50 um", "parameters.b34=5 um"];
+    let scene = Scene::load_with(&path, &set.map(String::from), &models).unwrap();
+    let entry = MODELS.iter().find(|entry| entry.model.name == "two_stage").unwrap();
+    let groups = groups::Groups::of(&scene, &entry.system(&scene).unwrap()).unwrap();
+    let expected = [50e-6 / (95.0 / 24.7e-3 / 325e6), 5e-6 / (285.0 / 37.6e-3 / 520e6)];
+    assert_eq!(groups.gaps.iter().map(|gap| gap.0).collect::<Vec<_>>(), ["b12", "b34"]);
+    for ((name, found), expected) in groups.gaps.iter().zip(expected) {
+        assert!((found / expected - 1.0).abs() < 1e-6, "{name}: {found}, not {expected}");
+    }
+}
+
 #[test]
 fn scenes_without_a_settled_motion_name_the_reason() {
     let undamped = scene(600.0, "\"stiffness_step\", \"torques\"", &[]);

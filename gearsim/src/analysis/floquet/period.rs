@@ -13,6 +13,8 @@ pub enum Aperiodic {
     Constant,
     #[error("the phase of `{law}` does not move: give the scene a speed in [start]")]
     Still { law: &'static str },
+    #[error("springs to the ground hold what the speed in [start] turns, so that there is no steady rotation")]
+    Held,
     #[error(
         "the meshes `{first}` and `{second}` have no common period: the ratio of their frequencies, {ratio}, is not one of whole numbers up to {most}"
     )]

@@ -112,6 +112,7 @@ fn geared() -> Trajectory {
         phase: "theta",
         period: TAU,
         rolling: true,
+        held: &[],
         with: None,
         role: crate::model::Role::Stiffness,
         doc: "",

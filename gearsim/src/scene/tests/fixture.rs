@@ -20,11 +20,11 @@ const fn parameter(
 }
 
 const fn effect(name: &'static str, requires: &'static [&'static str], excludes: &'static [&'static str]) -> Effect {
-    Effect { name, of: None, doc: "", requires, excludes }
+    Effect { name, of: None, doc: "", requires, excludes, bends: false }
 }
 
 const fn law(name: &'static str, unit: &'static str, with: Option<&'static str>, role: Role, doc: &'static str) -> Law {
-    Law { name, unit, phase: "theta", period: TAU, rolling: true, with, role, doc }
+    Law { name, unit, phase: "theta", period: TAU, rolling: true, held: &[], with, role, doc }
 }
 
 pub static GEAR_PAIR: Model = Model {

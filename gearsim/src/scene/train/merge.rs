@@ -45,6 +45,7 @@ impl Composer<'_> {
                 name: leak(own(law.name, &part.name)),
                 phase: chosen.0,
                 rolling: chosen.1,
+                held: &[],
                 period: TAU,
                 with: law.with.map(|with| self.renamed(part, with)),
                 doc: said(law.doc, part),
@@ -129,7 +130,7 @@ impl Composer<'_> {
             let requires = names(e.requires.iter().map(|other| self.renamed(part, other)));
             let excludes = names(e.excludes.iter().map(|other| self.renamed(part, other)));
             let of = e.of.filter(|_| !self.merged);
-            self.effects.push(Effect { name, of, doc: said(e.doc, part), requires, excludes });
+            self.effects.push(Effect { name, of, doc: said(e.doc, part), requires, excludes, bends: e.bends });
             self.effects.len() - 1
         })
     }

@@ -13,7 +13,7 @@ mod wind_turbine;
 use gearsim::engine::equations::Derived;
 use nalgebra::DMatrix;
 
-use crate::train::{frequencies, train};
+use crate::train::{frequencies, train_with};
 
 /// A system in absolute coordinates: an inertia for each coordinate, and springs. A spring is a stiffness and its deflection, a sum
 /// of (coordinate index, coefficient).
@@ -46,7 +46,17 @@ type Numbers = &'static [(&'static str, f64)];
 
 /// Compares the model `D` with a system by hand. `absolute` computes the coordinates of that system from those of the model.
 fn compare<D: Derived>(numbers: &[(&str, f64)], by_hand: &ByHand, absolute: impl Fn(&dyn Fn(&str) -> f64) -> Vec<f64>) {
-    let train = train::<D>(numbers);
+    compare_with::<D>(&[], numbers, by_hand, absolute);
+}
+
+/// The same of the model with effects.
+fn compare_with<D: Derived>(
+    effects: &[&str],
+    numbers: &[(&str, f64)],
+    by_hand: &ByHand,
+    absolute: impl Fn(&dyn Fn(&str) -> f64) -> Vec<f64>,
+) {
+    let train = train_with::<D>(effects, numbers);
     let name = train.model.name;
     let index = |c: &str| train.model.coordinates.iter().position(|q| q.name == c).unwrap_or_else(|| panic!("no {c}"));
     let n = train.model.coordinates.len();

@@ -22,6 +22,9 @@ pub const STAGE: Numbers = &[
     ("k_r3", 6.3),
 ];
 
+/// The torsional supports of sun and carrier.
+pub const SUPPORTS: [(&str, f64); 2] = [("k_s", 2.3), ("k_c", 3.1)];
+
 /// The mesh stiffnesses of planets 4 to 7.
 pub const FURTHER: [(&str, f64); 8] = [
     ("k_s4", 5.4),

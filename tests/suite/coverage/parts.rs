@@ -1,0 +1,192 @@
+//! Scenes of trains, one for each kind of part and effect that it may have. What a part has besides the effect is constant.
+
+use gearsim::Scene;
+use gearsim::model::Model;
+
+/// A kind of part: its table and key, the effects of the scene, and its tables beside those of [`PAIR`] or [`PLANETS`].
+type Part = (&'static str, &'static [&'static str], &'static str);
+
+/// A motor, a pair of gears and a load. Rotor `1` has one part more.
+const PAIR: &str = r#"
+[rotors]
+1 = "0.02 kg*m^2"
+2 = "0.3 kg*m^2"
+[drives.motor]
+rotor = "1"
+torque = "30 N*m"
+[loads.load]
+rotor = "2"
+torque = "90 N*m"
+[start]
+speed = "900 rpm"
+"#;
+
+/// A mesh whose values are the keys that follow.
+const MESH: &str = r#"
+[meshes.12]
+between = ["1", "2"]
+teeth = [20, 60]
+module = "3 mm"
+"#;
+/// Its stiffness, where the keys that follow do not have one.
+const TEETH: &str = "stiffness = { teeth = [20, 60], module = \"3 mm\", face_width = \"20 mm\" }\n";
+
+/// A planet set between a sun that is driven and a carrier that is loaded. The keys that follow are of the set.
+const PLANETS: &str = r#"
+[rotors]
+1 = "6e-4 kg*m^2"
+c = "0.06 kg*m^2"
+r = "0.06 kg*m^2"
+[supports.r]
+rotor = "r"
+stiffness = "20 MN*m/rad"
+[drives.motor]
+rotor = "1"
+torque = "30 N*m"
+[loads.load]
+rotor = "c"
+torque = "140 N*m"
+[start]
+speed = "900 rpm"
+[planets.p]
+sun = "1"
+ring = "r"
+carrier = "c"
+teeth = [27, 99]
+module = "3 mm"
+count = 3
+mass = "0.7 kg"
+inertia = "2e-3 kg*m^2"
+sun_stiffness = { teeth = [27, 36], module = "3 mm", face_width = "25 mm" }
+ring_stiffness = { teeth = [36, 99], internal = true, addendum = [1, 0.8], module = "3 mm", face_width = "25 mm" }
+"#;
+
+const STEPS: &str = "stiffness_step";
+
+/// Parts beside a pair of gears; what is before `|` belongs to its mesh.
+const BESIDE_A_PAIR: &[Part] = &[
+    ("rotors", &[STEPS, "torques"], "|"),
+    ("rotors: damping", &[STEPS, "torques", "damping"], "|[parameters]\nalpha_M = \"2 1/s\"\nbeta_K = \"2 us\""),
+    (
+        "shafts",
+        &[STEPS, "torques"],
+        "|[rotors.m]\ninertia = \"0.05 kg*m^2\"\n[shafts.m]\nbetween = [\"m\", \"1\"]\nstiffness = \"20 kN*m/rad\"",
+    ),
+    (
+        "shafts.damping",
+        &[STEPS, "torques", "viscous_friction"],
+        "|[rotors.m]\ninertia = \"0.05 kg*m^2\"\n[shafts.m]\nbetween = [\"m\", \"1\"]\nstiffness = \"20 kN*m/rad\"\n\
+         damping = \"2 N*m*s/rad\"",
+    ),
+    ("meshes: rigid_kinematics", &[STEPS, "torques", "rigid_kinematics"], "|"),
+    ("meshes: frozen_phase", &[STEPS, "torques", "frozen_phase"], "|"),
+    ("meshes.error", &[STEPS, "torques", "transmission_error"], "error = { pitch_errors = [\"4 um\", \"-4 um\"] }|"),
+    (
+        "meshes.error: a curve",
+        &[STEPS, "torques", "transmission_error"],
+        "error = { harmonics = [{ order = 1, amplitude = \"3 um\" }] }|",
+    ),
+    ("meshes.backlash", &[STEPS, "torques", "backlash"], "backlash = \"50 um\"|"),
+    ("meshes.damping", &[STEPS, "torques", "viscous_friction"], "damping = \"300 N*s/m\"|"),
+    ("meshes.friction", &[STEPS, "torques", "sliding_friction"], "friction = 0.06|"),
+    (
+        "thrust_bearings",
+        &[STEPS, "torques"],
+        "helix_angle = \"15 deg\"\nstiffness = { steps = [{ value = \"250 MN/m\", width = \"3 rad\" }, { value = \"270 MN/m\" }] }|[thrust_bearings.p]\nrotor = \"1\"\nmass = \"3 kg\"\nstiffness = \"100 MN/m\"",
+    ),
+    (
+        "thrust_bearings.damping",
+        &[STEPS, "torques", "viscous_friction"],
+        "helix_angle = \"15 deg\"\nstiffness = { steps = [{ value = \"250 MN/m\", width = \"3 rad\" }, { value = \"270 MN/m\" }] }|[thrust_bearings.p]\nrotor = \"1\"\nmass = \"3 kg\"\nstiffness = \"100 MN/m\"\n\
+         damping = \"2 kN*s/m\"",
+    ),
+    (
+        "bearings.viscous",
+        &[STEPS, "torques", "viscous_friction"],
+        "|[bearings.b]\nrotor = \"1\"\nviscous = \"0.02 N*m*s/rad\"",
+    ),
+    ("bearings.friction", &[STEPS, "torques", "dry_friction"], "|[bearings.b]\nrotor = \"1\"\nfriction = \"0.5 N*m\""),
+    (
+        "clutches",
+        &[STEPS, "torques", "overrunning_clutch"],
+        "|[rotors.m]\ninertia = \"0.05 kg*m^2\"\n[clutches.f]\nbetween = [\"m\", \"1\"]\ncapacity = \"300 N*m\"\n\
+         [drives.m]\nrotor = \"m\"\ntorque = \"10 N*m\"",
+    ),
+    ("drives.torque, loads.torque", &[STEPS, "torques"], "|"),
+    (
+        "drives.governor",
+        &[STEPS, "torques", "speed_governor"],
+        "|[drives.g]\nrotor = \"1\"\ngovernor = { gain = \"1 N*m*s/rad\", set_point = \"900 rpm\" }",
+    ),
+    (
+        "drives.dc_motor",
+        &[STEPS, "torques", "dc_motor"],
+        "|[drives.g]\nrotor = \"1\"\ndc_motor = { stall_torque = \"40 N*m\", no_load_speed = \"1200 rpm\" }",
+    ),
+    (
+        "drives.induction_motor",
+        &[STEPS, "torques", "induction_motor"],
+        "|[drives.g]\nrotor = \"1\"\ninduction_motor = { breakdown_torque = \"60 N*m\", breakdown_slip = 0.2, \
+         synchronous_speed = \"1000 rpm\" }",
+    ),
+    (
+        "loads.fan",
+        &[STEPS, "torques", "fan_load"],
+        "|[loads.f]\nrotor = \"2\"\nfan = { coefficient = \"0.01 N*m*s^2/rad^2\" }",
+    ),
+];
+
+/// Friction of planets. Its laws at a ring do not follow from the teeth.
+const FRICTION: &str = r#"friction = 0.06
+[laws]
+side_p_r1 = { steps = [{ value = -1, width = "3 rad" }, { value = 1 }] }
+side_p_r2 = { steps = [{ value = -1, width = "3 rad" }, { value = 1 }] }
+side_p_r3 = { steps = [{ value = -1, width = "3 rad" }, { value = 1 }] }
+arm_p_r1 = { steps = [{ value = "4 mm", width = "3 rad" }, { value = "5 mm" }] }
+arm_p_r2 = { steps = [{ value = "4 mm", width = "3 rad" }, { value = "5 mm" }] }
+arm_p_r3 = { steps = [{ value = "4 mm", width = "3 rad" }, { value = "5 mm" }] }
+"#;
+
+/// Parts of a planetary stage; the keys are of its planet set.
+const BESIDE_PLANETS: &[Part] = &[
+    ("planets, supports", &[STEPS, "torques"], ""),
+    ("planets: damping", &[STEPS, "torques", "damping"], "[parameters]\nbeta_K = \"2 us\""),
+    ("planets.backlash", &[STEPS, "torques", "backlash"], "backlash = \"50 um\""),
+    ("planets.friction", &[STEPS, "torques", "sliding_friction"], FRICTION),
+    (
+        "supports.damping",
+        &[STEPS, "torques", "viscous_friction"],
+        "[supports.more]\nrotor = \"r\"\nstiffness = \"1 MN*m/rad\"\ndamping = \"50 N*m*s/rad\"",
+    ),
+];
+
+/// The kinds of parts, each with a scene of at most `t_end` [s]. All effects of all elements occur, or the table is not made.
+pub fn scenes(t_end: f64) -> Vec<(&'static str, Scene)> {
+    let scene = |name: &str, effects: &[&str], tables: &str| {
+        let text = format!("model = \"train\"\neffects = {effects:?}\n{tables}\n[run]\nt_end = \"{t_end} s\"\n");
+        Scene::from_toml(name, &text).unwrap_or_else(|mistakes| panic!("{name}: {mistakes}\n{text}"))
+    };
+    let pairs = BESIDE_A_PAIR.iter().map(|(name, effects, tables)| {
+        let (of_mesh, others) = tables.split_once('|').expect("two parts");
+        let stiffness = if of_mesh.contains("stiffness") { "" } else { TEETH };
+        // A clutch leaves two rigid motions.
+        let speeds = "speed1 = \"900 rpm\"\nspeed_m = \"900 rpm\"";
+        let pair = if *name == "clutches" { PAIR.replace("speed = \"900 rpm\"", speeds) } else { PAIR.into() };
+        (*name, scene(name, effects, &format!("{pair}{MESH}{stiffness}{of_mesh}\n{others}")))
+    });
+    let planets = BESIDE_PLANETS
+        .iter()
+        .map(|(name, effects, tables)| (*name, scene(name, effects, &format!("{PLANETS}{tables}"))));
+    let bare = gearsim::models().iter().find(|entry| entry.model.name == "train").expect("trains").model;
+    complete(bare);
+    pairs.chain(planets).collect()
+}
+
+/// Every effect of every element is in a scene.
+fn complete(bare: &Model) {
+    let all: Vec<&str> = BESIDE_A_PAIR.iter().chain(BESIDE_PLANETS).flat_map(|part| part.1).copied().collect();
+    for effect in bare.elements.iter().flat_map(|element| element.effects) {
+        let name = effect.name.strip_suffix("_x").unwrap_or(effect.name);
+        assert!(all.contains(&name), "no part in tests/suite/coverage/parts.rs has the effect `{name}`");
+    }
+}

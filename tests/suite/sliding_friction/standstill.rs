@@ -1,0 +1,46 @@
+//! Gears that stand under load: friction of the flanks does not hold them, they creep. While the moment Q of the torques along psi is less than
+//! mu |F| arm, psi' = w_mix x/sqrt(1 - x²) with x = Q/(mu |F| arm). Beyond it they run away, as with sticking.
+
+use gearsim::Scene;
+
+const MU: f64 = 0.1;
+const ARM: f64 = 4e-3;
+const W_MIX: f64 = 0.1;
+const DRIVE: f64 = 1.0;
+
+/// The speeds of both gears at the end, in the direction of the drive \[rad/s\], of equal gears that begin to turn at 1 rad/s. `excess` is what the
+/// load has more than the drive \[N m\].
+fn speeds(excess: f64) -> [f64; 2] {
+    let text = format!(
+        "model = \"train\"\neffects = [\"stiffness_step\", \"sliding_friction\", \"torques\", \"viscous_friction\"]\n\
+         [rotors]\n1 = \"5e-4 kg*m^2\"\n2 = \"5e-4 kg*m^2\"\n\
+         [meshes.12]\nbetween = [\"1\", \"2\"]\nteeth = [40, 40]\nbase_radius = \"56 mm\"\nstiffness = \"2 MN/m\"\n\
+         friction = {MU}\ndamping = \"60 N*s/m\"\n\
+         [laws.side12]\nsteps = [{{ value = 0 }}]\n[laws.arm12]\nsteps = [{{ value = \"{ARM} m\" }}]\n\
+         [drives.motor]\nrotor = \"1\"\ntorque = \"{DRIVE} N*m\"\n[loads.load]\nrotor = \"2\"\ntorque = \"{} N*m\"\n\
+         [parameters]\nw_mix12 = \"{W_MIX} rad/s\"\n[start]\nspeed = \"1 rad/s\"\n\
+         [run]\nt_end = \"1.5 s\"\ntolerance = 1e-9\n[output]\nrate = \"1 kHz\"\n",
+        DRIVE + excess
+    );
+    let scene = Scene::from_toml("standstill", &text).unwrap_or_else(|e| panic!("{e}"));
+    let run = scene.run().unwrap_or_else(|e| panic!("{e}"));
+    assert!(run.summary().refuted.is_none());
+    ["rotor_speed_1", "rotor_speed_2"].map(|name| *run.column(name).unwrap().last().unwrap())
+}
+
+#[test]
+fn a_loaded_pair_creeps_below_the_breakaway_moment_and_turns_back_beyond_it() {
+    for excess in [2e-3, 8e-3] {
+        let speeds = speeds(excess);
+        // At the end both torques press on the mesh, equal but for the friction: F = (T1 + T2)/(2 r).
+        let force = (2.0 * DRIVE + excess) / 2.0 / 0.056;
+        let x = -excess / 2.0 / (MU * force * ARM);
+        let expected = W_MIX * x / (1.0 - x * x).sqrt();
+        let psi_dot: f64 = speeds.iter().sum();
+        println!("x = {x:.4}: psi' = {psi_dot:.6e} rad/s, expected {expected:.6e}");
+        assert!((psi_dot / expected - 1.0).abs() < 1e-4, "{psi_dot}, not {expected}");
+    }
+    // x = 2.8: faster than any creep.
+    let psi_dot: f64 = speeds(4e-2).iter().sum();
+    assert!(psi_dot < -10.0 * W_MIX, "{psi_dot}");
+}
