@@ -3,6 +3,7 @@
 use std::f64::consts::TAU;
 
 use super::*;
+use crate::sweep::response::Hold;
 
 /// The response of `outputs` of a committed scene.
 fn response(scene: &str, over: &str, settle: f64, sets: &[&str]) -> crate::sweep::response::Response {
@@ -13,7 +14,7 @@ fn response(scene: &str, over: &str, settle: f64, sets: &[&str]) -> crate::sweep
         ..Request::default()
     };
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../models/scenes").join(format!("{scene}.toml"));
-    Sweep::load(&path, MODELS, &request).unwrap().response(true, &mut |_| {}).unwrap()
+    Sweep::load(&path, MODELS, &request).unwrap().response(true, &Hold::Own, &mut |_| {}).unwrap()
 }
 
 /// One mass on a mesh of constant stiffness with the error e = E cos(w t): in the steady state the deflection x follows x'' + 2 zeta w0
@@ -74,7 +75,7 @@ fn the_values_of_a_response_rise() {
     let request = |over: &str| Request { vary: vec![over.into()], ..Request::default() };
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../models/scenes/response.toml");
     for over in ["start.speed=300 rpm,200 rpm", "start.speed=300 rpm"] {
-        let error = Sweep::load(&path, MODELS, &request(over)).unwrap().response(true, &mut |_| {}).unwrap_err();
+        let error = Sweep::load(&path, MODELS, &request(over)).unwrap().response(true, &Hold::Own, &mut |_| {}).unwrap_err();
         assert!(error.to_string().contains("do not rise"), "{error}");
     }
 }
