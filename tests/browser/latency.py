@@ -12,22 +12,19 @@ from playwright.sync_api import sync_playwright
 
 import common
 from common import LAPTOP, SCENES
-from explore import after, opened, served
+from explore import opened, served, slide
 
 # Each with a parameter that changes its motion.
 DEFAULT = {"oh2005/energy_300rpm": "zeta", "gear_pair_shafts": "I_m", "two_stage": "T_motor", "backlash": "T0", "planetary_errors": "beta_K"}
 MOVES = 40
 
 
-def slide(page, key, place):
-    page.evaluate(
-        """([key, place]) => {
-            const { slider } = rows.get(key);
-            slider.value = place;
-            slider.dispatchEvent(new Event("input", { bubbles: true }));
-        }""",
-        [key, place],
-    )
+def moved(page, key, place):
+    """Moves a slider. The time until what is seen is drawn [ms]."""
+    page.evaluate("delete document.body.dataset.latency")
+    slide(page, key, place)
+    page.wait_for_selector("body[data-latency]")
+    return float(page.evaluate("document.body.dataset.latency"))
 
 
 def measured(browser, gearsim, scene, parameter):
@@ -36,7 +33,7 @@ def measured(browser, gearsim, scene, parameter):
         moves = []
         for i in range(MOVES + 3):
             page.evaluate("performance.clearResourceTimings()")
-            total = after(page, slide, page, key, 300 + 10 * i)
+            total = moved(page, key, 300 + 10 * i)
             answer = "performance.getEntriesByType('resource').filter(({ name }) => name.endsWith('run')).map(({ duration }) => duration)[0]"
             moves.append((total, page.evaluate(answer), page.locator("#time").text_content()))
             # As a hand moves a slider: judging begins only where it rests.

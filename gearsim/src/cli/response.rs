@@ -146,7 +146,8 @@ impl ResponseCommand {
 
 /// What holds the speed, what was measured, the largest value of each output on each way, and where it is.
 fn summary(response: &Response, width: usize) -> String {
-    let mut text = report::line("speed", &response.holding, width) + &report::line("measured", &measured(response), width);
+    let mut text =
+        report::line("speed", &response.holding, width) + &report::line("measured", &measured(response), width);
     for (i, output) in response.outputs.iter().enumerate() {
         for (way, upward) in [("up", true), ("down", false)] {
             let points = response.points.iter().filter(|point| point.upward == upward);

@@ -60,7 +60,7 @@ fn curves(
         wanted[0].0 = run.label.to_owned();
     }
     let orders: Vec<f64> = wanted.iter().map(|(_, order)| *order).collect();
-    let cuts = cuts(turning, column, &orders, WINDOW).map_err(of(run, output))?;
+    let cuts = cuts(turning, column, &orders, WINDOW).map_err(of(run, output.name))?;
     if cuts.len() < LEAST {
         let why = format!("the run has {} revolutions of {}, and needs ten", turning.revolutions(), shaft.name);
         return Err(PlotError::Nothing { plot: PLOT.name, why });

@@ -24,13 +24,13 @@ pub(crate) const DECADES: f64 = 1e-6;
 /// The samples of each run at the angles of a shaft.
 pub(super) fn turnings(runs: &[Run<'_>], shaft: &'static Output) -> Result<Vec<Turning>, PlotError> {
     let turning =
-        |run: &Run<'_>| Turning::of(run.trajectory, shaft.name, run.asked.spectrum.from).map_err(of(run, shaft));
+        |run: &Run<'_>| Turning::of(run.trajectory, shaft.name, run.asked.spectrum.from).map_err(of(run, shaft.name));
     runs.iter().map(turning).collect()
 }
 
 /// Why an output of a run has no spectrum.
-pub(super) fn of(run: &Run<'_>, output: &'static Output) -> impl Fn(SpectrumError) -> PlotError {
-    move |source| PlotError::Spectrum { signal: output.name, run: run.label.to_owned(), source }
+pub(super) fn of(run: &Run<'_>, signal: &'static str) -> impl Fn(SpectrumError) -> PlotError {
+    move |source| PlotError::Spectrum { signal, run: run.label.to_owned(), source }
 }
 
 fn draw(runs: &[Run<'_>]) -> Result<Figure, PlotError> {
@@ -49,7 +49,7 @@ fn draw(runs: &[Run<'_>]) -> Result<Figure, PlotError> {
         let (mut series, mut peak) = (vec![], 0.0_f64);
         for (n, (run, turning)) in runs.iter().zip(&turning).enumerate() {
             let Some(column) = run.trajectory.output(output.name) else { continue };
-            let orders = turning.orders(column).map_err(of(run, output))?;
+            let orders = turning.orders(column).map_err(of(run, output.name))?;
             let longest = orders.order.last().copied().unwrap_or(0.0);
             end = end.min(if highest > 0.0 { longest.min(LONGEST * highest) } else { longest });
             revolutions = orders.revolutions;

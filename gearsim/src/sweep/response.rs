@@ -21,8 +21,8 @@ use crate::trajectory::Trajectory;
 pub use hold::Hold;
 use hold::{Handle, Speed};
 use motion::Motion;
-pub use span::Span;
 use span::Excitations;
+pub use span::Span;
 
 /// Most runs of a point in search of what holds its speed; each of Newton's steps takes one.
 const RUNS: usize = 6;
@@ -129,7 +129,8 @@ impl Sweep {
             Hold::By(wanted) => {
                 let names: Vec<&str> = all.iter().map(name).collect();
                 let Some(found) = all.iter().find(|handle| name(handle) == wanted) else {
-                    let help = if names.is_empty() { "no parameter can".into() } else { format!("choose {}", list(&names)) };
+                    let help =
+                        if names.is_empty() { "no parameter can".into() } else { format!("choose {}", list(&names)) };
                     return impossible(format!("`{wanted}` cannot hold the speed"), help);
                 };
                 if speed == 0.0 {
