@@ -2,7 +2,7 @@
 
 use super::outputs::{engineering, of_unit};
 use super::{Axis, Marker, Panel, PlotError, Run, Series, Style};
-use crate::analysis::orders::{Mesh, SHAFT, first_shaft, meshes};
+use crate::analysis::orders::{Mesh, SHAFT, meshes, reference_shaft};
 use crate::model::Output;
 
 /// Points of a curve: each is the largest line of several.
@@ -29,7 +29,7 @@ const HARMONICS: usize = 3;
 
 /// What a cascade shows: a signal over the speed of a shaft, with the orders of the meshes.
 pub(super) struct Subject {
-    /// The first shaft whose speed the run recorded.
+    /// The shaft to whose turns orders refer.
     pub shaft: &'static Output,
     /// Name of the signal, and its SI unit.
     pub signal: (&'static str, &'static str),
@@ -42,7 +42,7 @@ impl Subject {
     pub fn of(plot: &'static str, run: &Run<'_>) -> Result<Subject, PlotError> {
         let nothing = |why: &str| PlotError::Nothing { plot, why: why.into() };
         let (asked, run) = (&run.asked.spectrum, run.trajectory);
-        let shaft = first_shaft(run).ok_or_else(|| nothing("the run recorded no speed of a rotor"))?;
+        let shaft = reference_shaft(run, asked.shaft).ok_or_else(|| nothing("the run recorded no speed of a rotor"))?;
         let meshes = meshes(run, asked.from);
         let chosen = asked.of.iter().copied().chain(meshes.iter().filter_map(|mesh| mesh.force));
         let known = chosen.filter_map(|name| run.signal(name).map(|(unit, _)| (name, unit))).next();

@@ -3,7 +3,7 @@
 use super::marks::marks;
 use super::outputs::{engineering, of_unit};
 use super::{Axis, Figure, Panel, Plot, PlotError, Run, Series, first_run, scene_names};
-use crate::analysis::orders::{Turning, first_shaft, meshes};
+use crate::analysis::orders::{Turning, meshes, reference_shaft};
 use crate::analysis::spectrum::SpectrumError;
 use crate::model::Output;
 
@@ -36,7 +36,8 @@ pub(super) fn of(run: &Run<'_>, signal: &'static str) -> impl Fn(SpectrumError) 
 fn draw(runs: &[Run<'_>]) -> Result<Figure, PlotError> {
     let first = first_run(PLOT.name, runs)?.trajectory;
     let nothing = |why: String| PlotError::Nothing { plot: PLOT.name, why };
-    let shaft = first_shaft(first).ok_or_else(|| nothing("the run recorded no speed of a rotor".into()))?;
+    let shaft = reference_shaft(first, runs[0].asked.spectrum.shaft)
+        .ok_or_else(|| nothing("the run recorded no speed of a rotor".into()))?;
     let mut panels = vec![];
     let turning = turnings(runs, shaft)?;
     let from = runs[0].asked.spectrum.from;
