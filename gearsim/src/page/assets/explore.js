@@ -4,7 +4,7 @@
 const PATIENCE = 250;
 // Time [ms] without a change after which the sections that are not seen follow, after which a run is judged, and after which advice begins by
 // itself.
-const REST = 40, QUIET = 120, CALM = 700;
+const REST = 80, QUIET = 120, CALM = 700;
 // Advice begins by itself where a run takes less [s].
 const QUICK = 0.02;
 
@@ -59,7 +59,9 @@ async function rest(run) {
   let parts = null;
   try { parts = await (await post("rest")).json(); } catch (error) { if (mine === number) lost(error); }
   if (mine !== number || flight) return;
+  Panel.part = 1;
   if (parts?.of) showSections(byId("sections"), parts, `rest${choice.number}-`);
+  else drawAll(panels);
   whole();
   timer = setTimeout(() => judge(run), QUIET);
 }
@@ -82,8 +84,10 @@ function show(answer, from) {
   showSolver(answer.solver, answer.run?.method);
   showMistakes(answer.mistakes);
   document.body.classList.toggle("old", !answer.run);
-  if (answer.run) showRun(answer.run);
-  else status("the plots are those of the last choice without a mistake");
+  if (answer.run) {
+    Panel.part = COARSE;
+    showRun(answer.run);
+  } else status("the plots are those of the last choice without a mistake");
   requestAnimationFrame(() => setTimeout(() => {
     document.body.dataset.latency = String(performance.now() - from);
     document.body.dataset.drawn = String(number);

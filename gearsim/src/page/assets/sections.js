@@ -12,10 +12,7 @@ const subject = (plot) => [plot.title, plot.y.unit, plot.y.log, ...plot.curves.m
 
 /** The identifiers of the sections on the screen. */
 function inSight(main) {
-  const seen = [...main.children].filter((section) => {
-    const { top, bottom } = section.getBoundingClientRect();
-    return bottom > 0 && top < innerHeight;
-  });
+  const seen = [...main.children].filter((section) => onScreen({ figure: section }));
   return seen.length ? seen.map(({ id }) => id) : ["motion"];
 }
 
@@ -48,8 +45,16 @@ function showSections(main, { order, of, html, arrays }, name) {
   bars(main);
   drawings.filter(({ figure }) => !figure.isConnected).forEach((gone) => gone.leave());
   drawings = [...main.querySelectorAll("figure.gears")].map((figure) => drawings.find((drawing) => drawing.figure === figure) ?? new Gears(figure));
-  drawAll(panels.filter(({ figure }) => own.some((section) => section.contains(figure))));
+  drawAll(panels.filter(({ figure, part }) => part > Panel.part || own.some((section) => section.contains(figure))));
 }
+
+// While a hand moves, curves are drawn in parts of this many pixels: plotly.js takes half the time.
+const COARSE = 4;
+
+const onScreen = ({ figure }) => {
+  const { top, bottom } = figure.getBoundingClientRect();
+  return bottom > 0 && top < innerHeight;
+};
 
 // Time [ms] for the screen and for input before a plot that is not seen is drawn.
 const PAUSE = 50;
@@ -57,11 +62,7 @@ let turn = null;
 
 /** Draws those of some plots that are on the screen at once, and those near it once these are seen. */
 function drawAll(some) {
-  const seen = (panel) => {
-    const { top, bottom } = panel.figure.getBoundingClientRect();
-    return bottom > 0 && top < innerHeight;
-  };
-  const near = some.map((panel) => [panel, seen(panel)]);
+  const near = some.map((panel) => [panel, onScreen(panel)]);
   near.filter(([, here]) => here).forEach(([panel]) => panel.draw());
   for (const [panel] of near.filter(([, here]) => !here)) {
     panel.stale = true;
