@@ -23,10 +23,10 @@ use crate::sweep::{Request, Status, Sweep};
 The scene runs at the first value, then at the next one from the state in which it has settled, up to
 the last value and down again. Where two steady motions exist, the two ways differ.
 
-A varied speed is held by the scene itself: by the set point of its governor, else by a torque, which is
-found for each point so that the mean speed stays (--hold). The column mean_speed says which speed the
-train really had, speed_drift by which part it changed. Each point is measured over whole periods of the
-slowest excitation; the columns periods and period_of say which.
+A varied speed is held by the scene itself: by the set point of its governor, else by a torque,
+which is found for each point so that the mean speed stays (--hold). The column mean_speed says
+which speed the train really had, speed_drift by which part it changed. Each point is
+measured over whole periods of the slowest excitation; the columns periods and period_of say which.
 
 Writes response.parquet, response.csv and the plot.
 
