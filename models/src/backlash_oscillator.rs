@@ -24,6 +24,6 @@ pub fn backlash_oscillator(m: &mut Model) {
         m.spring(gap.over) + m.damper(gap.over),
         "torque of the contact, damper included",
     );
-    m.output("contact_loss", "W", m.damper(gap.over) * gap.over.dot(), "power that the damper of the contact takes");
+    m.output("damper_loss", "W", m.damper(gap.over) * gap.over.dot(), "power that the damper of the contact takes");
     m.motion("speed", "rad/s", &[(phi, 1.into())], "rotational speed");
 }

@@ -3,7 +3,11 @@
 import contextlib
 import os
 import pathlib
+import sys
+import tempfile
 import time
+
+from playwright.sync_api import sync_playwright
 
 SCENES = pathlib.Path(__file__).parents[2] / "models" / "scenes"
 LAPTOP = {"viewport": {"width": 1280, "height": 800}}
@@ -40,6 +44,24 @@ def opened(browser, url, allowed, **settings):
 def opened_file(browser, path, **settings):
     """The page at `path`, without network."""
     return opened(browser, path.as_uri(), allowed=("file:",), offline=True, **settings)
+
+
+def run_tests(tests):
+    """Runs what `tests(gearsim, folder, pictures)` yields: each a test, its arguments after the browser, and a word about them. The command
+    line has the program GEARSIM, and optionally a folder that gets pictures of the pages, for people."""
+    gearsim = pathlib.Path(sys.argv[1]).resolve()
+    pictures = pathlib.Path(sys.argv[2]) if len(sys.argv) > 2 else None
+    with tempfile.TemporaryDirectory() as folder, sync_playwright() as playwright:
+        browser = started(playwright)
+        for test, arguments, word in tests(gearsim, pathlib.Path(folder), pictures):
+            test(browser, *arguments)
+            print("passed:", test.__name__, word, flush=True)
+        browser.close()
+
+
+def screens(fits, path, *more):
+    """The test `fits` of a page on a laptop and on a phone, light and dark; `more` are its last arguments."""
+    return [(fits, (path, size, scheme, *more), path.parent.name) for size in (LAPTOP, PHONE) for scheme in ("light", "dark")]
 
 
 def settle(page):

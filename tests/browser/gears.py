@@ -6,15 +6,10 @@ the run writes beside the page, and with closed forms; with FOLDER, pictures of 
 
 import csv
 import math
-import pathlib
 import subprocess
-import sys
-import tempfile
-
-from playwright.sync_api import sync_playwright
 
 import common
-from common import LAPTOP, PHONE, SCENES, opened_file, settle, wait_until
+from common import LAPTOP, SCENES, opened_file, settle, wait_until
 
 # Columns of the page have 1/8.6e9 (times, rotations) and 1/131,000 (others) of the range of a block.
 FINE, COARSE = 1e-7, 2e-5
@@ -286,40 +281,32 @@ def fits(browser, path, settings, scheme, picture):
             figure.screenshot(path=picture / f"{path.parent.name}_{settings['viewport']['width']}_{scheme}.png")
 
 
-def main():
-    gearsim = pathlib.Path(sys.argv[1]).resolve()
-    pictures = pathlib.Path(sys.argv[2]) if len(sys.argv) > 2 else None
-    with tempfile.TemporaryDirectory() as folder, sync_playwright() as playwright:
-        folder = pathlib.Path(folder)
-        browser = common.started(playwright)
-        teeth = run(gearsim, "gear_pair_teeth.toml", folder / "teeth", "run.t_end=50 ms")
-        play = run(gearsim, "backlash.toml", folder / "play")
-        rattle = run(gearsim, "rattle.toml", folder / "rattle")
-        stages = run(gearsim, "two_stage.toml", folder / "stages", "run.t_end=50 ms")
-        idler = run(gearsim, "idler.toml", folder / "idler")
-        planets = run(gearsim, "planetary_3.toml", folder / "planets", "run.t_end=20 ms")
-        train = run(gearsim, "train_turbine.toml", folder / "train", "run.t_end=20 ms")
-        chain = run(gearsim, "chain_5.toml", folder / "chain")
-        pages = [teeth, play, rattle, stages, idler, planets, train]
-        tests = [
-            (the_pinion_is_where_the_run_recorded_it, (teeth,)),
-            (one_pair_or_two, (teeth,)),
-            *((contacts_lie_on_the_line_of_action, (path,)) for path in (stages, idler, planets, train)),
-            (contact_is_lost_and_made_again, (play,)),
-            (coast_flanks_touch_too, (rattle,)),
-            (gears_move_in_step_with_the_plots, (teeth,)),
-            (little_motion_for_those_who_prefer_it, (teeth,)),
-            (every_mesh_can_be_chosen, (teeth, [""])),
-            (every_mesh_can_be_chosen, (stages, ["12", "34"])),
-            (every_mesh_can_be_chosen, (idler, ["12", "23"])),
-            (every_mesh_can_be_chosen, (planets, ["s1", "r1", "s2", "r2", "s3", "r3"], 2)),
-            (nothing_without_gears, (chain,)),
-            *((fits, (path, size, scheme, pictures)) for path in pages for size in (LAPTOP, PHONE) for scheme in ("light", "dark")),
-        ]
-        for test, arguments in tests:
-            test(browser, *arguments)
-            print("passed:", test.__name__, next(path.parent.name for path in arguments if isinstance(path, pathlib.Path)))
-        browser.close()
+def tests(gearsim, folder, pictures):
+    teeth = run(gearsim, "gear_pair_teeth.toml", folder / "teeth", "run.t_end=50 ms")
+    play = run(gearsim, "backlash.toml", folder / "play")
+    rattle = run(gearsim, "rattle.toml", folder / "rattle")
+    stages = run(gearsim, "two_stage.toml", folder / "stages", "run.t_end=50 ms")
+    idler = run(gearsim, "idler.toml", folder / "idler")
+    planets = run(gearsim, "planetary_3.toml", folder / "planets", "run.t_end=20 ms")
+    train = run(gearsim, "train_turbine.toml", folder / "train", "run.t_end=20 ms")
+    chain = run(gearsim, "chain_5.toml", folder / "chain")
+    all_tests = [
+        (the_pinion_is_where_the_run_recorded_it, (teeth,)),
+        (one_pair_or_two, (teeth,)),
+        *((contacts_lie_on_the_line_of_action, (path,)) for path in (stages, idler, planets, train)),
+        (contact_is_lost_and_made_again, (play,)),
+        (coast_flanks_touch_too, (rattle,)),
+        (gears_move_in_step_with_the_plots, (teeth,)),
+        (little_motion_for_those_who_prefer_it, (teeth,)),
+        (every_mesh_can_be_chosen, (teeth, [""])),
+        (every_mesh_can_be_chosen, (stages, ["12", "34"])),
+        (every_mesh_can_be_chosen, (idler, ["12", "23"])),
+        (every_mesh_can_be_chosen, (planets, ["s1", "r1", "s2", "r2", "s3", "r3"], 2)),
+        (nothing_without_gears, (chain,)),
+    ]
+    yield from ((test, arguments, arguments[0].parent.name) for test, arguments in all_tests)
+    for path in (teeth, play, rattle, stages, idler, planets, train):
+        yield from common.screens(fits, path, pictures)
 
 
-main()
+common.run_tests(tests)

@@ -4,15 +4,10 @@ GEARSIM is the program built with the feature `html`. Needs the Python package i
 the path in CHROMIUM. Every page is opened from its file and without network; any console message of a level above "info" fails its test.
 """
 
-import pathlib
 import subprocess
-import sys
-import tempfile
-
-from playwright.sync_api import sync_playwright
 
 import common
-from common import LAPTOP, PHONE, SCENES, opened_file, settle
+from common import LAPTOP, SCENES, opened_file, settle
 
 # A file name that is HTML, and quotes.
 HOSTILE = "<img src=x onerror=document.body.dataset.hurt=1> \"a\" 'b' \u2028"
@@ -154,26 +149,16 @@ def hostile_names_stay_text(browser, gearsim, folder):
         assert page.evaluate("document.querySelector('meta[http-equiv]').content").startswith("default-src 'none'; script-src 'sha256-")
 
 
-def main():
-    gearsim = pathlib.Path(sys.argv[1]).resolve()
-    with tempfile.TemporaryDirectory() as folder, sync_playwright() as playwright:
-        folder = pathlib.Path(folder)
-        browser = common.started(playwright)
-        small = run(gearsim, SCENES / "gear_pair_bearings.toml", folder / "small")
-        large = run(gearsim, SCENES / "oh2005" / "spectrum_4500rpm_exact.toml", folder / "large", "run.t_end=1 s", "output.rate=1 MHz")
-        tests = [
-            (zoom_shows_detail, (small, 4000)),
-            (zoom_shows_detail, (large, 1_000_000)),
-            (extremes_are_drawn, (large,)),
-            (cursor_and_keys, (small,)),
-            (columns_and_units_are_chosen, (small,)),
-            *((every_plot_is_drawn, (small, size, scheme)) for size in (LAPTOP, PHONE) for scheme in ("light", "dark")),
-            (hostile_names_stay_text, (gearsim, folder)),
-        ]
-        for test, arguments in tests:
-            test(browser, *arguments)
-            print("passed:", test.__name__)
-        browser.close()
+def tests(gearsim, folder, pictures):
+    small = run(gearsim, SCENES / "gear_pair_bearings.toml", folder / "small")
+    large = run(gearsim, SCENES / "oh2005" / "spectrum_4500rpm_exact.toml", folder / "large", "run.t_end=1 s", "output.rate=1 MHz")
+    yield zoom_shows_detail, (small, 4000), "small"
+    yield zoom_shows_detail, (large, 1_000_000), "large"
+    yield extremes_are_drawn, (large,), "large"
+    yield cursor_and_keys, (small,), "small"
+    yield columns_and_units_are_chosen, (small,), "small"
+    yield from common.screens(every_plot_is_drawn, small)
+    yield hostile_names_stay_text, (gearsim, folder), "hostile"
 
 
-main()
+common.run_tests(tests)

@@ -9,13 +9,9 @@ import json
 import math
 import pathlib
 import subprocess
-import sys
-import tempfile
-
-from playwright.sync_api import sync_playwright
 
 import common
-from common import LAPTOP, PHONE, SCENES, opened_file, settle, wait_until
+from common import LAPTOP, SCENES, opened_file, settle, wait_until
 
 PAIR = SCENES / "oh2005" / "energy_300rpm.toml"
 HOSTILE = "<img src=x onerror=document.body.dataset.hurt=1> \"a\" 'b'"
@@ -213,9 +209,9 @@ def tables_sort(browser, folder):
                 break
 
 
-def fits(browser, folder, settings, scheme, pictures=None):
+def fits(browser, path, settings, scheme, pictures):
     """Every plot and map is drawn when it is in sight, and nothing is wider than the screen."""
-    with opened_file(browser, folder / "page.html", color_scheme=scheme, **settings) as page:
+    with opened_file(browser, path, color_scheme=scheme, **settings) as page:
         for figure in page.locator("figure.plot, figure.map").all():
             figure.scroll_into_view_if_needed()
             figure.locator(".main-svg").first.wait_for()
@@ -224,7 +220,7 @@ def fits(browser, folder, settings, scheme, pictures=None):
             assert page.locator(f"section#{section}").count() == 1
         if pictures:
             page.evaluate("scrollTo(0, 0)")
-            page.screenshot(path=pictures / f"{folder.name}_{settings['viewport']['width']}_{scheme}.png", full_page=True)
+            page.screenshot(path=pictures / f"{path.parent.name}_{settings['viewport']['width']}_{scheme}.png", full_page=True)
 
 
 def hostile_names_stay_text(browser, gearsim, command, folder):
@@ -244,25 +240,15 @@ def hostile_names_stay_text(browser, gearsim, command, folder):
         assert "</title></style>" in page.locator("#scene code").first.text_content()
 
 
-def main():
-    gearsim = pathlib.Path(sys.argv[1]).resolve()
-    # Pictures of all pages, for people: results.py GEARSIM FOLDER
-    pictures = pathlib.Path(sys.argv[2]) if len(sys.argv) > 2 else None
-    with tempfile.TemporaryDirectory() as folder, sync_playwright() as playwright:
-        folder = pathlib.Path(folder)
-        browser = common.started(playwright)
-        for command in COMMANDS:
-            there = result(gearsim, command, folder / command)
-            shows_what_the_files_say(browser, there, command)
-            tables_sort(browser, there)
-            if command != "sweep":
-                zooms(browser, there)
-            for size in (LAPTOP, PHONE):
-                for scheme in ("light", "dark"):
-                    fits(browser, there, size, scheme, pictures)
-            hostile_names_stay_text(browser, gearsim, command, folder)
-            print("passed:", command)
-        browser.close()
+def tests(gearsim, folder, pictures):
+    for command in COMMANDS:
+        there = result(gearsim, command, folder / command)
+        yield shows_what_the_files_say, (there, command), command
+        yield tables_sort, (there,), command
+        if command != "sweep":
+            yield zooms, (there,), command
+        yield from common.screens(fits, there / "page.html", pictures)
+        yield hostile_names_stay_text, (gearsim, command, folder), command
 
 
-main()
+common.run_tests(tests)

@@ -9,7 +9,7 @@ use std::path::Path;
 
 use common::{model, relative, root, run, scene};
 use gearsim::analysis::dynamic_factor;
-use gearsim::analysis::orders::{Turning, force, lines, meshes};
+use gearsim::analysis::orders::{Turning, force, lines, meshes, reference_shaft};
 use gearsim::engine::equations::{Equations, Known};
 use gearsim::model::Role;
 use gearsim::scene::Scene;
@@ -292,4 +292,43 @@ fn the_time_in_each_mode_adds_up_to_the_run() {
     let free = samples.iter().filter(|&&row| torque[row] == 0.0).count() as f64 / samples.len() as f64;
     let exact = times.iter().find(|(mode, _)| *mode == "free").unwrap().1 / whole;
     assert!((free - exact).abs() < 0.01, "{free} of the samples, {exact} of the time");
+}
+
+/// The mean of `contact_loss` over the samples is the share of time in the modes of the play without a force, which the engine adds up.
+#[test]
+fn the_mean_of_contact_loss_is_the_share_of_time_without_force() {
+    for (name, part) in [("backlash", ""), ("rattle", ""), ("backlash_oscillator", ""), ("response", "_12")] {
+        let outcome = run(&scene(name, &["output.rate=200 kHz".into(), "output.events=false".into()]));
+        let loss = outcome.trajectory.output(&format!("contact_loss{part}")).unwrap_or_else(|| panic!("{name}"));
+        let play = &outcome.modes.iter().find(|(switch, _)| switch.starts_with("over")).unwrap().1;
+        let time =
+            |of: &dyn Fn(&str) -> bool| play.iter().filter(|(mode, _)| of(mode)).map(|(_, time)| time).sum::<f64>();
+        let share = time(&|mode| mode == "free" || mode.ends_with("_loose")) / time(&|_| true);
+        let mean = loss.iter().sum::<f64>() / loss.len() as f64;
+        // Each loss of contact is counted to a sample at both ends.
+        let crossings = loss.windows(2).filter(|pair| pair[0] != pair[1]).count();
+        let allowed = (crossings + 1) as f64 / loss.len() as f64;
+        assert!((mean - share).abs() <= allowed, "{name}: {mean}, not {share} within {allowed}");
+        assert!(loss.iter().all(|x| *x == 0.0 || *x == 1.0), "{name}");
+        println!("{name}: {share:.4} of the time without force, {mean:.4} of the samples");
+    }
+}
+
+/// Orders refer to the shaft that a scene names: the mesh of the second stage has as many orders as its pinion has teeth.
+#[test]
+fn orders_refer_to_the_shaft_that_a_scene_names() {
+    let of = |overrides: &[String]| {
+        let scene = scene("two_stage", overrides);
+        let run = run(&scene).trajectory;
+        let shaft = reference_shaft(&run, scene.output.spectrum.shaft).unwrap();
+        let turning = Turning::of(&run, shaft.name, 0.0).unwrap();
+        let mesh = meshes(&run, 0.0).into_iter().find(|mesh| mesh.name == "k34").unwrap();
+        (shaft.name, mesh.frequency / turning.frequency())
+    };
+    let (first, _) = of(&[]);
+    assert_eq!(first, "rotor_speed_m");
+    let (named, order) = of(&["output.spectrum={shaft=\"rotor_speed_3\"}".into()]);
+    assert!(named == "rotor_speed_3" && (order / order.round() - 1.0).abs() < 1e-3, "{named}: {order}");
+    let (named, order) = of(&["output.spectrum={shaft=\"rotor_speed_4\"}".into()]);
+    assert!(named == "rotor_speed_4" && (order / order.round() - 1.0).abs() < 1e-3, "{named}: {order}");
 }

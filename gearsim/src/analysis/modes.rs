@@ -8,10 +8,10 @@
 //!
 //! - Share of a stiffness law in the strain energy: phi* (K(k) - K(k without the law)) phi/(phi* K phi), since K is linear in
 //!   the laws. Share of a spring: phi* K_s phi/(phi* K phi), see [`springs`].
-//! - Share of a coordinate in the kinetic energy: Re(conj(phi_i) (M phi)_i)/(phi* M phi). Shares add up to one. A share may be
-//!   negative if inertia couples coordinates.
+//! - Share of an inertia in the kinetic energy: phi* M_j phi/(phi* M phi), between 0 and 1, see [`masses`].
 
 mod general;
+pub mod masses;
 pub mod springs;
 
 use std::f64::consts::TAU;
@@ -24,10 +24,31 @@ use crate::engine::Refusal;
 use crate::engine::modal::{Matrices, Modal};
 use crate::engine::mode::Mode;
 use crate::engine::system::{Motion, System};
+use crate::run::Entry;
 use crate::scene::Scene;
 use crate::tolerance::analysis::NEAR_RESONANCE;
 
+use masses::Mass;
 use springs::Spring;
+
+/// The parts that have a share in the energies of modes.
+#[derive(Debug, Clone, Default)]
+pub struct Parts {
+    /// Springs other than meshes.
+    pub springs: Vec<Spring>,
+    /// Inertias.
+    pub masses: Vec<Mass>,
+}
+
+impl Parts {
+    /// Those of `scene`.
+    ///
+    /// # Errors
+    /// Those of the matrices of the scene.
+    pub fn of(scene: &Scene, entry: &Entry, system: &System) -> Result<Parts, Refusal> {
+        Ok(Parts { springs: springs::of(scene, entry)?, masses: masses::of(scene, entry, system)? })
+    }
+}
 
 /// The modes of one cell.
 #[derive(Debug, Clone)]
@@ -57,7 +78,7 @@ pub struct Vibration {
     pub strain: Vec<f64>,
     /// Share of each spring in the strain energy; empty for a rigid motion.
     pub springs: Vec<f64>,
-    /// Share of each coordinate in the kinetic energy.
+    /// Share of each inertia in the kinetic energy.
     pub kinetic: Vec<f64>,
 }
 
@@ -81,11 +102,11 @@ pub fn combinations(courses: &[SteadyLaw]) -> Vec<Vec<f64>> {
     (0..count).map(levels).collect()
 }
 
-/// The modes of the cell with law values `k` [SI], and the shares of `springs` in their strain energy.
+/// The modes of the cell with law values `k` [SI], and the shares of `parts` in their energies.
 ///
 /// # Errors
 /// Those of [`Modal::of`].
-pub fn of(system: &System, k: &[f64], springs: &[Spring]) -> Result<CellModes, Refusal> {
+pub fn of(system: &System, k: &[f64], parts: &Parts) -> Result<CellModes, Refusal> {
     let matrices = system.matrices(k)?;
     let without = |law: usize| {
         let mut k = k.to_vec();
@@ -94,24 +115,19 @@ pub fn of(system: &System, k: &[f64], springs: &[Spring]) -> Result<CellModes, R
     };
     let laws = (0..k.len()).map(without).collect::<Result<Vec<_>, _>>()?;
     if system.steady().is_some() {
-        return Ok(general::of(&matrices, &system.linearised(k)?, k, (&laws, springs)));
+        return Ok(general::of(&matrices, &system.linearised(k)?, k, (&laws, parts)));
     }
-    of_matrices(&matrices, k, &laws, springs)
+    of_matrices(&matrices, k, &laws, parts)
 }
 
 /// The modes of the cell with the given `matrices`; `laws` are the parts of K that come from the laws, whose values are `k`.
 ///
 /// # Errors
 /// Those of [`Modal::of`].
-pub fn of_matrices(
-    matrices: &Matrices,
-    k: &[f64],
-    laws: &[DMatrix<f64>],
-    springs: &[Spring],
-) -> Result<CellModes, Refusal> {
+pub fn of_matrices(matrices: &Matrices, k: &[f64], laws: &[DMatrix<f64>], parts: &Parts) -> Result<CellModes, Refusal> {
     let modal = Modal::of(matrices)?;
     let modes = modal.coupled.as_ref().map_or(&modal.modes, |coupled| &coupled.modes);
-    let vibration = |(i, mode): (usize, &Mode)| vibration(mode, shape(&modal, i, mode), matrices, laws, springs);
+    let vibration = |(i, mode): (usize, &Mode)| vibration(mode, shape(&modal, i, mode), matrices, laws, parts);
     Ok(CellModes {
         levels: k.to_vec(),
         modes: modes.iter().enumerate().map(vibration).collect(),
@@ -139,14 +155,13 @@ fn vibration(
     shape: DVector<Complex<f64>>,
     m: &Matrices,
     laws: &[DMatrix<f64>],
-    springs: &[Spring],
+    parts: &Parts,
 ) -> Vibration {
     let weight = |i: usize| m.mass[(i, i)].sqrt() * shape[i].norm();
     let heaviest = (0..shape.len()).max_by(|&i, &j| weight(i).total_cmp(&weight(j))).unwrap_or(0);
     let unit = shape[heaviest];
     let shape = shape.map(|x| x / unit);
     let energy = |a: &DMatrix<f64>| shape.dotc(&(a.map(Complex::from) * &shape)).re;
-    let momentum = m.mass.map(Complex::from) * &shape;
     let (kinetic, total) = (energy(&m.mass), energy(&m.stiffness));
     let rigid = mode.omega2 == 0.0;
     let share = |k: &DMatrix<f64>| (!rigid).then(|| if total == 0.0 { 0.0 } else { energy(k) / total });
@@ -157,8 +172,8 @@ fn vibration(
         zeta: (!rigid).then(|| mode.sigma / omega),
         growth: 0.0,
         strain: laws.iter().filter_map(share).collect(),
-        springs: springs.iter().filter_map(|spring| share(&spring.stiffness)).collect(),
-        kinetic: shape.iter().zip(momentum.iter()).map(|(x, p)| (x.conj() * p).re / kinetic).collect(),
+        springs: parts.springs.iter().filter_map(|spring| share(&spring.stiffness)).collect(),
+        kinetic: parts.masses.iter().map(|mass| energy(&mass.inertia) / kinetic).collect(),
         shape: shape.iter().copied().collect(),
     }
 }
@@ -187,7 +202,7 @@ pub fn over_a_turn(scene: &Scene, mut system: System, k: &[f64]) -> Result<Optio
     let Some(Turn { shift, time, .. }) = Turn::of(scene, &system)? else { return Ok(None) };
     let (step, mut natural) = (&shift * (1.0 / f64::from(PLACES)), vec![[f64::INFINITY, 0.0f64]; shift.len()]);
     for _ in 0..PLACES {
-        for (range, mode) in natural.iter_mut().zip(of(&system, k, &[])?.modes) {
+        for (range, mode) in natural.iter_mut().zip(of(&system, k, &Parts::default())?.modes) {
             *range = [range[0].min(mode.natural), range[1].max(mode.natural)];
         }
         system = system.moved(&step);

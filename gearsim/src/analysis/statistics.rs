@@ -41,6 +41,32 @@ impl Statistics {
         Some(Statistics { min, max, mean, rms: square.sqrt(), p01, p99 })
     }
 
+    /// Those of a column `x` of samples at the times `t` \[s\] from the time `begin` on, which need not be that of a sample. Mean and root
+    /// mean square are integrals over the time, by the trapezoidal rule: of a periodic column over whole periods they are exact but for
+    /// what its samples do not resolve. `None` if less than two samples are later.
+    pub fn between(t: &[f64], x: &[f64], begin: f64) -> Option<Statistics> {
+        let first = t.partition_point(|&t| t <= begin);
+        if first + 1 >= t.len() {
+            return None;
+        }
+        let all = Statistics::of(&x[first..], &vec![Moment::Sample; t.len() - first])?;
+        // The value at the start, on the line between its neighbours.
+        let at_begin = match first {
+            0 => x[0],
+            _ => x[first] - (x[first] - x[first - 1]) * (t[first] - begin) / (t[first] - t[first - 1]),
+        };
+        let head = (begin.min(t[first]), at_begin);
+        let points = || std::iter::once(head).chain(t[first..].iter().copied().zip(x[first..].iter().copied()));
+        let integral = |of: &dyn Fn(f64) -> f64| {
+            let pairs = points().zip(points().skip(1));
+            pairs.map(|((t0, x0), (t1, x1))| 0.5 * (of(x0) + of(x1)) * (t1 - t0)).sum::<f64>()
+        };
+        let time = t[t.len() - 1] - head.0;
+        let mean = integral(&|x| x) / time;
+        let rms = (integral(&|x| (x - mean) * (x - mean)) / time).sqrt();
+        Some(Statistics { mean, rms, min: all.min.min(at_begin), max: all.max.max(at_begin), ..all })
+    }
+
     /// All values.
     pub fn values(&self) -> [f64; 6] {
         [self.min, self.max, self.mean, self.rms, self.p01, self.p99]
@@ -70,6 +96,18 @@ mod tests {
         // The tolerance allows for the rounding of a sum of 1000 terms.
         let near = |a: f64, b: f64| (a - b).abs() < 1e-12;
         assert!(near(s.min, 1.0) && near(s.max, 5.0) && near(s.mean, 3.0) && near(s.rms, 2.0_f64.sqrt()));
+    }
+
+    #[test]
+    fn over_a_whole_period_between_samples_the_statistics_of_a_sine_are_exact() {
+        // 7.3 samples a period: the measured time begins between two of them, two periods before the end.
+        let t: Vec<f64> = (0..=146).map(|i| f64::from(i) / 7.3).collect();
+        let x: Vec<f64> = t.iter().map(|t| 3.0 + 2.0 * (std::f64::consts::TAU * t + 0.4).sin()).collect();
+        for (begin, allowed) in [(18.0, 3e-2), (10.0, 6e-3)] {
+            let s = Statistics::between(&t, &x, begin).unwrap();
+            assert!((s.mean - 3.0).abs() < allowed && (s.rms - 2.0_f64.sqrt()).abs() < allowed, "{s:?}");
+        }
+        assert!(Statistics::between(&t, &x, 20.0).is_none());
     }
 
     #[test]

@@ -10,8 +10,7 @@ use super::printing::Printing;
 use super::report::Linearised;
 use super::simulate::Source;
 use super::{Verb, files, page, provenance, report, terminal};
-use crate::analysis::modes::springs::{self, Spring};
-use crate::analysis::modes::{self, CellModes, OverATurn};
+use crate::analysis::modes::{self, CellModes, OverATurn, Parts};
 use crate::analysis::steady::{self, SteadyLaw};
 use crate::output::summary::Provenance;
 use crate::output::{OutputFolder, document};
@@ -59,12 +58,14 @@ const VERSION: u32 = 1;
 struct Report<'a> {
     scene: &'a str,
     model: &'a str,
-    /// Names of the coordinates, in the order of `shape` and `kinetic_energy`.
+    /// Names of the coordinates, in the order of `shape`.
     coordinates: Vec<&'a str>,
     /// Names of the laws, in the order of `levels` and `strain_energy`.
     laws: Vec<&'a str>,
     /// Names of the parameters that are stiffnesses, in the order of `strain_energy_of_springs`.
     springs: Vec<&'a str>,
+    /// Names of the parameters that are inertias, in the order of `kinetic_energy`.
+    masses: Vec<&'a str>,
     /// The cell chosen by --cell, or that of the mid stiffnesses.
     chosen: Cell,
     /// Every combination of levels; empty if there are too many.
@@ -112,7 +113,7 @@ struct Mode {
     strain_energy: Vec<f64>,
     /// Share of each spring in the strain energy; empty for a rigid motion.
     strain_energy_of_springs: Vec<f64>,
-    /// Share of each coordinate in the kinetic energy.
+    /// Share of each inertia in the kinetic energy.
     kinetic_energy: Vec<f64>,
 }
 
@@ -135,16 +136,16 @@ impl Verb for Modes {
         let refused = |refusal| Failure::Refused { scene: scene.name.clone(), refusal };
         let system = scene.entry()?.about_steady_motion(&scene).map_err(refused)?;
         let courses = steady::courses(&scene, &system).map_err(refused)?;
-        let springs = springs::of(&scene, scene.entry()?).map_err(refused)?;
-        let chosen = modes::of(&system, &self.levels(&scene, &courses)?, &springs).map_err(refused)?;
+        let parts = modes::Parts::of(&scene, scene.entry()?, &system).map_err(refused)?;
+        let chosen = modes::of(&system, &self.levels(&scene, &courses)?, &parts).map_err(refused)?;
         let cells = modes::combinations(&courses);
-        let cells = cells.iter().map(|k| modes::of(&system, k, &springs)).collect::<Result<Vec<_>, _>>();
+        let cells = cells.iter().map(|k| modes::of(&system, k, &parts)).collect::<Result<Vec<_>, _>>();
         let cells = cells.map_err(refused)?;
         let moving = scene.entry()?.about_steady_motion(&scene).map_err(refused)?;
         let turn = modes::over_a_turn(&scene, moving, &chosen.levels).map_err(refused)?;
         let path = self.source.folder(&scene, "_modes")?;
         let mut folder = OutputFolder::create(path)?;
-        let shapes = plot::modes::draw(&scene, &chosen, &springs);
+        let shapes = plot::modes::draw(&scene, &chosen, &parts);
         let mut figures = vec![files::figure(&mut folder, "shapes", shapes, terminal::warn)?];
         if courses.iter().any(SteadyLaw::turns) {
             let campbell = plot::campbell::draw(&scene, &courses, &chosen);
@@ -152,16 +153,15 @@ impl Verb for Modes {
         }
         if let Some(page) = page {
             let figures: Vec<_> = figures.into_iter().flatten().collect();
-            page.modes(&mut folder, &scene, &springs, &chosen, &cells, &figures)?;
+            page.modes(&mut folder, &scene, &parts, &chosen, &cells, &figures)?;
         }
         let linearised = Linearised::of(&scene, system.steady());
-        let json =
-            self.json(&scene, &courses, &springs, (&chosen, &cells, linearised, turn.as_ref()), folder.files())?;
+        let json = self.json(&scene, &courses, &parts, (&chosen, &cells, linearised, turn.as_ref()), folder.files())?;
         folder.write_bytes("modes.json", json.as_bytes())?;
         folder.commit("modes.json")?;
         let width = terminal::width();
         let text = || {
-            let mut text = table::render(&scene, &courses, &springs, &chosen, &cells, width);
+            let mut text = table::render(&scene, &courses, &parts, &chosen, &cells, width);
             text += &turn.as_ref().map_or(String::new(), table::over_a_turn);
             let written = report::files(folder.path(), folder.files(), width);
             let head = report::scene(&scene, width)
@@ -200,7 +200,7 @@ impl Modes {
         &self,
         scene: &Scene,
         courses: &[SteadyLaw],
-        springs: &[Spring],
+        parts: &Parts,
         (chosen, cells, linearised, turn): (&CellModes, &[CellModes], Option<Linearised<'_>>, Option<&OverATurn>),
         files: &[String],
     ) -> Result<String, Failure> {
@@ -215,7 +215,8 @@ impl Modes {
             model: scene.model.name,
             coordinates: scene.model.coordinates.iter().map(|c| c.name).collect(),
             laws: scene.stiffnesses().map(|(law, _)| law.name).collect(),
-            springs: springs.iter().map(|spring| spring.name).collect(),
+            springs: parts.springs.iter().map(|spring| spring.name).collect(),
+            masses: parts.masses.iter().map(|mass| mass.name).collect(),
             chosen: cell(chosen),
             cells: cells.iter().map(cell).collect(),
             mesh_frequencies: courses.iter().map(|c| c.steps.then(|| c.mesh_frequency())).collect(),

@@ -6,8 +6,7 @@ use clap::Args;
 
 use super::failure::Failure;
 use crate::analysis::floquet::{Chart, Floquet};
-use crate::analysis::modes::CellModes;
-use crate::analysis::modes::springs::Spring;
+use crate::analysis::modes::{CellModes, Parts};
 use crate::analysis::work_precision::WorkPrecision;
 use crate::library::Results;
 use crate::model::Model;
@@ -99,8 +98,8 @@ pages! {
         page::work_precision::page(&made(scene, "each method in turn", files), measured);
     response of "response.csv" in OutputFolder(scene: &Scene, words: &str, drawn: Option<&Figure>, points: &Table) => |files|
         page::response::page(&made(scene, "run by run, each from the end of the one before it", files), words, drawn, points);
-    modes of "modes.json" in OutputFolder(scene: &Scene, springs: &[Spring], chosen: &CellModes, cells: &[CellModes], figures: &[Figure]) => |files|
-        page::modes::page(&made(scene, "modes of linear cells", files), &page::modes::Modes { springs, chosen, cells, figures });
+    modes of "modes.json" in OutputFolder(scene: &Scene, parts: &Parts, chosen: &CellModes, cells: &[CellModes], figures: &[Figure]) => |files|
+        page::modes::page(&made(scene, "modes of linear cells", files), &page::modes::Modes { parts, chosen, cells, figures });
     floquet of "floquet.json" in OutputFolder(scene: &Scene, words: &str, floquet: &Floquet, chart: Option<(&Chart, &Table)>) => |files|
         page::floquet::page(&made(scene, "product of exact cell propagators", files), words, floquet, chart);
     compare of "compare.json" in OutputFolder(scene: &Scene, runs: &[Run<'_>], summaries: &[Summary]) => |files|

@@ -12,7 +12,7 @@ use super::progress::PointsBar;
 use super::{Verb, files, known, number, page, report, terminal};
 use crate::output::{OutputFolder, csv, document, parquet};
 use crate::plot;
-use crate::sweep::response::{MEASURES, Response};
+use crate::sweep::response::{Hold, MEASURES, Response};
 use crate::sweep::{Request, Status, Sweep};
 
 /// Response curves: outputs over a speed or another value, each point from the settled state before it
@@ -23,8 +23,10 @@ use crate::sweep::{Request, Status, Sweep};
 The scene runs at the first value, then at the next one from the state in which it has settled, up to
 the last value and down again. Where two steady motions exist, the two ways differ.
 
-A varied speed is held by the scene itself: torques in balance, or a governor. The column mean_speed
-says which speed the train really had.
+A varied speed is held by the scene itself: by the set point of its governor, else by a torque,
+which is found for each point so that the mean speed stays (--hold). The column mean_speed says
+which speed the train really had, speed_drift by which part it changed. Each point is
+measured over whole periods of the slowest excitation; the columns periods and period_of say which.
 
 Writes response.parquet, response.csv and the plot.
 
@@ -48,6 +50,10 @@ pub(super) struct ResponseCommand {
     /// Time of each point before it counts as settled; the rest of the run is measured
     #[arg(long, value_name = "TIME")]
     settle: String,
+    /// The parameter that holds the speed, or "nothing" [default: if a speed is varied, the set point of a governor, else a torque
+    /// that drives]
+    #[arg(long, value_name = "PARAMETER")]
+    hold: Option<String>,
     /// Only upward
     #[arg(long)]
     up: bool,
@@ -97,7 +103,7 @@ impl Verb for ResponseCommand {
         OutputFolder::probe(&path)?;
 
         let mut bar = PointsBar::new(sweep.points * if self.up { 1 } else { 2 }, self.printing.quiet);
-        let response = sweep.response(!self.up, &mut |done| bar.at(done))?;
+        let response = sweep.response(!self.up, &self.hold(), &mut |done| bar.at(done))?;
         drop(bar);
         let mut folder = OutputFolder::create(path)?;
         let table = response.table()?;
@@ -128,9 +134,20 @@ impl Verb for ResponseCommand {
     }
 }
 
-/// The largest value of each output on each way, and where it is.
+impl ResponseCommand {
+    fn hold(&self) -> Hold {
+        match self.hold.as_deref() {
+            None => Hold::Own,
+            Some("nothing") => Hold::Nothing,
+            Some(parameter) => Hold::By(parameter.into()),
+        }
+    }
+}
+
+/// What holds the speed, what was measured, the largest value of each output on each way, and where it is.
 fn summary(response: &Response, width: usize) -> String {
-    let mut text = String::new();
+    let mut text =
+        report::line("speed", &response.holding, width) + &report::line("measured", &measured(response), width);
     for (i, output) in response.outputs.iter().enumerate() {
         for (way, upward) in [("up", true), ("down", false)] {
             let points = response.points.iter().filter(|point| point.upward == upward);
@@ -143,6 +160,24 @@ fn summary(response: &Response, width: usize) -> String {
         }
     }
     text
+}
+
+/// What the points were measured over, in words.
+fn measured(response: &Response) -> String {
+    let spans: Vec<_> = response.points.iter().filter_map(|point| point.span).collect();
+    let Some(first) = spans.first() else { return "nothing: no point has a result".into() };
+    let (least, most) = spans.iter().fold((u32::MAX, 0), |(a, b), span| (a.min(span.periods), b.max(span.periods)));
+    let short = spans.iter().filter(|span| span.periods == 0 && !span.of.is_empty()).count();
+    let of = if spans.iter().all(|span| span.of == first.of) { first.of } else { "the slowest excitation of each" };
+    match (first.of, short) {
+        ("", _) => "all of the settled time: nothing excites the scene periodically".into(),
+        (_, 0) if least == most => format!("{least} whole periods of {of}"),
+        (_, 0) => format!("{least} to {most} whole periods of {of}"),
+        _ => format!(
+            "{short} of {} points are shorter than a period of {of}, and measured over all of their settled time: lengthen run.t_end",
+            spans.len()
+        ),
+    }
 }
 
 /// A failure if a point was not run to its end.

@@ -22,6 +22,10 @@ pub(super) struct Choice {
     pub effects: Option<Vec<String>>,
     /// The solver.
     pub solver: Option<SolverChoice>,
+    /// The identifiers of the sections that a person sees: the answer to `run` has these, that to `rest` the others. Empty: all in one.
+    pub seen: Vec<String>,
+    /// A number of the choice, in the identifiers of the arrays of its plots.
+    pub number: u32,
 }
 
 /// The keys of `[run]` for the solver; `None` where the scene is to have none.

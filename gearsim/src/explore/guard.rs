@@ -10,6 +10,8 @@ pub(super) enum Route {
     Page,
     /// A run.
     Run,
+    /// The sections of a run that are not seen.
+    Rest,
     /// Cost and error of a run.
     Judge,
     /// Which effects matter.
@@ -57,6 +59,7 @@ pub(super) fn route(head: &Head<'_>, token: &str, port: u16) -> Result<Route, Re
     let route = match what {
         "" => Route::Page,
         "run" => Route::Run,
+        "rest" => Route::Rest,
         "judge" => Route::Judge,
         "advise" => Route::Advise,
         "save" => Route::Save,

@@ -67,12 +67,21 @@ impl Explorer {
         let text = edited.to_string();
         let (mistakes, run) = match self.read(&text) {
             Err(mistakes) => (wrong(&mistakes, &text), None),
-            Ok(scene) => match self.ran(&text, scene, go_on)?.and_then(|results| shown(&results)) {
-                Ok(run) => (vec![], Some(run)),
+            Ok(scene) => match self.ran(&text, scene, go_on)?.and_then(|results| shown(&results, choice, go_on)) {
+                Ok(None) => return None,
+                Ok(run) => (vec![], run),
                 Err(error) => (vec![Wrong::general(&error)], None),
             },
         };
         Some(self.answer(&edited, mistakes, run))
+    }
+
+    /// The sections of the run with a choice that are not seen; `None` if `go_on` ended it, or if there is no such run.
+    pub(super) fn rest(&self, choice: &Choice, go_on: &dyn Fn() -> bool) -> Option<page::Parts> {
+        let text = self.edited(choice).to_string();
+        let results = self.ran(&text, self.read(&text).ok()?, go_on)?.ok()?;
+        let is_wanted = |id: &str| !choice.seen.iter().any(|seen| seen == id);
+        parts(&results, format!("rest{}-", choice.number), &is_wanted, go_on).ok()?
     }
 
     /// The answer without a run: it took longer than the page waits.
@@ -148,17 +157,19 @@ fn wrong(mistakes: &SceneMistakes, text: &str) -> Vec<Wrong> {
     mistakes.mistakes().iter().map(of).collect()
 }
 
-/// What the page shows of a run.
-fn shown(results: &Results) -> Result<Shown, Error> {
+/// What the page shows of a run at first: the sections that are `seen`, all of them if none is named. `None` if `go_on` ended it.
+fn shown(results: &Results, choice: &Choice, go_on: &dyn Fn() -> bool) -> Result<Option<Shown>, Error> {
+    let seen = &choice.seen;
+    let is_wanted = |id: &str| seen.is_empty() || seen.iter().any(|seen| seen == id);
+    let Some(page) = parts(results, format!("run{}-", choice.number), &is_wanted, go_on)? else { return Ok(None) };
     let Results { scene, outcome } = results;
-    let summary = results.summary();
-    let page = page::run::live(&page::run::Run { scene, outcome, summary: &summary })?;
+    let summary = results.brief();
     let (residual, largest) = (summary.energy.residual.0, summary.energy.largest.0);
     let stopped = summary.stopped_by.iter().map(|why| format!("The run stopped early: {why}"));
     let refuted = summary.refuted.iter().map(|why| format!("The result is wrong: {why}"));
     let units = scene.model.coordinates.iter().flat_map(|c| [c.unit.to_owned(), format!("{}/s", c.unit)]);
     let state = summary.state.0.iter().zip(units);
-    Ok(Shown {
+    Ok(Some(Shown {
         title: scene.name.clone(),
         subtitle: if scene.about.is_empty() { scene.model.title.into() } else { scene.about.clone() },
         method: summary.method.name.clone(),
@@ -170,6 +181,19 @@ fn shown(results: &Results) -> Result<Shown, Error> {
         remarks: stopped.chain(refuted).chain(summary.remarks.iter().cloned()).collect(),
         length: scene.t_end,
         state: state.map(|((name, x), unit)| (name.clone(), unit, x.0, short(x.0))).collect(),
-        page: page.parts(),
-    })
+        page,
+    }))
+}
+
+/// The wanted sections of the page of a run; `name` begins the identifiers of their arrays.
+fn parts(
+    results: &Results,
+    name: String,
+    is_wanted: &dyn Fn(&str) -> bool,
+    go_on: &dyn Fn() -> bool,
+) -> Result<Option<page::Parts>, Error> {
+    let Results { scene, outcome } = results;
+    let summary = results.brief();
+    let run = page::run::Run { scene, outcome, summary: &summary };
+    Ok(page::run::live(&run, name, is_wanted, go_on)?)
 }

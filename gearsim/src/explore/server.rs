@@ -143,6 +143,11 @@ impl Service {
                     None => Content::json(&Ended { superseded: true }),
                 }
             }
+            Route::Rest => {
+                // It ends with the run of which it is a part.
+                let ticket = ticket(&self.runs, 0, RUN);
+                ended_or(&ticket, explorer.rest(choice, &|| ticket.is_newest() && Instant::now() < ticket.until))
+            }
             Route::Judge => {
                 // It ends with the run that it judges.
                 let ticket = ticket(&self.runs, 0, JUDGE);

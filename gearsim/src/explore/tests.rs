@@ -71,6 +71,32 @@ fn a_change_gives_the_end_state_of_the_same_change_in_the_library() {
     assert_eq!(state(&answer(&explorer, json!({ "solver": solver }))), end(&expected.run().unwrap()));
 }
 
+/// The sections that are seen come with the run, the others with `rest`; each section once, with arrays of its own.
+#[test]
+fn what_is_seen_comes_first_and_the_rest_after_it() {
+    let explorer = explorer("oh2005/energy_300rpm");
+    let value = json!({ "seen": ["motion", "energy"], "number": 7 });
+    let first = answer(&explorer, value.clone())["run"]["page"].clone();
+    let rest = serde_json::to_value(explorer.rest(&choice(value), &|| true).unwrap()).unwrap();
+    let ids = |part: &Value, of: &str| -> Vec<String> { serde_json::from_value(part[of].clone()).unwrap() };
+    assert_eq!(ids(&first, "of"), ["motion", "energy"]);
+    let mut all = ids(&first, "of");
+    all.extend(ids(&rest, "of"));
+    let mut order: Vec<String> = ids(&rest, "order").into_iter().filter(|id| id != "method").collect();
+    all.sort();
+    order.sort();
+    assert_eq!(all, order);
+    for (part, name) in [(&first, "run7-array-"), (&rest, "rest7-array-")] {
+        let arrays = part["arrays"].as_object().unwrap();
+        assert!(!arrays.is_empty() && arrays.keys().all(|id| id.starts_with(name)));
+        let html = part["html"].as_str().unwrap();
+        assert!(ids(part, "of").iter().filter(|id| html.contains(&format!("<section id=\"{id}\""))).count() > 1);
+    }
+    // Without a word on what is seen all is in one answer, and a run that is no longer wanted gives nothing.
+    assert_eq!(ids(&answer(&explorer, json!({}))["run"]["page"], "of"), ids(&rest, "order")[1..]);
+    assert!(explorer.rest(&choice(json!({ "seen": ["motion"] })), &|| false).is_none());
+}
+
 #[test]
 fn a_saved_scene_has_the_bytes_of_the_page_and_keeps_its_comments() {
     let explorer = explorer("backlash");

@@ -135,12 +135,15 @@ equations! {
     }
     outputs {
         rotor_speed "rad/s", "rotational speed of the rotor" { _ => phi_dot; }
+        contact_loss "1" with backlash, "1 while no force passes the contact, else 0: its mean is the share of time without contact" {
+            _ => 1.0 - touch*(1.0 + clip*(1.0 - clip)/2.0);
+        }
         contact_torque "N*m", "torque of the contact, damper included" {
             _ => c*touch*over;
             backlash => c*clip*touch*over;
             damping => d*damp*over_dot;
         }
-        contact_loss "W", "power that the damper of the contact takes" {
+        damper_loss "W", "power that the damper of the contact takes" {
             backlash => c*clip*touch*over*over_dot;
             damping => d*damp*over_dot.powi(2);
         }

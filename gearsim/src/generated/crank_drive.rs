@@ -372,6 +372,9 @@ equations! {
         rotor_speed_2 "rad/s", "rotational speed of the driven gear with the crank" { _ => theta_dot/N2 - s_dot/(2.0*h*N2); }
         slider_place_p "m", "distance of the piston from the crank's axis" { _ => x_p; }
         slider_speed_p "m/s", "speed of the piston, away from the crank's axis" { _ => dx_p*(theta_dot/N2 - s_dot/(2.0*h*N2)); }
+        contact_loss_12 "1" with backlash_12, "1 while no force passes the mesh, else 0: its mean is the share of time without contact" {
+            _ => 1.0 - touch12*(1.0 + clip12*(1.0 - clip12)/2.0);
+        }
         mesh_force_12 "N", "force of the mesh along the line of action, damper included: positive if it presses the drive flanks" {
             _ => k12*touch12*over12;
             backlash_12 => k12*clip12*touch12*over12;

@@ -189,6 +189,9 @@ equations! {
         step { _ => k_x*de_x.powi(2)*touchx/2.0 - k_x*de_x*touchx*overx; }
     }
     outputs {
+        contact_loss_x "1" with backlash_x, "1 while no force passes the mesh {}, else 0: its mean is the share of time without contact" {
+            _ => 1.0 - touchx*(1.0 + clipx*(1.0 - clipx)/2.0);
+        }
         mesh_force_x "N", "force of the mesh {} along the line of action, damper included: positive if it presses the drive flanks" {
             _ => k_x*touchx*overx;
             backlash_x => k_x*clipx*touchx*overx;

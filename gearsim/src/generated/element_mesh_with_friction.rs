@@ -244,6 +244,9 @@ equations! {
     jump side_x { step {} }
     jump arm_x { step {} }
     outputs {
+        contact_loss_x "1" with backlash_x, "1 while no force passes the mesh {}, else 0: its mean is the share of time without contact" {
+            _ => 1.0 - touchx*(1.0 + clipx*(1.0 - clipx)/2.0);
+        }
         mesh_force_x "N", "force of the mesh {} along the line of action, damper included: positive if it presses the drive flanks" {
             _ => k_x*touchx*overx;
             backlash_x => k_x*clipx*touchx*overx;

@@ -274,6 +274,11 @@ equations! {
     jump side { step {} }
     jump arm { step {} }
     outputs {
+        contact_loss "1" with backlash,
+            "1 while no force passes the mesh in phi, bt N1/(2 rb1) with bt along the line of action, else 0: its mean is the share of \
+            time without contact" {
+            _ => 1.0 - touch*(1.0 + clip*(1.0 - clip)/2.0);
+        }
         power_drive "W" with torques, "power of the torque T0 N1 on the driving gear: positive if it drives" { _ => drive_power; }
         power_load "W" with torques, "power of the torque -T0 N2 on the driven gear: positive if it drives" { _ => load_power; }
         dte "rad", "dynamic transmission error as a rotation of the driving gear, theta1 - N2/N1 theta2" { _ => 2.0*phi/N1; }

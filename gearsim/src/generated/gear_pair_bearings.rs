@@ -1195,6 +1195,9 @@ equations! {
             viscous_friction_2 => cb2*bx2_dot.powi(2) + cb2*by2_dot.powi(2);
             damping => beta_K*kb2*bx2_dot.powi(2) + beta_K*kb2*by2_dot.powi(2);
         }
+        contact_loss_12 "1" with backlash_12, "1 while no force passes the mesh, else 0: its mean is the share of time without contact" {
+            _ => 1.0 - touch12*(1.0 + clip12*(1.0 - clip12)/2.0);
+        }
         mesh_force_12 "N", "force of the mesh along the line of action, damper included: positive if it presses the drive flanks" {
             _ => k12*touch12*over12;
             backlash_12 => k12*clip12*touch12*over12;

@@ -475,6 +475,10 @@ equations! {
         rotor_speed_1 "rad/s", "rotational speed of the driving gear" { _ => delta1_dot/(h*N1) + theta_dot/N1; }
         rotor_speed_2 "rad/s", "rotational speed of the idler" { _ => theta_dot/N2; }
         rotor_speed_3 "rad/s", "rotational speed of the driven gear" { _ => theta_dot/N3 - delta2_dot/(h*N3); }
+        contact_loss_12 "1" with backlash_12,
+            "1 while no force passes the mesh of gears 1 and 2, else 0: its mean is the share of time without contact" {
+            _ => 1.0 - touch12*(1.0 + clip12*(1.0 - clip12)/2.0);
+        }
         mesh_force_12 "N",
             "force of the mesh of gears 1 and 2 along the line of action, damper included: positive if it presses the drive flanks" {
             _ => k12*touch12*over12;
@@ -494,6 +498,10 @@ equations! {
         mesh_loss_12 "W", "power that the damper of the mesh of gears 1 and 2 takes" {
             backlash_12 => k12*clip12*touch12*over12*over12_dot;
             damping => beta_K*k12_mid*damp12*over12_dot.powi(2);
+        }
+        contact_loss_23 "1" with backlash_23,
+            "1 while no force passes the mesh of gears 2 and 3, else 0: its mean is the share of time without contact" {
+            _ => 1.0 - touch23*(1.0 + clip23*(1.0 - clip23)/2.0);
         }
         mesh_force_23 "N",
             "force of the mesh of gears 2 and 3 along the line of action, damper included: positive if it presses the drive flanks" {

@@ -648,6 +648,10 @@ equations! {
             _ => shaft_torque_l*(theta2_dot/N4 - s2_dot/(2.0*h2*N4));
         }
         shaft_loss_l "W", "power that the damper of the load's shaft takes" { damping => beta_K*k_l*twist_l_dot.powi(2); }
+        contact_loss_12 "1" with backlash_12,
+            "1 while no force passes the mesh of gears 1 and 2, else 0: its mean is the share of time without contact" {
+            _ => 1.0 - touch12*(1.0 + clip12*(1.0 - clip12)/2.0);
+        }
         mesh_force_12 "N",
             "force of the mesh of gears 1 and 2 along the line of action, damper included: positive if it presses the drive flanks" {
             _ => k12*touch12*over12;
@@ -676,6 +680,10 @@ equations! {
         power_roll12 "W" with sliding_friction_12,
             "power of the friction of the mesh of gears 1 and 2, through the rolling of the gears: positive if it drives" {
             _ => roll12_power;
+        }
+        contact_loss_34 "1" with backlash_34,
+            "1 while no force passes the mesh of gears 3 and 4, else 0: its mean is the share of time without contact" {
+            _ => 1.0 - touch34*(1.0 + clip34*(1.0 - clip34)/2.0);
         }
         mesh_force_34 "N",
             "force of the mesh of gears 3 and 4 along the line of action, damper included: positive if it presses the drive flanks" {

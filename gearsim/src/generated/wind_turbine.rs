@@ -747,6 +747,10 @@ equations! {
         mesh_loss_r3 "W", "power that the damper of the mesh of ring and planet 3 takes" {
             damping => beta_K*k_r3_mid*delta_r3_dot.powi(2);
         }
+        contact_loss_12 "1" with backlash_12,
+            "1 while no force passes the mesh of the parallel stage, else 0: its mean is the share of time without contact" {
+            _ => 1.0 - touch12*(1.0 + clip12*(1.0 - clip12)/2.0);
+        }
         mesh_force_12 "N",
             "force of the mesh of the parallel stage along the line of action, damper included: positive if it presses the drive flanks" {
             _ => k12*touch12*over12;

@@ -2,7 +2,7 @@
 
 use super::Error;
 use crate::analysis::floquet::{Floquet, FloquetError};
-use crate::analysis::modes::{self, CellModes, springs};
+use crate::analysis::modes::{self, CellModes, Parts};
 use crate::engine::Refusal;
 use crate::scene::Scene;
 
@@ -29,8 +29,8 @@ impl Scene {
             return Err(Error::impossible(what, "give one number for each stiffness of the model"));
         }
         let system = entry.about_steady_motion(self).map_err(|refusal| self.refused(refusal))?;
-        let springs = springs::of(self, entry).map_err(|refusal| self.refused(refusal))?;
-        modes::of(&system, levels, &springs).map_err(|refusal| self.refused(refusal))
+        let parts = Parts::of(self, entry, &system).map_err(|refusal| self.refused(refusal))?;
+        modes::of(&system, levels, &parts).map_err(|refusal| self.refused(refusal))
     }
 
     /// Stability of the steady rotation at the speeds of the start, by Floquet multipliers. Where inertias change along the motion, it is that

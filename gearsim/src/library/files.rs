@@ -98,6 +98,27 @@ fn load_spectra(scene: &Scene, run: &Trajectory) -> IndexMap<String, LoadSpectru
 
 /// The summary of a run that wrote `files`.
 pub(crate) fn summary(scene: &Scene, outcome: &Outcome, files: Vec<String>) -> Summary {
+    let run = &outcome.trajectory;
+    let meshes = crate::known::of(scene).map_or(vec![], |entry| dynamic_factor::of(scene, entry, run));
+    let meshes: Vec<_> = meshes.iter().map(|mesh| (mesh.law.name, Mesh::of(mesh))).collect();
+    let mut summary = Summary {
+        outputs: Observed::all(run, scene.output.from),
+        meshes: meshes.iter().map(|(name, (mesh, _))| ((*name).to_owned(), mesh.clone())).collect(),
+        load_spectra: load_spectra(scene, run),
+        files,
+        ..brief(scene, outcome)
+    };
+    summary.note_missing();
+    for (name, (_, reasons)) in meshes {
+        let paths = reasons.into_iter().map(|(what, why)| (format!("meshes.{name}.{what}"), why));
+        summary.missing.extend(paths);
+    }
+    summary
+}
+
+/// The summary of a run without what is evaluated of its rows: statistics of outputs, dynamic factors and load spectra, which take as long
+/// as a short run.
+pub(crate) fn brief(scene: &Scene, outcome: &Outcome) -> Summary {
     let (run, counts) = (&outcome.trajectory, &outcome.counts);
     let none = Number(f64::NAN);
     let no_energy = Energy {
@@ -109,10 +130,8 @@ pub(crate) fn summary(scene: &Scene, outcome: &Outcome, files: Vec<String>) -> S
         at_start: none,
         largest: none,
     };
-    let meshes = crate::known::of(scene).map_or(vec![], |entry| dynamic_factor::of(scene, entry, run));
-    let meshes: Vec<_> = meshes.iter().map(|mesh| (mesh.law.name, Mesh::of(mesh))).collect();
     let parameters = scene.model.parameters.iter().map(|p| p.name).zip(scene.parameters.iter().copied());
-    let mut summary = Summary {
+    Summary {
         format: FORMAT.into(),
         version: VERSION,
         scene: scene.name.clone(),
@@ -123,11 +142,11 @@ pub(crate) fn summary(scene: &Scene, outcome: &Outcome, files: Vec<String>) -> S
         cell_changes: counts.cell_changes,
         reflections: counts.reflections,
         energy: Energy::at_end(run).unwrap_or(no_energy),
-        outputs: Observed::all(run, scene.output.from),
+        outputs: IndexMap::new(),
         rows: Rows::of(run),
-        meshes: meshes.iter().map(|(name, (mesh, _))| ((*name).to_owned(), mesh.clone())).collect(),
+        meshes: IndexMap::new(),
         laws_from_teeth: from_teeth::of(scene).iter().map(|law| (law.law.name.into(), LawFromTeeth::of(law))).collect(),
-        load_spectra: load_spectra(scene, run),
+        load_spectra: IndexMap::new(),
         sounds: IndexMap::new(),
         modes: outcome.modes.iter().map(|(switch, times)| (switch.to_string(), shares(times))).collect(),
         method: Method {
@@ -156,13 +175,7 @@ pub(crate) fn summary(scene: &Scene, outcome: &Outcome, files: Vec<String>) -> S
         refuted: outcome.refuted.map(|account| account.to_string()),
         parameters: parameters.collect(),
         missing: BTreeMap::new(),
-        files,
+        files: vec![],
         provenance: provenance::of(scene, provenance::solver(scene, outcome)),
-    };
-    summary.note_missing();
-    for (name, (_, reasons)) in meshes {
-        let paths = reasons.into_iter().map(|(what, why)| (format!("meshes.{name}.{what}"), why));
-        summary.missing.extend(paths);
     }
-    summary
 }

@@ -111,6 +111,12 @@ impl Results {
         files::summary(&self.scene, &self.outcome, vec![])
     }
 
+    /// Its summary without statistics, dynamic factors and load spectra.
+    #[cfg(feature = "html")]
+    pub(crate) fn brief(&self) -> Summary {
+        files::brief(&self.scene, &self.outcome)
+    }
+
     /// Draws a plot by its name, e.g. `outputs`, `orders`, `energy`.
     ///
     /// # Errors

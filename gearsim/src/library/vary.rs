@@ -6,7 +6,7 @@ use super::{Error, Job};
 use crate::known;
 use crate::output::Table;
 use crate::scene::{Scene, Template};
-use crate::sweep::response::Response;
+use crate::sweep::response::{Hold, Response};
 use crate::sweep::{Design, Request, Sweep};
 
 impl Scene {
@@ -19,7 +19,7 @@ impl Scene {
             record: vec!["events".into(), "extremes".into(), "energy".into()],
             ..Request::default()
         };
-        Variation { scene: self.clone(), request }
+        Variation { scene: self.clone(), request, hold: Hold::Own }
     }
 }
 
@@ -29,6 +29,7 @@ impl Scene {
 pub struct Variation {
     scene: Scene,
     request: Request,
+    hold: Hold,
 }
 
 impl Variation {
@@ -47,6 +48,12 @@ impl Variation {
     /// Start of the time span over which extremes and means are taken \[s\]; without it, 0.
     pub fn from(mut self, t: f64) -> Self {
         self.request.from = t;
+        self
+    }
+
+    /// What holds the speed of a response curve; without it, [`Hold::Own`].
+    pub fn hold(mut self, hold: Hold) -> Self {
+        self.hold = hold;
         self
     }
 
@@ -81,10 +88,11 @@ impl Variation {
     }
 
     /// The response curve over the only axis: every point starts from the settled state before it, upward, then downward. Statistics
-    /// are taken from [`Variation::from`] to the end of each point's run.
+    /// are taken over the last whole periods of the slowest excitation between [`Variation::from`] and the end of each point's run.
     ///
     /// # Errors
-    /// If there is more than one axis, its values do not rise, or the scene records no output.
+    /// If there is more than one axis, its values do not rise, the scene records no output, or [`Variation::hold`] names a parameter that
+    /// cannot hold the speed.
     pub fn response(&self) -> Result<Response, Error> {
         self.response_watched(&mut |_| {})
     }
@@ -94,7 +102,7 @@ impl Variation {
     /// # Errors
     /// As [`Variation::response`].
     pub fn response_watched(&self, watch: &mut dyn FnMut(usize)) -> Result<Response, Error> {
-        Ok(self.sweep()?.response(true, watch)?)
+        Ok(self.sweep()?.response(true, &self.hold, watch)?)
     }
 
     fn sweep(&self) -> Result<Sweep, Error> {

@@ -4,7 +4,7 @@ use std::borrow::Cow;
 
 use super::OutputError;
 use super::table::{Table, Values};
-use crate::analysis::orders::{Line, Turning, first_shaft, lines, meshes};
+use crate::analysis::orders::{Line, Turning, lines, meshes, reference_shaft};
 use crate::analysis::spectrum::SpectrumError;
 use crate::model::Output;
 use crate::scene::Spectrum;
@@ -39,7 +39,8 @@ impl Lines {
         let varying = columns.filter(|(_, column)| column.iter().any(|x| *x != column[0]));
         let (outputs, columns): (Vec<_>, Vec<&[f64]>) = varying.map(|(o, column)| (*o, &column[..])).unzip();
         let meshes = meshes(run, settings.from);
-        let Some(shaft) = first_shaft(run).filter(|_| !meshes.is_empty() && !outputs.is_empty()) else {
+        let Some(shaft) = reference_shaft(run, settings.shaft).filter(|_| !meshes.is_empty() && !outputs.is_empty())
+        else {
             return Ok(None);
         };
         let turning = Turning::of(run, shaft.name, settings.from)?;

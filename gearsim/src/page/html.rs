@@ -15,6 +15,8 @@ pub struct Html {
     text: String,
     /// The embedded arrays: identifier and base64.
     arrays: Vec<(String, String)>,
+    /// What the identifiers of its arrays begin with.
+    name: String,
 }
 
 /// A cell of a table.
@@ -27,9 +29,14 @@ pub enum Cell {
 }
 
 impl Html {
+    /// Empty content whose arrays have identifiers that begin with `name`.
+    pub(super) fn named(name: String) -> Self {
+        Html { name, ..Html::default() }
+    }
+
     /// Empty content that continues the numbers of the arrays of `before`.
     pub(super) fn continuing(before: &mut Html) -> Self {
-        Html { text: String::new(), arrays: std::mem::take(&mut before.arrays) }
+        Html { text: String::new(), arrays: std::mem::take(&mut before.arrays), name: before.name.clone() }
     }
 
     /// Appends `inner` as a section; returns false, and leaves it out, if it has no text.
@@ -116,7 +123,7 @@ impl Html {
 
     /// Embeds a column, and returns its name for plots. Equal columns are embedded once.
     pub fn embed(&mut self, values: &[f64], counts: Counts) -> Column {
-        let (mut column, base64) = data::encode(format!("array-{}", self.arrays.len()), values, counts);
+        let (mut column, base64) = data::encode(format!("{}array-{}", self.name, self.arrays.len()), values, counts);
         match self.arrays.iter().find(|(_, known)| *known == base64) {
             Some((id, _)) => column.id.clone_from(id),
             None => self.arrays.push((column.id.clone(), base64)),

@@ -53,6 +53,11 @@ impl Page {
         Page { title: title.into(), subtitle: subtitle.into(), index: None, contents: vec![], body: Html::default() }
     }
 
+    /// The page with identifiers of arrays that begin with `name`, for a part of a page that has others.
+    pub fn named(self, name: String) -> Self {
+        Page { body: Html::named(name), ..self }
+    }
+
     /// The page of the result with this index file, with which it is replaced.
     pub fn of(self, index: &'static str) -> Self {
         Page { index: Some(index), ..self }
@@ -92,16 +97,20 @@ impl Page {
         })
     }
 
-    /// What a page that is open already needs to show this one.
-    pub fn parts(self) -> Parts {
+    /// What a page that is open already needs to show this one: its sections are those `of` the whole in this `order`.
+    fn parts(self, order: Vec<&'static str>, of: Vec<&'static str>) -> Parts {
         let html = self.body.text().to_owned();
-        Parts { html, arrays: self.body.into_arrays().into_iter().collect() }
+        Parts { order, of, html, arrays: self.body.into_arrays().into_iter().collect() }
     }
 }
 
-/// The content of a page.
+/// Some of the sections of a page.
 #[derive(Debug, Serialize)]
 pub struct Parts {
+    /// The identifiers of all sections, from top to bottom.
+    order: Vec<&'static str>,
+    /// Those of these. One that is not in `html` is empty.
+    of: Vec<&'static str>,
     /// The sections.
     html: String,
     /// The embedded arrays in base64, by their identifiers.

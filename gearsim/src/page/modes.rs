@@ -3,16 +3,15 @@
 use super::Page;
 use super::html::{Cell, Html};
 use super::shared::{self, Made, figure};
-use crate::analysis::modes::springs::Spring;
-use crate::analysis::modes::{CellModes, Vibration};
+use crate::analysis::modes::{CellModes, Parts, Vibration};
 use crate::output::OutputError;
 use crate::plot::Figure;
 use crate::scene::Scene;
 
 /// The modes of a scene.
 pub struct Modes<'a> {
-    /// Its springs.
-    pub springs: &'a [Spring],
+    /// Its springs and inertias.
+    pub parts: &'a Parts,
     /// The cell shown in full.
     pub chosen: &'a CellModes,
     /// All cells; empty if there are too many.
@@ -70,21 +69,25 @@ fn frequencies(html: &mut Html, scene: &Scene, cell: &CellModes) {
 fn energies(html: &mut Html, scene: &Scene, modes: &Modes<'_>) {
     let mut rows = vec![];
     let elastic: Vec<&str> = scene.stiffnesses().map(|(law, _)| law.name).collect();
-    let elastic: Vec<&str> = elastic.into_iter().chain(modes.springs.iter().map(|spring| spring.name)).collect();
+    let elastic: Vec<&str> = elastic.into_iter().chain(modes.parts.springs.iter().map(|spring| spring.name)).collect();
     for (i, mode) in modes.chosen.modes.iter().enumerate() {
-        for ((coordinate, shape), share) in scene.model.coordinates.iter().zip(&mode.shape).zip(&mode.kinetic) {
-            let numbers = [100.0 * share, shape.re, shape.im].map(Cell::Number);
-            let names = [Cell::Number(i as f64), Cell::text(coordinate.name), Cell::text("kinetic")];
-            rows.push(names.into_iter().chain(numbers).collect());
-        }
-        for (name, share) in elastic.iter().zip(mode.strain.iter().chain(&mode.springs)) {
-            let numbers = [100.0 * share, f64::NAN, f64::NAN].map(Cell::Number);
-            let names = [Cell::Number(i as f64), Cell::text(*name), Cell::text("strain")];
-            rows.push(names.into_iter().chain(numbers).collect());
+        let kinetic = modes.parts.masses.iter().map(|mass| mass.name).zip(&mode.kinetic);
+        let kinetic = kinetic.map(|(name, share)| (name, "kinetic", share));
+        let strain = elastic.iter().zip(mode.strain.iter().chain(&mode.springs));
+        for (name, energy, share) in kinetic.chain(strain.map(|(name, share)| (*name, "strain", share))) {
+            let names = [Cell::Number(i as f64), Cell::text(name), Cell::text(energy)];
+            rows.push(names.into_iter().chain([Cell::Number(100.0 * share)]).collect());
         }
     }
-    let head = ["mode", "coordinate, mesh or spring", "energy", "share [%]", "shape, real", "shape, imaginary"];
-    html.table("Shares of the energies, and shapes", &head, &rows);
+    html.table("Shares of the energies", &["mode", "inertia, mesh or spring", "energy", "share [%]"], &rows);
+    let mut rows = vec![];
+    for (i, mode) in modes.chosen.modes.iter().enumerate() {
+        for (coordinate, shape) in scene.model.coordinates.iter().zip(&mode.shape) {
+            let names = [Cell::Number(i as f64), Cell::text(coordinate.name)];
+            rows.push(names.into_iter().chain([shape.re, shape.im].map(Cell::Number)).collect());
+        }
+    }
+    html.table("Shapes", &["mode", "coordinate", "real", "imaginary"], &rows);
 }
 
 fn cells(html: &mut Html, scene: &Scene, cells: &[CellModes]) {

@@ -1,8 +1,9 @@
 //! Cascades: spectra of successive parts of a run, each drawn at the speed of its part; at constant speed, at its time.
 
-use super::outputs::engineering;
-use super::{Axis, Marker, Panel, Series, Style};
-use crate::analysis::orders::SHAFT;
+use super::outputs::{engineering, of_unit};
+use super::{Axis, Marker, Panel, PlotError, Run, Series, Style};
+use crate::analysis::orders::{Mesh, SHAFT, meshes, reference_shaft};
+use crate::model::Output;
 
 /// Points of a curve: each is the largest line of several.
 const POINTS: usize = 500;
@@ -23,8 +24,53 @@ pub(super) struct Part {
     pub amplitude: Vec<f64>,
 }
 
+/// Multiples of a mesh order that have a line.
+const HARMONICS: usize = 3;
+
+/// What a cascade shows: a signal over the speed of a shaft, with the orders of the meshes.
+pub(super) struct Subject {
+    /// The shaft to whose turns orders refer.
+    pub shaft: &'static Output,
+    /// Name of the signal, and its SI unit.
+    pub signal: (&'static str, &'static str),
+    /// The meshes, each with its frequency \[Hz\].
+    pub meshes: Vec<Mesh>,
+}
+
+impl Subject {
+    /// That of a run for the plot `plot`: the first signal that the scene asks spectra of, else the force of a mesh, else another output.
+    pub fn of(plot: &'static str, run: &Run<'_>) -> Result<Subject, PlotError> {
+        let nothing = |why: &str| PlotError::Nothing { plot, why: why.into() };
+        let (asked, run) = (&run.asked.spectrum, run.trajectory);
+        let shaft = reference_shaft(run, asked.shaft).ok_or_else(|| nothing("the run recorded no speed of a rotor"))?;
+        let meshes = meshes(run, asked.from);
+        let chosen = asked.of.iter().copied().chain(meshes.iter().filter_map(|mesh| mesh.force));
+        let known = chosen.filter_map(|name| run.signal(name).map(|(unit, _)| (name, unit))).next();
+        let other = || {
+            let of = |unit: &&str| of_unit(run, unit).first().map(|output| (output.name, output.unit));
+            ["N", "m", "rad", "N*m"].iter().find_map(of)
+        };
+        let signal = known.or_else(other).ok_or_else(|| nothing("the run recorded no force or error"))?;
+        Ok(Subject { shaft, signal, meshes })
+    }
+}
+
+/// Lines of the mesh `orders` and their multiples over the speeds from the lowest to the highest \[rpm\]. `place` is where an order is at a
+/// speed \[rpm\].
+pub(super) fn lines(orders: &[(&str, f64)], range: (f64, f64), place: fn(f64, f64) -> f64) -> Vec<Series> {
+    let of_mesh = |(m, (mesh, order)): (usize, &(&str, f64))| {
+        let each = |harmonic: usize| {
+            let label = if harmonic == 1 { format!("1 to {HARMONICS} × {mesh}") } else { String::new() };
+            let order = harmonic as f64 * order;
+            line(m, label, vec![place(order, range.0), place(order, range.1)], range)
+        };
+        (1..=HARMONICS).map(each).collect::<Vec<_>>()
+    };
+    orders.iter().enumerate().flat_map(of_mesh).collect()
+}
+
 /// A line behind the curves.
-pub(super) fn line(n: usize, label: String, x: Vec<f64>, (low, high): (f64, f64)) -> Series {
+fn line(n: usize, label: String, x: Vec<f64>, (low, high): (f64, f64)) -> Series {
     let mut line = Series::new(n, label, x, vec![low, high]);
     line.style = Style { colour: "#999999", dashes: &[5.0, 3.0], width: 0.9, marker: Marker::None };
     line

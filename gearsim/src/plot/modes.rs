@@ -1,9 +1,8 @@
-//! Mode shapes by energy: for each vibrating mode the share of every coordinate in the kinetic energy, with the sign of its motion, and
+//! Mode shapes by energy: for each vibrating mode the share of every inertia in the kinetic energy, with the sign of its motion, and
 //! the share of every mesh and spring in the strain energy. Shares have no unit, so that rotations and displacements stand on one axis.
 
 use super::{Axis, Figure, Panel, PlotError, Series, Style, symbol};
-use crate::analysis::modes::springs::Spring;
-use crate::analysis::modes::{CellModes, Vibration};
+use crate::analysis::modes::{CellModes, Parts, Vibration};
 use crate::scene::Scene;
 
 /// Maximum number of panels; the lowest modes are shown.
@@ -12,38 +11,35 @@ const MOST: usize = 6;
 const LEVELS: usize = 3;
 /// Width of a stem [SVG units].
 const STEM: f64 = 9.0;
-/// Springs and coordinates with a smaller share of the energy in each of the modes are left out.
+/// Springs and inertias with a smaller share of the energy in each of the modes are left out.
 const LEAST: f64 = 0.01;
 
 /// The mode shapes of a cell of `scene`. Modes have the numbers that they have in `cell`.
 ///
 /// # Errors
 /// [`PlotError::Nothing`] if no mode vibrates.
-pub fn draw(scene: &Scene, cell: &CellModes, springs: &[Spring]) -> Result<Figure, PlotError> {
+pub fn draw(scene: &Scene, cell: &CellModes, parts: &Parts) -> Result<Figure, PlotError> {
+    let Parts { springs, masses } = parts;
     let vibrating: Vec<_> = cell.modes.iter().enumerate().filter(|(_, mode)| mode.natural > 0.0).collect();
     if vibrating.is_empty() {
         return Err(PlotError::Nothing { plot: "shapes", why: "every motion is rigid".into() });
     }
     let shown = &vibrating[..vibrating.len().min(MOST)];
     let large = |share: &dyn Fn(&Vibration) -> f64| shown.iter().any(|(_, mode)| share(mode).abs() >= LEAST);
-    let coordinates: Vec<usize> =
-        (0..scene.model.coordinates.len()).filter(|&i| large(&|mode: &Vibration| mode.kinetic[i])).collect();
+    let heavy: Vec<usize> = (0..masses.len()).filter(|&i| large(&|mode: &Vibration| mode.kinetic[i])).collect();
     let laws: Vec<&str> = scene.stiffnesses().map(|(law, _)| law.name).collect();
     let elastic: Vec<usize> =
         (0..laws.len() + springs.len()).filter(|&i| large(&|mode: &Vibration| strain(mode, i))).collect();
-    let names = coordinates.iter().map(|&i| symbol(scene.model.coordinates[i].name));
+    let names = heavy.iter().map(|&i| symbol(masses[i].name));
     let names = names.chain(
         elastic.iter().map(|&i| laws.get(i).copied().unwrap_or_else(|| springs[i - laws.len()].name).to_owned()),
     );
     let names: Vec<String> = names.collect();
     let end = names.len() as f64 - 0.4;
-    // Where inertia couples coordinates, shares may be negative, and others more than the whole.
-    let shares = shown.iter().flat_map(|(_, mode)| &mode.kinetic).map(|share| share.abs());
-    let largest = 105.0 * shares.fold(1.0, f64::max);
     let panels = shown.iter().map(|(number, mode)| {
         let head = if mode.damped > 0.0 { format!("{} Hz", significant(mode.natural)) } else { "overdamped".into() };
-        let signed = |i: usize| 100.0 * mode.kinetic[i].abs() * if mode.shape[i].re < 0.0 { -1.0 } else { 1.0 };
-        let kinetic = coordinates.iter().map(|&i| signed(i));
+        let along = |i: usize| masses[i].sense.iter().zip(&mode.shape).map(|(sense, x)| sense * x.re).sum::<f64>();
+        let kinetic = heavy.iter().map(|&i| 100.0 * mode.kinetic[i] * if along(i) < 0.0 { -1.0 } else { 1.0 });
         let elastic = elastic.iter().map(|&i| 100.0 * strain(mode, i));
         let first = format!("mode {number}, {head}: kinetic energy, with the sign of the motion");
         let series = vec![
@@ -52,11 +48,11 @@ pub fn draw(scene: &Scene, cell: &CellModes, springs: &[Spring]) -> Result<Figur
                 ..Series::new(0, "", vec![-0.6, end], vec![0.0, 0.0])
             },
             stems(0, first, 0, kinetic),
-            stems(1, "strain energy".into(), coordinates.len(), elastic),
+            stems(1, "strain energy".into(), heavy.len(), elastic),
         ];
-        Panel { y: Axis::linear("share", "%").between(-largest, largest), series }
+        Panel { y: Axis::linear("share", "%").between(-105.0, 105.0), series }
     });
-    let x = Axis::linear("coordinates, meshes and springs", "").between(-0.6, end).named(names);
+    let x = Axis::linear("inertias, meshes and springs", "").between(-0.6, end).named(names);
     let left = vibrating.len().saturating_sub(MOST);
     let more = if left > 0 { format!("; {left} higher modes are in modes.json") } else { String::new() };
     let levels = scene.model.laws.iter().zip(&cell.levels);

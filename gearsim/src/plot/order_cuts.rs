@@ -3,7 +3,7 @@
 use super::orders::{of, turnings};
 use super::outputs::{engineering, of_unit};
 use super::{Axis, Figure, Panel, Plot, PlotError, Run, Series, first_run, scene_names};
-use crate::analysis::orders::{Mesh, SHAFT, Turning, cuts, first_shaft, meshes};
+use crate::analysis::orders::{Mesh, SHAFT, Turning, cuts, meshes, reference_shaft};
 use crate::model::Output;
 
 /// The entry in [`super::PLOTS`].
@@ -25,7 +25,8 @@ const LEAST: usize = 4;
 fn draw(runs: &[Run<'_>]) -> Result<Figure, PlotError> {
     let first = first_run(PLOT.name, runs)?.trajectory;
     let nothing = |why: &str| PlotError::Nothing { plot: PLOT.name, why: why.into() };
-    let shaft = first_shaft(first).ok_or_else(|| nothing("the run recorded no speed of a rotor"))?;
+    let shaft = reference_shaft(first, runs[0].asked.spectrum.shaft)
+        .ok_or_else(|| nothing("the run recorded no speed of a rotor"))?;
     let turning = turnings(runs, shaft)?;
     let mut panels = vec![];
     for unit in UNITS {
@@ -60,7 +61,7 @@ fn curves(
         wanted[0].0 = run.label.to_owned();
     }
     let orders: Vec<f64> = wanted.iter().map(|(_, order)| *order).collect();
-    let cuts = cuts(turning, column, &orders, WINDOW).map_err(of(run, output))?;
+    let cuts = cuts(turning, column, &orders, WINDOW).map_err(of(run, output.name))?;
     if cuts.len() < LEAST {
         let why = format!("the run has {} revolutions of {}, and needs ten", turning.revolutions(), shaft.name);
         return Err(PlotError::Nothing { plot: PLOT.name, why });

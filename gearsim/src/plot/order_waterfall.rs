@@ -1,11 +1,11 @@
 //! Waterfall of a run-up over orders: order spectra of windows of whole revolutions, each drawn at the speed of the first shaft there. Orders
 //! are vertical, natural frequencies are hyperbolas. At constant speed the windows are drawn at their times.
 
-use super::cascade::{Part, line, panel};
+use super::cascade::{Part, Subject, lines, panel};
 use super::orders::{LONGEST, of, turnings};
-use super::outputs::{engineering, of_unit};
-use super::{Axis, Figure, Plot, PlotError, Run, Series, first_run, scene_names};
-use crate::analysis::orders::{Window, first_shaft, meshes, windows};
+use super::outputs::engineering;
+use super::{Axis, Figure, Plot, PlotError, Run, first_run, scene_names};
+use crate::analysis::orders::{Window, windows};
 
 /// The entry in [`super::PLOTS`].
 pub const PLOT: Plot = Plot {
@@ -18,30 +18,19 @@ pub const PLOT: Plot = Plot {
 const WINDOW: usize = 4;
 /// Windows that are drawn at most, evenly chosen.
 const MOST: usize = 40;
-/// Multiples of a mesh order that have a line.
-const HARMONICS: usize = 3;
 
 fn draw(runs: &[Run<'_>]) -> Result<Figure, PlotError> {
     let first = first_run(PLOT.name, runs)?;
-    let run = first.trajectory;
-    let nothing = |why: &str| PlotError::Nothing { plot: PLOT.name, why: why.into() };
-    let shaft = first_shaft(run).ok_or_else(|| nothing("the run recorded no speed of a rotor"))?;
+    let Subject { shaft, signal: (signal, si), meshes } = Subject::of(PLOT.name, first)?;
     let turning = turnings(runs, shaft)?;
-    let meshes = meshes(run, first.asked.spectrum.from);
     let orders: Vec<(&str, f64)> =
         meshes.iter().map(|mesh| (mesh.name, mesh.frequency / turning[0].frequency())).collect();
-    let named = meshes.iter().filter_map(|mesh| mesh.force);
-    let chosen = first.asked.spectrum.of.iter().copied().chain(named);
-    let by_name = |name: &str| run.outputs.iter().map(|(output, _)| *output).find(|output| output.name == name);
-    let other = || ["N", "m", "rad", "N*m"].iter().find_map(|unit| of_unit(run, unit).first().copied());
-    let output = chosen.into_iter().find_map(by_name).or_else(other);
-    let output = output.ok_or_else(|| nothing("the run recorded no force or error"))?;
-    let (unit, factor) = engineering(output.unit);
+    let (unit, factor) = engineering(si);
     let highest = orders.iter().map(|(_, order)| LONGEST * order).fold(0.0, f64::max);
     let (mut all, mut end) = (vec![], 0.0_f64);
     for (run, turning) in runs.iter().zip(&turning) {
-        let Some(column) = run.trajectory.output(output.name) else { continue };
-        let windows = windows(turning, column, WINDOW).map_err(of(run, output))?;
+        let Some((_, column)) = run.trajectory.signal(signal) else { continue };
+        let windows = windows(turning, column, WINDOW).map_err(of(run, signal))?;
         if windows.len() < 2 {
             let why = format!("the run has {} revolutions of {}, and needs six", turning.revolutions(), shaft.name);
             return Err(PlotError::Nothing { plot: PLOT.name, why });
@@ -54,12 +43,12 @@ fn draw(runs: &[Run<'_>]) -> Result<Figure, PlotError> {
         all.push((run, parts, factor * peak));
     }
     let panels = all.into_iter().map(|(run, parts, peak)| {
-        panel(&parts, (run.label, runs.len() > 1), (end, peak, unit), &|range| verticals(&orders, range))
+        panel(&parts, (run.label, runs.len() > 1), (end, peak, unit), &|range| lines(&orders, range, |order, _| order))
     });
     let subtitle = format!(
         "{}; {}, windows of {WINDOW} revolutions, Hann, peak amplitudes; speed of {}",
         scene_names(runs),
-        output.name,
+        signal,
         shaft.name
     );
     let x = Axis::linear(format!("order of {}", shaft.name), "").between(0.0, end);
@@ -70,18 +59,6 @@ fn draw(runs: &[Run<'_>]) -> Result<Figure, PlotError> {
 fn part(Window { speed, time, orders }: Window) -> Part {
     let (place, amplitude) = (orders.order[1..].to_vec(), orders.amplitude[1..].to_vec());
     Part { speed: speed.abs(), time, place, amplitude }
-}
-
-/// The lines of the mesh orders and their multiples from the lowest to the highest speed \[rpm\].
-fn verticals(orders: &[(&str, f64)], range: (f64, f64)) -> Vec<Series> {
-    let of_mesh = |(m, (mesh, order)): (usize, &(&str, f64))| {
-        let each = move |harmonic: usize| {
-            let label = if harmonic == 1 { format!("1 to {HARMONICS} × {mesh}") } else { String::new() };
-            line(m, label, vec![harmonic as f64 * order; 2], range)
-        };
-        (1..=HARMONICS).map(each).collect::<Vec<_>>()
-    };
-    orders.iter().enumerate().flat_map(of_mesh).collect()
 }
 
 #[cfg(test)]

@@ -3,7 +3,7 @@
 use super::marks::marks;
 use super::outputs::{engineering, of_unit};
 use super::{Axis, Figure, Panel, Plot, PlotError, Run, Series, first_run, scene_names};
-use crate::analysis::orders::{Turning, first_shaft, meshes};
+use crate::analysis::orders::{Turning, meshes, reference_shaft};
 use crate::analysis::spectrum::SpectrumError;
 use crate::model::Output;
 
@@ -24,19 +24,20 @@ pub(crate) const DECADES: f64 = 1e-6;
 /// The samples of each run at the angles of a shaft.
 pub(super) fn turnings(runs: &[Run<'_>], shaft: &'static Output) -> Result<Vec<Turning>, PlotError> {
     let turning =
-        |run: &Run<'_>| Turning::of(run.trajectory, shaft.name, run.asked.spectrum.from).map_err(of(run, shaft));
+        |run: &Run<'_>| Turning::of(run.trajectory, shaft.name, run.asked.spectrum.from).map_err(of(run, shaft.name));
     runs.iter().map(turning).collect()
 }
 
 /// Why an output of a run has no spectrum.
-pub(super) fn of(run: &Run<'_>, output: &'static Output) -> impl Fn(SpectrumError) -> PlotError {
-    move |source| PlotError::Spectrum { signal: output.name, run: run.label.to_owned(), source }
+pub(super) fn of(run: &Run<'_>, signal: &'static str) -> impl Fn(SpectrumError) -> PlotError {
+    move |source| PlotError::Spectrum { signal, run: run.label.to_owned(), source }
 }
 
 fn draw(runs: &[Run<'_>]) -> Result<Figure, PlotError> {
     let first = first_run(PLOT.name, runs)?.trajectory;
     let nothing = |why: String| PlotError::Nothing { plot: PLOT.name, why };
-    let shaft = first_shaft(first).ok_or_else(|| nothing("the run recorded no speed of a rotor".into()))?;
+    let shaft = reference_shaft(first, runs[0].asked.spectrum.shaft)
+        .ok_or_else(|| nothing("the run recorded no speed of a rotor".into()))?;
     let mut panels = vec![];
     let turning = turnings(runs, shaft)?;
     let from = runs[0].asked.spectrum.from;
@@ -49,7 +50,7 @@ fn draw(runs: &[Run<'_>]) -> Result<Figure, PlotError> {
         let (mut series, mut peak) = (vec![], 0.0_f64);
         for (n, (run, turning)) in runs.iter().zip(&turning).enumerate() {
             let Some(column) = run.trajectory.output(output.name) else { continue };
-            let orders = turning.orders(column).map_err(of(run, output))?;
+            let orders = turning.orders(column).map_err(of(run, output.name))?;
             let longest = orders.order.last().copied().unwrap_or(0.0);
             end = end.min(if highest > 0.0 { longest.min(LONGEST * highest) } else { longest });
             revolutions = orders.revolutions;

@@ -3,10 +3,9 @@
 
 use std::f64::consts::TAU;
 
-use super::cascade::{Part, line, panel};
-use super::outputs::{engineering, of_unit};
-use super::{Axis, Figure, Plot, PlotError, Run, Series, first_run, scene_names};
-use crate::analysis::orders::{first_shaft, meshes};
+use super::cascade::{Part, Subject, lines, panel};
+use super::outputs::engineering;
+use super::{Axis, Figure, Plot, PlotError, Run, first_run, scene_names};
 use crate::analysis::spectrum::{SpectrumError, uniform_samples, welch};
 
 /// The entry in [`super::PLOTS`].
@@ -22,19 +21,11 @@ const PARTS: usize = 30;
 const LEAST: usize = 64;
 /// Amplitudes below this share of the largest do not extend the frequency axis.
 const CONTENT: f64 = 0.02;
-/// Multiples of a mesh order that have a ray.
-const HARMONICS: usize = 3;
 
 fn draw(runs: &[Run<'_>]) -> Result<Figure, PlotError> {
     let first = first_run(PLOT.name, runs)?;
     let run = first.trajectory;
-    let nothing = |why: String| PlotError::Nothing { plot: PLOT.name, why };
-    let shaft = first_shaft(run).ok_or_else(|| nothing("the run recorded no speed of a rotor".into()))?;
-    let meshes = meshes(run, first.asked.spectrum.from);
-    let asked = first.asked.spectrum.of.iter().copied().find(|name| run.signal(name).is_some());
-    let force = meshes.iter().filter_map(|mesh| mesh.force).find(|name| run.output(name).is_some());
-    let other = ["N", "m", "rad", "N*m"].iter().find_map(|unit| of_unit(run, unit).first().map(|output| output.name));
-    let signal = asked.or(force).or(other).ok_or_else(|| nothing("the run recorded no force or error".into()))?;
+    let Subject { shaft, signal: (signal, _), meshes } = Subject::of(PLOT.name, first)?;
     let mut panels = vec![];
     let (mut end, mut unit) = (0.0_f64, "");
     for run in runs {
@@ -56,7 +47,9 @@ fn draw(runs: &[Run<'_>]) -> Result<Figure, PlotError> {
     let orders: Vec<(&str, f64)> =
         meshes.iter().map(|mesh| (mesh.name, mesh_order(run, shaft.name, mesh.frequency))).collect();
     let panels = panels.into_iter().map(|(run, parts, peak)| {
-        panel(&parts, (run.label, runs.len() > 1), (end, peak, unit), &|range| rays(&orders, range))
+        panel(&parts, (run.label, runs.len() > 1), (end, peak, unit), &|range| {
+            lines(&orders, range, |order, rpm| order * rpm / 60.0)
+        })
     });
     let subtitle = format!(
         "{}; {signal}, {PARTS} parts, Hann window, peak amplitudes; speed of {}",
@@ -87,19 +80,6 @@ fn parts(run: &Run<'_>, column: &[f64], speed: &[f64]) -> Result<Vec<Part>, Spec
         Ok(Part { speed: speed.abs(), time, place: spectrum.frequency, amplitude })
     };
     rows.windows(length).step_by((length / 2).max(1)).map(part).collect()
-}
-
-/// The rays of the mesh orders from the lowest to the highest speed \[rpm\].
-fn rays(orders: &[(&str, f64)], (low, high): (f64, f64)) -> Vec<Series> {
-    let ray = |(m, (mesh, order)): (usize, &(&str, f64))| {
-        let each = move |harmonic: usize| {
-            let slope = harmonic as f64 * order / 60.0;
-            let label = if harmonic == 1 { format!("1 to {HARMONICS} × {mesh}") } else { String::new() };
-            line(m, label, vec![slope * low, slope * high], (low, high))
-        };
-        (1..=HARMONICS).map(each).collect::<Vec<_>>()
-    };
-    orders.iter().enumerate().flat_map(ray).collect()
 }
 
 #[cfg(test)]

@@ -15,12 +15,15 @@ pub(super) const SIGNAL: &str = "a recorded output or a coordinate";
 /// Keys of the table.
 pub(super) const KEYS: &[Key] = &[
     key("of", Kind::List(&Kind::Name(SIGNAL)), "chosen by the program", "signals to transform"),
+    key("shaft", Kind::Name(SPEED), "the first that turns enough", "shaft to whose turns orders refer, by its speed"),
     key("kind", Kind::Choice(&KIND_NAMES), "psd", "power spectral density, peak amplitude, or rms of a sine"),
     key("scale", Kind::Choice(&SCALES), "log", "a logarithmic axis, or levels"),
     key("reference", Kind::Either(&[Kind::Text, Kind::List(&Kind::Text)]), REFERENCES, "what levels refer to, by unit"),
     key("from", Kind::Quantity("s"), "output.from", "where the transformed part of the record begins"),
 ];
 
+/// What speeds of shafts are, in words.
+const SPEED: &str = "a recorded speed of a rotor";
 /// The usual references of levels, in words.
 const REFERENCES: &str = "1 um, 1 urad, else 1 of the SI unit";
 /// Scales of a spectrum.
@@ -31,6 +34,8 @@ const SCALES: [&str; 2] = ["log", "dB"];
 pub struct Spectrum {
     /// Names of the signals: recorded outputs and coordinates. Empty: the program chooses.
     pub of: Vec<&'static str>,
+    /// Name of the recorded speed of the shaft to whose turns orders refer; `None`: the program chooses.
+    pub shaft: Option<&'static str>,
     /// What is drawn.
     pub kind: SpectrumKind,
     /// Whether values are levels in dB re a reference.
@@ -74,7 +79,7 @@ const USUAL: [(&str, &str, f64); 2] = [("m", "1 um", 1e-6), ("rad", "1 urad", 1e
 impl Spectrum {
     /// Densities of the signals that the program chooses, over the whole run.
     pub const DEFAULT: Spectrum =
-        Spectrum { of: vec![], kind: SpectrumKind::Psd, decibels: false, references: vec![], from: 0.0 };
+        Spectrum { of: vec![], shaft: None, kind: SpectrumKind::Psd, decibels: false, references: vec![], from: 0.0 };
 
     /// The reference of levels of a signal with the SI unit `unit`: in words, and its value \[SI\].
     pub fn reference(&self, unit: &str) -> (String, f64) {
@@ -104,6 +109,15 @@ pub(super) fn read(
         }
         None => vec![],
     };
+    let shaft = match keys::get(given, "shaft") {
+        Some(node) => {
+            let model = model?;
+            let recorded = record?.iter().map(|&i| &model.outputs[i]);
+            let speeds: Vec<&'static str> = recorded.filter(|o| o.unit == "rad/s").map(|o| o.name).collect();
+            Some(speeds[field::choice("output.spectrum.shaft", node, "recorded speed of a rotor", &speeds, report)?])
+        }
+        None => None,
+    };
     let mut choice = |key: &str, noun: &str, allowed: &[&str]| match keys::get(given, key) {
         Some(node) => field::choice(&format!("output.spectrum.{key}"), node, noun, allowed, report),
         None => Some(0),
@@ -123,7 +137,7 @@ pub(super) fn read(
         Some(node) => output::read_from("output.spectrum.from", node, t_end, report)?,
         None => from,
     };
-    Some(Spectrum { of, kind: KINDS[kind].1, decibels, references, from })
+    Some(Spectrum { of, shaft, kind: KINDS[kind].1, decibels, references, from })
 }
 
 /// What a run of the model has columns of: recorded outputs, then coordinates.

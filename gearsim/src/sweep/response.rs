@@ -2,16 +2,30 @@
 //! steady motions exist at one value, the two ways differ: jumps and hysteresis show.
 //!
 //! A varied speed, `start.speed`, is that of the rigid motion. The next point has the coordinates and speeds at the end of the point
-//! before it, with the rigid motion changed so that its mean speed over the measured time would have been the new one.
+//! before it, with the rigid motion changed so that its mean speed over the measured time would have been the new one. The set point of
+//! a governor, or a torque, holds it there ([`hold`]). Each point is measured over whole periods ([`span`]).
+
+mod hold;
+mod motion;
+mod span;
 
 use super::{Error, Status, Sweep, axis, impossible};
 use crate::analysis::statistics::Statistics;
-use crate::model::{Output, Start};
+use crate::model::Output;
 use crate::output::table::Values;
 use crate::output::{OutputError, Table};
 use crate::run::Outcome;
-use crate::scene::Scene;
+use crate::scene::{Scene, list};
 use crate::trajectory::Trajectory;
+
+pub use hold::Hold;
+use hold::{Handle, Speed};
+use motion::Motion;
+use span::Excitations;
+pub use span::Span;
+
+/// Most runs of a point in search of what holds its speed; each of Newton's steps takes one.
+const RUNS: usize = 6;
 
 /// The points of a response curve.
 #[derive(Debug, Clone)]
@@ -22,6 +36,10 @@ pub struct Response {
     pub unit: String,
     /// The observed outputs.
     pub outputs: Vec<&'static Output>,
+    /// The parameter that holds the speed: its name, and its SI unit.
+    pub held: Option<(&'static str, &'static str)>,
+    /// What holds the speed, or why nothing does: a sentence.
+    pub holding: String,
     /// The points in the order in which they were run.
     pub points: Vec<Point>,
 }
@@ -33,8 +51,14 @@ pub struct Point {
     pub upward: bool,
     /// The value of the varied key [SI].
     pub value: f64,
-    /// The mean speed of the model's first motion over the measured time [SI]; NaN if it has none.
+    /// The mean speed of the varied motion, or of the model's first one, over the measured time [SI]; NaN if it has none.
     pub speed: f64,
+    /// Relative change of this speed over the measured time \[1\], without its oscillation; NaN if the model has no motion.
+    pub drift: f64,
+    /// The value of the parameter that holds the speed [SI]; NaN if none does.
+    pub hold: f64,
+    /// What was measured; `None` if there is no result.
+    pub span: Option<Span>,
     /// Statistics of each output over the measured time.
     pub observed: Vec<Option<Statistics>>,
     /// How the run ended.
@@ -43,21 +67,14 @@ pub struct Point {
     pub reason: String,
 }
 
-/// A motion of the model: the speeds of unit size, and the coordinate by which its size is measured.
-struct Motion {
-    unit: Vec<f64>,
-    by: usize,
-    /// Its number, if its speed is varied.
-    varied: Option<usize>,
-}
-
 impl Sweep {
     /// The response over the only axis of the sweep, of the recorded outputs over the time from [`Sweep::from`] on; then downward, if
     /// `both`. `watch` is told the number of points done, during the runs too.
     ///
     /// # Errors
-    /// If there is not exactly one axis with numbers in rising order, or the scene records no output.
-    pub fn response(&self, both: bool, watch: &mut dyn FnMut(usize)) -> Result<Response, Error> {
+    /// If there is not exactly one axis with numbers in rising order, the scene records no output, or the parameter of `hold` cannot hold
+    /// the speed.
+    pub fn response(&self, both: bool, hold: &Hold, watch: &mut dyn FnMut(usize)) -> Result<Response, Error> {
         let [axis] = &self.plan.axes[..] else { return impossible("a response has one axis", "vary one key") };
         let texts: Vec<String> = (0..self.points).map(|i| self.plan.overrides(i).remove(0)).collect();
         let values: Vec<f64> = (0..self.points).map(|i| axis::si(&self.plan.values(i)[0])).collect();
@@ -70,21 +87,111 @@ impl Sweep {
             return impossible("the scene records no output", "name one: --output dte_12");
         }
         let motion = Motion::of(&first, &axis.key, self)?;
+        let (handle, holding) = self.handle(&self.scene_at(&texts[texts.len() - 1])?, &axis.key, &motion, hold)?;
         let outputs = first.output.record.iter().map(|&i| &first.model.outputs[i]).collect();
-        let mut response = Response { key: axis.key.clone(), unit: self.unit(), outputs, points: vec![] };
+        let named = |handle: &Handle| {
+            let parameter = &first.model.parameters[handle.parameter];
+            (parameter.name, parameter.unit)
+        };
+        let (held, unit) = (handle.as_ref().map(named), self.unit());
+        let mut response = Response { key: axis.key.clone(), unit, outputs, held, holding, points: vec![] };
         let down = (0..values.len()).rev().filter(|_| both).map(|i| (false, i));
-        let mut before: Option<Trajectory> = None;
+        let (mut before, mut more): (Option<(Trajectory, f64)>, f64) = (None, 0.0);
         for (done, (upward, i)) in (0..values.len()).map(|i| (true, i)).chain(down).enumerate() {
-            let mut scene = self.scene_at(&texts[i])?;
-            if let Some(before) = &before {
-                motion.go_on(&mut scene, before, self.from);
-            }
-            let outcome = self.entry.run(&scene, &mut |_| watch(done));
-            response.points.push(self.observed(upward, values[i], &motion, &outcome, response.outputs.len()));
-            before = outcome.ok().filter(|o| o.stopped_by.is_none() && o.refuted.is_none()).map(|o| o.trajectory);
+            let at = At { text: &texts[i], motion: &motion, handle: handle.as_ref(), before: before.as_ref() };
+            let mut point = Point { upward, value: values[i], ..Point::none(response.outputs.len()) };
+            let ended = self.settled(&at, &mut more, &mut point, &mut |_| watch(done))?;
+            before = ended.map(|run| (run, point.speed));
+            response.points.push(point);
             watch(done + 1);
         }
         Ok(response)
+    }
+
+    /// What holds the speed of a scene, and a sentence about it.
+    fn handle(
+        &self,
+        scene: &Scene,
+        key: &str,
+        motion: &Motion,
+        hold: &Hold,
+    ) -> Result<(Option<Handle>, String), Error> {
+        let free = |why: &str| Ok((None, format!("the speed is set at the start of each point, and not held: {why}")));
+        let name = |handle: &Handle| scene.model.parameters[handle.parameter].name;
+        let speed = motion.stated(scene);
+        let mut all = match (hold, motion.varied) {
+            (Hold::Nothing, _) => return free("it was asked so"),
+            (Hold::Own, None) => return free(&format!("`{key}` is no speed; choose a parameter by --hold")),
+            _ => Handle::all(scene, &self.entry, motion, speed),
+        };
+        all.retain(|handle| key.strip_prefix("parameters.") != Some(name(handle)));
+        let found = match hold {
+            Hold::By(wanted) => {
+                let names: Vec<&str> = all.iter().map(name).collect();
+                let Some(found) = all.iter().find(|handle| name(handle) == wanted) else {
+                    let help =
+                        if names.is_empty() { "no parameter can".into() } else { format!("choose {}", list(&names)) };
+                    return impossible(format!("`{wanted}` cannot hold the speed"), help);
+                };
+                if speed == 0.0 {
+                    return impossible("the scene states no speed that could be held", "set start.speed");
+                }
+                found.clone()
+            }
+            _ => match all.first() {
+                None => return free("no torque of the scene acts on it alone"),
+                Some(found) => found.clone(),
+            },
+        };
+        let parameter = &scene.model.parameters[found.parameter];
+        let says = format!("the speed is held by {}, {}", parameter.name, parameter.doc);
+        Ok((Some(found), says))
+    }
+
+    /// Runs a point until its speed is held. `more` is what its parameter has beyond the value of the scene, from point to point. Returns how
+    /// the motion went, if it came to its end.
+    fn settled(
+        &self,
+        at: &At<'_>,
+        more: &mut f64,
+        point: &mut Point,
+        watch: &mut dyn FnMut(f64),
+    ) -> Result<Option<Trajectory>, Error> {
+        let motion = at.motion;
+        let mut shift = 0.0;
+        for runs in 1.. {
+            let mut scene = self.scene_at(at.text)?;
+            let wanted = motion.stated(&scene);
+            match at.before {
+                Some((before, speed)) => {
+                    let change = if motion.varied.is_some() || at.handle.is_some() { wanted - speed } else { 0.0 };
+                    motion.go_on(&mut scene, before, change + shift);
+                }
+                None => motion.faster(&mut scene, shift),
+            }
+            if let Some(handle) = at.handle {
+                handle.add(&mut scene, *more);
+                point.hold = scene.parameters[handle.parameter];
+            }
+            let outcome = self.entry.run(&scene, watch);
+            let Some(run) = point.judged(outcome) else { return Ok(None) };
+            // The equations are those that have just run: they exist.
+            let Ok(equations) = self.entry.equations(&scene) else { return Ok(None) };
+            let span = Excitations::of(&scene, &*equations).span(&run, self.from);
+            point.observe(&run, span);
+            if motion.unit.iter().all(|unit| *unit == 0.0) {
+                return Ok(Some(run));
+            }
+            let speed = Speed::of(&scene, &*equations, motion, &run, &span);
+            (point.speed, point.drift) = (speed.mean, speed.drift());
+            let Some(handle) = at.handle.filter(|_| runs < RUNS && wanted != 0.0 && !speed.is_held(wanted)) else {
+                return Ok(Some(run));
+            };
+            let [parameter, start] = handle.step(&speed, wanted);
+            *more += parameter;
+            shift += start;
+        }
+        Ok(None)
     }
 
     /// The scene with the varied value as an override. Its events are not recorded: extremes are those of the samples.
@@ -97,73 +204,57 @@ impl Sweep {
     fn unit(&self) -> String {
         crate::scene::unit_of(&self.plan.axes[0].key, self.entry.model).unwrap_or_default()
     }
-
-    fn observed(
-        &self,
-        upward: bool,
-        value: f64,
-        motion: &Motion,
-        outcome: &Result<Outcome, impl std::fmt::Display>,
-        outputs: usize,
-    ) -> Point {
-        let none =
-            |status, reason| Point { upward, value, speed: f64::NAN, observed: vec![None; outputs], status, reason };
-        let outcome = match outcome {
-            Err(refusal) => return none(Status::Refused, refusal.to_string()),
-            Ok(outcome) => outcome,
-        };
-        if let Some(stop) = &outcome.stopped_by {
-            return none(Status::Stopped, stop.to_string());
-        }
-        if let Some(account) = &outcome.refuted {
-            return none(Status::Refuted, account.to_string());
-        }
-        let run = &outcome.trajectory;
-        let begin = run.t.partition_point(|&t| t < self.from);
-        let observed = run.outputs.iter().map(|(_, x)| Statistics::of(&x[begin..], &run.moment[begin..])).collect();
-        let speed = motion.mean_speed(run, self.from);
-        Point { upward, value, speed, observed, status: Status::Done, reason: String::new() }
-    }
 }
 
-impl Motion {
-    /// The motion whose speed is varied, else the first one of the model.
-    fn of(scene: &Scene, key: &str, sweep: &Sweep) -> Result<Motion, Error> {
-        let named = |name: &str| key.strip_prefix("start.") == Some(name);
-        let varied = scene.model.motions.iter().position(|motion| named(motion.name));
-        let equations = sweep
-            .entry
-            .equations(scene)
-            .map_err(|refusal| Error::Impossible { what: refusal.to_string(), help: "choose other effects".into() })?;
-        let unit = match scene.model.motions.is_empty() {
-            true => vec![0.0; equations.coordinates()],
-            false => equations.motion(varied.unwrap_or(0)).to_vec(),
-        };
-        let by = (0..unit.len()).max_by(|&i, &j| unit[i].abs().total_cmp(&unit[j].abs())).unwrap_or(0);
-        Ok(Motion { unit, by, varied })
+/// Where a point begins.
+struct At<'a> {
+    /// Its value, as an override.
+    text: &'a str,
+    motion: &'a Motion,
+    handle: Option<&'a Handle>,
+    /// The point before it, and its mean speed.
+    before: Option<&'a (Trajectory, f64)>,
+}
+
+impl Point {
+    /// A point that has not run.
+    fn none(outputs: usize) -> Point {
+        Point {
+            upward: true,
+            value: f64::NAN,
+            speed: f64::NAN,
+            drift: f64::NAN,
+            hold: f64::NAN,
+            span: None,
+            observed: vec![None; outputs],
+            status: Status::Done,
+            reason: String::new(),
+        }
     }
 
-    /// Its mean size in a run from the time `from` \[s\] on.
-    fn mean_speed(&self, run: &Trajectory, from: f64) -> f64 {
-        let (begin, end) = (run.t.partition_point(|&t| t < from), run.len() - 1);
-        (run.q[self.by][end] - run.q[self.by][begin]) / (run.t[end] - run.t[begin]) / self.unit[self.by]
+    /// The run if it came to its end; else the point says why not.
+    fn judged(&mut self, outcome: Result<Outcome, impl std::fmt::Display>) -> Option<Trajectory> {
+        let (status, reason) = match outcome {
+            Err(refusal) => (Status::Refused, refusal.to_string()),
+            Ok(Outcome { stopped_by: Some(stop), .. }) => (Status::Stopped, stop.to_string()),
+            Ok(Outcome { refuted: Some(account), .. }) => (Status::Refuted, account.to_string()),
+            Ok(outcome) => return Some(outcome.trajectory),
+        };
+        *self = Point { upward: self.upward, value: self.value, status, reason, ..Point::none(self.observed.len()) };
+        None
     }
 
-    /// Begins a scene where the run `before` it has ended, at the speed of the scene if that is varied.
-    fn go_on(&self, scene: &mut Scene, before: &Trajectory, from: f64) {
-        let more = match self.varied {
-            Some(motion) => scene.start.motions[motion] - self.mean_speed(before, from),
-            None => 0.0,
-        };
-        let last = |column: &Vec<f64>| column[column.len() - 1];
-        scene.start.q = before.q.iter().map(|column| Start::At(last(column))).collect();
-        scene.start.q_dot = before.q_dot.iter().zip(&self.unit).map(|(v, unit)| Some(last(v) + more * unit)).collect();
+    /// Takes the statistics of a run.
+    fn observe(&mut self, run: &Trajectory, span: Span) {
+        let of = |(_, x): &(_, Vec<f64>)| Statistics::between(&run.t, x, span.begin);
+        (self.observed, self.span) = (run.outputs.iter().map(of).collect(), Some(span));
     }
 }
 
 impl Response {
-    /// The points as a table: `upward`, the varied key, `mean_speed`, `status`, `reason`, and of each output the mean, the root mean
-    /// square about the mean, and the peak-to-peak value.
+    /// The points as a table: `way`, the varied key, `mean_speed`, `speed_drift` over the measured time, the parameter that holds the
+    /// speed, `measured_time`, `periods` and of what (`period_of`), `status`, `reason`, and of each output the mean, the root mean square
+    /// about the mean, and the peak-to-peak value.
     ///
     /// # Errors
     /// [`OutputError::Ragged`] never happens: all columns have one entry a point.
@@ -176,6 +267,13 @@ impl Response {
         table.push("way", "", texts(&|point| if point.upward { "up".into() } else { "down".into() }))?;
         table.push(&self.key, &self.unit, numbers(&|point| point.value))?;
         table.push("mean_speed", "rad/s", numbers(&|point| point.speed))?;
+        table.push("speed_drift", "1", numbers(&|point| point.drift))?;
+        if let Some((name, unit)) = self.held {
+            table.push(&format!("parameters.{name}"), unit, numbers(&|point| point.hold))?;
+        }
+        table.push("measured_time", "s", numbers(&|point| point.span.map_or(f64::NAN, |span| span.time())))?;
+        table.push("periods", "", numbers(&|point| point.span.map_or(f64::NAN, |span| f64::from(span.periods))))?;
+        table.push("period_of", "", texts(&|point| point.span.map_or_else(String::new, |span| span.of.into())))?;
         table.push("status", "", texts(&|point| point.status.name().into()))?;
         table.push("reason", "", texts(&|point| point.reason.clone()))?;
         for (i, output) in self.outputs.iter().enumerate() {

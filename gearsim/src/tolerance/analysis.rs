@@ -143,3 +143,10 @@ pub(crate) const ORBIT_ROUNDS: usize = 30;
 /// motions. Larger: weakly damped vibrations do
 /// not settle. Smaller: rigid motions run away.
 pub(crate) const ORBIT_RANK: f64 = 1e-10;
+
+/// A point of a response curve is held at its speed if the force on the rigid motion changes it by less than this over the measured time
+/// [relative]. Smaller: chaotic motions, whose mean force differs from period to period, take all runs. Larger: the speed drifts through
+/// narrow resonances.
+pub(crate) const HELD_STEADY: f64 = 1e-4;
+/// And if its mean speed is this close to the wanted one [relative]. Larger: jumps are drawn at other speeds than where they are.
+pub(crate) const HELD_SPEED: f64 = 1e-3;

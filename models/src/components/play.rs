@@ -13,7 +13,7 @@
 
 use gearsim_derive::{Expr, Model, Range, half};
 
-use super::{Bend, named};
+use super::{Bend, named, observed};
 
 /// The symbols of a play.
 #[derive(Clone, Copy)]
@@ -24,6 +24,8 @@ pub struct Play {
     pub touch: Expr,
     /// 1 while the damper of the contact acts, 0 while its force is clipped and inside the band.
     pub damp: Expr,
+    /// 0; 1 while the force of the damper is clipped at that of the spring, -1 while it is clipped at the same pull.
+    pub clip: Expr,
 }
 
 /// Play of the deflection `delta` [unit], which is linear in the coordinates: free between -b/2 and b/2. Declares its size `b`
@@ -46,7 +48,13 @@ fn play_of(m: &mut Model, part: &str, what: &str, unit: &str, delta: Expr, bend:
         let doc = format!("backlash of the {what}: no contact within b/2 to either side");
         size = m.parameter(&named("b", part), unit, None, Range::Positive, &doc);
     });
-    band(m, part, unit, (delta, bend), half(size), [&effect, &format!("play of the {what}")])
+    let gap = band(m, part, unit, (delta, bend), half(size), [&effect, &format!("play of the {what}")]);
+    // 1 in contact, 0 within the play, and 0 too while the damper takes all of the spring's force (`loose`, clip = -1).
+    let clip = gap.clip;
+    let pressed = gap.touch * (1 + half(clip * (1 - clip)));
+    let doc = format!("1 while no force passes the {what}, else 0: its mean is the share of time without contact");
+    m.output_with(&effect, &observed::of_part("contact_loss", part), "1", 1 - pressed, &doc);
+    gap
 }
 
 /// A dead band of the deflection `delta` [unit], in an effect: there is no force while it is between `-edge` and `edge` [unit].
@@ -107,5 +115,5 @@ fn band(
             .until(flank, -side * (spring + damper));
     }
     gap.loss(clip * spring);
-    Play { over, touch, damp }
+    Play { over, touch, damp, clip }
 }

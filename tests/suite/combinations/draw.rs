@@ -46,15 +46,8 @@ pub fn bases() -> Vec<Scene> {
 #[allow(dead_code)] // the fuzz target draws by bytes
 pub fn case(bases: &[Scene], number: u64) -> Case {
     let seed = number.wrapping_mul(0x9e37_79b9_7f4a_7c15);
-    let rank = |base: &&Scene| {
-        base.name
-            .bytes()
-            .fold(Random::new(seed), |random, byte| {
-                let mut random = Random::new(random.0 ^ u64::from(byte));
-                Random::new(random.next())
-            })
-            .next()
-    };
+    let mixed = |x: u64| Random::new(x).next();
+    let rank = |base: &&Scene| mixed(base.name.bytes().fold(seed, |rank, byte| mixed(rank ^ u64::from(byte))));
     let base = bases.iter().max_by_key(rank).expect("there are scenes");
     drawn(base, Random::new(seed))
 }

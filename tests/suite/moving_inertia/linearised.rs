@@ -21,7 +21,7 @@ const G: f64 = 9.81;
 fn cell(entry: &Entry, scene: &Scene) -> (modes::CellModes, Motion) {
     let system = entry.about_steady_motion(scene).unwrap();
     let levels: Vec<f64> = scene.stiffnesses().map(|(_, law)| law.mid()).collect();
-    (modes::of(&system, &levels, &[]).unwrap(), system.steady().expect("M depends on q").motion)
+    (modes::of(&system, &levels, &modes::Parts::default()).unwrap(), system.steady().expect("M depends on q").motion)
 }
 
 /// omega² = g/l, from a start at which the pendulum hangs, and from one at which it does not.

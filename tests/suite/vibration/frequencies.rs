@@ -3,7 +3,8 @@
 //! Source: M. I. Friswell, J. E. T. Penny, S. D. Garvey & A. W. Lees, Dynamics of Rotating Machines, Cambridge 2010,
 //! Chapter 9.
 
-use gearsim::analysis::modes::{self, CellModes, springs};
+use gearsim::analysis::modes::masses::Mass;
+use gearsim::analysis::modes::{self, CellModes, Parts};
 use gearsim::engine::modal::Matrices;
 use nalgebra::{DMatrix, DVector};
 
@@ -20,6 +21,11 @@ fn of(inertias: &[f64], shafts: &[(usize, usize, f64)]) -> CellModes {
         stiffness[(j, i)] -= k;
     }
     let diagonal = DVector::from_column_slice(inertias);
+    let disc = |i: usize| {
+        let inertia = DMatrix::from_fn(n, n, |a, b| if (a, b) == (i, i) { inertias[i] } else { 0.0 });
+        Mass { name: "disc", sense: inertia.column(i).into_owned(), inertia }
+    };
+    let parts = Parts { masses: (0..n).map(disc).collect(), springs: vec![] };
     let matrices = Matrices {
         mass: DMatrix::from_diagonal(&diagonal),
         mobility: DMatrix::from_diagonal(&diagonal.map(|j| 1.0 / j)),
@@ -27,7 +33,7 @@ fn of(inertias: &[f64], shafts: &[(usize, usize, f64)]) -> CellModes {
         stiffness,
         load: DVector::zeros(n),
     };
-    modes::of_matrices(&matrices, &[], &[], &[]).expect("discs on shafts have modes")
+    modes::of_matrices(&matrices, &[], &[], &parts).expect("discs on shafts have modes")
 }
 
 /// Checks frequencies against their printed values, to half a unit in the last digit.
@@ -69,8 +75,8 @@ fn damped_modes_are_eigenvectors_of_the_quadratic_pencil() {
     use nalgebra::Complex;
     let scene = scene("parameters = { c1 = \"0.4 N*m*s\", c2 = \"0.3 N*m*s\" }\nrun.t_end = \"1 s\"");
     let system = DAMPERS.system(&scene).expect("a linear model");
-    let springs = springs::of(&scene, &DAMPERS).expect("it has springs");
-    let cell = modes::of(&system, &[5.0], &springs).expect("it has modes");
+    let parts = Parts::of(&scene, &DAMPERS, &system).expect("it has springs");
+    let cell = modes::of(&system, &[5.0], &parts).expect("it has modes");
     assert!(cell.coupled);
     let m = system.matrices(&[5.0]).expect("matrices");
     let mut oscillating = 0;

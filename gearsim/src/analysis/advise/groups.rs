@@ -43,7 +43,7 @@ impl Groups {
         let model = scene.model;
         let courses = steady::courses(scene, system)?;
         let mids: Vec<f64> = scene.stiffnesses().map(|(_, law)| law.mid()).collect();
-        let cell = modes::of(system, &mids, &[])?;
+        let cell = modes::of(system, &mids, &modes::Parts::default())?;
         let coordinate = |name: &str| model.coordinates.iter().position(|c| c.name == name).unwrap_or(0);
         let mut meshes = vec![];
         for (i, course) in courses.iter().enumerate().filter(|(_, c)| c.steps) {

@@ -77,7 +77,12 @@ pub fn of(scene: &Scene, system: &System, about: &Steady) -> Result<Floquet, Flo
         return Err(FloquetError::Rigid);
     }
     let levels: Vec<f64> = scene.stiffnesses().map(|(_, law)| law.mean()).collect();
-    let natural = modes::of(system, &levels, &[])?.modes.iter().map(|m| m.natural).find(|f| *f > 0.0).unwrap_or(0.0);
+    let natural = modes::of(system, &levels, &modes::Parts::default())?
+        .modes
+        .iter()
+        .map(|m| m.natural)
+        .find(|f| *f > 0.0)
+        .unwrap_or(0.0);
     let courses = steady::courses(scene, system)?;
     let mesh = courses.iter().find(|c| c.steps).map_or(0.0, SteadyLaw::frequency);
     let start = [orbit.0.to_vec(), orbit.1.to_vec()];

@@ -3,19 +3,14 @@
 
 use nalgebra::{Complex, DMatrix, DVector};
 
-use super::{CellModes, Spring, Vibration, vibration};
+use super::{CellModes, Parts, Vibration, vibration};
 use crate::engine::modal::Matrices;
 use crate::engine::mode::Mode;
 use crate::tolerance::analysis::{EQUAL_EIGENVALUES, RIGID, RIGID_EIGENVALUE};
 
-/// The modes of the `linearised` matrices of a cell with law values `k`; energies and the shares of laws and springs are those of the
+/// The modes of the `linearised` matrices of a cell with law values `k`; energies and the shares of laws and parts are those of the
 /// `linear` part.
-pub fn of(
-    linear: &Matrices,
-    linearised: &Matrices,
-    k: &[f64],
-    (laws, springs): (&[DMatrix<f64>], &[Spring]),
-) -> CellModes {
+pub fn of(linear: &Matrices, linearised: &Matrices, k: &[f64], (laws, parts): (&[DMatrix<f64>], &Parts)) -> CellModes {
     let pairs = pairs(linearised);
     let mut modes: Vec<_> = vec![];
     for (i, &(slow, fast)) in pairs.iter().enumerate() {
@@ -24,7 +19,7 @@ pub fn of(
         let (sigma, omega2) = (-0.5 * (slow + fast).re, (slow * fast).re.max(0.0));
         let rate = slow.re.max(fast.re);
         let growth = if rate > EQUAL_EIGENVALUES * fast.norm() { rate } else { 0.0 };
-        modes.push(Vibration { growth, ..vibration(&Mode::new(sigma, omega2), shape, linear, laws, springs) });
+        modes.push(Vibration { growth, ..vibration(&Mode::new(sigma, omega2), shape, linear, laws, parts) });
     }
     CellModes { levels: k.to_vec(), modes, coupled: true }
 }

@@ -174,7 +174,7 @@ pub(super) fn conclusions(advice: &Advice) -> Vec<(&'static str, String)> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::analysis::modes::{self, springs};
+    use crate::analysis::modes;
     use crate::analysis::steady;
     use crate::known;
     use crate::plot::{campbell, modes as shapes};
@@ -188,8 +188,8 @@ mod tests {
         let groups = Groups::of(&scene, &system).unwrap();
         let courses = steady::courses(&scene, &system).unwrap();
         let mids: Vec<f64> = scene.stiffnesses().map(|(_, law)| law.mid()).collect();
-        let springs = springs::of(&scene, known::of(&scene).unwrap()).unwrap();
-        let cell = modes::of(&system, &mids, &springs).unwrap();
+        let parts = modes::Parts::of(&scene, known::of(&scene).unwrap(), &system).unwrap();
+        let cell = modes::of(&system, &mids, &parts).unwrap();
         let (law, meeting) = *groups.meetings.first().expect("a harmonic of the meshes is near a mode");
         let mesh = courses.iter().find(|course| course.name == law).unwrap().mesh_frequency();
         let frequency = cell.modes[meeting.mode].damped;
@@ -198,7 +198,7 @@ mod tests {
         assert!(numbers(&groups).iter().any(|(_, says)| says.contains(&mode)));
         // The lowest vibrating mode comes after the rigid motions.
         let first = cell.modes.iter().position(|mode| mode.natural > 0.0).unwrap();
-        let figure = shapes::draw(&scene, &cell, &springs).unwrap();
+        let figure = shapes::draw(&scene, &cell, &parts).unwrap();
         let named = figure.panels[0].series.iter().any(|s| s.label.starts_with(&format!("mode {first}, ")));
         assert!(first > 0 && named, "{:?}", figure.panels[0].series);
         let figure = campbell::draw(&scene, &courses, &cell).unwrap();

@@ -2,8 +2,7 @@
 
 use std::fmt::Write;
 
-use crate::analysis::modes::springs::Spring;
-use crate::analysis::modes::{CellModes, HARMONICS, MOST_CELLS, OverATurn, Vibration, meetings};
+use crate::analysis::modes::{CellModes, HARMONICS, MOST_CELLS, OverATurn, Parts, Vibration, meetings};
 use crate::analysis::steady::SteadyLaw;
 use crate::cli::number::short;
 use crate::cli::terminal;
@@ -19,7 +18,7 @@ const PARTS: usize = 6;
 pub(super) fn render(
     scene: &Scene,
     courses: &[SteadyLaw],
-    springs: &[Spring],
+    parts: &Parts,
     chosen: &CellModes,
     cells: &[CellModes],
     width: usize,
@@ -29,7 +28,7 @@ pub(super) fn render(
         text += "Damping couples the modes: shapes are complex; each component has an amplitude and a phase.\n\n";
     }
     for (i, mode) in chosen.modes.iter().enumerate() {
-        text += &one(scene, springs, i, mode, width);
+        text += &one(scene, parts, i, mode, width);
     }
     text += "\n";
     text += &all(scene, cells);
@@ -42,7 +41,7 @@ fn levels(scene: &Scene, values: &[f64]) -> String {
     if all.is_empty() { "constant stiffness".into() } else { all.join(", ") }
 }
 
-fn one(scene: &Scene, springs: &[Spring], i: usize, mode: &Vibration, width: usize) -> String {
+fn one(scene: &Scene, of: &Parts, i: usize, mode: &Vibration, width: usize) -> String {
     let head = match mode.zeta {
         _ if mode.growth > 0.0 => format!("unstable: a disturbance grows at {} 1/s", short(mode.growth)),
         None => "rigid motion".to_owned(),
@@ -66,9 +65,9 @@ fn one(scene: &Scene, springs: &[Spring], i: usize, mode: &Vibration, width: usi
         shape += ", ...";
     }
     let laws = scene.model.laws.iter().map(|l| l.name).zip(mode.strain.iter().copied());
-    let springs = springs.iter().map(|s| s.name).zip(mode.springs.iter().copied());
+    let springs = of.springs.iter().map(|s| s.name).zip(mode.springs.iter().copied());
     let strain = shares(laws.chain(springs));
-    let kinetic = shares(names.iter().copied().zip(mode.kinetic.iter().copied()));
+    let kinetic = shares(of.masses.iter().map(|m| m.name).zip(mode.kinetic.iter().copied()));
     let mut text = format!("{i:>4}  {head}\n");
     for (name, says) in [("shape", shape), ("strain", strain), ("kinetic", kinetic)] {
         if says.is_empty() {

@@ -2,8 +2,9 @@
 
 // After this time [ms] a newer choice ends the run of an older one; before, it waits for it.
 const PATIENCE = 250;
-// Time [ms] without a change after which a run is judged, and after which advice begins by itself.
-const QUIET = 120, CALM = 700;
+// Time [ms] without a change after which the sections that are not seen follow, after which a run is judged, and after which advice begins by
+// itself.
+const REST = 80, QUIET = 120, CALM = 700;
 // Advice begins by itself where a run takes less [s].
 const QUICK = 0.02;
 
@@ -35,6 +36,7 @@ async function send() {
   waiting = false;
   const mine = { began: performance.now(), since };
   flight = mine;
+  Object.assign(choice, { seen: inSight(byId("sections")), number });
   const slow = setTimeout(() => { if (flight === mine) status("running ..."); }, PATIENCE);
   let answer = null;
   try {
@@ -48,7 +50,25 @@ async function send() {
   if (answer?.superseded) waiting = true;
   else if (answer) show(answer, mine.since);
   if (waiting) return send();
-  if (answer?.run) timer = setTimeout(() => judge(answer.run), QUIET);
+  if (answer?.run) timer = setTimeout(() => rest(answer.run), REST);
+}
+
+/** Asks for the sections of the run that are not seen. */
+async function rest(run) {
+  const mine = number;
+  let parts = null;
+  try { parts = await (await post("rest")).json(); } catch (error) { if (mine === number) lost(error); }
+  if (mine !== number || flight) return;
+  Panel.part = 1;
+  if (parts?.of) showSections(byId("sections"), parts, `rest${choice.number}-`);
+  else drawAll(panels);
+  whole();
+  timer = setTimeout(() => judge(run), QUIET);
+}
+
+function whole() {
+  document.body.dataset.whole = String(number);
+  document.body.dataset.ready = "true";
 }
 
 const status = (text) => { byId("status").textContent = text; };
@@ -64,12 +84,14 @@ function show(answer, from) {
   showSolver(answer.solver, answer.run?.method);
   showMistakes(answer.mistakes);
   document.body.classList.toggle("old", !answer.run);
-  if (answer.run) showRun(answer.run);
-  else status("the plots are those of the last choice without a mistake");
+  if (answer.run) {
+    Panel.part = COARSE;
+    showRun(answer.run);
+  } else status("the plots are those of the last choice without a mistake");
   requestAnimationFrame(() => setTimeout(() => {
     document.body.dataset.latency = String(performance.now() - from);
     document.body.dataset.drawn = String(number);
-    document.body.dataset.ready = "true";
+    if (!answer.run) whole();
   }));
 }
 
@@ -89,7 +111,7 @@ function showRun(run) {
     return element("tr", {}, element("th", { scope: "row", textContent: name }), value, element("td", { textContent: unit }));
   });
   byId("state").replaceChildren(element("div", { className: "scroll" }, element("table", {}, head, ...lines)));
-  showSections(byId("sections"), run.page);
+  showSections(byId("sections"), run.page, `run${choice.number}-`);
 }
 
 const MORE = { time: "ratio", error: "against", unaccounted: "share", digits: "gone", method: "why" };

@@ -56,6 +56,8 @@ function element(name, properties = {}, ...children) {
 class Panel {
   /** Further settings of axes. */
   static axis = {};
+  /** Pixels in each part of which a curve has its lowest and its highest value. */
+  static part = 1;
 
   constructor(figure) {
     this.figure = figure;
@@ -167,11 +169,12 @@ class Panel {
     this.frame.hidden = !this.shown.some((shown) => shown);
     if (this.menu) this.menu.hidden = this.frame.hidden;
     if (this.stale || this.frame.hidden) return;
+    this.part = Panel.part;
     if (this.menu && !this.drawn) this.suit();
     const range = this.group.range;
     const pixels = Math.max(100, Math.round(this.canvas.clientWidth - MARGIN - 14));
     const traces = this.plot.curves.map((curve, i) => this.trace(curve, i, range, pixels)).filter((trace) => trace);
-    traces.push(...this.events(range, pixels));
+    traces.push(...this.events(range, pixels / Panel.part));
     const layout = this.layout(range);
     // New points in a plot that looks the same take half the time of a new plot.
     const look = JSON.stringify([layout, traces.map(({ x, y, ...rest }) => rest)]);
@@ -188,7 +191,7 @@ class Panel {
 
   trace(curve, i, [from, to], pixels) {
     if (!this.shown[i]) return null;
-    const points = visible(column(curve.x), column(curve.y), from, to, pixels);
+    const points = visible(column(curve.x), column(curve.y), from, to, Math.ceil(pixels / Panel.part));
     const y = this.plot.y.log ? points.y.map((value) => 10 ** value) : points.y.map((value) => this.factor * value);
     const x = this.plot.x.log ? points.x.map((value) => 10 ** value) : points.x;
     const style = this.styles[i];

@@ -1,6 +1,8 @@
 // Sections that show run after run: plots that stay keep their view, all else is replaced.
 
 const panels = [];
+// What the identifiers of the arrays of each section begin with: others are forgotten.
+const names = new Map();
 let drawings = [];
 // To look for labels that are cut off takes a quarter of the time of drawing.
 Panel.axis = { ticklabeloverflow: "allow" };
@@ -8,42 +10,59 @@ Panel.axis = { ticklabeloverflow: "allow" };
 /** The names of what a plot shows; a plot of the same names stays. */
 const subject = (plot) => [plot.title, plot.y.unit, plot.y.log, ...plot.curves.map((curve) => curve.name)].join("\n");
 
-/** Shows the sections of a run, in place of those of the run before. */
-function showSections(main, { html, arrays }) {
-  received.clear();
-  decoded.clear();
+/** The identifiers of the sections on the screen. */
+function inSight(main) {
+  const seen = [...main.children].filter((section) => onScreen({ figure: section }));
+  return seen.length ? seen.map(({ id }) => id) : ["motion"];
+}
+
+/** Shows some sections of a run, `of` the whole in its `order`, in place of those of the run before. `name` begins the identifiers of their arrays. */
+function showSections(main, { order, of, html, arrays }, name) {
+  of.forEach((id) => names.set(id, name));
+  const used = new Set(names.values());
+  for (const known of [received, decoded]) for (const id of known.keys()) if (!used.has(id.slice(0, id.indexOf("-") + 1))) known.delete(id);
   for (const [id, base64] of Object.entries(arrays)) received.set(id, base64);
   const fresh = element("template");
   fresh.innerHTML = html;
   const sections = [...fresh.content.children];
-  [...main.children].filter((old) => !sections.some(({ id }) => id === old.id)).forEach((old) => old.remove());
-  sections.forEach((section, i) => {
-    const old = [...main.children].find(({ id }) => id === section.id);
-    if (old) renew(old, section); else main.insertBefore(section, main.children[i] ?? null);
-  });
+  const known = (id) => [...main.children].find((section) => section.id === id);
+  of.filter((id) => !sections.some((section) => section.id === id)).forEach((id) => known(id)?.remove());
+  for (const section of sections) {
+    const old = known(section.id);
+    const place = order.indexOf(section.id);
+    if (old) renew(old, section);
+    else main.insertBefore(section, [...main.children].find(({ id }) => order.indexOf(id) > place) ?? null);
+  }
+  const own = of.map(known).filter((section) => section);
   leave();
-  for (const figure of main.querySelectorAll("figure.plot")) {
-    if (!panels.some((panel) => panel.figure === figure)) panels.push(new Panel(figure));
+  for (const section of own) {
+    for (const figure of section.querySelectorAll("figure.plot")) {
+      if (!panels.some((panel) => panel.figure === figure)) panels.push(new Panel(figure));
+    }
+    section.querySelectorAll("table.sortable").forEach((table) => { if (!table.dataset.sorts) { sortable(table); table.dataset.sorts = "1"; } });
   }
   for (const group of groups.values()) regroup(group);
   bars(main);
   drawings.filter(({ figure }) => !figure.isConnected).forEach((gone) => gone.leave());
   drawings = [...main.querySelectorAll("figure.gears")].map((figure) => drawings.find((drawing) => drawing.figure === figure) ?? new Gears(figure));
-  main.querySelectorAll("table.sortable").forEach((table) => { if (!table.dataset.sorts) { sortable(table); table.dataset.sorts = "1"; } });
-  drawAll();
+  drawAll(panels.filter(({ figure, part }) => part > Panel.part || own.some((section) => section.contains(figure))));
 }
+
+// While a hand moves, curves are drawn in parts of this many pixels: plotly.js takes half the time.
+const COARSE = 4;
+
+const onScreen = ({ figure }) => {
+  const { top, bottom } = figure.getBoundingClientRect();
+  return bottom > 0 && top < innerHeight;
+};
 
 // Time [ms] for the screen and for input before a plot that is not seen is drawn.
 const PAUSE = 50;
 let turn = null;
 
-/** Draws the plots on the screen at once, and those near it once these are seen. */
-function drawAll() {
-  const seen = (panel) => {
-    const { top, bottom } = panel.figure.getBoundingClientRect();
-    return bottom > 0 && top < innerHeight;
-  };
-  const near = panels.map((panel) => [panel, seen(panel)]);
+/** Draws those of some plots that are on the screen at once, and those near it once these are seen. */
+function drawAll(some) {
+  const near = some.map((panel) => [panel, onScreen(panel)]);
   near.filter(([, here]) => here).forEach(([panel]) => panel.draw());
   for (const [panel] of near.filter(([, here]) => !here)) {
     panel.stale = true;

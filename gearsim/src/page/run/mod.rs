@@ -15,7 +15,7 @@ use std::cell::OnceCell;
 
 use super::html::Html;
 use super::shared::rows::Rows;
-use super::{Page, shared};
+use super::{Page, Parts, shared};
 use crate::output::{OutputError, Summary, Table};
 use crate::run::Outcome;
 use crate::scene::Scene;
@@ -65,24 +65,41 @@ struct Report<'a> {
 
 /// The page of a run. Errors: [`OutputError::Ragged`] if its columns differ in length.
 pub fn page(run: &Run<'_>) -> Result<Page, OutputError> {
-    with_sections(run, SECTIONS)
+    let filled = filled(run, shared::begin(run.scene), SECTIONS.iter(), &|| true)?;
+    Ok(filled.unwrap_or_else(|| shared::begin(run.scene)))
 }
 
-/// The same without the first section: `gearsim explore` shows the result beside the plots. Errors: as of [`page`].
-pub fn live(run: &Run<'_>) -> Result<Page, OutputError> {
-    with_sections(run, &SECTIONS[1..])
+/// The wanted sections of a page that shows run after run, whose arrays have identifiers that begin with `name`; `None` if `goes_on` ended
+/// it. Without the first section: `gearsim explore` shows the result beside the plots. Errors: as of [`page`].
+pub fn live(
+    run: &Run<'_>,
+    name: String,
+    is_wanted: &dyn Fn(&str) -> bool,
+    goes_on: &dyn Fn() -> bool,
+) -> Result<Option<Parts>, OutputError> {
+    let wanted = || SECTIONS[1..].iter().filter(|section| is_wanted(section.id));
+    let page = filled(run, Page::new(run.scene.name.clone(), "").named(name), wanted(), goes_on)?;
+    let ids = |sections: &mut dyn Iterator<Item = &Section>| sections.map(|section| section.id).collect();
+    Ok(page.map(|page| page.parts(ids(&mut SECTIONS.iter()), ids(&mut wanted()))))
 }
 
-fn with_sections(run: &Run<'_>, sections: &[Section]) -> Result<Page, OutputError> {
+fn filled<'a>(
+    run: &Run<'_>,
+    mut page: Page,
+    sections: impl Iterator<Item = &'a Section>,
+    goes_on: &dyn Fn() -> bool,
+) -> Result<Option<Page>, OutputError> {
     let table = Table::of_trajectory(&run.outcome.trajectory)?;
     let rows = Rows::of(&table);
     let groups = columns::groups(&run.outcome.trajectory, &table);
     let report = Report { run, groups, rows, times: OnceCell::new() };
-    let mut page = shared::begin(run.scene);
     for section in sections {
+        if !goes_on() {
+            return Ok(None);
+        }
         page.section(section.id, section.title, |html| (section.fill)(&report, html));
     }
-    Ok(page)
+    Ok(Some(page))
 }
 
 /// Writes the section of the provenance.

@@ -2,7 +2,7 @@
 
 use super::Report;
 use super::columns::{Group, Kind};
-use crate::analysis::orders::{self, Mesh, Turning, first_shaft, meshes};
+use crate::analysis::orders::{self, Mesh, Turning, meshes, reference_shaft};
 use crate::analysis::spectrum::SpectrumError;
 use crate::page::data::Counts;
 use crate::page::html::{Cell, Html};
@@ -15,7 +15,7 @@ const MULTIPLES: usize = 4;
 /// Writes the section.
 pub(super) fn fill(report: &Report<'_>, html: &mut Html) {
     let run = &report.run.outcome.trajectory;
-    let Some(shaft) = first_shaft(run) else {
+    let Some(shaft) = reference_shaft(run, report.run.scene.output.spectrum.shaft) else {
         return html.paragraph("There are no orders: the run recorded no speed of a rotor.");
     };
     let turning = match Turning::of(run, shaft.name, 0.0) {

@@ -1,0 +1,140 @@
+//! Holds the speed of a scene by its own means: by the set point of its governor, or by a torque.
+//!
+//! Of a rigid motion z at the speed u, with the momentum p = z.M q' and the inertia J = z.M z,
+//!
+//! ```text
+//! dp/dt = z.F = r      measured: the change of p over whole periods, divided by their time; springs do not contribute
+//! c = -d(z.F)/du       by differences at the wanted speed v: governors, motors, fans, dampers to the ground
+//! b = d(z.F)/dP        of the parameter P, in which forces are linear
+//! ```
+//!
+//! At the speed v the force would be r - c (v - u), which P + (c (v - u) - r)/b makes zero: Newton's method, one step a run. The mean
+//! speed u differs from v further by what the force has done until the middle of the measured time; the start is shifted by the rest.
+
+use super::motion::Motion;
+use super::span::Span;
+use crate::engine::equations::Equations;
+use crate::engine::vector::{Vector, dot};
+use crate::model::Parameter;
+use crate::run::Entry;
+use crate::scene::Scene;
+use crate::tolerance::analysis::{HELD_SPEED, HELD_STEADY};
+use crate::trajectory::Trajectory;
+
+/// By what a response curve holds the speed.
+#[derive(Debug, Clone, PartialEq, Eq, Default)]
+pub enum Hold {
+    /// By the set point of a governor, else by a torque that drives, else by another one. If a speed is varied; else by nothing.
+    #[default]
+    Own,
+    /// By this parameter.
+    By(String),
+    /// By nothing: torques are those of the scene.
+    Nothing,
+}
+
+/// A parameter that can hold the speed.
+#[derive(Debug, Clone)]
+pub(super) struct Handle {
+    /// Its index.
+    pub parameter: usize,
+    /// Force on the motion of a unit, b.
+    unit: f64,
+}
+
+/// What a run says of its speed.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Speed {
+    /// Mean over the measured time, u.
+    pub mean: f64,
+    /// Force on the motion, r.
+    force: f64,
+    /// J and c.
+    inertia: f64,
+    drag: f64,
+    /// Length of the measured time, and the time of its middle \[s\].
+    times: [f64; 2],
+}
+
+impl Handle {
+    /// The parameters of a scene that can hold the speed `motion`, the best one first.
+    pub(super) fn all(scene: &Scene, entry: &Entry, motion: &Motion, speed: f64) -> Vec<Handle> {
+        let active = |p: &Parameter| p.varies && p.with.is_none_or(|e| scene.effects.has(e, scene.model));
+        let of = |parameter: usize| {
+            let force = |value: f64| {
+                let mut scene = scene.clone();
+                scene.parameters[parameter] = value;
+                let equations = entry.equations(&scene).ok()?;
+                Some(motion.force(&scene, &*equations, 0.0))
+            };
+            let unit = force(1.0)? - force(0.0)?;
+            (unit != 0.0 && unit.is_finite()).then_some(Handle { parameter, unit })
+        };
+        let active = scene.model.parameters.iter().enumerate().filter(|(_, p)| active(p));
+        let mut all: Vec<Handle> = active.filter_map(|(i, _)| of(i)).collect();
+        all.sort_by_key(|handle| {
+            let is_set_point = scene.model.parameters[handle.parameter].unit == "rad/s";
+            let drives = handle.unit * scene.parameters[handle.parameter] * speed > 0.0;
+            (!is_set_point, !drives)
+        });
+        all
+    }
+
+    /// Gives the parameter `more` than the scene says, at all times.
+    pub(super) fn add(&self, scene: &mut Scene, more: f64) {
+        scene.parameters[self.parameter] += more;
+        let own = scene.time_histories.iter_mut().filter(|(p, _)| *p == self.parameter);
+        own.flat_map(|(_, history)| &mut history.pieces).for_each(|piece| piece.value += more);
+    }
+
+    /// The change of the parameter after which a run of speed `speed` would have had the speed `wanted`, and that of the speed at its start.
+    pub(super) fn step(&self, speed: &Speed, wanted: f64) -> [f64; 2] {
+        let Speed { mean, force, inertia, drag, times: [_, middle] } = *speed;
+        let imbalance = force - drag * (wanted - mean);
+        // What the imbalance has done until the middle of the measured time.
+        let relaxed = drag * middle / inertia;
+        let done = if relaxed.abs() < 1e-6 { middle / inertia } else { -(-relaxed).exp_m1() / drag };
+        // A shift at the start that fades away is of no use.
+        let shift = if relaxed < 1.0 { wanted - (mean - imbalance * done) } else { 0.0 };
+        [-imbalance / self.unit, shift]
+    }
+}
+
+impl Speed {
+    /// That of a run over the measured time.
+    pub(super) fn of(scene: &Scene, equations: &dyn Equations, motion: &Motion, run: &Trajectory, span: &Span) -> Self {
+        let last = run.len() - 1;
+        let state = |row: usize| -> [Vector; 2] {
+            [&run.q, &run.q_dot].map(|columns| Vector::from_fn(columns.len(), |i| columns[i][row]))
+        };
+        let momentum = |row: usize| {
+            let [q, q_dot] = state(row);
+            dot(&motion.unit, &(&equations.mass(&q) * &q_dot))
+        };
+        let next = run.t.partition_point(|&t| t < span.begin).clamp(1, last);
+        let (t, p) = (&run.t[next - 1..=next], [momentum(next - 1), momentum(next)]);
+        let begin = span.at_begin(t, &p);
+        let unit = Vector::from_fn(motion.unit.len(), |i| motion.unit[i]);
+        let inertia = dot(&motion.unit, &(&equations.mass(&state(last)[0]) * &unit));
+        let mean = motion.mean_speed(run, span);
+        let near = 1e-3 * mean;
+        let drag = if near == 0.0 {
+            0.0
+        } else {
+            let force = |speed: f64| motion.force(scene, equations, speed);
+            (force(mean - near) - force(mean + near)) / (2.0 * near)
+        };
+        let force = (momentum(last) - begin) / span.time();
+        Speed { mean, force, inertia, drag, times: [span.time(), 0.5 * (span.begin + span.end)] }
+    }
+
+    /// Relative change of the speed over the measured time \[1\].
+    pub(super) fn drift(&self) -> f64 {
+        self.force * self.times[0] / (self.inertia * self.mean)
+    }
+
+    /// Whether it is steady, and the `wanted` one.
+    pub(super) fn is_held(&self, wanted: f64) -> bool {
+        self.drift().abs() <= HELD_STEADY && (self.mean / wanted - 1.0).abs() <= HELD_SPEED
+    }
+}

@@ -1,0 +1,69 @@
+//! The rigid motion whose speed a response curve varies, or keeps.
+
+use super::super::{Error, Sweep};
+use super::span::Span;
+use crate::engine::equations::Equations;
+use crate::engine::vector::{Vector, dot};
+use crate::model::Start;
+use crate::scene::Scene;
+use crate::trajectory::Trajectory;
+
+/// A motion of the model: the speeds of unit size, and the coordinate by which its size is measured.
+pub(super) struct Motion {
+    pub unit: Vec<f64>,
+    by: usize,
+    /// Its number, if its speed is varied.
+    pub varied: Option<usize>,
+}
+
+impl Motion {
+    /// The motion whose speed is varied, else the first one of the model.
+    pub(super) fn of(scene: &Scene, key: &str, sweep: &Sweep) -> Result<Motion, Error> {
+        let named = |name: &str| key.strip_prefix("start.") == Some(name);
+        let varied = scene.model.motions.iter().position(|motion| named(motion.name));
+        let equations = sweep
+            .entry
+            .equations(scene)
+            .map_err(|refusal| Error::Impossible { what: refusal.to_string(), help: "choose other effects".into() })?;
+        let unit = match scene.model.motions.is_empty() {
+            true => vec![0.0; equations.coordinates()],
+            false => equations.motion(varied.unwrap_or(0)).to_vec(),
+        };
+        let by = (0..unit.len()).max_by(|&i, &j| unit[i].abs().total_cmp(&unit[j].abs())).unwrap_or(0);
+        Ok(Motion { unit, by, varied })
+    }
+
+    /// The speed that a scene states for it \[SI\]; 0 if it states none.
+    pub(super) fn stated(&self, scene: &Scene) -> f64 {
+        scene.start.motions.get(self.varied.unwrap_or(0)).copied().unwrap_or(0.0)
+    }
+
+    /// Its mean speed over the measured time of a run.
+    pub(super) fn mean_speed(&self, run: &Trajectory, span: &Span) -> f64 {
+        let place = &run.q[self.by];
+        (place[place.len() - 1] - span.at_begin(&run.t, place)) / span.time() / self.unit[self.by]
+    }
+
+    /// The generalised force on it at the speed `speed`, nothing being deflected.
+    pub(super) fn force(&self, scene: &Scene, equations: &dyn Equations, speed: f64) -> f64 {
+        let still = Vector::zeros(self.unit.len());
+        let q_dot = Vector::from_fn(self.unit.len(), |i| speed * self.unit[i]);
+        let mids: Vec<f64> = scene.laws.iter().map(|law| law.mid()).collect();
+        let (k, flat) = (scene.model.in_contact(mids.iter().copied()), vec![0.0; mids.len()]);
+        dot(&self.unit, &equations.force(&still, &q_dot, &k, &flat))
+    }
+
+    /// Begins a scene where the run `before` it has ended, with the motion faster by `more`.
+    pub(super) fn go_on(&self, scene: &mut Scene, before: &Trajectory, more: f64) {
+        let last = |column: &Vec<f64>| column[column.len() - 1];
+        scene.start.q = before.q.iter().map(|column| Start::At(last(column))).collect();
+        scene.start.q_dot = before.q_dot.iter().zip(&self.unit).map(|(v, unit)| Some(last(v) + more * unit)).collect();
+    }
+
+    /// Begins a scene faster by `more` than it states.
+    pub(super) fn faster(&self, scene: &mut Scene, more: f64) {
+        if let Some(speed) = scene.start.motions.get_mut(self.varied.unwrap_or(0)) {
+            *speed += more;
+        }
+    }
+}
