@@ -274,9 +274,7 @@ equations! {
     jump side { step {} }
     jump arm { step {} }
     outputs {
-        contact_loss "1" with backlash,
-            "1 while no force passes the mesh in phi, bt N1/(2 rb1) with bt along the line of action, else 0: its mean is the share of \
-            time without contact" {
+        contact_loss "1" with backlash, "1 while no force passes the mesh in phi, else 0: its mean is the share of time without contact" {
             _ => 1.0 - touch*(1.0 + clip*(1.0 - clip)/2.0);
         }
         power_drive "W" with torques, "power of the torque T0 N1 on the driving gear: positive if it drives" { _ => drive_power; }

@@ -52,7 +52,9 @@ fn play_of(m: &mut Model, part: &str, what: &str, unit: &str, delta: Expr, bend:
     // 1 in contact, 0 within the play, and 0 too while the damper takes all of the spring's force (`loose`, clip = -1).
     let clip = gap.clip;
     let pressed = gap.touch * (1 + half(clip * (1 - clip)));
-    let doc = format!("1 while no force passes the {what}, else 0: its mean is the share of time without contact");
+    // Some say in what units after a comma.
+    let short = what.split(',').next().unwrap_or(what);
+    let doc = format!("1 while no force passes the {short}, else 0: its mean is the share of time without contact");
     m.output_with(&effect, &observed::of_part("contact_loss", part), "1", 1 - pressed, &doc);
     gap
 }
