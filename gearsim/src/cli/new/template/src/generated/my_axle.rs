@@ -333,6 +333,9 @@ equations! {
             _ => shaft_torque_s*(theta_dot/N2 - s_dot/(2.0*h*N2));
         }
         shaft_loss_s "W", "power that the damper of the shaft takes" { damping => beta_K*k_s*twist_s_dot.powi(2); }
+        contact_loss_12 "1" with backlash_12, "1 while no force passes the mesh, else 0: its mean is the share of time without contact" {
+            _ => 1.0 - touch12*(1.0 + clip12*(1.0 - clip12)/2.0);
+        }
         mesh_force_12 "N", "force of the mesh along the line of action, damper included: positive if it presses the drive flanks" {
             _ => k12*touch12*over12;
             backlash_12 => k12*clip12*touch12*over12;
