@@ -143,7 +143,7 @@ pub struct Law {
     /// Whether nothing else depends on the number of whole pitches in the phase. The engine then subtracts whole pitches and counts
     /// them, so that large angles do not lose digits.
     pub rolling: bool,
-    /// The effects of which each stops the rolling, as a support of what turns.
+    /// Effects that stop the rolling, for example a torsional support of a part that rotates. Any one of them is enough.
     pub held: &'static [&'static str],
     /// The effect that activates it; without this effect it is zero. `None` for a stiffness, which is always active.
     pub with: Option<&'static str>,
@@ -251,7 +251,7 @@ pub struct Effect {
     pub requires: &'static [&'static str],
     /// Effects that must not be active.
     pub excludes: &'static [&'static str],
-    /// Whether it makes deflections bend: they then depend on the coordinates in another way than linearly.
+    /// Whether it makes a deflection depend on the coordinates nonlinearly.
     pub bends: bool,
 }
 

@@ -11,6 +11,7 @@
 //! - Share of an inertia in the kinetic energy: phi* M_j phi/(phi* M phi), between 0 and 1, see [`masses`].
 
 mod general;
+mod linear;
 pub mod masses;
 pub mod springs;
 

@@ -1,7 +1,7 @@
 //! Statistics of a recorded quantity. Its range is over samples and both sides of events; means and percentiles are over the
 //! samples, which are evenly spaced.
 
-use crate::trajectory::Moment;
+use crate::trajectory::{Moment, value_at};
 
 /// Statistics of one column [unit of the column].
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -50,11 +50,7 @@ impl Statistics {
             return None;
         }
         let all = Statistics::of(&x[first..], &vec![Moment::Sample; t.len() - first])?;
-        // The value at the start, on the line between its neighbours.
-        let at_begin = match first {
-            0 => x[0],
-            _ => x[first] - (x[first] - x[first - 1]) * (t[first] - begin) / (t[first] - t[first - 1]),
-        };
+        let at_begin = value_at(t, x, begin);
         let head = (begin.min(t[first]), at_begin);
         let points = || std::iter::once(head).chain(t[first..].iter().copied().zip(x[first..].iter().copied()));
         let integral = |of: &dyn Fn(f64) -> f64| {

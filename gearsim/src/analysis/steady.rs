@@ -3,6 +3,7 @@
 
 use crate::engine::equations::Switching;
 use crate::engine::error::Refusal;
+use crate::engine::start::rigid_speeds;
 use crate::engine::system::System;
 use crate::model::{Law, Role};
 use crate::profile::{Curve, Profile};
@@ -68,10 +69,7 @@ impl SteadyLaw {
 
 /// The speeds q' at the start of a scene (n) [SI]: those given, else those of its rigid motions.
 pub fn speeds(scene: &Scene, system: &System) -> Vec<f64> {
-    let mut speeds = vec![0.0; scene.model.coordinates.len()];
-    for (i, size) in scene.start.motions.iter().enumerate() {
-        speeds.iter_mut().zip(&*system.motion(i)).for_each(|(speed, unit)| *speed += size * unit);
-    }
+    let mut speeds = rigid_speeds(system.equations(), scene).to_vec();
     for (speed, given) in speeds.iter_mut().zip(&scene.start.q_dot) {
         *speed = given.unwrap_or(*speed);
     }
@@ -85,10 +83,7 @@ pub fn speeds(scene: &Scene, system: &System) -> Vec<f64> {
 /// [`Refusal`] if the cell has no matrices.
 pub fn is_held(scene: &Scene, system: &System, k: &[f64]) -> Result<bool, Refusal> {
     let stiffness = system.matrices(k)?.stiffness;
-    let mut speeds = vec![0.0; scene.model.coordinates.len()];
-    for (i, size) in scene.start.motions.iter().enumerate() {
-        speeds.iter_mut().zip(&*system.motion(i)).for_each(|(speed, unit)| *speed += size * unit);
-    }
+    let speeds = rigid_speeds(system.equations(), scene);
     let held = |i: usize| {
         let terms = speeds.iter().enumerate().map(|(j, speed)| stiffness[(i, j)] * speed);
         let (force, size) = terms.fold((0.0, 0.0f64), |(sum, size), term| (sum + term, size + term.abs()));

@@ -36,9 +36,18 @@ impl Initial {
     }
 }
 
+/// The speeds q' of the rigid motions by which a scene states its start (n) [SI].
+pub fn rigid_speeds(equations: &dyn Equations, scene: &Scene) -> Vector {
+    let mut q_dot = Vector::zeros(equations.coordinates());
+    for (i, size) in scene.start.motions.iter().enumerate() {
+        q_dot.add_times(*size, &equations.motion(i));
+    }
+    q_dot
+}
+
 /// The state at the start.
 ///
-/// The speeds are those given, otherwise those of the rigid motions. Coordinates with the value `static` are where the
+/// The speeds are those given, otherwise those of the rigid motions ([`rigid_speeds`]). Coordinates with the value `static` are where the
 /// generalised forces on them vanish; the other coordinates and the speeds have the given values, and each law is in the cell of
 /// its phase. Switches are in the modes that this state admits: flanks are in contact where the forces press them together. If there are several equilibria, it is
 /// the one found from the stated value, or from zero.
@@ -47,10 +56,7 @@ impl Initial {
 /// If the forces do not determine the equilibrium, or a phase is too large.
 pub fn begin(equations: &dyn Equations, scene: &Scene) -> Result<Initial, Refusal> {
     let n = equations.coordinates();
-    let mut q_dot = Vector::zeros(n);
-    for (i, size) in scene.start.motions.iter().enumerate() {
-        q_dot.add_times(*size, &equations.motion(i));
-    }
+    let mut q_dot = rigid_speeds(equations, scene);
     for (i, given) in scene.start.q_dot.iter().enumerate() {
         if let Some(given) = given {
             q_dot[i] = *given;

@@ -38,7 +38,8 @@ pub(super) struct Subject {
 }
 
 impl Subject {
-    /// That of a run for the plot `plot`: the first signal that the scene asks spectra of, else the force of a mesh, else another output.
+    /// The subject of the plot `plot` of a run. The signal is the first one of which the scene asks spectra. If it asks for none, it is the
+    /// force of a mesh, or else another output.
     pub fn of(plot: &'static str, run: &Run<'_>) -> Result<Subject, PlotError> {
         let nothing = |why: &str| PlotError::Nothing { plot, why: why.into() };
         let (asked, run) = (&run.asked.spectrum, run.trajectory);

@@ -22,6 +22,11 @@ impl Effects {
         self.of(model).any(|effect| effect.name == name || effect.of == Some(name))
     }
 
+    /// Whether what needs the effect `with` is active; what needs none always is.
+    pub fn activate(self, with: Option<&str>, model: &Model) -> bool {
+        with.is_none_or(|effect| self.has(effect, model))
+    }
+
     /// The names of the effects, in the model's order. If all parts have an effect, its name stands for them.
     pub fn names(self, model: &Model) -> Vec<&'static str> {
         let of_all = |name: &str| {
@@ -42,7 +47,7 @@ impl Effects {
         law.rolling && !law.held.iter().any(|effect| self.has(effect, model))
     }
 
-    /// Whether a coordinate of a model turns on and on in scenes with these effects: it is the phase of a law that rolls.
+    /// Whether a coordinate of a model rotates without end in scenes with these effects. It does if it is the phase of a law that rolls.
     pub fn turns(self, coordinate: &str, model: &Model) -> bool {
         model.laws.iter().any(|law| law.phase == coordinate && self.rolls(law, model))
     }

@@ -140,7 +140,7 @@ impl Scene {
     /// The laws that the equations of the scene need, each with its profile: all laws of the model up to the last one that is a stiffness
     /// or has an active effect. A law before that one whose effect is not active is included as zero, so that indices are those of the model.
     pub fn present(&self) -> impl Iterator<Item = (&'static Law, &Profile)> {
-        let present = |law: &Law| law.with.is_none_or(|effect| self.effects.has(effect, self.model));
+        let present = |law: &Law| self.effects.activate(law.with, self.model);
         let last = self.model.laws.iter().rposition(present);
         self.model.laws.iter().zip(&self.laws).take(last.map_or(0, |last| last + 1))
     }

@@ -148,8 +148,7 @@ fn default_plots(model: Option<&Model>, record: Option<&[usize]>, counted: bool)
 
 /// The outputs that scenes with these effects have, by their numbers.
 fn available(model: &Model, effects: Option<Effects>) -> Vec<usize> {
-    let has =
-        |output: &model::Output| output.with.is_none_or(|with| effects.is_none_or(|effects| effects.has(with, model)));
+    let has = |output: &model::Output| effects.is_none_or(|effects| effects.activate(output.with, model));
     (0..model.outputs.len()).filter(|&i| has(&model.outputs[i])).collect()
 }
 

@@ -34,7 +34,7 @@ const SCALES: [&str; 2] = ["log", "dB"];
 pub struct Spectrum {
     /// Names of the signals: recorded outputs and coordinates. Empty: the program chooses.
     pub of: Vec<&'static str>,
-    /// Name of the recorded speed of the shaft to whose turns orders refer; `None`: the program chooses.
+    /// Name of the recorded output that is the speed of the reference shaft of orders. `None`: the program chooses the shaft.
     pub shaft: Option<&'static str>,
     /// What is drawn.
     pub kind: SpectrumKind,

@@ -55,7 +55,7 @@ pub struct Point {
     pub speed: f64,
     /// Relative change of this speed over the measured time \[1\], without its oscillation; NaN if the model has no motion.
     pub drift: f64,
-    /// The value of the parameter that holds the speed [SI]; NaN if none does.
+    /// The value of the parameter that holds the speed [SI]; NaN if no parameter holds it.
     pub hold: f64,
     /// What was measured; `None` if there is no result.
     pub span: Option<Span>,

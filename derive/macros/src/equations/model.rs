@@ -83,7 +83,7 @@ pub struct Law {
     pub period: f64,
     /// `rolling`: whole pitches of the phase change nothing but the law, so that the engine may count them separately.
     pub rolling: bool,
-    /// `unless(a, b)`: the effects of which each stops it, as a support of what turns.
+    /// `unless(a, b)`: effects that stop the rolling, for example a support of a part that rotates. Any one of them is enough.
     pub held: Vec<Ident>,
     /// `with EFFECT`: the law is zero without the effect.
     pub with: Option<Ident>,

@@ -1,18 +1,17 @@
-//! The inertias of a scene: moments of inertia and masses, parameters in which T is linear.
+//! The inertias of a scene: the moments of inertia and the masses among its parameters. M is linear in each of them ([`super::linear`]).
 //!
 //! T is the sum of the energies of the parts, each its inertia times half a square of speeds. So the part of M that comes from an inertia
 //! is positive semidefinite, and its share of the kinetic energy is between 0 and 1. (A coordinate has no such share: where inertia
-//! couples coordinates, Re(conj(phi_i) (M phi)_i) may be negative, and others more than the whole.) The parts of M are found numerically,
-//! so that a model need not say which of its parameters are inertias: M at 1, 2 and 3 times the parameter.
+//! couples coordinates, Re(conj(phi_i) (M phi)_i) may be negative, and others more than the whole.)
 
 use nalgebra::{DMatrix, DVector};
 
+use super::linear::{multiples, part};
 use crate::engine::Refusal;
 use crate::engine::system::System;
 use crate::engine::vector::Vector;
 use crate::run::Entry;
 use crate::scene::Scene;
-use crate::tolerance::analysis::{LINEAR_STIFFNESS, STIFFNESS_ROUNDING};
 
 /// The units of inertias.
 const UNITS: [&str; 2] = ["kg*m^2", "kg"];
@@ -29,30 +28,24 @@ pub struct Mass {
     pub sense: DVector<f64>,
 }
 
-/// The inertias of `scene`, in the order of the parameters, at the place of its `system`.
+/// The inertias of `scene` in the order of its parameters. M is evaluated at the coordinates about which `system` is linearised.
 ///
 /// # Errors
 /// Those of the equations of the scene.
 pub fn of(scene: &Scene, entry: &Entry, system: &System) -> Result<Vec<Mass>, Refusal> {
     let place = system.steady().map_or_else(|| Vector::zeros(scene.model.coordinates.len()), |about| about.q.clone());
-    let mass = |parameter: usize, times: f64| {
-        let mut scene = scene.clone();
-        scene.parameters[parameter] *= times;
-        Ok::<_, Refusal>(entry.equations(&scene)?.mass(&place))
-    };
+    let mass = |scene: &Scene| Ok(entry.equations(scene)?.mass(&place));
     let rigid = (!scene.model.motions.is_empty()).then(|| DVector::from_column_slice(&system.motion(0)));
     let mut masses = vec![];
     for (i, parameter) in scene.model.parameters.iter().enumerate() {
-        let is_active = parameter.with.is_none_or(|effect| scene.effects.has(effect, scene.model));
+        let is_active = scene.effects.activate(parameter.with, scene.model);
         if scene.parameters[i] == 0.0 || !is_active || !UNITS.contains(&parameter.unit) {
             continue;
         }
-        let once = mass(i, 1.0)?;
-        let (Ok(twice), Ok(thrice)) = (mass(i, 2.0), mass(i, 3.0)) else { continue };
-        let inertia = &twice - &once;
-        let bend = (&thrice - &twice - &inertia).amax();
-        let rounding = STIFFNESS_ROUNDING * thrice.amax();
-        if inertia.amax() > 0.0 && bend <= LINEAR_STIFFNESS * inertia.amax() + rounding {
+        let Some([once, twice, thrice]) = multiples(scene, i, &mass)? else { continue };
+        if let Some((inertia, _)) = part([&once, &twice, &thrice])
+            && inertia.amax() > 0.0
+        {
             masses.push(Mass { name: parameter.name, sense: sense(&inertia, rigid.as_ref()), inertia });
         }
     }

@@ -59,10 +59,10 @@ impl Steady {
         let (q, q_dot) = (begun.absolute(), begun.state.q_dot.clone());
         let k = begun.levels(scene);
         let is_force = |unit: &str| ["N", "N*m", "W"].contains(&unit);
-        let is_there = |with: Option<&str>| with.is_none_or(|effect| scene.effects.has(effect, model));
         let outputs = model.outputs.iter().enumerate();
         // What a run alone knows, reactions and powers of torques, has no value here.
-        let outputs = outputs.filter(|(_, output)| is_force(output.unit) && is_there(output.with) && !output.known);
+        let outputs = outputs
+            .filter(|(_, output)| is_force(output.unit) && scene.effects.activate(output.with, model) && !output.known);
         let value = |i: usize| equations.output(i, &q, &q_dot, &k, &Known::default());
         let outputs = outputs.map(|(i, output)| (output.name, output.unit, value(i))).collect();
         let both_flanks = flanks::both(equations, scene, (&begun.state.q, &q_dot), &k);

@@ -65,8 +65,7 @@ struct Report<'a> {
 
 /// The page of a run. Errors: [`OutputError::Ragged`] if its columns differ in length.
 pub fn page(run: &Run<'_>) -> Result<Page, OutputError> {
-    let filled = filled(run, shared::begin(run.scene), SECTIONS.iter(), &|| true)?;
-    Ok(filled.unwrap_or_else(|| shared::begin(run.scene)))
+    filled(run, shared::begin(run.scene), SECTIONS.iter())
 }
 
 /// The wanted sections of a page that shows run after run, whose arrays have identifiers that begin with `name`; `None` if `goes_on` ended
@@ -78,28 +77,25 @@ pub fn live(
     goes_on: &dyn Fn() -> bool,
 ) -> Result<Option<Parts>, OutputError> {
     let wanted = || SECTIONS[1..].iter().filter(|section| is_wanted(section.id));
-    let page = filled(run, Page::new(run.scene.name.clone(), "").named(name), wanted(), goes_on)?;
+    let mut whole = true;
+    let sections = wanted().take_while(|_| {
+        whole = goes_on();
+        whole
+    });
+    let page = filled(run, Page::new(run.scene.name.clone(), "").named(name), sections)?;
     let ids = |sections: &mut dyn Iterator<Item = &Section>| sections.map(|section| section.id).collect();
-    Ok(page.map(|page| page.parts(ids(&mut SECTIONS.iter()), ids(&mut wanted()))))
+    Ok(whole.then(|| page.parts(ids(&mut SECTIONS.iter()), ids(&mut wanted()))))
 }
 
-fn filled<'a>(
-    run: &Run<'_>,
-    mut page: Page,
-    sections: impl Iterator<Item = &'a Section>,
-    goes_on: &dyn Fn() -> bool,
-) -> Result<Option<Page>, OutputError> {
+fn filled<'a>(run: &Run<'_>, mut page: Page, sections: impl Iterator<Item = &'a Section>) -> Result<Page, OutputError> {
     let table = Table::of_trajectory(&run.outcome.trajectory)?;
     let rows = Rows::of(&table);
     let groups = columns::groups(&run.outcome.trajectory, &table);
     let report = Report { run, groups, rows, times: OnceCell::new() };
     for section in sections {
-        if !goes_on() {
-            return Ok(None);
-        }
         page.section(section.id, section.title, |html| (section.fill)(&report, html));
     }
-    Ok(Some(page))
+    Ok(page)
 }
 
 /// Writes the section of the provenance.

@@ -1,6 +1,6 @@
 //! Holds the speed of a scene by its own means: by the set point of its governor, or by a torque.
 //!
-//! Of a rigid motion z at the speed u, with the momentum p = z.M q' and the inertia J = z.M z,
+//! A rigid motion z has the speed u, the momentum p = z.M q' and the inertia J = z.M z. For it:
 //!
 //! ```text
 //! dp/dt = z.F = r      measured: the change of p over whole periods, divided by their time; springs do not contribute
@@ -19,12 +19,13 @@ use crate::model::Parameter;
 use crate::run::Entry;
 use crate::scene::Scene;
 use crate::tolerance::analysis::{HELD_SPEED, HELD_STEADY};
-use crate::trajectory::Trajectory;
+use crate::trajectory::{Trajectory, place};
 
 /// By what a response curve holds the speed.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub enum Hold {
-    /// By the set point of a governor, else by a torque that drives, else by another one. If a speed is varied; else by nothing.
+    /// If a speed is varied, by the set point of a governor. Without a governor, by a torque that drives; without such a torque, by another
+    /// torque. If no speed is varied, by nothing.
     #[default]
     Own,
     /// By this parameter.
@@ -42,7 +43,7 @@ pub(super) struct Handle {
     unit: f64,
 }
 
-/// What a run says of its speed.
+/// The speed of a run, and what changes it.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Speed {
     /// Mean over the measured time, u.
@@ -59,7 +60,7 @@ pub(super) struct Speed {
 impl Handle {
     /// The parameters of a scene that can hold the speed `motion`, the best one first.
     pub(super) fn all(scene: &Scene, entry: &Entry, motion: &Motion, speed: f64) -> Vec<Handle> {
-        let active = |p: &Parameter| p.varies && p.with.is_none_or(|e| scene.effects.has(e, scene.model));
+        let active = |p: &Parameter| p.varies && scene.effects.activate(p.with, scene.model);
         let of = |parameter: usize| {
             let force = |value: f64| {
                 let mut scene = scene.clone();
@@ -111,11 +112,10 @@ impl Speed {
             let [q, q_dot] = state(row);
             dot(&motion.unit, &(&equations.mass(&q) * &q_dot))
         };
-        let next = run.t.partition_point(|&t| t < span.begin).clamp(1, last);
-        let (t, p) = (&run.t[next - 1..=next], [momentum(next - 1), momentum(next)]);
-        let begin = span.at_begin(t, &p);
-        let unit = Vector::from_fn(motion.unit.len(), |i| motion.unit[i]);
-        let inertia = dot(&motion.unit, &(&equations.mass(&state(last)[0]) * &unit));
+        let (row, share) = place(&run.t, span.begin);
+        let [before, after] = [momentum(row), momentum(row + 1)];
+        let begin = before + share * (after - before);
+        let inertia = dot(&motion.unit, &(&equations.mass(&state(last)[0]) * &motion.unit));
         let mean = motion.mean_speed(run, span);
         let near = 1e-3 * mean;
         let drag = if near == 0.0 {

@@ -6,11 +6,11 @@ use crate::engine::equations::Equations;
 use crate::engine::vector::{Vector, dot};
 use crate::model::Start;
 use crate::scene::Scene;
-use crate::trajectory::Trajectory;
+use crate::trajectory::{Trajectory, value_at};
 
 /// A motion of the model: the speeds of unit size, and the coordinate by which its size is measured.
 pub(super) struct Motion {
-    pub unit: Vec<f64>,
+    pub unit: Vector,
     by: usize,
     /// Its number, if its speed is varied.
     pub varied: Option<usize>,
@@ -26,8 +26,8 @@ impl Motion {
             .equations(scene)
             .map_err(|refusal| Error::Impossible { what: refusal.to_string(), help: "choose other effects".into() })?;
         let unit = match scene.model.motions.is_empty() {
-            true => vec![0.0; equations.coordinates()],
-            false => equations.motion(varied.unwrap_or(0)).to_vec(),
+            true => Vector::zeros(equations.coordinates()),
+            false => equations.motion(varied.unwrap_or(0)),
         };
         let by = (0..unit.len()).max_by(|&i, &j| unit[i].abs().total_cmp(&unit[j].abs())).unwrap_or(0);
         Ok(Motion { unit, by, varied })
@@ -41,13 +41,13 @@ impl Motion {
     /// Its mean speed over the measured time of a run.
     pub(super) fn mean_speed(&self, run: &Trajectory, span: &Span) -> f64 {
         let place = &run.q[self.by];
-        (place[place.len() - 1] - span.at_begin(&run.t, place)) / span.time() / self.unit[self.by]
+        (place[place.len() - 1] - value_at(&run.t, place, span.begin)) / span.time() / self.unit[self.by]
     }
 
     /// The generalised force on it at the speed `speed`, nothing being deflected.
     pub(super) fn force(&self, scene: &Scene, equations: &dyn Equations, speed: f64) -> f64 {
         let still = Vector::zeros(self.unit.len());
-        let q_dot = Vector::from_fn(self.unit.len(), |i| speed * self.unit[i]);
+        let q_dot = &self.unit * speed;
         let mids: Vec<f64> = scene.laws.iter().map(|law| law.mid()).collect();
         let (k, flat) = (scene.model.in_contact(mids.iter().copied()), vec![0.0; mids.len()]);
         dot(&self.unit, &equations.force(&still, &q_dot, &k, &flat))
@@ -57,7 +57,7 @@ impl Motion {
     pub(super) fn go_on(&self, scene: &mut Scene, before: &Trajectory, more: f64) {
         let last = |column: &Vec<f64>| column[column.len() - 1];
         scene.start.q = before.q.iter().map(|column| Start::At(last(column))).collect();
-        scene.start.q_dot = before.q_dot.iter().zip(&self.unit).map(|(v, unit)| Some(last(v) + more * unit)).collect();
+        scene.start.q_dot = before.q_dot.iter().zip(&*self.unit).map(|(v, unit)| Some(last(v) + more * unit)).collect();
     }
 
     /// Begins a scene faster by `more` than it states.

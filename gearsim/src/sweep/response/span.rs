@@ -90,11 +90,4 @@ impl Span {
     pub fn time(&self) -> f64 {
         self.end - self.begin
     }
-
-    /// The value of a column at its start, between two samples.
-    pub(super) fn at_begin(&self, t: &[f64], x: &[f64]) -> f64 {
-        let next = t.partition_point(|&t| t < self.begin).clamp(1, t.len() - 1);
-        let share = ((self.begin - t[next - 1]) / (t[next] - t[next - 1])).clamp(0.0, 1.0);
-        x[next - 1] + share * (x[next] - x[next - 1])
-    }
 }

@@ -1,0 +1,35 @@
+//! The part of a matrix that a parameter gives, if the matrix is linear in it. It is found numerically, from 1, 2 and 3 times the parameter,
+//! so that a model need not say which of its parameters are stiffnesses or inertias.
+
+use nalgebra::DMatrix;
+
+use crate::engine::Refusal;
+use crate::scene::Scene;
+use crate::tolerance::analysis::{LINEAR_STIFFNESS, STIFFNESS_ROUNDING};
+
+/// What `of` gives for `scene` with 1, 2 and 3 times a parameter; `None` if a multiple gives no valid equations, so that the parameter is
+/// neither a stiffness nor an inertia.
+///
+/// # Errors
+/// That of the scene itself.
+pub(super) fn multiples<T>(
+    scene: &Scene,
+    parameter: usize,
+    of: &dyn Fn(&Scene) -> Result<T, Refusal>,
+) -> Result<Option<[T; 3]>, Refusal> {
+    let at = |times: f64| {
+        let mut scene = scene.clone();
+        scene.parameters[parameter] *= times;
+        of(&scene)
+    };
+    let once = at(1.0)?;
+    Ok(at(2.0).ok().zip(at(3.0).ok()).map(|(twice, thrice)| [once, twice, thrice]))
+}
+
+/// The part of a matrix that the parameter gives, and the rounding errors of its elements; `None` if the matrix is not linear in it.
+pub(super) fn part([once, twice, thrice]: [&DMatrix<f64>; 3]) -> Option<(DMatrix<f64>, f64)> {
+    let part = twice - once;
+    let bend = (thrice - twice - &part).amax();
+    let rounding = STIFFNESS_ROUNDING * thrice.amax();
+    (bend <= LINEAR_STIFFNESS * part.amax() + rounding).then_some((part, rounding))
+}
