@@ -21,7 +21,7 @@ use block::Block;
 
 /// The text of `<model>.rs`.
 pub(crate) fn write(d: &Derivation, home: Home<'_>) -> String {
-    let mut equations = Block::new(d.order());
+    let mut equations = Block::new(d);
     names::write(&mut equations, d);
     energies::write(&mut equations, d);
     motion::write(&mut equations, d);
@@ -29,7 +29,7 @@ pub(crate) fn write(d: &Derivation, home: Home<'_>) -> String {
     jumps::write(&mut equations, d);
     outputs::write(&mut equations, d);
 
-    let mut block = Block::new(d.order());
+    let mut block = Block::new(d);
     // After the equations: only they show which combinations of effects need a condition.
     declarations::write(&mut block, d, equations.conditions());
     block.blank();

@@ -17,7 +17,7 @@ pub enum Slip {
     #[error("{model}: {place} may not contain `{symbol}`: {why}")]
     Misplaced { model: String, symbol: String, place: String, why: &'static str },
     #[error(
-        "{model}: `{function}` in {place} is not a known smooth function; allowed are sin, cos, exp, log and sqrt. Declare piecewise behaviour as a law or as a switch: m.mesh_stiffness(...), m.switch(...)"
+        "{model}: `{function}` in {place} is not a known smooth function; allowed are sin, cos, exp, log and sqrt. Declare piecewise behaviour as a law or as a switch: m.stiffness_law(...), m.switch(...)"
     )]
     Function { model: String, function: String, place: String },
     #[error(
@@ -52,6 +52,14 @@ pub enum Slip {
     Phase { model: String, law: String, phase: String },
     #[error("{model}: the pitch of `{law}` must be a positive number, not {pitch}")]
     Pitch { model: String, law: String, pitch: f64 },
+    #[error("{model}: the law `{law}` is zero without an effect, but it is in none: declare it inside m.effect(...)")]
+    WithoutEffect { model: String, law: String },
+    #[error(
+        "{model}: no effect says how the law `{law}` switches: declare one with m.effect(...) and m.boundaries(EFFECT, Boundary::WithJump), or call the component `steps`"
+    )]
+    NeverSwitches { model: String, law: String },
+    #[error("{model}: the effect `{effect}` decides how laws switch, but {why}")]
+    Boundary { model: String, effect: String, why: String },
     #[error("{model}: the default of `{parameter}`, {default}, is not in its range")]
     Default { model: String, parameter: String, default: f64 },
     #[error(

@@ -251,8 +251,30 @@ pub struct Effect {
     pub requires: &'static [&'static str],
     /// Effects that must not be active.
     pub excludes: &'static [&'static str],
+    /// How laws switch with it; `None` if it does not decide that.
+    pub switching: Option<Switching>,
     /// Whether it makes a deflection depend on the coordinates nonlinearly.
     pub bends: bool,
+}
+
+/// How a law switches between its levels.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Switching {
+    /// Never: the law is constant at its mid value.
+    Never,
+    /// When its phase passes a step, with the impulse that conserves energy.
+    WithJump,
+    /// When its phase passes a step, without the impulse (rigid kinematics).
+    WithoutJump,
+    /// When Omega0 t passes a step, independent of the motion.
+    ByTime,
+}
+
+impl Model {
+    /// The effect with which laws switch in this way.
+    pub fn switching(&self, how: Switching) -> Option<&'static Effect> {
+        self.effects.iter().find(|effect| effect.switching == Some(how))
+    }
 }
 
 /// A quantity that a run can record: a force, a loss, a speed.

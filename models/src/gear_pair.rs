@@ -4,7 +4,9 @@ use std::f64::consts::TAU;
 
 use gearsim_derive::{Model, Range, Start, half};
 
-use crate::components::{Mesh, Sliding, observed, play, pressure_tangent, sliding_friction};
+use crate::components::{
+    Mesh, Sliding, mesh_stiffness, observed, play, pressure_tangent, sliding_friction, transmission_error,
+};
 
 /// Coordinates: the mean rotation theta and the relative deflection phi, both scaled so that one tooth pitch is 2 pi.
 #[allow(non_snake_case)] // the paper's symbols
@@ -33,21 +35,23 @@ pub fn gear_pair(m: &mut Model) {
     m.kinetic(half(I1 * (q1.dot() / N1).sq()));
     m.kinetic(half(I2 * (q2.dot() / N2).sq()));
 
-    let k = m.mesh_stiffness(
+    let k = mesh_stiffness(
+        m,
         "k",
         "N*m",
         theta,
         TAU,
         "mesh stiffness, 2 kt (rb1/N1)^2 with kt along the line of action, rb1 the base radius",
     );
-    let e = m.transmission_error(
+    let e = transmission_error(
+        m,
         ["e", ""],
         "rad",
         theta,
         TAU,
         "transmission error in phi, et N1/(2 rb1) with et along the line of action",
     );
-    let gap = play(m, "", "mesh in phi, bt N1/(2 rb1) with bt along the line of action", "rad", phi - e.value);
+    let gap = play(m, "", "mesh in phi, bt N1/(2 rb1) with bt along the line of action", "rad", phi - e);
     m.potential(k.value * gap.touch * gap.over.sq());
 
     let _M1 = m.constant("M1", 2 * m.inverse_mass(theta, phi));
@@ -75,7 +79,7 @@ pub fn gear_pair(m: &mut Model) {
     let given = "power that the driving gear gives to the mesh: torque times its speed";
     m.output("mesh_power", "W", torque * (q1 / N1).dot(), given);
     let doc = "deflection of the mesh as a rotation of the driving gear, backlash not taken off";
-    m.output("mesh_deflection", "rad", 2 * (phi - e.value) / N1, doc);
+    m.output("mesh_deflection", "rad", 2 * (phi - e) / N1, doc);
     let taken = m.damper(gap.over) * gap.over.dot();
     m.output("mesh_loss", "W", taken, "power that the damper of the mesh takes");
     for (part, what, rotation) in [("1", "driving gear", q1 / N1), ("2", "driven gear", q2 / N2)] {

@@ -17,14 +17,16 @@
 //!    - For everything else: `m.parameter(name, unit, default, range, doc)` and the energies themselves, `m.kinetic(T)`,
 //!      `m.potential(V)`, `m.dissipation(D)`, `m.torque(name, value, displacement, doc)`, called once for each body, spring, damper
 //!      and torque. T is proved positive definite if each call of `m.kinetic` adds one square.
-//!    - `m.mesh_stiffness(name, unit, phase, pitch, doc)`: a stiffness that steps with a coordinate. The scene gives its levels, or
+//!    - `mesh_stiffness(m, name, unit, phase, pitch, doc)`, a component: a stiffness that steps with a coordinate. The scene gives its levels, or
 //!      tooth data for a stiffness in N/m with delta along the line of action, V = k delta^2/2 (or in N*m, as in `gear_pair`). Laws
 //!      like this one and switches are the only piecewise functions, since the jump rule is derived from them. An `if`, `abs` or
 //!      `max` on symbols is refused: its derivative would lose energy without any message.
-//!    - `m.transmission_error([name, part], unit, phase, pitch, doc)`: the deviation of the flanks from their ideal position, given by
+//!    - `transmission_error(m, [name, part], unit, phase, pitch, doc)`, a component: the deviation of the flanks from their ideal position, given by
 //!      the scene. Subtract it from a deflection, as the component `mesh` does.
-//!    - `m.sliding_friction(part, |m| ...)`: the effect of that name; inside it `m.friction_law(...)`. Only with such a law as a factor may
-//!      a torque depend on deflections and stiffnesses. The component of that name does both, for any kind of mesh.
+//!    - Laws in general, periodic functions of a phase that the scene gives: `m.stiffness_law`; inside an effect `m.offset_law`, which is
+//!      subtracted from deflections, and `m.factor_law`, a factor of torques. Only with such a factor may a torque depend on deflections and
+//!      stiffnesses, as that of the component `sliding_friction` does. `m.boundaries(effect, how)` says which effect makes laws switch, and
+//!      how; the component `steps` does it.
 //!    - `m.switch(over, unit, delta, effect, doc)`: modes between which a deflection changes the equations, each until a linear guard
 //!      becomes zero. The components `play` and `dead_band` are made of it: a force acts only beyond the play. Write V in
 //!      the symbols returned.

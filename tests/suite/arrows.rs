@@ -1,4 +1,4 @@
-//! The modules of gearsim form layers: a module may use only the modules below it.
+//! The modules of gearsim form layers: a module may use only the modules below it. The core knows no effect by name.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -75,4 +75,55 @@ fn no_module_uses_one_above_it() {
     }
     assert!(seen > 200, "only {seen} uses were found: the search for `crate::` misses some");
     assert!(wrong.is_empty(), "a module uses one above it: {wrong:#?}");
+}
+
+/// The core: what derives equations, expands them, and runs them.
+const CORE: [&str; 6] = [
+    "derive/src",
+    "derive/macros/src",
+    "gearsim/src/engine",
+    "gearsim/src/methods",
+    "gearsim/src/run",
+    "gearsim/src/ensemble",
+];
+
+/// Effects whose names are words of the core too: the matrix C of a cell and its block, and what a model adds by `m.torque`.
+const WORDS: [&str; 2] = ["damping", "torques"];
+
+/// The code of a file: without comments, and without unit tests, of which some are files of their own.
+fn code(path: &Path) -> String {
+    let is_test = path.iter().any(|part| part == "tests")
+        || ["tests", "runs", "fixture"].iter().any(|stem| path.file_stem().is_some_and(|of| of == *stem));
+    let text = if is_test { String::new() } else { fs::read_to_string(path).expect("a readable file") };
+    let code = text.split("#[cfg(test)]\nmod tests {").next().unwrap_or("").lines();
+    code.map(|line| line.split("//").next().unwrap_or("")).collect::<Vec<_>>().join("\n")
+}
+
+/// What an effect does is said by the model that declares it, and by the file derived from it.
+#[test]
+fn the_core_knows_no_effect_by_name() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
+    let effects = gearsim::models().iter().flat_map(|entry| entry.model.effects);
+    let mut names: Vec<&str> = effects.flat_map(|effect| [Some(effect.name), effect.of]).flatten().collect();
+    names.sort();
+    names.dedup();
+    names.retain(|name| !WORDS.contains(name));
+    for known in ["stiffness_step", "backlash", "sliding_friction_12", "overrunning_clutch"] {
+        assert!(names.contains(&known), "{known} is not an effect of a model: {names:?}");
+    }
+    let mut all = vec![];
+    CORE.iter().for_each(|folder| files(&root.join(folder), &mut all));
+    all.push(root.join("gearsim/src/run.rs"));
+    let (mut lines, mut wrong) = (0, vec![]);
+    for path in all {
+        for line in code(&path).lines() {
+            lines += 1;
+            let mut words = line.split(|c: char| !c.is_alphanumeric() && c != '_');
+            if let Some(name) = words.find(|word| names.contains(word)) {
+                wrong.push(format!("{}: `{name}` in {}", path.display(), line.trim()));
+            }
+        }
+    }
+    assert!(lines > 15_000, "only {lines} lines of code were read");
+    assert!(wrong.is_empty(), "the core names an effect: {wrong:#?}");
 }

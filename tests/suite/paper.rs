@@ -32,7 +32,7 @@ impl Paper {
             let [N1, N2, I1, I2, zeta, T0] = ["N1", "N2", "I1", "I2", "zeta", "T0"].map(&mut parameter);
             let theta = m.coordinate("theta", "rad", Start::Static, "");
             let phi = m.coordinate("phi", "rad", Start::Static, "");
-            let k = m.mesh_stiffness("k", "N*m", theta, 1.0, "");
+            let k = m.stiffness_law("k", "N*m", theta, 1.0, "");
             paper = Some(Paper { N1, N2, I1, I2, zeta, T0, phi, k: k.value, dk: k.slope, k0: k.mid });
         });
         paper.expect("the model was described")

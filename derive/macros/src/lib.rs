@@ -7,7 +7,7 @@
 //! # Grammar
 //!
 //! After `model`, the blocks may be in any order, each at most once (`jump` once for each law). Required are `coordinates`, `mass`,
-//! `force` and `jacobian`, and a `jump` for every law if `stiffness_step` is among the effects. Example: an oscillator whose spring
+//! `force` and `jacobian`, and a `jump` for every law if `switching` says that laws step. Example: an oscillator whose spring
 //! k(x) steps, with a damper as an effect:
 //!
 //! ```text
@@ -25,21 +25,25 @@
 //! laws {                              // declares k, its derivatives dk and ddk by the phase, and k_mid = (max + min)/2
 //!     k "N/m" phase x period 1.0, "stiffness";                   // `period 1.0 rolling`: whole pitches of x change nothing but the law
 //!                                                                // `rolling unless(support)`: not in scenes with this effect
-//! // e "m" phase x period 1.0 with transmission_error, "error"; // `with`: zero without the effect; an offset of deflections; such laws come last
-//! // side "1" phase x period 1.0 with friction as side, "side"; // a factor of torques, of any sign; `as arm`: never negative
+//! // e "m" phase x period 1.0 with uneven, "error"; // `with`: zero without the effect; an offset of deflections; such laws come last
+//! // side "1" phase x period 1.0 with rubbing as side, "side"; // a factor of torques, of any sign; `as arm`: never negative
 //! }
 //! motions {                           // speeds of the motion of size 1; speeds not given are zero
 //!     speed "m/s" { x_dot = 1.0; }, "speed of the mass";
 //! }
 //! effects {
-//!     stiffness_step "k steps with x";
-//!     rigid_kinematics requires(stiffness_step) "without the impulse";
+//!     steps "k steps with x";
+//!     rigid requires(steps) "without the impulse";
 //!     backlash "play";
 //!     damping "viscous damper";       // also: excludes(a, b); `of NAME`: the effect NAME at one part
 //!     weight "a constant force of 1 N";
 //! }
+//! switching {                         // which effect makes laws switch, and which change how: `by_time` is that of a steady rotation
+//!     steps => with_jump;             // at the boundaries of the phase, with the impulse; without this effect laws are constant
+//!     rigid => without_jump;          // speeds pass a boundary unchanged
+//! }
 //! conditions {                        // all of these effects present or, with `!`, absent
-//!     jump_terms = stiffness_step, !rigid_kinematics;
+//!     jump_terms = steps, !rigid;
 //! }
 //! constants {                         // in parameters, mid values and the constants before
 //!     C = 2.0*zeta*(k_mid*m).sqrt();
@@ -102,8 +106,7 @@
 //! Expressions consist of numbers with a decimal point, names, `+ - * /`, parentheses and smooth methods of `f64` (`powi`, `sqrt`,
 //! `sin`, ..). Piecewise functions are refused: only laws and switches switch.
 //!
-//! The effects `stiffness_step`, `rigid_kinematics` and `frozen_phase` determine how laws switch. They mean the same in every model;
-//! a model need not have all of them.
+//! No effect is known by its name: what it does is what the file says with it.
 //!
 //! # Stages
 //!

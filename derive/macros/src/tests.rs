@@ -95,6 +95,42 @@ fn an_unknown_effect_is_refused() {
 }
 
 #[test]
+fn ways_to_switch_that_contradict_each_other_are_refused() {
+    refused("stiffness_step => with_jump;", "steps => with_jump;", "steps", "there is no effect `steps`");
+    refused("frozen_phase => by_time;", "frozen_phase => late;", "late", "`with_jump` or `without_jump` or `by_time`");
+    refused(
+        "frozen_phase => by_time;",
+        "frozen_phase => without_jump;",
+        "frozen_phase",
+        "`frozen_phase` makes laws switch as `rigid_kinematics` does",
+    );
+    let twice = "stiffness_step => by_time;";
+    refused("frozen_phase => by_time;", twice, "stiffness_step", "a second way to switch of the effect");
+    let never = errors("stiffness_step => with_jump;", "");
+    let says = |(_, text): &(String, String)| text.contains("write `EFFECT => with_jump;` too");
+    assert!(never.len() == 2 && never.iter().all(says), "{never:#?}");
+}
+
+/// Under other names the effects of the sample have the same code, but for the names.
+#[test]
+fn no_effect_is_known_by_its_name() {
+    let renamed = |text: &str| {
+        let names = [
+            "stiffness_step",
+            "rigid_kinematics",
+            "frozen_phase",
+            "transmission_error",
+            "backlash",
+            "sliding_friction",
+        ];
+        names.iter().fold(text.to_string(), |text, name| text.replace(name, &format!("{name}_by_another_name")))
+    };
+    let code = expand(tokens(&sample())).to_string();
+    assert!(code.contains("if met . frozen_phase {"), "{code}");
+    assert_eq!(expand(tokens(&renamed(&sample()))).to_string(), renamed(&code));
+}
+
+#[test]
 fn a_second_coordinate_of_the_same_name_is_refused() {
     refused(
         r#"phi "rad" start static, "#,

@@ -70,7 +70,7 @@ pub(super) fn linear(model: &Model) -> Result<(), Slip> {
         // Offsets of switches and transmission errors are not part of the form; their coefficients must be constant.
         let offsets = model.switches.iter().flat_map(|switch| &switch.symbols).filter(|s| s.kind == Kind::Edge);
         let edges = offsets.map(|s| (Kind::Edge, &s.name));
-        let errors = model.laws.iter().filter(|law| law.role == Role::Error).map(|law| (law.kind(), &law.name));
+        let errors = model.laws.iter().filter(|law| law.role == Role::Offset).map(|law| (law.kind(), &law.name));
         let offsets: Vec<Atom> = edges.chain(errors).map(|(kind, name)| Atom::var(symbol(kind, name))).collect();
         // So are functions of positions, each with a factor that is constant in a mode.
         let functions: Vec<_> = symbols(&d.value.atom()).into_iter().filter(|s| s.0 == Kind::Function).collect();

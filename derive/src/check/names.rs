@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use crate::expr::{
     Kind, MOVING, acceleration_name, is_word, partial_name, power_name, reaction_name, speed_name, symbols,
 };
-use crate::model::{CONDITIONS, Model, mid_name};
+use crate::model::{JUMP_TERMS, MOVING_PHASE, Model, mid_name};
 use crate::slip::Slip;
 
 /// Words that cannot be names in the generated code: keywords of Rust, and names that this code uses itself.
@@ -99,7 +99,7 @@ pub(super) fn declared(model: &Model) -> Result<BTreeMap<String, &'static str>, 
     }
     model.motions.iter().try_for_each(|m| declare(&m.name, "a motion", false))?;
     model.effects.iter().try_for_each(|e| declare(&e.name, "an effect", false))?;
-    CONDITIONS.iter().try_for_each(|(name, _)| declare(name, "a condition", true))?;
+    [JUMP_TERMS, MOVING_PHASE].into_iter().try_for_each(|name| declare(name, "a condition", true))?;
     for torque in &model.torques {
         declare(&torque.name, "a torque", false)?;
         declare(&power_name(&torque.name), known(Known), true)?;

@@ -3,7 +3,7 @@
 use symbolica::atom::{Atom, AtomView};
 
 use crate::expr::{Kind, symbols};
-use crate::model::{Friction, Model, Range, Role, Switch};
+use crate::model::{Factor, Model, Range, Role, Switch};
 use crate::tree::Tree;
 
 /// Whether the form of an expression shows that it is >= 0 for all admissible values.
@@ -37,7 +37,7 @@ fn sign(model: &Model, e: &Atom, strictly: bool) -> bool {
             }
             // So are the arms of rolling friction.
             [(Kind::Friction, name)] => {
-                let arm = Role::Friction(Friction::Arm);
+                let arm = Role::Factor(Factor::Arm);
                 !strictly && model.laws.iter().any(|law| law.name == *name && law.role == arm)
             }
             // W_ii > 0, since M is positive definite.

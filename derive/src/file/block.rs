@@ -5,9 +5,9 @@ use std::fmt::Write;
 use symbolica::atom::Atom;
 
 use super::wrap::{WIDTH, wrap};
+use crate::derivation::Derivation;
 use crate::expr::Expr;
 use crate::markers::{Group, as_written, grouped};
-use crate::model::CONDITIONS;
 use crate::print::{Style, print};
 
 /// Lines of a block, and the conditions that its terms need.
@@ -15,13 +15,15 @@ pub(super) struct Block {
     text: String,
     /// Effects and conditions in the order in which terms are printed.
     order: Vec<String>,
+    /// The conditions of laws: name and effects.
+    of_laws: Vec<(&'static str, String)>,
     /// Conditions made of several effects: name and effects, in the order of their first use.
     conditions: Vec<(String, String)>,
 }
 
 impl Block {
-    pub fn new(order: Vec<String>) -> Self {
-        Block { text: String::new(), order, conditions: vec![] }
+    pub fn new(d: &Derivation) -> Self {
+        Block { text: String::new(), order: d.order(), of_laws: d.model.conditions(), conditions: vec![] }
     }
 
     pub fn conditions(&self) -> &[(String, String)] {
@@ -145,7 +147,7 @@ impl Block {
             many => {
                 let name = many.join("_and_");
                 let written_out = |effect: &String| {
-                    let condition = CONDITIONS.iter().find(|(name, _)| name == effect);
+                    let condition = self.of_laws.iter().find(|(name, _)| name == effect);
                     condition.map_or(effect.clone(), |(_, effects)| effects.to_string())
                 };
                 let entry = (name.clone(), many.iter().map(written_out).collect::<Vec<_>>().join(", "));

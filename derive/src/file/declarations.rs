@@ -2,7 +2,7 @@
 
 use super::block::Block;
 use crate::derivation::Derivation;
-use crate::model::{CONDITIONS, Effect, Friction, Law, Model, Motion, Parameter, Range, Role, Start};
+use crate::model::{Boundary, Effect, Factor, Law, Model, Motion, Parameter, Range, Role, Start};
 use crate::print::{Style, print};
 use crate::tree::Tree;
 
@@ -17,16 +17,24 @@ pub(super) fn write(b: &mut Block, d: &Derivation, conditions: &[(String, String
     b.braces(1, "laws", |b| m.laws.iter().for_each(|l| law(b, l, d.rolling(l))));
     b.braces(1, "motions", |b| m.motions.iter().for_each(|x| motion(b, x)));
     b.braces(1, "effects", |b| m.effects.iter().for_each(|e| effect(b, e)));
+    if !m.switching.is_empty() {
+        b.braces(1, "switching", |b| Boundary::ALL.into_iter().for_each(|how| switching(b, m, how)));
+    }
     b.braces(1, "conditions", |b| {
-        if !m.laws.is_empty() {
-            for (name, effects) in CONDITIONS {
-                b.line(2, &format!("{name} = {effects};"));
-            }
+        for (name, effects) in m.conditions() {
+            b.line(2, &format!("{name} = {effects};"));
         }
         for (name, effects) in conditions {
             b.line(2, &format!("{name} = {effects};"));
         }
     });
+}
+
+/// The effect with which laws switch in one way.
+fn switching(b: &mut Block, m: &Model, how: Boundary) {
+    if let Some(effect) = m.switching(how) {
+        b.line(2, &format!("{effect} => {};", how.word()));
+    }
 }
 
 fn coordinates(b: &mut Block, m: &Model) {
@@ -70,9 +78,9 @@ fn law(b: &mut Block, law: &Law, rolling: Option<Vec<String>>) {
 /// The role of a law, where the effect alone does not say it.
 fn role(role: Role) -> &'static str {
     match role {
-        Role::Friction(Friction::Side) => " as side",
-        Role::Friction(Friction::Arm) => " as arm",
-        Role::Stiffness | Role::Error => "",
+        Role::Factor(Factor::Side) => " as side",
+        Role::Factor(Factor::Arm) => " as arm",
+        Role::Stiffness | Role::Offset => "",
     }
 }
 

@@ -5,7 +5,8 @@
 
 use symbolica::atom::{Atom, AtomCore};
 
-use crate::expr::{Expr, Kind, symbol, symbols};
+use super::Model;
+use crate::expr::{Expr, Kind, number, symbol, symbols, total};
 
 /// A named function of one position, or of several.
 pub(crate) struct Function {
@@ -77,5 +78,57 @@ impl Function {
             all.push(Derivative { name: name(&[i, j]), value, next: vec![] });
         }
         all
+    }
+}
+
+impl Model {
+    /// Names a smooth function of one position: the place of a piston as a function of the angle of its crank. `of` is a coordinate or
+    /// a named deflection without transmission errors, and `value` gives the function of it. T, V and the displacements of torques may
+    /// be written in the function and its `.dot()`. The equations are then written in the function and its derivatives, `name`, `dname`,
+    /// `ddname` and `dddname`, instead of being multiplied out. This is how a holonomic constraint is stated: solved for one quantity.
+    pub fn function(&mut self, name: &str, of: Expr, value: impl FnOnce(Expr) -> Expr) -> Expr {
+        let (name, of, value) = (name.into(), vec![of], value(of));
+        self.declare_function(Function { name, of, value, gradient: vec![], with: None })
+    }
+
+    /// Names a smooth function of several positions: how far a line of action turns as the centres of gears move. `of` are coordinates or
+    /// named deflections without transmission errors; `value` and `gradient` give the function of them and its derivatives by them, which
+    /// the derivation compares. Inside the closure of an effect: it is zero in scenes without the effect. V may be written in it, and so may
+    /// deflections: these then bend, which means that they are not linear in the coordinates. The equations are written in the function and
+    /// its derivatives `name_by_x`, `name_by_x_by_y`.
+    pub fn function_of<const N: usize>(
+        &mut self,
+        name: &str,
+        of: [Expr; N],
+        value: impl FnOnce([Expr; N]) -> Expr,
+        gradient: impl FnOnce([Expr; N]) -> [Expr; N],
+    ) -> Expr {
+        let (value, gradient, with) = (value(of), gradient(of).to_vec(), self.within.clone());
+        self.declare_function(Function { name: name.into(), of: of.to_vec(), value, gradient, with })
+    }
+
+    fn declare_function(&mut self, function: Function) -> Expr {
+        let name = function.name.clone();
+        Expr::set_rate(&name, Expr::new(self.function_rate(&function, 0)));
+        self.functions.push(function);
+        Expr::var(Kind::Function, &name)
+    }
+
+    /// The rate of a function, or of one of its derivatives, in the speeds: the sum of its derivatives times the rates of the positions, with
+    /// the marker of its effect.
+    pub(crate) fn function_rate(&self, function: &Function, derivative: usize) -> Atom {
+        let all = function.derivatives();
+        let next = all.get(derivative).map(|d| d.next.clone()).unwrap_or_default();
+        let parts = next.into_iter().zip(&function.of).filter_map(|(next, of)| {
+            Some(Atom::var(symbol(Kind::Function, &all.get(next)?.name)) * self.position(*of).dot().atom())
+        });
+        let marker = function.with.as_ref().map_or(number(1), |effect| Atom::var(symbol(Kind::Marker, effect)));
+        marker * total(parts.collect())
+    }
+
+    /// A coordinate, or a named deflection written in the coordinates.
+    pub(crate) fn position(&self, of: Expr) -> Expr {
+        let named = self.deflections.iter().find(|d| of.atom() == Expr::var(Kind::Deflection, &d.name).atom());
+        named.map_or(of, |d| d.value)
     }
 }

@@ -46,7 +46,7 @@ impl Model {
 
     /// The kinetic energy of all that was declared so far, as far as its inertia is constant: that of [`Model::rayleigh`].
     pub fn kinetic_energy(&self) -> Expr {
-        let constant = self.kinetic.iter().filter(|piece| !super::depends_on_positions(piece));
+        let constant = self.kinetic.iter().filter(|piece| !super::energies::depends_on_positions(piece));
         Expr::new(total(constant.map(|piece| piece.atom()).collect()))
     }
 

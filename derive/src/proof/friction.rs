@@ -9,16 +9,16 @@ use super::Proof;
 use crate::check::never_negative;
 use crate::expr::{Kind, symbol, symbols};
 use crate::markers::all_present;
-use crate::model::{Friction, Law, Role, Torque};
+use crate::model::{Factor, Law, Role, Torque};
 use crate::slip::Slip;
 
 /// Proves the sign of the power of each friction.
 pub(super) fn prove(p: &mut Proof) -> Result<(), Slip> {
-    let of = |what: Friction| {
+    let of = |what: Factor| {
         let laws: Vec<(&Law, &Torque)> = p.model.torques.iter().filter_map(|t| Some((law(p, t, what)?, t))).collect();
         laws
     };
-    let (rolls, slides) = (of(Friction::Arm), of(Friction::Side));
+    let (rolls, slides) = (of(Factor::Arm), of(Factor::Side));
     for (_, roll) in &rolls {
         let what = format!("the friction `{}` takes energy or none: its power is never positive", roll.name);
         let power = all_present(&p.model.written_out(&roll.power()));
@@ -54,15 +54,15 @@ pub(super) fn prove(p: &mut Proof) -> Result<(), Slip> {
 }
 
 /// The law of this kind that is in a torque. A torque with an arm is of rolling, whatever else is in it.
-fn law<'a>(p: &Proof<'a>, torque: &Torque, what: Friction) -> Option<&'a Law> {
+fn law<'a>(p: &Proof<'a>, torque: &Torque, what: Factor) -> Option<&'a Law> {
     let value = p.model.written_out(&torque.value.atom());
     let found = |what| {
-        let role = Role::Friction(what);
+        let role = Role::Factor(what);
         let mut laws = p.model.laws.iter().filter(move |law| law.role == role);
         laws.find(|law| symbols(&value).iter().any(|(kind, name)| *kind == Kind::Friction && *name == law.name))
     };
     match what {
-        Friction::Side if found(Friction::Arm).is_some() => None,
+        Factor::Side if found(Factor::Arm).is_some() => None,
         what => found(what),
     }
 }

@@ -23,7 +23,7 @@ use crate::symbols::Place;
 pub(super) fn prove(p: &mut Proof) -> Result<(), Slip> {
     let all: Vec<(&Law, &Jump)> = p.model.laws.iter().zip(p.jumps).collect();
     let (smooth, stepping): (Vec<_>, Vec<_>) =
-        all.into_iter().partition(|(law, _)| matches!(law.role, Role::Friction(_)));
+        all.into_iter().partition(|(law, _)| matches!(law.role, Role::Factor(_)));
     let names = |laws: &[(&Law, &Jump)]| laws.iter().map(|(law, _)| law.name.as_str()).collect::<Vec<_>>().join(", ");
 
     let mut rests = vec![];

@@ -16,7 +16,7 @@ pub(super) fn write(d: &Derivation, w: &Writer) -> Vec<String> {
     for (law, jump) in d.model.laws.iter().zip(&d.jumps) {
         let phase = print(&Tree::new(&law.phase.atom()), Style::Plain);
         let name = &law.name;
-        if matches!(law.role, Role::Friction(_)) {
+        if matches!(law.role, Role::Factor(_)) {
             lines.extend(w.plain().then(|| format!("at a step of {name}: dV = 0, the speeds do not change")));
         } else if jump.direction.is_some() {
             lines.extend(in_speeds(d, w, law, jump, &phase));

@@ -43,7 +43,7 @@ fn idle_texts(laws: &[Law]) -> Vec<String> {
         let names = laws.iter().map(|law| law.name.as_str()).collect::<Vec<_>>().join(", ");
         let without = laws[0].with.as_ref()?.replace('_', " ");
         let rates = match laws[0].role {
-            Role::Error => "; the rates of deflections do not contain the rates of these errors",
+            Role::Offset => "; the rates of deflections do not contain the rates of these errors",
             _ => "",
         };
         Some(format!("{names} = 0 without {without}{rates}"))

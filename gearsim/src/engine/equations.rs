@@ -14,6 +14,7 @@ use crate::engine::linear_forces::LinearForces;
 use crate::engine::real::Real;
 use crate::engine::vector::{Matrix, Vector, dot};
 use crate::model::Model;
+pub use crate::model::Switching;
 use crate::scene::Scene;
 use crate::tolerance::events::EDGE_ROUNDING;
 
@@ -234,19 +235,6 @@ impl Affine {
     pub fn rounding(&self, k: &[f64]) -> f64 {
         EDGE_ROUNDING * (self.constant.abs() + shift(&self.errors, k).abs())
     }
-}
-
-/// How a law switches between its levels.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Switching {
-    /// Never: the law is constant at its mid value.
-    Never,
-    /// When its phase passes a step, with the impulse that conserves energy.
-    WithJump,
-    /// When its phase passes a step, without the impulse (rigid kinematics).
-    WithoutJump,
-    /// When Omega0 t passes a step, independent of the motion.
-    ByTime,
 }
 
 /// A derived model: its description, and its equations for any set of effects.

@@ -39,6 +39,11 @@ equations! {
         backlash_x of backlash "play between the flanks: contact on the drive or coast flank, free motion between";
         damping "Rayleigh damping, C = alpha_M M + beta_K K at the mid stiffness";
     }
+    switching {
+        stiffness_step => with_jump;
+        rigid_kinematics => without_jump;
+        frozen_phase => by_time;
+    }
     conditions {
         jump_terms = stiffness_step, !rigid_kinematics, !frozen_phase;
         moving_phase = stiffness_step, !frozen_phase;

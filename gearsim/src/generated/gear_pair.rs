@@ -54,6 +54,11 @@ equations! {
         sliding_friction requires(stiffness_step)
             "Coulomb friction between the flanks, against their sliding, which turns as a tooth pair passes the pitch point";
     }
+    switching {
+        stiffness_step => with_jump;
+        rigid_kinematics => without_jump;
+        frozen_phase => by_time;
+    }
     conditions {
         jump_terms = stiffness_step, !rigid_kinematics, !frozen_phase;
         moving_phase = stiffness_step, !frozen_phase;

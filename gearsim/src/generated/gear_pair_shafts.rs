@@ -76,6 +76,11 @@ equations! {
         fan_load "a fan as load: torque proportional to the square of the speed, against the rotation";
         damping "Rayleigh damping, C = alpha_M M + beta_K K at the mid stiffness";
     }
+    switching {
+        stiffness_step => with_jump;
+        rigid_kinematics => without_jump;
+        frozen_phase => by_time;
+    }
     conditions {
         jump_terms = stiffness_step, !rigid_kinematics, !frozen_phase;
         moving_phase = stiffness_step, !frozen_phase;

@@ -27,8 +27,9 @@
 
 use std::f64::consts::TAU;
 
-use gearsim_derive::{Expr, Friction, Model, Range};
+use gearsim_derive::{Expr, Factor, Model, Range};
 
+use super::steps::{STIFFNESS_STEP, steps};
 use super::{Mesh, named};
 
 /// The kinematics of the sliding between the flanks of a mesh.
@@ -45,22 +46,21 @@ pub struct Sliding {
 /// Friction in a mesh whose deflection has the unit `unit`. Declares the laws `side` [1] and `arm` [unit], both periodic in the
 /// phase, the coefficient of friction `mu`, and the rolling speed `w_mix` [rad/s] below which friction decreases.
 pub fn sliding_friction(m: &mut Model, part: &str, what: &str, unit: &str, mesh: Mesh, sliding: Sliding) {
-    m.sliding_friction(part, |m| {
+    friction_effect(m, part, |m| {
         let doc = format!("coefficient of friction of the {what}");
         let mu = m.parameter(&named("mu", part), "1", None, Range::NotNegative, &doc);
         let doc =
             format!("rolling speed omega1 + omega2 of the {what} below which friction decreases to zero (mixed film)");
         let mixed = m.parameter(&named("w_mix", part), "rad/s", Some(0.1), Range::Positive, &doc);
         let Sliding { phase, tau, psi } = sliding;
-        let mut law = |quantity, unit: &str, which, doc: &str| {
-            m.friction_law(&named(quantity, part), unit, phase, TAU, which, doc)
-        };
+        let mut law =
+            |quantity, unit: &str, which, doc: &str| m.factor_law(&named(quantity, part), unit, phase, TAU, which, doc);
         let doc = format!(
             "share of the force of the {what} on tooth pairs beyond the pitch point, minus that on pairs before it"
         );
-        let side = law("side", "1", Friction::Side, &doc);
+        let side = law("side", "1", Factor::Side, &doc);
         let doc = format!("mean distance of the force of the {what} from the pitch point along the line of action");
-        let arm = law("arm", unit, Friction::Arm, &doc);
+        let arm = law("arm", unit, Factor::Arm, &doc);
         let tiny = m.constant(&named("tiny", part), Expr::from(1) / 1_000_000_000_000);
         let tau = m.deflection(&named("tau", part), tau);
         let psi = m.deflection(&named("psi", part), psi);
@@ -72,6 +72,14 @@ pub fn sliding_friction(m: &mut Model, part: &str, what: &str, unit: &str, mesh:
         let doc = format!("friction of the {what}, through the rolling of the gears");
         m.torque(&named("roll", part), -arm * friction, psi, &doc);
     });
+}
+
+/// The effect `sliding_friction` of a part: what `add` adds is in the equations only of scenes that name the effect.
+pub fn friction_effect(m: &mut Model, part: &str, add: impl FnOnce(&mut Model)) {
+    steps(m);
+    let doc = "Coulomb friction between the flanks, against their sliding, which turns as a tooth pair passes the pitch point";
+    let effect = m.part_effect("sliding_friction", part, doc, add);
+    m.require(&effect, &[STIFFNESS_STEP]);
 }
 
 /// The tangent of the pressure angle, for a model that needs it only for friction. Declares `alpha` [rad] and `tan_a`.

@@ -2,9 +2,9 @@
 
 use std::f64::consts::TAU;
 
-use gearsim_derive::{Expr, Model, half};
+use gearsim_derive::{Expr, Model, Stiffness, half};
 
-use super::{Bend, named, observed, play, play_on_centres};
+use super::{Bend, named, observed, play, play_on_centres, steps, transmission_error};
 
 /// The two factors of the spring force of a mesh.
 #[derive(Clone, Copy)]
@@ -21,7 +21,7 @@ pub struct Mesh {
 /// the displacement of the first gear's flank [m], for the power that this gear gives.
 pub fn mesh(m: &mut Model, part: &str, what: &str, phase: Expr, delta: Expr, driving: Expr) -> Mesh {
     let stiffness = stiffness(m, part, what, phase);
-    let error = transmission_error(m, part, what, phase);
+    let error = error(m, part, what, phase);
     let x = m.deflection(&named("delta", part), delta - error);
     m.potential(half(stiffness * x.sq()));
     observed::mesh(m, part, what, x, [delta, error], Some(driving));
@@ -39,7 +39,7 @@ pub fn mesh_with_play(
     driving: impl Into<Option<Expr>>,
 ) -> Mesh {
     let k = stiffness(m, part, what, phase);
-    let error = transmission_error(m, part, what, phase);
+    let error = error(m, part, what, phase);
     let gap = play(m, part, what, "m", delta - error);
     m.potential(half(k * gap.touch * gap.over.sq()));
     observed::mesh(m, part, what, gap.over, [delta, error], driving.into());
@@ -56,7 +56,7 @@ pub fn mesh_on_centres(
     driving: Expr,
 ) -> Mesh {
     let k = stiffness(m, part, what, phase);
-    let error = transmission_error(m, part, what, phase);
+    let error = error(m, part, what, phase);
     let gap = play_on_centres(m, part, what, delta - error, bend);
     m.potential(half(k * gap.touch * gap.over.sq()));
     observed::mesh(m, part, what, gap.over, [delta - bend.turn, error], Some(driving));
@@ -69,12 +69,18 @@ fn named_effect(part: &str) -> String {
     observed::of_part("moving_centres", part)
 }
 
-fn transmission_error(m: &mut Model, part: &str, what: &str, phase: Expr) -> Expr {
+fn error(m: &mut Model, part: &str, what: &str, phase: Expr) -> Expr {
     let doc = format!("transmission error of the {what} along the line of action");
-    m.transmission_error([&named("e", part), part], "m", phase, TAU, &doc).value
+    transmission_error(m, [&named("e", part), part], "m", phase, TAU, &doc)
 }
 
 fn stiffness(m: &mut Model, part: &str, what: &str, phase: Expr) -> Expr {
     let doc = format!("stiffness of the {what} along the line of action");
-    m.mesh_stiffness(&named("k", part), "N/m", phase, TAU, &doc).value
+    mesh_stiffness(m, &named("k", part), "N/m", phase, TAU, &doc).value
+}
+
+/// The law of a mesh stiffness [unit], periodic with one `pitch` of `phase`, and the effects that decide how it steps.
+pub fn mesh_stiffness(m: &mut Model, name: &str, unit: &str, phase: Expr, pitch: f64, doc: &str) -> Stiffness {
+    steps(m);
+    m.stiffness_law(name, unit, phase, pitch, doc)
 }

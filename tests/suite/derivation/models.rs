@@ -1,6 +1,7 @@
 //! The models made of components: snapshots of their equations, and what is proved about them.
 
 use gearsim_derive::{Expr, Model, Range, Start, derive, half};
+use gearsim_models::components::mesh_stiffness;
 use gearsim_models::{ELEMENTS, MODELS};
 
 use crate::slips::oscillator;
@@ -45,7 +46,7 @@ pub fn a_named_deflection_gives_the_same_equations() {
         let [mass, r, s, c] = ["m", "r", "s", "c"].map(|name| m.parameter(name, "1", None, Range::Positive, ""));
         let q = ["x", "y", "z"].map(|name| m.coordinate(name, "1", Start::At(0.0), ""));
         q.iter().for_each(|q| m.kinetic(half(mass * q.dot().sq())));
-        let k = m.mesh_stiffness("k", "1", q[0], 1.0, "");
+        let k = mesh_stiffness(m, "k", "1", q[0], 1.0, "");
         let delta = name(m, q[0] - r * q[1] + q[2] / r);
         m.potential(half(k.value * delta.sq()));
         m.potential(half(s * q[2].sq()));
@@ -65,7 +66,7 @@ pub fn a_named_deflection_gives_the_same_equations() {
 pub fn energies_may_contain_mid_values() {
     let model = Model::new("train", |m| {
         let o = oscillator(m);
-        let k = m.mesh_stiffness("k", "N/m", o.x, 1.0, "");
+        let k = mesh_stiffness(m, "k", "N/m", o.x, 1.0, "");
         m.kinetic(k.mid * o.x.dot().sq());
         m.potential(k.mid * o.x.sq());
         m.dissipation(k.mid * o.x.dot().sq());

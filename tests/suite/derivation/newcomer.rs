@@ -4,6 +4,7 @@
 use std::path::Path;
 
 use gearsim_derive::{Home, Model, Range, Start, derive, half};
+use gearsim_models::components::mesh_stiffness;
 
 use crate::files::first_difference;
 
@@ -69,7 +70,7 @@ pub fn nonlinear_terms_are_reported() {
         let psi = m.coordinate("psi", "rad", Start::At(0.0), "angle of the wheel that switches");
         m.kinetic(half(mass * l.sq() * x.dot().sq()));
         m.kinetic(half(s * psi.dot().sq()));
-        let k = m.mesh_stiffness("k", "N*m", psi, 1.0, "");
+        let k = mesh_stiffness(m, "k", "N*m", psi, 1.0, "");
         m.potential(half(k.value * x.sq()));
         m.potential(s * x.pow(4));
         m.potential(-mass * g * l * gearsim_derive::Expr::function("cos", x));
@@ -129,7 +130,7 @@ pub fn a_model_with_three_coordinates_is_proved() {
         for (inertia, q) in inertias.into_iter().zip([a, a + b, a + b + d]) {
             m.kinetic(half(inertia * q.dot().sq()));
         }
-        let k = m.mesh_stiffness("k", "N*m", a, 1.0, "");
+        let k = mesh_stiffness(m, "k", "N*m", a, 1.0, "");
         m.potential(half(k.value * b.sq()));
         m.potential(half(shaft * d.sq()));
         m.effect("damping", "", |m| m.dissipation(half(c * d.dot().sq())));

@@ -1,6 +1,7 @@
 //! Unusual input: whatever an author writes, the derivation ends with equations or with an error (`Slip`), never with a panic.
 
 use gearsim_derive::{Expr, Model, Range, Start, derive, half};
+use gearsim_models::components::mesh_stiffness;
 
 use crate::slips::oscillator;
 
@@ -25,7 +26,7 @@ const ODD: &[Row] = &[
         for name in ["", " ", "a b", "1", "é", "a::b", "`", "\"", "\n", "\0", "_", "_x", "{}", "%", "🙂", "x!"] {
             let x = m.coordinate(name, name, Start::At(f64::NAN), name);
             let p = m.parameter(name, name, None, Range::Positive, name);
-            let k = m.mesh_stiffness(name, name, x, 1.0, name);
+            let k = mesh_stiffness(m, name, name, x, 1.0, name);
             m.constant(name, p);
             m.kinetic(p * x.dot().sq() + Expr::symbol(name) * Expr::function(name, k.value));
             m.effect(name, name, |m| m.torque(name, p, x, name));
@@ -56,7 +57,7 @@ const ODD: &[Row] = &[
         let o = oscillator(m);
         let p = m.parameter("p", "1", Some(f64::INFINITY), Range::Any, "");
         m.parameter("n", "1", Some(f64::NAN), Range::Any, "");
-        m.mesh_stiffness("k", "N/m", o.x, f64::NAN, "");
+        mesh_stiffness(m, "k", "N/m", o.x, f64::NAN, "");
         m.kinetic(p * o.x.dot().sq());
     }),
     ("divisions by zero", |m| {

@@ -1,8 +1,9 @@
 //! The proofs refuse a formula with a mistake in it, and what is not proved is not in a file.
 
-use gearsim_derive::{Expr, Friction, Model, Range, Start, Wrong, derive, derive_wrong, half};
+use gearsim_derive::{Expr, Factor, Model, Range, Start, Wrong, derive, derive_wrong, half};
 use gearsim_models::MODELS;
 use gearsim_models::components::dead_band;
+use gearsim_models::components::{friction_effect, transmission_error};
 
 use crate::slips::{Oscillator, oscillator};
 
@@ -80,9 +81,9 @@ fn shifted(m: &mut Model, o: Oscillator) {
 
 /// Friction of rolling `roll` times its force, and of sliding `slide` times its force.
 fn friction(m: &mut Model, o: Oscillator, roll: i64, slide: i64) {
-    m.sliding_friction("", |m| {
-        let [side, arm] = [("side", Friction::Side), ("arm", Friction::Arm)]
-            .map(|(name, what)| m.friction_law(name, "1", o.x, 1.0, what, ""));
+    friction_effect(m, "", |m| {
+        let [side, arm] = [("side", Factor::Side), ("arm", Factor::Arm)]
+            .map(|(name, what)| m.factor_law(name, "1", o.x, 1.0, what, ""));
         let tau = m.deflection("tau", 2 * o.x);
         let force = m.force("F_mu", o.m * o.x.dot());
         m.torque("slide", slide * side * force, tau, "");
@@ -129,8 +130,8 @@ pub fn other_dampers_are_proved() {
 pub fn a_torque_through_a_deflection_is_in_the_balance() {
     let model = Model::new("train", |m| {
         let o = oscillator(m);
-        let e = m.transmission_error(["e", ""], "m", o.x, 1.0, "");
-        let delta = m.deflection("delta", 2 * o.x - e.value);
+        let e = transmission_error(m, ["e", ""], "m", o.x, 1.0, "");
+        let delta = m.deflection("delta", 2 * o.x - e);
         m.potential(half(o.s * delta.sq()));
         m.torque("pull", o.s, delta, "");
     });

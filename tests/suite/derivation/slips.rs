@@ -1,6 +1,7 @@
 //! Mistakes of an author: what the derivation refuses, and which name its message must contain.
 
-use gearsim_derive::{Expr, Friction, Model, Range, Slip, Start, derive, half};
+use gearsim_derive::{Boundary, Expr, Factor, Model, Range, Slip, Start, derive, half};
+use gearsim_models::components::{friction_effect, mesh_stiffness, transmission_error};
 
 /// A sound model that mistakes are put into: a mass `m` on a spring `s`, at `x`.
 pub struct Oscillator {
@@ -18,9 +19,17 @@ pub fn oscillator(m: &mut Model) -> Oscillator {
     Oscillator { m: mass, s, x }
 }
 
-fn friction_law(m: &mut Model, o: &Oscillator, what: Friction) -> Expr {
-    let name = if what == Friction::Side { "side" } else { "arm" };
-    m.friction_law(name, "1", o.x, 1.0, what, "")
+fn friction_law(m: &mut Model, o: &Oscillator, what: Factor) -> Expr {
+    let name = if what == Factor::Side { "side" } else { "arm" };
+    m.factor_law(name, "1", o.x, 1.0, what, "")
+}
+
+/// Laws switch with the effect `fast`, and in another way with the effect `name`.
+fn steps_with(m: &mut Model, name: &str, how: Boundary) {
+    for (name, how) in [("fast", Boundary::WithJump), (name, how)] {
+        m.effect(name, "", |_| {});
+        m.boundaries(name, how);
+    }
 }
 
 /// What is wrong, the name that the message must contain, the code with the mistake.
@@ -66,53 +75,53 @@ const SLIPS: &[Row] = &[
     }),
     ("a speed in V", "`x_dot`", |m, o| m.potential(o.m * o.x * o.x.dot())),
     ("the mesh in T", "`k`", |m, o| {
-        let k = m.mesh_stiffness("k", "N/m", o.x, 1.0, "");
+        let k = mesh_stiffness(m, "k", "N/m", o.x, 1.0, "");
         m.kinetic(k.value * o.x.dot().sq());
     }),
     ("a slope in V", "`dk`", |m, o| {
-        let k = m.mesh_stiffness("k", "N/m", o.x, 1.0, "");
+        let k = mesh_stiffness(m, "k", "N/m", o.x, 1.0, "");
         m.potential(k.slope * o.x.pow(3));
     }),
     ("a transmission error in V, not by way of a deflection", "`e`", |m, o| {
-        let e = m.transmission_error(["e", ""], "m", o.x, 1.0, "");
-        m.potential(o.s * (o.x - e.value).sq());
+        let e = transmission_error(m, ["e", ""], "m", o.x, 1.0, "");
+        m.potential(o.s * (o.x - e).sq());
     }),
     ("a transmission error squared in a deflection", "the deflection `delta`", |m, o| {
-        let e = m.transmission_error(["e", ""], "m", o.x, 1.0, "");
-        m.deflection("delta", o.x - e.value.sq());
+        let e = transmission_error(m, ["e", ""], "m", o.x, 1.0, "");
+        m.deflection("delta", o.x - e.sq());
     }),
     ("a stiffness in a deflection", "`k`", |m, o| {
-        let k = m.mesh_stiffness("k", "N/m", o.x, 1.0, "");
+        let k = mesh_stiffness(m, "k", "N/m", o.x, 1.0, "");
         m.deflection("delta", o.x - k.value);
     }),
     ("a torque that depends on the position", "the torque `wind`", |m, o| m.torque("wind", o.s * o.x, o.x, "")),
     ("a law of friction in V", "`side`", |m, o| {
-        m.sliding_friction("", |m| {
-            let side = friction_law(m, &o, Friction::Side);
+        friction_effect(m, "", |m| {
+            let side = friction_law(m, &o, Factor::Side);
             m.potential(side * o.x.sq());
         });
     }),
     ("friction outside its effect", "`side`", |m, o| {
-        let side = friction_law(m, &o, Friction::Side);
-        m.sliding_friction("", |_| {});
+        let side = friction_law(m, &o, Factor::Side);
+        friction_effect(m, "", |_| {});
         m.torque("slide", side * o.s, o.x, "");
     }),
     ("a torque that is friction only in part", "`side`", |m, o| {
-        m.sliding_friction("", |m| {
-            let side = friction_law(m, &o, Friction::Side);
+        friction_effect(m, "", |m| {
+            let side = friction_law(m, &o, Factor::Side);
             let delta = m.deflection("delta", 2 * o.x);
             m.torque("slide", o.s * (delta + side), o.x, "");
         });
     }),
     ("friction of rolling that feeds energy", "`roll`", |m, o| {
-        m.sliding_friction("", |m| {
-            let arm = friction_law(m, &o, Friction::Arm);
+        friction_effect(m, "", |m| {
+            let arm = friction_law(m, &o, Factor::Arm);
             m.torque("roll", o.m * arm * o.x.dot(), o.x, "");
         });
     }),
     ("friction of rolling with an arm of any sign", "`roll`", |m, o| {
-        m.sliding_friction("", |m| {
-            let [arm, side] = [Friction::Arm, Friction::Side].map(|what| friction_law(m, &o, what));
+        friction_effect(m, "", |m| {
+            let [arm, side] = [Factor::Arm, Factor::Side].map(|what| friction_law(m, &o, what));
             m.torque("roll", -o.m * arm * side * o.x.dot(), o.x, "");
         });
     }),
@@ -127,7 +136,7 @@ const SLIPS: &[Row] = &[
     ("a T of fourth degree in a speed", "m*x_dot^4", |m, o| m.kinetic(o.m * o.x.dot().pow(4))),
     ("a T without a speed", "s", |m, o| m.kinetic(o.s)),
     ("a T that depends on the mesh", "`k`", |m, o| {
-        let k = m.mesh_stiffness("k", "N/m", o.x, 1.0, "");
+        let k = mesh_stiffness(m, "k", "N/m", o.x, 1.0, "");
         m.kinetic(o.m * (k.value * o.x.dot()).sq());
     }),
     ("a function of a sum that has no name", "`f`", |m, o| {
@@ -178,7 +187,7 @@ const SLIPS: &[Row] = &[
     }),
     ("damping that is no square", "m*x_dot", |m, o| m.dissipation(o.m * o.x.dot())),
     ("damping that depends on the mesh", "`k`", |m, o| {
-        let k = m.mesh_stiffness("k", "N/m", o.x, 1.0, "");
+        let k = mesh_stiffness(m, "k", "N/m", o.x, 1.0, "");
         m.dissipation(half(k.value * o.x.dot().sq()));
     }),
     ("a function of two positions with a wrong gradient", "the gradient that is written", |m, o| {
@@ -202,10 +211,39 @@ const SLIPS: &[Row] = &[
     ("a torque along a square of a speed", "the torque `lift`", |m, o| m.torque_along("lift", o.s, o.x.dot().sq(), "")),
     ("a torque along a displacement", "the torque `lift`", |m, o| m.torque_along("lift", o.s, o.x + o.x.dot(), "")),
     ("a phase that is no coordinate", "`k`", |m, o| {
-        m.mesh_stiffness("k", "N/m", 2 * o.x, 1.0, "");
+        mesh_stiffness(m, "k", "N/m", 2 * o.x, 1.0, "");
     }),
     ("a pitch of no length", "`k`", |m, o| {
-        m.mesh_stiffness("k", "N/m", o.x, 0.0, "");
+        mesh_stiffness(m, "k", "N/m", o.x, 0.0, "");
+    }),
+    ("a law that no effect makes switch", "`k`", |m, o| {
+        m.stiffness_law("k", "N/m", o.x, 1.0, "");
+    }),
+    ("an offset outside of an effect", "`e`", |m, o| {
+        mesh_stiffness(m, "k", "N/m", o.x, 1.0, "");
+        m.offset_law("e", "m", o.x, 1.0, "");
+    }),
+    ("boundaries of an effect that is not there", "`fast`", |m, _| m.boundaries("fast", Boundary::WithJump)),
+    ("two effects that make laws switch", "`slow`", |m, _| {
+        for name in ["fast", "slow"] {
+            m.effect(name, "", |_| {});
+            m.boundaries(name, Boundary::WithJump);
+        }
+    }),
+    ("an effect that makes laws switch in two ways", "`fast`", |m, _| {
+        m.effect("fast", "", |_| {});
+        m.require("fast", &["fast"]);
+        m.boundaries("fast", Boundary::WithJump);
+        m.boundaries("fast", Boundary::ByTime);
+    }),
+    ("boundaries that go by time where laws are constant", "`late`", |m, _| {
+        steps_with(m, "late", Boundary::ByTime);
+    }),
+    ("boundaries that go by time and have no impulse", "`soft`", |m, _| {
+        for (name, how) in [("late", Boundary::ByTime), ("soft", Boundary::WithoutJump)] {
+            steps_with(m, name, how);
+            m.require(name, &["fast"]);
+        }
     }),
     ("a default out of its range", "`c`", |m, _| {
         m.parameter("c", "1", Some(-1.0), Range::NotNegative, "");
@@ -284,7 +322,7 @@ macro_rules! variants {
 }
 variants! {
     Undeclared Twice Name Misplaced Function Number NotQuadratic NotLinear NotADeflection Massless Singular NegativeDissipation
-    Switch Phase Pitch Default InverseMass Unproved Empty
+    Switch Phase Pitch WithoutEffect NeverSwitches Boundary Default InverseMass Unproved Empty
 }
 
 pub fn every_mistake_is_refused() {

@@ -36,6 +36,7 @@ pub mod pressed {
         }
         laws { k "N*m" phase alpha period 1.0 rolling, "spring"; }
         effects { stiffness_step "steps"; }
+        switching { stiffness_step => with_jump; }
         energies {
             kinetic { _ => (alpha_dot.powi(2) + beta_dot.powi(2))/2.0; }
             potential { _ => k*beta.powi(2)/2.0; }
@@ -65,6 +66,7 @@ pub mod twice {
             l "N*m" phase alpha period 1.0 rolling, "second spring";
         }
         effects { stiffness_step "steps"; }
+        switching { stiffness_step => with_jump; }
         energies {
             kinetic { _ => (alpha_dot.powi(2) + beta_dot.powi(2))/2.0; }
             potential { _ => (k + l)*beta.powi(2)/2.0; }
@@ -93,6 +95,7 @@ pub mod meshes {
             l "N*m" phase gamma period 1.0 rolling, "second mesh";
         }
         effects { stiffness_step "steps"; }
+        switching { stiffness_step => with_jump; }
         energies {
             kinetic { _ => (alpha_dot.powi(2) + gamma_dot.powi(2) + beta_dot.powi(2))/2.0 + mu*alpha_dot*gamma_dot; }
             potential { _ => (k + l)*beta.powi(2)/2.0; }

@@ -1,6 +1,7 @@
 //! A model whose laws share a phase and have different periods.
 
 use gearsim_derive::{Model, Range, Start, half};
+use gearsim_models::components::mesh_stiffness;
 
 /// The sprung rotor of [`model`](crate::model) with two more stiffnesses: a cracked tooth lowers the stiffness once in three pitches,
 /// and a second mesh has four teeth in the same three pitches.
@@ -16,9 +17,9 @@ pub fn cracked_rotor(m: &mut Model) {
     m.kinetic(half(J1 * alpha.dot().sq()));
     m.kinetic(half(J2 * beta.dot().sq()));
 
-    let c = m.mesh_stiffness("c", "N*m", alpha, 3.0, "stiffness that the crack takes, once in three pitches");
-    let k = m.mesh_stiffness("k", "N*m", alpha, 1.0, "stiffness of the spring to the ground");
-    let g = m.mesh_stiffness("g", "N*m", alpha, 0.75, "stiffness of a second mesh");
+    let c = mesh_stiffness(m, "c", "N*m", alpha, 3.0, "stiffness that the crack takes, once in three pitches");
+    let k = mesh_stiffness(m, "k", "N*m", alpha, 1.0, "stiffness of the spring to the ground");
+    let g = mesh_stiffness(m, "g", "N*m", alpha, 0.75, "stiffness of a second mesh");
     m.potential(half((k.value - c.value + g.value) * beta.sq()));
     m.motion("speed", "rad/s", &[(alpha, 1.into())], "rotational speed of the switching rotor");
 }

@@ -38,6 +38,11 @@ equations! {
         gravity "weight of bodies whose height varies";
         joint "a rotor behind a universal joint";
     }
+    switching {
+        stiffness_step => with_jump;
+        rigid_kinematics => without_jump;
+        frozen_phase => by_time;
+    }
     conditions {
         jump_terms = stiffness_step, !rigid_kinematics, !frozen_phase;
         moving_phase = stiffness_step, !frozen_phase;

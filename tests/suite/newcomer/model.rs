@@ -1,6 +1,7 @@
 //! A model as a new author writes it, following the guide at the head of `models/src/lib.rs`.
 
 use gearsim_derive::{Model, Range, Start, half};
+use gearsim_models::components::mesh_stiffness;
 
 /// A rotor on a spring to the ground, whose stiffness steps with the angle of a second rotor that turns freely.
 #[allow(non_snake_case)] // the field's symbols
@@ -17,7 +18,7 @@ pub fn spring_rotor(m: &mut Model) {
     m.kinetic(half(J1 * alpha.dot().sq()));
     m.kinetic(half(J2 * beta.dot().sq()));
 
-    let k = m.mesh_stiffness("k", "N*m", alpha, 1.0, "stiffness of the spring to the ground");
+    let k = mesh_stiffness(m, "k", "N*m", alpha, 1.0, "stiffness of the spring to the ground");
     m.potential(half(k.value * beta.sq()));
 
     m.effect("torque", "constant torque on the switching rotor", |m| {

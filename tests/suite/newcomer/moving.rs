@@ -1,6 +1,7 @@
 //! Models whose inertia depends on the coordinates.
 
 use gearsim_derive::{Expr, Model, Range, Start, half};
+use gearsim_models::components::mesh_stiffness;
 use gearsim_models::components::{rotor, slider_crank, universal_joint};
 
 /// A pendulum in its horizontal displacement x = l sin phi: T = m l^2 x'^2/(2 (l^2 - x^2)), V = m g (l - (l^2 - x^2)^(1/2)).
@@ -43,7 +44,7 @@ pub fn linkage(m: &mut Model) {
     let psi = m.coordinate("psi", "rad", Start::At(0.0), "rotation of a wheel on a spring");
     rotor(m, "f", "flywheel", theta);
     rotor(m, "w", "wheel on a spring", psi);
-    let k = m.mesh_stiffness("k", "N*m/rad", theta, 1.0, "stiffness of the spring of the wheel");
+    let k = mesh_stiffness(m, "k", "N*m/rad", theta, 1.0, "stiffness of the spring of the wheel");
     m.potential(half(k.value * psi.sq()));
     m.effect("crank", "a slider-crank on the flywheel", |m| {
         slider_crank(m, "p", "piston", theta);

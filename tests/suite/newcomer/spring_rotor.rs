@@ -30,6 +30,11 @@ equations! {
             "steps at the times of a steady rotation, k(Omega0 t) instead of k(theta): the classical equations";
         torque "constant torque on the switching rotor";
     }
+    switching {
+        stiffness_step => with_jump;
+        rigid_kinematics => without_jump;
+        frozen_phase => by_time;
+    }
     conditions {
         jump_terms = stiffness_step, !rigid_kinematics, !frozen_phase;
         moving_phase = stiffness_step, !frozen_phase;

@@ -24,6 +24,7 @@ mod dampers {
         laws { k "N*m" phase alpha period 1.0 rolling, "spring of the second"; }
         motions { speed "rad/s" { alpha_dot = 1.0; }, "speed of the first rotor"; }
         effects { stiffness_step "steps"; }
+        switching { stiffness_step => with_jump; }
         energies {
             kinetic { _ => (alpha_dot.powi(2) + beta_dot.powi(2) + J*gamma_dot.powi(2))/2.0; }
             potential { _ => (k*beta.powi(2) + K*(gamma - beta).powi(2))/2.0; }

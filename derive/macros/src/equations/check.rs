@@ -118,7 +118,7 @@ fn blocks(m: &Model, errors: &mut Vec<Error>) {
     }
     for l in &m.laws {
         known("a coordinate", &l.phase, &q, errors);
-        if effects::has(m, effects::STIFFNESS_STEP) && !m.jumps.iter().any(|j| j.law == l.name) {
+        if m.switching(How::WithJump).is_some() && !m.jumps.iter().any(|j| j.law == l.name) {
             let message = format!("law `{0}` can step, but there is no `jump {0}`", l.name);
             errors.push(Error::new(l.name.span(), message));
         }

@@ -7,7 +7,7 @@ use quote::{format_ident, quote};
 use syn::{Index, Lit};
 
 use self::Takes::{Coordinates, Laws};
-use crate::equations::effects::{self, has, is_met};
+use crate::equations::effects::is_met;
 use crate::equations::jumps::jumps;
 use crate::equations::lets::with_lets;
 use crate::equations::model::*;
@@ -268,18 +268,12 @@ fn jacobian(m: &Model, e: &Entry) -> TokenStream {
 }
 
 fn switching(m: &Model) -> TokenStream {
-    let otherwise = |effect: &str, case: TokenStream| {
-        has(m, effect).then(|| {
-            let name = is_met(&format_ident!("{effect}"));
-            quote!(if #name { equations::Switching::#case } else)
-        })
+    let Some(step) = m.switching(How::WithJump).map(is_met) else { return quote!(equations::Switching::Never) };
+    let otherwise = |how: How| {
+        let (met, case) = (m.switching(how).map(is_met)?, format_ident!("{how:?}"));
+        Some(quote!(if #met { equations::Switching::#case } else))
     };
-    if !has(m, effects::STIFFNESS_STEP) {
-        return quote!(equations::Switching::Never);
-    }
-    let step = is_met(&format_ident!("{}", effects::STIFFNESS_STEP));
-    let by_time = otherwise(effects::FROZEN_PHASE, quote!(ByTime));
-    let without = otherwise(effects::RIGID_KINEMATICS, quote!(WithoutJump));
+    let (by_time, without) = (otherwise(How::ByTime), otherwise(How::WithoutJump));
     // A law whose effect is absent is zero, and never switches.
     let gated = m.laws.iter().enumerate().filter_map(|(i, law)| Some((Index::from(i), is_met(law.with.as_ref()?))));
     let (gated, there): (Vec<_>, Vec<_>) = gated.unzip();

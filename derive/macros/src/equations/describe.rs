@@ -31,8 +31,15 @@ pub fn describe(m: &Model) -> TokenStream {
     let effects = m.effects.iter().map(|e| {
         let (name, doc, requires, excludes) = (e.name.to_string(), &e.doc, strings(&e.requires), strings(&e.excludes));
         let (of, bends) = (option(&e.of), bending(m).any(|function| function.with.as_ref() == Some(&e.name)));
+        let switching = match m.switching.iter().find(|boundary| boundary.effect == e.name) {
+            Some(Boundary { how, .. }) => {
+                let how = format_ident!("{how:?}");
+                quote!(Some(model::Switching::#how))
+            }
+            None => quote!(None),
+        };
         quote!(model::Effect {
-            name: #name, of: #of, doc: #doc, requires: #requires, excludes: #excludes, bends: #bends
+            name: #name, of: #of, doc: #doc, requires: #requires, excludes: #excludes, switching: #switching, bends: #bends
         })
     });
     let torques = m.torques.iter().map(|Torque { name, doc, .. }| {

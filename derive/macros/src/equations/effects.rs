@@ -5,22 +5,10 @@ use quote::quote;
 use syn::{Error, Ident};
 
 use crate::equations::check::unique;
-use crate::equations::model::Model;
-
-/// Laws switch where the phase reaches a boundary. This effect and the next two have the same meaning in every model.
-pub const STIFFNESS_STEP: &str = "stiffness_step";
-/// Laws switch where the phase reaches a boundary, without the impulse.
-pub const RIGID_KINEMATICS: &str = "rigid_kinematics";
-/// Laws switch at the times of a steady rotation.
-pub const FROZEN_PHASE: &str = "frozen_phase";
+use crate::equations::model::{How, Model};
 
 /// Largest number of effects: a set of them is 64 bits.
 const MOST_EFFECTS: usize = 64;
-
-/// Whether the model offers an effect.
-pub fn has(m: &Model, effect: &str) -> bool {
-    m.effects.iter().any(|e| e.name == effect)
-}
 
 /// Effects and conditions must refer to effects that exist, and a set of effects must have room for all of them.
 pub fn check(m: &Model, errors: &mut Vec<Error>) {
@@ -30,6 +18,7 @@ pub fn check(m: &Model, errors: &mut Vec<Error>) {
         errors,
     );
     let related = m.effects.iter().flat_map(|e| e.requires.iter().chain(&e.excludes));
+    let related = related.chain(m.switching.iter().map(|boundary| &boundary.effect));
     let related = related.chain(m.nonlinear_with.iter().map(|n| &n.effect));
     let related = related.chain(m.parameters.iter().filter_map(|p| p.with.as_ref()));
     let related = related.chain(m.laws.iter().filter_map(|l| l.with.as_ref()));
@@ -44,9 +33,29 @@ pub fn check(m: &Model, errors: &mut Vec<Error>) {
             errors.push(Error::new(name.span(), format!("there is no effect `{name}`")));
         }
     }
+    switching(m, errors);
     if let Some(beyond) = m.effects.get(MOST_EFFECTS) {
         let message = format!("{} effects: a set of effects has room for {MOST_EFFECTS}", m.effects.len());
         errors.push(Error::new(beyond.name.span(), message));
+    }
+}
+
+/// Each way to switch has one effect, each effect one way, and laws that do not step at all need no way to do so.
+fn switching(m: &Model, errors: &mut Vec<Error>) {
+    unique("way to switch of the effect", m.switching.iter().map(|boundary| &boundary.effect), errors);
+    for (i, boundary) in m.switching.iter().enumerate() {
+        let (effect, span) = (&boundary.effect, boundary.effect.span());
+        if let Some(first) = m.switching[..i].iter().find(|first| first.how == boundary.how && first.effect != *effect)
+        {
+            let message = format!("`{effect}` makes laws switch as `{}` does: one effect can", first.effect);
+            errors.push(Error::new(span, message));
+        }
+        if m.switching(How::WithJump).is_none() {
+            let message = format!(
+                "`{effect}` changes how laws switch, but no effect makes them switch: write `EFFECT => with_jump;` too"
+            );
+            errors.push(Error::new(span, message));
+        }
     }
 }
 

@@ -99,6 +99,16 @@ impl Parse for Effect {
     }
 }
 
+impl Parse for Boundary {
+    fn parse(input: ParseStream) -> Result<Self> {
+        let effect = input.parse()?;
+        input.parse::<Token![=>]>()?;
+        let (_, how) = How::WORDS[choice(input, &How::WORDS.map(|(word, _)| word))?];
+        input.parse::<Token![;]>()?;
+        Ok(Self { effect, how })
+    }
+}
+
 impl Parse for Condition {
     fn parse(input: ParseStream) -> Result<Self> {
         let name = input.parse()?;

@@ -13,6 +13,8 @@ pub struct Model {
     pub laws: Vec<Law>,
     pub motions: Vec<Motion>,
     pub effects: Vec<Effect>,
+    /// The effects that decide how laws switch.
+    pub switching: Vec<Boundary>,
     pub conditions: Vec<Condition>,
     pub constants: Vec<Assignment>,
     pub deflections: Vec<Assignment>,
@@ -74,8 +76,8 @@ pub struct Parameter {
     pub doc: LitStr,
 }
 
-/// `k "N*m" phase theta period 6.28 rolling, "doc";`, `e "m" phase theta period 6.28 with transmission_error, "doc";`,
-/// `side "1" phase theta period 6.28 with sliding_friction as side, "doc";`
+/// `k "N*m" phase theta period 6.28 rolling, "doc";`, `e "m" phase theta period 6.28 with EFFECT, "doc";`,
+/// `side "1" phase theta period 6.28 with EFFECT as side, "doc";`
 pub struct Law {
     pub name: Ident,
     pub unit: LitStr,
@@ -122,7 +124,30 @@ pub struct Effect {
     pub doc: LitStr,
 }
 
-/// `jump_terms = stiffness_step, !frozen_phase;`: a conjunction of effects present (`true`) or absent.
+/// `steps => with_jump;`: how laws switch in scenes with an effect.
+pub struct Boundary {
+    pub effect: Ident,
+    pub how: How,
+}
+
+/// How laws switch where their phase reaches a boundary.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum How {
+    /// `with_jump`: with the impulse. Without such an effect laws are constant.
+    WithJump,
+    /// `without_jump`: without the impulse.
+    WithoutJump,
+    /// `by_time`: at the times of a steady rotation.
+    ByTime,
+}
+
+impl How {
+    /// All of them, each with its word in a file.
+    pub const WORDS: [(&str, How); 3] =
+        [("with_jump", How::WithJump), ("without_jump", How::WithoutJump), ("by_time", How::ByTime)];
+}
+
+/// `jump_terms = steps, !frozen;`: a conjunction of effects present (`true`) or absent.
 pub struct Condition {
     pub name: Ident,
     pub effects: Vec<(bool, Ident)>,
@@ -246,6 +271,11 @@ impl Model {
         self.laws.iter().filter(|law| law.with.is_none())
     }
 
+    /// The effect with which laws switch in this way.
+    pub fn switching(&self, how: How) -> Option<&Ident> {
+        self.switching.iter().find(|boundary| boundary.how == how).map(|boundary| &boundary.effect)
+    }
+
     /// The names of the numbers in the equations that are constant in a scene: parameters, mid values of laws, constants.
     pub fn numbers(&self) -> impl Iterator<Item = Ident> {
         let mids = self.stiffnesses().map(Law::mid);
@@ -264,6 +294,7 @@ impl Model {
             laws: vec![],
             motions: vec![],
             effects: vec![],
+            switching: vec![],
             conditions: vec![],
             constants: vec![],
             deflections: vec![],

@@ -44,6 +44,7 @@ impl Model {
             "laws" => self.laws = list(input)?,
             "motions" => self.motions = list(input)?,
             "effects" => self.effects = list(input)?,
+            "switching" => self.switching = list(input)?,
             "conditions" => self.conditions = list(input)?,
             "constants" => self.constants = list(input)?,
             "deflections" => self.deflections = list(input)?,

@@ -1,9 +1,11 @@
 //! The effects and terms that could be left out of a scene. An effect of several parts is judged for all of them, and for each by itself.
 
+use crate::model::{Model, Switching};
 use crate::scene::{Effects, Scene};
 
-/// Effects that drop terms; all others add terms.
-const DROPPING: [&str; 2] = ["rigid_kinematics", "frozen_phase"];
+/// What effects drop that change how laws switch; all others add terms.
+const DROPPING: [(&str, Switching); 2] =
+    [("jump terms", Switching::WithoutJump), ("jump terms, moving phase", Switching::ByTime)];
 
 /// A scene without one of its effects, or without some terms.
 #[derive(Debug, Clone)]
@@ -32,7 +34,7 @@ pub enum Way {
 /// The scene without the effects that drop terms.
 pub fn base(scene: &Scene) -> Scene {
     let mut names = scene.effects.names(scene.model);
-    names.retain(|name| !DROPPING.contains(name));
+    names.retain(|name| DROPPING.iter().all(|(_, how)| !switches(scene.model, name, *how)));
     let mut base = with(scene, &names);
     // Advice is about coordinates and energies: outputs would only cost time.
     base.output.record.clear();
@@ -44,9 +46,9 @@ pub fn candidates(base: &Scene) -> Vec<Candidate> {
     let model = base.model;
     let present = base.effects.names(model);
     let mut candidates = vec![];
-    let what = [("jump terms", DROPPING[0]), ("jump terms, moving phase", DROPPING[1])];
-    for (without, name) in what {
-        let Some(effect) = model.effects.iter().find(|effect| effect.name == name) else { continue };
+    for (without, how) in DROPPING {
+        let Some(effect) = model.switching(how) else { continue };
+        let name = effect.name;
         if effect.requires.iter().all(|needed| present.contains(needed)) {
             let names: Vec<_> = present.iter().copied().chain([name]).collect();
             let how = format!("add `{name}`");
@@ -67,7 +69,7 @@ pub fn candidates(base: &Scene) -> Vec<Candidate> {
         gone.extend(present.iter().copied().filter(|other| needs(other)));
         let names: Vec<_> = present.iter().copied().filter(|other| !gone.contains(other)).collect();
         let quoted: Vec<_> = gone.iter().map(|name| format!("`{name}`")).collect();
-        let way = if *name == "stiffness_step" { Way::WithoutSteps } else { Way::Run };
+        let way = if switches(model, name, Switching::WithJump) { Way::WithoutSteps } else { Way::Run };
         let (without, how) = (gone.join(", "), format!("leave out {}", quoted.join(", ")));
         candidates.push(Candidate { without, how, scene: with(base, &names), way });
         candidates.extend(parts(base, &present, name));
@@ -98,6 +100,11 @@ fn parts(base: &Scene, present: &[&'static str], name: &str) -> Vec<Candidate> {
         Candidate { without: part.to_string(), how, scene: with(base, &names), way: Way::Run }
     };
     parts.iter().map(without).collect()
+}
+
+/// Whether laws switch in this way with an effect.
+fn switches(model: &Model, name: &str, how: Switching) -> bool {
+    model.switching(how).is_some_and(|effect| effect.name == name)
 }
 
 /// Whether an effect makes a deflection depend on the coordinates in another way than linearly.

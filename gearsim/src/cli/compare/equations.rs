@@ -1,6 +1,7 @@
 //! The sets of equations that `gearsim compare` runs a scene with: Oh, Grosh & Barber (2005), Eqs. (2)-(6).
 
 use crate::cli::failure::Failure;
+use crate::model::Switching;
 use crate::scene::{Effects, Scene, list};
 
 /// A set of equations: those of the scene, with at most one effect that drops terms.
@@ -11,8 +12,8 @@ pub(in crate::cli) struct EquationSet {
     pub(in crate::cli) equations: &'static str,
     /// Name in file names.
     pub(in crate::cli) suffix: &'static str,
-    /// The effect that drops terms; `None`: nothing is dropped.
-    modifier: Option<&'static str>,
+    /// How laws switch with the effect that drops terms, and what this effect does; `None`: nothing is dropped.
+    modifier: Option<(Switching, &'static str)>,
 }
 
 /// All sets of equations, the exact ones first.
@@ -22,13 +23,13 @@ pub(in crate::cli) const SETS: &[EquationSet] = &[
         label: "rigid kinematic",
         equations: "rigid kinematic equations",
         suffix: "rigid_kinematic",
-        modifier: Some("rigid_kinematics"),
+        modifier: Some((Switching::WithoutJump, "leaves out the impulses of steps")),
     },
     EquationSet {
         label: "classical",
         equations: "classical equations",
         suffix: "classical",
-        modifier: Some("frozen_phase"),
+        modifier: Some((Switching::ByTime, "lets laws step at the times of a steady rotation")),
     },
 ];
 
@@ -39,18 +40,15 @@ pub(in crate::cli) fn all(scene: &Scene) -> Result<Vec<(&'static EquationSet, Sc
 
 fn under(scene: &Scene, set: &'static EquationSet) -> Result<Scene, Failure> {
     let model = scene.model;
-    let modifies = |name: &str| SETS.iter().any(|set| set.modifier == Some(name));
+    let modifiers = SETS.iter().filter_map(|set| model.switching(set.modifier?.0)).map(|effect| effect.name);
+    let modifiers: Vec<_> = modifiers.collect();
     let mut names = scene.effects.names(model);
-    names.retain(|name| !modifies(name));
-    if let Some(modifier) = set.modifier {
-        let effect =
-            model.effects.iter().find(|effect| effect.name == modifier).ok_or_else(|| Failure::Impossible {
-                what: format!(
-                    "model `{}` has no effect `{modifier}`, so there are no {} equations",
-                    model.name, set.label
-                ),
-                help: "use `gearsim run`: it simulates the scene as it is".into(),
-            })?;
+    names.retain(|name| !modifiers.contains(name));
+    if let Some((how, does)) = set.modifier {
+        let effect = model.switching(how).ok_or_else(|| Failure::Impossible {
+            what: format!("model `{}` has no effect that {does}, so there are no {} equations", model.name, set.label),
+            help: "use `gearsim run`: it simulates the scene as it is".into(),
+        })?;
         let lacking: Vec<_> =
             effect.requires.iter().copied().filter(|other| !scene.effects.has(other, model)).collect();
         if !lacking.is_empty() {
@@ -58,7 +56,7 @@ fn under(scene: &Scene, set: &'static EquationSet) -> Result<Scene, Failure> {
                 format!("scene {} lacks the effect {}: all sets of equations are the same", scene.name, list(&lacking));
             return Err(Failure::Impossible { what, help: format!("add {} to its effects", list(&lacking)) });
         }
-        names.push(modifier);
+        names.push(effect.name);
     }
     let effects = Effects::from_names(names, model).unwrap_or(scene.effects);
     Ok(Scene { effects, ..scene.clone() })

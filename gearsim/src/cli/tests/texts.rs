@@ -78,7 +78,7 @@ fn a_comparison_needs_the_effects_that_drop_terms() {
 
     // A model without the effects that drop terms.
     let failure = compare::equations::all(&Scene { model: &crate::output::fixture::MODEL, ..bare }).err().unwrap();
-    assert!(failure.to_string().contains("has no effect `rigid_kinematics`"), "{failure}");
+    assert!(failure.to_string().contains("has no effect that leaves out the impulses of steps"), "{failure}");
 }
 
 #[test]

@@ -2,7 +2,7 @@
 
 use std::f64::consts::TAU;
 
-use crate::model::{Coordinate, Effect, Law, Model, Motion, Parameter, Range, Role, Start, Torque};
+use crate::model::{Coordinate, Effect, Law, Model, Motion, Parameter, Range, Role, Start, Switching, Torque};
 use crate::scene::{Scene, SceneMistakes};
 
 const POSITIVE: Range = Range { low: 0.0, high: f64::INFINITY, low_included: false, high_included: false };
@@ -20,7 +20,7 @@ const fn parameter(
 }
 
 const fn effect(name: &'static str, requires: &'static [&'static str], excludes: &'static [&'static str]) -> Effect {
-    Effect { name, of: None, doc: "", requires, excludes, bends: false }
+    Effect { name, of: None, doc: "", requires, excludes, switching: None, bends: false }
 }
 
 const fn law(name: &'static str, unit: &'static str, with: Option<&'static str>, role: Role, doc: &'static str) -> Law {
@@ -56,7 +56,7 @@ pub static GEAR_PAIR: Model = Model {
     ],
     motions: &[Motion { name: "speed", unit: "rad/s", doc: "rotational speed of the driving gear" }],
     effects: &[
-        effect("stiffness_step", &[], &[]),
+        Effect { switching: Some(Switching::WithJump), ..effect("stiffness_step", &[], &[]) },
         effect("rigid_kinematics", &["stiffness_step"], &["frozen_phase"]),
         effect("frozen_phase", &["stiffness_step"], &["rigid_kinematics"]),
         effect("damping", &[], &[]),

@@ -130,7 +130,7 @@ impl Composer<'_> {
             let requires = names(e.requires.iter().map(|other| self.renamed(part, other)));
             let excludes = names(e.excludes.iter().map(|other| self.renamed(part, other)));
             let of = e.of.filter(|_| !self.merged);
-            self.effects.push(Effect { name, of, doc: said(e.doc, part), requires, excludes, bends: e.bends });
+            self.effects.push(Effect { name, of, doc: said(e.doc, part), requires, excludes, ..*e });
             self.effects.len() - 1
         })
     }

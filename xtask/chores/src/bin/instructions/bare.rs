@@ -24,6 +24,7 @@ equations! {
         stiffness_step "the stiffness steps";
         torques "constant torques";
     }
+    switching { stiffness_step => with_jump; }
     conditions {
         jump_terms = stiffness_step;
         moving_phase = stiffness_step;

@@ -1,0 +1,76 @@
+//! Effects: parts of the equations that a scene may name, or not.
+
+use super::Model;
+use crate::expr::{Expr, Kind};
+
+/// An effect.
+pub(crate) struct Effect {
+    pub name: String,
+    /// The effect of which it is the one of a part: `backlash` of `backlash_12`.
+    pub of: Option<String>,
+    pub requires: Vec<String>,
+    pub excludes: Vec<String>,
+    pub doc: String,
+}
+
+impl Model {
+    /// Declares an effect: what `add` adds is in the equations only of scenes that name the effect. Several components may add
+    /// to one effect, one after another, each with the same `name` and `doc`.
+    pub fn effect(&mut self, name: &str, doc: &str, add: impl FnOnce(&mut Model)) {
+        if !self.effects.iter().any(|e| e.name == name && e.doc == doc) {
+            self.effects.push(Effect {
+                name: name.into(),
+                of: None,
+                requires: vec![],
+                excludes: vec![],
+                doc: doc.into(),
+            });
+        }
+        let outer = self.within.replace(name.into());
+        add(self);
+        self.within = outer;
+    }
+
+    /// The effect `name` at one part of the model, which scenes may name alone: `backlash_12`; `backlash` is that of all parts. A model
+    /// whose only part has no name has the effect `name` itself. Otherwise as [`Model::effect`]. Returns the name of the effect.
+    pub fn part_effect(&mut self, name: &str, part: &str, doc: &str, add: impl FnOnce(&mut Model)) -> String {
+        if part.is_empty() {
+            self.effect(name, doc, add);
+            return name.into();
+        }
+        let own = format!("{name}_{part}");
+        self.effect(&own, doc, add);
+        self.effects.iter_mut().filter(|effect| effect.name == own).for_each(|effect| effect.of = Some(name.into()));
+        own
+    }
+
+    /// Declares that the effect `name`, declared before, needs each of `others`.
+    pub fn require(&mut self, name: &str, others: &[&str]) {
+        for effect in self.effects.iter_mut().filter(|effect| effect.name == name) {
+            for other in
+                others.iter().filter(|other| !effect.requires.iter().any(|known| known == *other)).collect::<Vec<_>>()
+            {
+                effect.requires.push(other.to_string());
+            }
+        }
+    }
+
+    /// Declares that the effect `name`, declared before, excludes each of `others`: a scene may name one side only.
+    pub fn exclude(&mut self, name: &str, others: &[&str]) {
+        for effect in self.effects.iter_mut().filter(|effect| effect.name == name) {
+            for other in
+                others.iter().filter(|other| !effect.excludes.iter().any(|known| known == *other)).collect::<Vec<_>>()
+            {
+                effect.excludes.push(other.to_string());
+            }
+        }
+    }
+
+    /// The expression times the marker of the effect whose closure is running, if there is one.
+    pub(super) fn marked(&self, e: Expr) -> Expr {
+        match &self.within {
+            Some(effect) => Expr::var(Kind::Marker, effect) * e,
+            None => e,
+        }
+    }
+}

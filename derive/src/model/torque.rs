@@ -1,0 +1,91 @@
+//! External torques, and named forces that are factors of them.
+
+use symbolica::atom::{Atom, AtomCore};
+
+use super::Model;
+use crate::expr::{Expr, Kind, symbol, symbols, varies};
+
+/// A named force, a factor in torques.
+pub(crate) struct Force {
+    pub name: String,
+    pub value: Expr,
+    /// The effect in whose closure it was declared.
+    pub with: Option<String>,
+}
+
+pub(crate) struct Torque {
+    pub name: String,
+    pub value: Expr,
+    pub through: Expr,
+    /// The speed along which it works, if that is not the rate of `through`.
+    pub along: Option<Expr>,
+    pub doc: String,
+}
+
+impl Torque {
+    /// Its power [W]: the value times the speed along which it works.
+    pub fn power(&self) -> Atom {
+        (self.value * self.along.unwrap_or_else(|| self.through.dot())).atom()
+    }
+
+    /// Whether it works through a displacement that is linear in the coordinates and deflections.
+    pub fn is_linear(&self) -> bool {
+        let moves = |e: &Atom| symbols(e).iter().any(|s| matches!(s.0, Kind::Coordinate | Kind::Deflection));
+        let through = self.through.atom();
+        if symbols(&through).iter().any(|s| s.0 == Kind::Function) {
+            return false;
+        }
+        let by = |(kind, name): (Kind, String)| through.derivative(symbol(kind, &name)).expand();
+        let moving = symbols(&through).into_iter().filter(|s| matches!(s.0, Kind::Coordinate | Kind::Deflection));
+        self.along.is_none() && !moving.map(by).any(|slope| moves(&slope))
+    }
+}
+
+impl Model {
+    /// Adds an external torque (or force) of size `value` that works through the displacement `through`. The torque is constant or
+    /// depends on speeds; only with a friction law as a factor may it depend on deflections and stiffnesses too. A torque that is not
+    /// constant, or whose displacement is not linear in the coordinates, makes the cells nonlinear. If it is linear in the speed of `through`,
+    /// avoid this by writing it as a constant torque and a dissipation: T = c (n - omega) is the torque c n and D = c omega^2/2. Its power
+    /// is the output `power_NAME` [W].
+    pub fn torque(&mut self, name: &str, value: Expr, through: Expr, doc: &str) {
+        let value = self.marked(value);
+        self.torques.push(Torque { name: name.into(), value, through, along: None, doc: doc.into() });
+        self.power_output(name, doc);
+    }
+
+    /// Adds an external torque (or force) of size `value` that works along `speed`, a linear form of the speeds with factors that may
+    /// depend on the coordinates, where the displacement has no closed form: the speed of a shaft behind a universal joint. Otherwise
+    /// as [`Model::torque`].
+    pub fn torque_along(&mut self, name: &str, value: Expr, speed: Expr, doc: &str) {
+        let (value, through) = (self.marked(value), Expr::from(0));
+        self.torques.push(Torque { name: name.into(), value, through, along: Some(speed), doc: doc.into() });
+        self.power_output(name, doc);
+    }
+
+    /// Declares the power of an external torque as an output. Their sum is the rate of the work in the energy account.
+    fn power_output(&mut self, name: &str, doc: &str) {
+        let power = self.power(name);
+        self.output(&format!("power_{name}"), "W", power, &format!("power of the {doc}: positive if it drives"));
+    }
+
+    /// Names a force, for example a friction force, that is a factor in several torques or acts on several coordinates. It may
+    /// depend on whatever those torques may depend on. The equations are written in its name instead of being multiplied out.
+    pub fn force(&mut self, name: &str, value: Expr) -> Expr {
+        self.forces.push(Force { name: name.into(), value, with: self.within.clone() });
+        Expr::var(Kind::Force, name)
+    }
+
+    /// The expression with named forces written out. In reverse order, since a force may depend on earlier ones.
+    pub(crate) fn written_out(&self, e: &Atom) -> Atom {
+        self.forces.iter().rev().fold(e.clone(), |e, force| {
+            let name = Atom::var(symbol(Kind::Force, &force.name));
+            e.replace(name.to_pattern()).with(force.value.atom().to_pattern())
+        })
+    }
+
+    /// Whether a torque acts with generalised forces that are not constant: it depends on speeds, has a friction law in it, or its
+    /// displacement is not linear.
+    pub(crate) fn varies(&self, torque: &Torque) -> bool {
+        varies(&self.written_out(&torque.value.atom())) || !torque.is_linear()
+    }
+}
