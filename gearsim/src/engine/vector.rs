@@ -88,6 +88,12 @@ impl Vector {
         self.combine(other, |a, b| a + by * b);
     }
 
+    /// Becomes `by` times itself, plus another vector.
+    #[inline]
+    pub fn times_plus(&mut self, by: f64, other: &[f64]) {
+        self.combine(other, |a, b| b + by * a);
+    }
+
     /// Replaces each element by `f` of it and of the element of another vector.
     #[inline]
     fn combine(&mut self, other: &[f64], f: impl Fn(f64, f64) -> f64) {
