@@ -171,8 +171,9 @@ impl Search<'_> {
         for _ in 0..MOST_NEWTON {
             cost.steps += 1;
             let t = point.t;
-            let [s, r, a, j, snap] = self.signal.derivatives(point).map(|x| sign * x);
-            let f = gap - s;
+            let [s, r, a, j, snap] = self.signal.derivatives(point);
+            let (r, a, j, snap) = (sign * r, sign * a, sign * j, sign * snap);
+            let f = gap - sign * s;
             if f > 0.0 {
                 low = t
             } else {

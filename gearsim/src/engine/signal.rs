@@ -154,7 +154,9 @@ impl Signal<'_> {
                 }
             }
         }
-        sum.map(|bound| bound * (1.0 + events::BOUND_MARGIN))
+        let [b2, b3, b4] = sum;
+        let margin = 1.0 + events::BOUND_MARGIN;
+        [b2 * margin, b3 * margin, b4 * margin]
     }
 
     /// Rounding errors of the value and of its first derivatives at a point, from the sizes of their terms there and at the

@@ -46,8 +46,9 @@ impl Dense {
     #[inline]
     pub fn at(&self, x: f64) -> Flow {
         let mut terms = self.coefficients.iter().rev();
-        let last = terms.next().expect("a polynomial has coefficients").clone();
-        terms.fold(last, |sum, c| c.plus(x, &sum))
+        let mut sum = terms.next().expect("a polynomial has coefficients").clone();
+        terms.for_each(|c| sum.times_plus(x, c));
+        sum
     }
 
     /// Coefficients of `sign` times (`bound` minus coordinate `i`).

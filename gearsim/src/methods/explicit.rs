@@ -3,8 +3,6 @@
 //! k_i = f(t + c_i h, y + h sum_j a_ij k_j). The argument of stage `last` is the state at the end of the step, so that its k is
 //! the first k of the next step.
 
-use smallvec::SmallVec;
-
 use super::dense::Dense;
 use super::field::Field;
 use super::flow::{Flow, Scale};
@@ -76,11 +74,15 @@ impl Explicit {
     }
 
     fn sum(&self, row: Row) -> Flow {
-        let mut sum: SmallVec<[f64; 32]> = SmallVec::from_elem(0.0, self.width());
-        for (j, a) in row {
-            sum.iter_mut().zip(self.stage(*j)).for_each(|(sum, k)| *sum += a * k);
+        let n = self.n;
+        let mut sum = Flow::zero(n);
+        for &(j, a) in row {
+            let k = self.stage(j);
+            sum.q.add_times(a, &k[..n]);
+            sum.v.add_times(a, &k[n..2 * n]);
+            sum.lost += a * k[2 * n];
         }
-        self.flow(&sum)
+        sum
     }
 
     /// Length of a stage.

@@ -35,6 +35,14 @@ impl Flow {
         sum
     }
 
+    /// Becomes `factor` `self` + `other`.
+    #[inline]
+    pub fn times_plus(&mut self, factor: f64, other: &Flow) {
+        self.q.times_plus(factor, &other.q);
+        self.v.times_plus(factor, &other.v);
+        self.lost = other.lost + self.lost * factor;
+    }
+
     /// Whether all of it is finite.
     #[inline]
     pub fn is_finite(&self) -> bool {

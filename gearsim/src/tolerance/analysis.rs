@@ -137,6 +137,9 @@ pub(crate) const ORBIT_ACCEPTED: f64 = 1e-6;
 /// Farther from closed than this [relative to the rotation], turns are taken one after another as long as they come closer. Larger: Newton's
 /// method starts where it does not converge. Smaller: more turns where vibrations decay slowly.
 pub(crate) const ORBIT_NEAR: f64 = 1e-4;
+/// Largest step of Newton's method on the speed at the start of a turn \[of this speed\]. Larger: the derivatives of the flow do not reach so
+/// far. Smaller: the speed comes closer by a constant factor a turn for longer.
+pub(crate) const ORBIT_SPEED_STEP: f64 = 0.3;
 /// Largest number of runs in the search of a motion that repeats [runs].
 pub(crate) const ORBIT_ROUNDS: usize = 30;
 /// Singular values below this count as zero [relative to the largest]: a turn closes for any displacement in their directions, as for rigid

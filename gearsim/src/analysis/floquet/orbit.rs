@@ -32,7 +32,9 @@ use crate::methods::steps::BySteps;
 use crate::model::Start;
 use crate::scene::Scene;
 use crate::scene::solver::Method;
-use crate::tolerance::analysis::{ORBIT_ACCEPTED, ORBIT_CLOSED, ORBIT_NEAR, ORBIT_RANK, ORBIT_ROUNDS, ORBIT_TOLERANCE};
+use crate::tolerance::analysis::{
+    ORBIT_ACCEPTED, ORBIT_CLOSED, ORBIT_NEAR, ORBIT_RANK, ORBIT_ROUNDS, ORBIT_SPEED_STEP, ORBIT_TOLERANCE,
+};
 
 use variational::{Carried, Variational};
 
@@ -152,13 +154,18 @@ impl Shooting<'_> {
         }
     }
 
-    /// Where a turn from `place` came to, as the start of another: with the same reference coordinate, and the speed that a turn in the given
-    /// time asks for.
+    /// Where a turn from `place` came to, as the start of another: with the same reference coordinate, and the speed with which it moves on by
+    /// the turn, by a step of Newton's method on this speed alone.
     fn onwards(&self, (q, v): &Place, shot: &Shot) -> Place {
-        let reference = self.turn.reference;
+        let (n, reference) = (q.len(), self.turn.reference);
         let mut next = (&shot.q - &self.turn.shift, shot.v.clone());
+        let by_speed = shot.phi[(reference, n + reference)];
+        let newton = (q[reference] - next.0[reference]) / by_speed;
+        // Far away, or where the place at the end hardly depends on the speed at the start, a longer way needs a speed in proportion.
         let moved = (shot.q[reference] - q[reference]) / self.turn.shift[reference];
-        (next.0[reference], next.1[reference]) = (q[reference], v[reference] / moved);
+        let is_near = by_speed > 0.0 && newton.abs() <= ORBIT_SPEED_STEP * v[reference].abs();
+        let speed = if is_near { v[reference] + newton } else { v[reference] / moved };
+        (next.0[reference], next.1[reference]) = (q[reference], speed);
         next
     }
 

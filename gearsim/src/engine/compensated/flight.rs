@@ -91,7 +91,13 @@ impl<'a> Flight<'a> {
 
     /// The time near `t` [s] at which `guard` is zero, and the state there; `None` if it is not zero nearby, e.g. at a graze.
     pub fn meet(&mut self, guard: &Guard, t: f64) -> Option<(Df64, State)> {
-        let [on_q, on_speed] = [&guard.on_q, &guard.on_speed].map(|on| self.cell.shapes.tr_mul(on));
+        let on_q = self.cell.shapes.tr_mul(&guard.on_q);
+        let depends_on_speed = guard.on_speed.iter().any(|slope| slope.hi() != 0.0);
+        let on_speed = depends_on_speed.then(|| self.cell.shapes.tr_mul(&guard.on_speed));
+        let along = |moved: &DVector<Df64>, gained: &DVector<Df64>| match &on_speed {
+            Some(on_speed) => dot(&on_q, moved) + dot(on_speed, gained),
+            None => dot(&on_q, moved),
+        };
         let (value, begun) = (guard.value(&self.start), Df64::from(t));
         let mut t = begun;
         for _ in 0..MOST_STEPS {
@@ -100,9 +106,9 @@ impl<'a> Flight<'a> {
                 Course::Series(series) => series.pushed(&guard.on_force, t),
                 Course::Closed(_) => [Df64::from(0.0); 3],
             };
-            let gap = -(value + dot(&on_q, &moved) + dot(&on_speed, &gained) + pushed);
-            let rate = dot(&on_q, &v) + dot(&on_speed, &a) + push_rate;
-            let curve = (dot(&on_q, &a) + dot(&on_speed, &jerk) + push_curve).hi();
+            let gap = -(value + along(&moved, &gained) + pushed);
+            let rate = along(&v, &a) + push_rate;
+            let curve = (along(&a, &jerk) + push_curve).hi();
             let newton = gap / rate;
             // Relative correction of Newton's step to the root of gap - rate dt - curve dt²/2.
             let lacking = 0.5 * curve * newton.hi() / rate.hi();

@@ -57,5 +57,10 @@ impl Guard {
 
 /// The scalar product.
 pub fn dot(a: &DVector<Df64>, b: &DVector<Df64>) -> Df64 {
-    a.iter().zip(b.iter()).fold(Df64::from(0.0), |sum, (a, b)| sum + *a * *b)
+    let (a, b) = (a.as_slice(), &b.as_slice()[..a.len()]);
+    let mut sum = Df64::from(0.0);
+    for i in 0..a.len() {
+        sum += a[i] * b[i];
+    }
+    sum
 }

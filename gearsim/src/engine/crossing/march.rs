@@ -37,7 +37,7 @@ impl Search<'_> {
                     continue;
                 }
                 let sign = side.sign();
-                let [r, a, j, _] = rates.map(|x| sign * x);
+                let (r, a, j) = (sign * rates[0], sign * rates[1], sign * rates[2]);
                 let gap = full - sign * moved;
                 if gap <= tolerance && r >= 0.0 && (r > 0.0 || a > 0.0) {
                     // At the boundary, within the tolerance: the phase passes it, or reverses within the tolerance.

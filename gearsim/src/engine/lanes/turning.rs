@@ -86,8 +86,9 @@ impl<const N: usize, const L: usize> Lanes<N, L> {
         }
         let (i, part, v, a) = only?;
         let mode = &cells.modes[i];
-        let [sigma, omega2, per_omega2, w, per_w] =
-            [mode.sigma, mode.omega2, mode.per_omega2, mode.w, mode.per_w].map(|x| x.0[lane]);
+        let of = |x: &Pack<L>| x.0[lane];
+        let (sigma, omega2, per_omega2) = (of(&mode.sigma), of(&mode.omega2), of(&mode.per_omega2));
+        let (w, per_w) = (of(&mode.w), of(&mode.per_w));
         let jerk = -2.0 * sigma * a - omega2 * v;
         let (v, a) = ([v, (a + sigma * v) * per_w], [a, (jerk + sigma * a) * per_w]);
         let start = -(a[0] + 2.0 * sigma * v[0]) * per_omega2;
