@@ -60,6 +60,8 @@ mod train;
 mod transmission_error;
 pub mod unit;
 
+pub use crate::gear::Gears;
+pub use crate::profile::{Profile, Step};
 #[cfg(feature = "html")]
 pub(crate) use gear_data::of_mesh;
 pub use key_unit::unit_of;
@@ -74,9 +76,7 @@ pub use time_history::TimeHistory;
 
 use std::sync::Arc;
 
-use crate::gear::Gears;
 use crate::model::{Law, Model, Start};
-use crate::profile::Profile;
 use crate::train::Train;
 
 /// Plots that a scene may ask for.
@@ -103,6 +103,7 @@ pub struct Scene {
     /// The model it simulates.
     pub model: &'static Model,
     /// How the model is put together, if the scene lists its parts.
+    #[doc(hidden)]
     pub train: Option<Arc<Train>>,
     /// Active effects.
     pub effects: Effects,
