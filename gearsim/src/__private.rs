@@ -42,6 +42,26 @@ pub mod ensemble {
 #[cfg(feature = "models")]
 pub use crate::generated::models;
 
+/// How many digits of a result are left: tests compare methods by it.
+pub mod digits {
+    pub use crate::analysis::digits::{companion, noted};
+}
+
+/// The distance of two trajectories: tests compare methods by it.
+pub mod error {
+    pub use crate::analysis::work_precision::error::{difference, of, sizes};
+}
+
+// Tests of the parts of commands by themselves, and fuzz targets.
+pub use crate::analysis::work_precision::Runner;
+pub use crate::analysis::work_precision::reference::of as reference;
+pub use crate::output::marker::MARKER;
+pub use crate::scene::template::Template;
+pub use crate::sweep::folder::Folder;
+pub use crate::sweep::manifest::Manifest;
+pub use crate::sweep::merge::gather;
+pub use crate::sweep::{Request, Sweep};
+
 // Scenes of any model, for tests of all of them.
 pub use crate::library::{usual_levels, usual_value};
 

@@ -1,6 +1,6 @@
-//! A whole run of a scene, from its equations to its account.
+//! A whole run of a scene, from its equations to its account. Programs call [`Scene::run`](crate::Scene::run).
 
-pub mod account;
+pub(crate) mod account;
 mod rest;
 mod together;
 
@@ -62,7 +62,7 @@ pub struct Outcome {
     pub remarks: Vec<String>,
 }
 
-/// How many digits of a result are left ([`crate::analysis::digits`]).
+/// How many digits of a result are left.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Digits {
     /// Of the state at the end, its worst coordinate or speed: 0 to 16.
@@ -106,7 +106,7 @@ pub struct Entry {
 }
 
 impl Entry {
-    /// The entry of a derived model.
+    /// The entry of a derived model: `D` is a type that [`equations!`](crate::equations) defines.
     pub const fn new<D: Derived>() -> Entry {
         Entry { model: &D::MODEL, derived: DerivedModel::of::<D>() }
     }
@@ -141,7 +141,7 @@ impl Entry {
         Ok(Prospect { method, why, q: simulation.now.state.q.to_vec(), q_dot: simulation.now.state.q_dot.to_vec() })
     }
 
-    /// Runs scenes side by side ([`ensemble`]); of those with linear cells and constant torques, the start and the end are recorded
+    /// Runs scenes side by side; of those with linear cells and constant torques, the start and the end are recorded
     /// and nothing between.
     ///
     /// # Errors

@@ -1,8 +1,8 @@
 //! Any bytes as the axes of a sweep: it is refused in words, or each of its points is a scene whose values are those of the plan.
 
+use gearsim::__private::{Request, Sweep, Template};
 use gearsim::Design;
-use gearsim::scene::Template;
-use gearsim::sweep::{Error, Request, Sweep};
+use gearsim::sweep::Error;
 
 const SCENE: &str = include_str!("../../../models/scenes/oh2005/energy_300rpm.toml");
 /// Number of points that are compared with their scenes.

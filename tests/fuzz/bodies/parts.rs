@@ -6,9 +6,7 @@ use std::ops::ControlFlow;
 use std::path::PathBuf;
 use std::sync::{LazyLock, Mutex, PoisonError};
 
-use gearsim::scene::Template;
-use gearsim::sweep::folder::Folder;
-use gearsim::sweep::{Manifest, Request, Sweep, merge};
+use gearsim::__private::{Folder, Manifest, Request, Sweep, Template, gather};
 
 const SCENE: &str = include_str!("../../../models/scenes/oh2005/energy_300rpm.toml");
 /// The files that are changed.
@@ -55,7 +53,7 @@ impl Sound {
 
 /// The rows in a folder as text, which tells all bits; the error is why it is refused.
 fn read(folder: &PathBuf) -> Result<String, String> {
-    let gathered = merge::gather(std::slice::from_ref(folder), gearsim::models());
+    let gathered = gather(std::slice::from_ref(folder), gearsim::models());
     gathered.map(|(_, _, rows)| format!("{rows:?}")).map_err(|error| error.to_string())
 }
 

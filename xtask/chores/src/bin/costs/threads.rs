@@ -5,7 +5,7 @@ use std::ops::ControlFlow;
 use std::path::Path;
 use std::time::Instant;
 
-use gearsim::sweep::{Request, Sweep};
+use gearsim::__private::{Request, Sweep};
 
 /// A sweep on one thread and on two.
 pub struct Gain {
