@@ -1,6 +1,6 @@
 //! Figures: those of [`Results::plot`](crate::Results::plot), and those that a program draws of its own data.
 
-// Each plot of a run or of a sweep has one file, and one entry in `PLOTS` or `SWEEP_PLOTS`.
+// Each plot of a run or of a sweep has one file; those of runs have an entry in `PLOTS`.
 
 pub(crate) mod campbell;
 mod canvas;
@@ -53,16 +53,11 @@ pub(crate) const PLOTS: &[Plot] = &[
     load_duration::PLOT,
 ];
 
-/// All plots of sweeps.
-pub(crate) const SWEEP_PLOTS: &[SweepPlot] = &[map::PLOT, waterfall::PLOT];
-
 /// A plot of the results of a sweep.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct SweepPlot {
     /// Name; also the first part of the file name.
     pub name: &'static str,
-    /// One line saying what it shows.
-    pub doc: &'static str,
     /// Draws it.
     pub draw: fn(&SweepResults<'_>) -> Result<Drawn, PlotError>,
 }
@@ -104,8 +99,6 @@ pub(crate) struct SweepResults<'a> {
 pub(crate) struct Plot {
     /// Name in scenes and on the command line.
     pub name: &'static str,
-    /// One line saying what it shows.
-    pub doc: &'static str,
     /// Draws the plot. The curves of several runs are drawn over each other.
     pub draw: fn(&[Run<'_>]) -> Result<Figure, PlotError>,
 }
