@@ -17,12 +17,13 @@
 //! | to | use |
 //! | --- | --- |
 //! | read a scene, build one, change a value | [`Scene::load`], [`Scene::of_model`], [`Scene::with`], [`starter`] |
-//! | run it; columns, summary, plots, files | [`Scene::run`], [`Results`] |
+//! | run it; columns, summary, plots, files, page | [`Scene::run`], [`Results`] |
 //! | run it at many values | [`Scene::vary`], [`Variation::run`], [`Variation::response`] |
 //! | find out how results scatter, and why | [`Variation::design`], [`Job::statistics`], [`Job::sensitivity`] |
 //! | natural frequencies, stability | [`Scene::modes`], [`Scene::floquet`] |
 //! | find out which effects matter | [`Scene::advise`] |
-//! | evaluate a run: spectra, orders, statistics | [`analysis`] |
+//! | evaluate a run: spectra, orders, load cycles, sound | [`analysis`] |
+//! | write tables, read them again; draw data of your own | [`output`], [`plot`] |
 //! | use models of your own | [`add_models`], [`equations!`], [`cli::run`] |
 //!
 //! Units of all numbers are SI, unless a name or a text states another.

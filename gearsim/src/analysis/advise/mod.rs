@@ -26,7 +26,7 @@ pub use measures::{Apart, Bands, Measures};
 /// Bands: 1 dB, the limit used for the scenes of Oh, Grosh & Barber (`models/scenes/oh2005/README.md`). At 4500 rpm and 10 N m the
 /// classical equations deviate by less than 0.03 dB, at 600 rpm by more than 1 dB. The other limits were chosen on the same scenes:
 /// at 4500 rpm every deviation is below a fifth of its limit; at 600 rpm speed and energy exceed theirs too.
-pub(crate) const LIMITS: Apart = Apart { rms: 0.05, peak: 0.05, bands: 1.0, speed: 0.01, energy: 0.01, events: 0.01 };
+pub const LIMITS: Apart = Apart { rms: 0.05, peak: 0.05, bands: 1.0, speed: 0.01, energy: 0.01, events: 0.01 };
 
 #[cfg(test)]
 mod tests;
