@@ -29,11 +29,9 @@ use std::path::PathBuf;
 use std::process::Command;
 use std::time::{Duration, Instant};
 
-use gearsim::engine::equations::{Derived, Equations};
-use gearsim::engine::record::Recorder;
-use gearsim::engine::simulate::Simulation;
-use gearsim::ensemble;
-use gearsim::generated::gear_pair::GearPair;
+use gearsim::__private::equations::{Derived, Equations};
+use gearsim::__private::models::GearPair;
+use gearsim::__private::{Recorder, Simulation, ensemble};
 use gearsim::run::Entry;
 use gearsim::scene::Scene;
 use gearsim_tests::oh2005;

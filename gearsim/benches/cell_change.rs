@@ -6,10 +6,9 @@
 //! `benches/c_program.rs` measures it in C too, on three scenes.
 
 use divan::{Bencher, black_box};
-use gearsim::engine::equations::Derived;
-use gearsim::engine::simulate::Simulation;
-use gearsim::ensemble;
-use gearsim::generated::gear_pair::GearPair;
+use gearsim::__private::equations::Derived;
+use gearsim::__private::models::GearPair;
+use gearsim::__private::{Simulation, ensemble};
 use gearsim::scene::Scene;
 use gearsim_tests::oh2005;
 

@@ -8,10 +8,9 @@
 
 use divan::Bencher;
 use divan::counter::ItemsCount;
-use gearsim::engine::equations::{Derived, Equations};
-use gearsim::engine::simulate::Simulation;
-use gearsim::ensemble;
-use gearsim::generated::gear_pair::GearPair;
+use gearsim::__private::equations::{Derived, Equations};
+use gearsim::__private::models::GearPair;
+use gearsim::__private::{Simulation, ensemble};
 use gearsim::scene::Scene;
 
 /// Number of scenes in the ensemble.

@@ -4,12 +4,9 @@
 //! `cargo bench -p gearsim --bench guarantee`. Both rows of a scene search the same flights, and must find the same crossings.
 
 use divan::Bencher;
-use gearsim::engine::crossing::{Cost, Delay, Search, Side};
-use gearsim::engine::equations::Derived;
-use gearsim::engine::signal::Signal;
-use gearsim::engine::simulate::Simulation;
-use gearsim::engine::vector::Vector;
-use gearsim::generated::gear_pair::GearPair;
+use gearsim::__private::equations::Derived;
+use gearsim::__private::models::GearPair;
+use gearsim::__private::{Cost, Delay, Search, Side, Signal, Simulation, Vector};
 use gearsim::scene::Scene;
 
 /// The scenes, and the simulated time to measure over [s].

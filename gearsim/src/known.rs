@@ -2,13 +2,9 @@
 
 use std::sync::RwLock;
 
-#[cfg(feature = "models")]
 use crate::generated::MODELS;
 use crate::run::Entry;
 use crate::scene::Scene;
-
-#[cfg(not(feature = "models"))]
-static MODELS: &[Entry] = &[];
 
 static KNOWN: RwLock<&'static [Entry]> = RwLock::new(MODELS);
 

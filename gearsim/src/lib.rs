@@ -17,16 +17,16 @@
 //! | to | use |
 //! | --- | --- |
 //! | read a scene, build one, change a value | [`Scene::load`], [`Scene::of_model`], [`Scene::with`], [`starter`] |
-//! | run it; columns, summary, plots, files | [`Scene::run`], [`Results`] |
+//! | run it; columns, summary, plots, files, page | [`Scene::run`], [`Results`] |
 //! | run it at many values | [`Scene::vary`], [`Variation::run`], [`Variation::response`] |
 //! | find out how results scatter, and why | [`Variation::design`], [`Job::statistics`], [`Job::sensitivity`] |
 //! | natural frequencies, stability | [`Scene::modes`], [`Scene::floquet`] |
 //! | find out which effects matter | [`Scene::advise`] |
-//! | evaluate a run: spectra, orders, statistics | [`analysis`] |
+//! | evaluate a run: spectra, orders, load cycles, sound | [`analysis`] |
+//! | write tables, read them again; draw data of your own | [`output`], [`plot`] |
 //! | use models of your own | [`add_models`], [`equations!`], [`cli::run`] |
 //!
-//! The modules that are not listed here are for the equations that [`equations!`] writes and for the tests of gearsim. They change
-//! without notice.
+//! Units of all numbers are SI, unless a name or a text states another.
 
 // Units in square brackets are not links.
 #![allow(rustdoc::broken_intra_doc_links)]
@@ -34,42 +34,36 @@
 // The code of `equations!` names this crate `::gearsim`, here as in every other crate.
 extern crate self as gearsim;
 
+#[doc(hidden)]
+pub mod __private;
 pub mod analysis;
 pub mod cli;
-#[doc(hidden)]
-pub mod engine;
-#[doc(hidden)]
-pub mod ensemble;
+mod engine;
+mod ensemble;
 #[cfg(feature = "html")]
 mod explore;
 mod gear;
-#[cfg(feature = "models")]
-#[doc(hidden)]
-pub mod generated;
+mod generated;
 mod known;
 mod library;
 mod methods;
 pub mod model;
 pub mod output;
 #[cfg(feature = "html")]
-#[doc(hidden)]
-pub mod page;
+mod page;
 pub mod plot;
-#[doc(hidden)]
-pub mod profile;
+mod profile;
 pub mod run;
 pub mod scene;
 pub mod sweep;
 mod tolerance;
-pub mod train;
+mod train;
 pub mod trajectory;
 
 pub use gearsim_macros::equations;
 pub use known::{add as add_models, models};
 pub use library::advise::Advice;
 pub use library::{Error, Gathering, Job, Results, Rows, SceneBuilder, Value, Variation, starter};
-#[doc(hidden)]
-pub use library::{usual_levels, usual_value};
 pub use run::{Entry, Outcome, Prospect};
 pub use scene::Scene;
 pub use sweep::Design;

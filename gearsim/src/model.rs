@@ -1,7 +1,6 @@
 //! Description of a derived model: names, units, parameters, laws, effects. Scenes and the command line use it.
 //!
-//! The equations of the model are in [`crate::engine::Equations`]. The `equations!` macro generates both from the files under
-//! `generated/`; no description is written by hand.
+//! [`equations!`](crate::equations) generates a description and its equations from a file of derived equations; none is written by hand.
 
 /// Description of a drivetrain model: what a scene can set, and which effects it can activate.
 #[derive(Debug, Clone, Copy)]

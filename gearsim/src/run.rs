@@ -1,10 +1,13 @@
-//! A whole run of a scene, from its equations to its account.
+//! A whole run of a scene, from its equations to its account. Programs call [`Scene::run`](crate::Scene::run).
 
-pub mod account;
+pub(crate) mod account;
 mod rest;
 mod together;
 
 pub use account::Account;
+
+pub use crate::engine::error::{Refusal, Stop};
+pub use crate::engine::hybrid::Counts;
 
 use std::time::Duration;
 
@@ -14,9 +17,8 @@ use xprec::Df64;
 use crate::engine::cell::Cell;
 use crate::engine::compensated::Given;
 use crate::engine::equations::{Derived, DerivedModel, Equations};
-use crate::engine::error::{Refusal, Stop};
 use crate::engine::forcing::Forcing;
-use crate::engine::hybrid::{Counts, Hybrid};
+use crate::engine::hybrid::Hybrid;
 use crate::engine::motion::Effort;
 use crate::engine::record::{Recorder, State};
 use crate::engine::simulate::Simulation;
@@ -60,7 +62,7 @@ pub struct Outcome {
     pub remarks: Vec<String>,
 }
 
-/// How many digits of a result are left ([`crate::analysis::digits`]).
+/// How many digits of a result are left.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Digits {
     /// Of the state at the end, its worst coordinate or speed: 0 to 16.
@@ -104,18 +106,18 @@ pub struct Entry {
 }
 
 impl Entry {
-    /// The entry of a derived model.
+    /// The entry of a derived model: `D` is a type that [`equations!`](crate::equations) defines.
     pub const fn new<D: Derived>() -> Entry {
         Entry { model: &D::MODEL, derived: DerivedModel::of::<D>() }
     }
 
     /// The entry of trains, whose parts a scene lists. `elements` are the elements of `model`, in its order.
-    pub const fn train(model: &'static Model, elements: &'static Elements) -> Entry {
+    pub(crate) const fn train(model: &'static Model, elements: &'static Elements) -> Entry {
         Entry { model, derived: DerivedModel { model, source: elements } }
     }
 
     /// The entry with the description of a scene's model: that of a train has its parts.
-    pub fn described(self, model: &'static Model) -> Entry {
+    pub(crate) fn described(self, model: &'static Model) -> Entry {
         Entry { model, ..self }
     }
 
@@ -139,7 +141,7 @@ impl Entry {
         Ok(Prospect { method, why, q: simulation.now.state.q.to_vec(), q_dot: simulation.now.state.q_dot.to_vec() })
     }
 
-    /// Runs scenes side by side ([`ensemble`]); of those with linear cells and constant torques, the start and the end are recorded
+    /// Runs scenes side by side; of those with linear cells and constant torques, the start and the end are recorded
     /// and nothing between.
     ///
     /// # Errors
@@ -157,7 +159,7 @@ impl Entry {
     ///
     /// # Errors
     /// Those of [`System::of`].
-    pub fn system(&self, scene: &Scene) -> Result<System, Refusal> {
+    pub(crate) fn system(&self, scene: &Scene) -> Result<System, Refusal> {
         System::of(&self.derived, scene)
     }
 
@@ -165,7 +167,7 @@ impl Entry {
     ///
     /// # Errors
     /// Those of [`System::about_steady_motion`].
-    pub fn about_steady_motion(&self, scene: &Scene) -> Result<System, Refusal> {
+    pub(crate) fn about_steady_motion(&self, scene: &Scene) -> Result<System, Refusal> {
         System::about_steady_motion(&self.derived, scene)
     }
 
@@ -173,7 +175,7 @@ impl Entry {
     ///
     /// # Errors
     /// Those of [`System::linear_part`].
-    pub fn linear_part(&self, scene: &Scene) -> Result<System, Refusal> {
+    pub(crate) fn linear_part(&self, scene: &Scene) -> Result<System, Refusal> {
         System::linear_part(&self.derived, scene)
     }
 
@@ -181,7 +183,7 @@ impl Entry {
     ///
     /// # Errors
     /// Where its effects contradict one another.
-    pub fn equations(&self, scene: &Scene) -> Result<Box<dyn Equations>, Refusal> {
+    pub(crate) fn equations(&self, scene: &Scene) -> Result<Box<dyn Equations>, Refusal> {
         self.derived.equations(scene)
     }
 
@@ -189,7 +191,11 @@ impl Entry {
     ///
     /// # Errors
     /// Those of [`Entry::run`].
-    pub fn simulation<'a>(&self, scene: &'a Scene, equations: &'a dyn Equations) -> Result<Simulation<'a>, Refusal> {
+    pub(crate) fn simulation<'a>(
+        &self,
+        scene: &'a Scene,
+        equations: &'a dyn Equations,
+    ) -> Result<Simulation<'a>, Refusal> {
         Ok(Prepared::new(&self.derived, scene, equations)?.simulation)
     }
 
@@ -197,7 +203,11 @@ impl Entry {
     ///
     /// # Errors
     /// Where its cells cannot be solved in twice the digits.
-    pub fn compensate<'a>(&self, simulation: Simulation<'a>, scene: &'a Scene) -> Result<Simulation<'a>, Refusal> {
+    pub(crate) fn compensate<'a>(
+        &self,
+        simulation: Simulation<'a>,
+        scene: &'a Scene,
+    ) -> Result<Simulation<'a>, Refusal> {
         compensate(&self.derived, simulation, scene)
     }
 }

@@ -53,8 +53,7 @@
 //!    `gearsim/src/generated/my_train.rs`, and beside it the equations for reading, `text/my_train.txt`: read both. An error in the model is refused with the name of the symbol or term.
 //!    Nonlinear cells are derived too; their nonlinear terms are listed, and they are integrated by a stepping method instead of in
 //!    closed form.
-//! 4. Declare the file in `gearsim/src/generated/mod.rs`, `#[rustfmt::skip] pub mod my_train;`, and add it to the list there:
-//!    `Entry::new::<my_train::MyTrain, 2>()` for two coordinates.
+//! 4. Add the line `my_train::MyTrain,` to the list in `gearsim/src/generated/mod.rs`.
 //! 5. Write a scene under `models/scenes/`, starting from an existing one, and run it: `cargo run --release -- run
 //!    models/scenes/my_train.toml`. `cargo run -- models my_train` shows what a scene can set.
 //!

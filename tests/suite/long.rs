@@ -7,11 +7,9 @@ mod common;
 
 use std::f64::consts::TAU;
 
-use gearsim::engine::clock::Clock;
-use gearsim::engine::equations::DerivedModel;
-use gearsim::engine::record::State;
-use gearsim::engine::simulate::Simulation;
-use gearsim::generated::gear_pair::GearPair;
+use gearsim::__private::equations::DerivedModel;
+use gearsim::__private::models::GearPair;
+use gearsim::__private::{Clock, Simulation, State};
 use gearsim::scene::Scene;
 
 /// 2^35 pitches are 1.4e9 revolutions of the gear with 24 teeth. The product of a power of two and 2 pi has no rounding error.

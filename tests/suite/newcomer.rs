@@ -13,8 +13,8 @@ mod double_well;
 #[path = "newcomer/spring_rotor.rs"]
 mod spring_rotor;
 
-use gearsim::engine::equations::Derived;
-use gearsim::engine::vector::Matrix;
+use gearsim::__private::Matrix;
+use gearsim::__private::equations::Derived;
 use gearsim::run::Entry;
 use gearsim::scene::Scene;
 

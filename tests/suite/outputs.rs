@@ -8,9 +8,10 @@ use std::f64::consts::TAU;
 use std::path::Path;
 
 use common::{model, relative, root, run, scene};
+use gearsim::__private::Inside;
+use gearsim::__private::equations::{Equations, Known};
 use gearsim::analysis::dynamic_factor;
 use gearsim::analysis::orders::{Turning, force, lines, meshes, reference_shaft};
-use gearsim::engine::equations::{Equations, Known};
 use gearsim::model::Role;
 use gearsim::scene::Scene;
 use proptest::prelude::*;

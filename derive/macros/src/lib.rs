@@ -2,7 +2,7 @@
 //!
 //! A generated file states the derived equations in the symbols of their source. The macro generates code that does
 //! not execute the terms of absent effects. One invocation fills one module: it defines the model (`GearPair` for
-//! `gear_pair`), which implements `gearsim::engine::equations::Derived`.
+//! `gear_pair`), which implements `gearsim::__private::equations::Derived`.
 //!
 //! # Grammar
 //!

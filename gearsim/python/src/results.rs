@@ -64,9 +64,17 @@ impl Results {
         py.detach(|| self.inner.plot(name)).map(|inner| Figure { inner }).map_err(raised)
     }
 
-    /// Writes the files that `gearsim run` writes to a folder, and returns their paths.
-    fn write(&self, py: Python<'_>, folder: PathBuf) -> PyResult<Vec<PathBuf>> {
-        py.detach(|| self.inner.write(folder)).map_err(raised)
+    /// Writes the files that `gearsim run` writes to a folder, and returns their paths. With `html`, also `page.html`, the interactive page
+    /// that `gearsim run --html` writes.
+    #[pyo3(signature = (folder, html=false))]
+    fn write(&self, py: Python<'_>, folder: PathBuf, html: bool) -> PyResult<Vec<PathBuf>> {
+        let written = py.detach(|| if html { self.inner.write_with_page(folder) } else { self.inner.write(folder) });
+        written.map_err(raised)
+    }
+
+    /// The interactive page of the run in HTML: one file that needs no other and no network.
+    fn page(&self, py: Python<'_>) -> PyResult<String> {
+        py.detach(|| self.inner.page()).map_err(raised)
     }
 
     fn __repr__(&self) -> String {

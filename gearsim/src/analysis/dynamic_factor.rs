@@ -2,7 +2,7 @@
 //!
 //! - Largest force: the largest magnitude of the recorded mesh force, over samples and both sides of events, from `output.from` on.
 //! - Static force: the mesh force in static equilibrium at the torques of the start.
-//! - K_v: [`InternalDynamics`], for a scene that gives the teeth of the mesh. N is the mesh frequency of the run over
+//! - K_v: ISO 6336-1, method B, for a scene that gives the teeth of the mesh. N is the mesh frequency of the run over
 //!   sqrt(tr M⁻¹K_m)/2 pi, with K_m the part of K from the mesh at its mean stiffness: for two gears on torsional shafts
 //!   sqrt(c_gamma b/m_red)/2 pi of the standard. F_t = F cos(alpha), K_A = 1. The base pitch deviation is the largest difference of
 //!   neighbouring pitch errors of the scene; profile deviation and tip relief are zero, and there is no allowance for running-in.

@@ -1,18 +1,18 @@
 //! Analysis of trajectories after a run, and of the equations without a run.
 
 pub mod advise;
-pub mod digits;
+pub(crate) mod digits;
 pub mod dynamic_factor;
 #[cfg(feature = "html")]
-pub mod engaged;
+pub(crate) mod engaged;
 pub mod floquet;
-pub mod from_teeth;
+pub(crate) mod from_teeth;
 pub mod modes;
 pub mod orders;
 pub mod rainflow;
 pub mod sound;
 pub mod spectrum;
 pub mod statistics;
-pub mod steady;
-pub mod turn;
-pub mod work_precision;
+pub(crate) mod steady;
+pub(crate) mod turn;
+pub(crate) mod work_precision;

@@ -12,7 +12,7 @@ pub mod reference;
 pub mod table;
 
 pub use error::Errors;
-pub use ladder::{Family, Rung, Scenes};
+pub use ladder::Scenes;
 pub use measure::{Curve, Point};
 pub use reference::{By, Reference};
 

@@ -1,4 +1,4 @@
-//! The command line. Each command has one file and one entry in [`COMMANDS`].
+//! The command line, for programs with models of their own: [`run`] is the whole of `gearsim`.
 
 mod advise;
 mod check;

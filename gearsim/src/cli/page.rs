@@ -91,9 +91,25 @@ macro_rules! pages {
     };
 }
 
+/// The page of a run; programs have it too ([`Results::page`]).
+impl Asked {
+    #[cfg(feature = "html")]
+    pub(super) fn run(
+        self,
+        folder: &mut OutputFolder,
+        results: &Results,
+        summary: &mut Summary,
+    ) -> Result<(), Failure> {
+        Ok(results.write_page(folder, summary)?)
+    }
+
+    #[cfg(not(feature = "html"))]
+    pub(super) fn run(self, _: &mut OutputFolder, _: &Results, _: &mut Summary) -> Result<(), Failure> {
+        match self {}
+    }
+}
+
 pages! {
-    run of "summary.json" in OutputFolder(results: &Results, summary: &Summary) => |_files|
-        page::run::page(&page::run::Run { scene: &results.scene, outcome: &results.outcome, summary });
     work_precision of "work_precision.csv" in OutputFolder(scene: &Scene, measured: &WorkPrecision) => |files|
         page::work_precision::page(&made(scene, "each method in turn", files), measured);
     response of "response.csv" in OutputFolder(scene: &Scene, words: &str, drawn: Option<&Figure>, points: &Table) => |files|

@@ -71,8 +71,7 @@ impl Run {
         let evaluated = results.write_to(folder, self.csv || scene.output.csv, terminal::warn)?;
         let mut summary = results.summed(folder, &evaluated);
         if let Some(page) = page {
-            page.run(folder, results, &summary)?;
-            summary.files = folder.files().to_vec();
+            page.run(folder, results, &mut summary)?;
         }
         library::finish(folder, &summary)?;
         let width = terminal::width();

@@ -1,26 +1,67 @@
-//! The derived models. The files beside this one are written by `cargo xtask derive`; only this list and `train.rs` are by hand.
+//! The derived models, and the elements of trains. The files beside this one are written by `cargo xtask derive`; only this list and
+//! `train.rs` are by hand.
+//!
+//! The elements are always there, so that scenes with `model = "train"` need no feature.
 
 mod train;
 
 use crate::run::Entry;
 pub use train::{ELEMENTS, TRAIN, TRAIN_SCENE};
 
-#[rustfmt::skip]
-pub mod backlash_oscillator;
-#[rustfmt::skip]
-pub mod belt_drive;
-#[rustfmt::skip]
-pub mod cardan_drive;
-#[rustfmt::skip]
-pub mod chain_2;
-#[rustfmt::skip]
-pub mod chain_32;
-#[rustfmt::skip]
-pub mod chain_5;
-#[rustfmt::skip]
-pub mod crank_drive;
-#[rustfmt::skip]
-pub mod electric_axle;
+/// Declares the file of each model, and the list of their entries.
+macro_rules! models {
+    ($($module:ident::$model:ident,)*) => {
+        $(
+            #[cfg(feature = "models")]
+            pub mod $module;
+        )*
+
+        /// The types of the models.
+        #[cfg(feature = "models")]
+        pub mod models {
+            $(pub use super::$module::$model;)*
+        }
+
+        /// Every model the program knows.
+        pub static MODELS: &[Entry] = &[
+            $(
+                #[cfg(feature = "models")]
+                Entry::new::<$module::$model>(),
+            )*
+            Entry::train(&TRAIN, &ELEMENTS),
+        ];
+    };
+}
+
+// One line each. Files that a macro declares are not formatted: they stay as derived.
+models! {
+    gear_pair::GearPair,
+    backlash_oscillator::BacklashOscillator,
+    friction_oscillator::FrictionOscillator,
+    freewheel::Freewheel,
+    electric_axle::ElectricAxle,
+    gear_pair_shafts::GearPairShafts,
+    gear_pair_bearings::GearPairBearings,
+    geared_branches::GearedBranches,
+    two_stage::TwoStage,
+    idler::Idler,
+    belt_drive::BeltDrive,
+    crank_drive::CrankDrive,
+    cardan_drive::CardanDrive,
+    planetary_3::Planetary3,
+    planetary_4::Planetary4,
+    planetary_5::Planetary5,
+    planetary_6::Planetary6,
+    planetary_7::Planetary7,
+    planar_planetary_3::PlanarPlanetary3,
+    planar_planetary_4::PlanarPlanetary4,
+    planar_planetary_5::PlanarPlanetary5,
+    wind_turbine::WindTurbine,
+    chain_2::Chain2,
+    chain_5::Chain5,
+    chain_32::Chain32,
+}
+
 #[rustfmt::skip]
 pub mod element_clutch;
 #[rustfmt::skip]
@@ -53,67 +94,3 @@ pub mod element_support;
 pub mod element_thrust_bearing;
 #[rustfmt::skip]
 pub mod element_viscous;
-#[rustfmt::skip]
-pub mod freewheel;
-#[rustfmt::skip]
-pub mod friction_oscillator;
-#[rustfmt::skip]
-pub mod gear_pair;
-#[rustfmt::skip]
-pub mod gear_pair_bearings;
-#[rustfmt::skip]
-pub mod gear_pair_shafts;
-#[rustfmt::skip]
-pub mod geared_branches;
-#[rustfmt::skip]
-pub mod idler;
-#[rustfmt::skip]
-pub mod planar_planetary_3;
-#[rustfmt::skip]
-pub mod planar_planetary_4;
-#[rustfmt::skip]
-pub mod planar_planetary_5;
-#[rustfmt::skip]
-pub mod planetary_3;
-#[rustfmt::skip]
-pub mod planetary_4;
-#[rustfmt::skip]
-pub mod planetary_5;
-#[rustfmt::skip]
-pub mod planetary_6;
-#[rustfmt::skip]
-pub mod planetary_7;
-#[rustfmt::skip]
-pub mod two_stage;
-#[rustfmt::skip]
-pub mod wind_turbine;
-
-/// Every model the program knows: one line each.
-pub static MODELS: &[Entry] = &[
-    Entry::new::<gear_pair::GearPair>(),
-    Entry::new::<backlash_oscillator::BacklashOscillator>(),
-    Entry::new::<friction_oscillator::FrictionOscillator>(),
-    Entry::new::<freewheel::Freewheel>(),
-    Entry::new::<electric_axle::ElectricAxle>(),
-    Entry::new::<gear_pair_shafts::GearPairShafts>(),
-    Entry::new::<gear_pair_bearings::GearPairBearings>(),
-    Entry::new::<geared_branches::GearedBranches>(),
-    Entry::new::<two_stage::TwoStage>(),
-    Entry::new::<idler::Idler>(),
-    Entry::new::<belt_drive::BeltDrive>(),
-    Entry::new::<crank_drive::CrankDrive>(),
-    Entry::new::<cardan_drive::CardanDrive>(),
-    Entry::new::<planetary_3::Planetary3>(),
-    Entry::new::<planetary_4::Planetary4>(),
-    Entry::new::<planetary_5::Planetary5>(),
-    Entry::new::<planetary_6::Planetary6>(),
-    Entry::new::<planetary_7::Planetary7>(),
-    Entry::new::<planar_planetary_3::PlanarPlanetary3>(),
-    Entry::new::<planar_planetary_4::PlanarPlanetary4>(),
-    Entry::new::<planar_planetary_5::PlanarPlanetary5>(),
-    Entry::new::<wind_turbine::WindTurbine>(),
-    Entry::new::<chain_2::Chain2>(),
-    Entry::new::<chain_5::Chain5>(),
-    Entry::new::<chain_32::Chain32>(),
-    Entry::train(&TRAIN, &ELEMENTS),
-];

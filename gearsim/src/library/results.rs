@@ -7,11 +7,18 @@ use super::{Error, files};
 use crate::analysis::digits;
 use crate::known;
 use crate::output::summary::Observed;
+#[cfg(feature = "html")]
+use crate::output::{OutputError, PAGE};
 use crate::output::{OutputFolder, Summary, Table};
+#[cfg(feature = "html")]
+use crate::page;
 use crate::plot::{self, Figure};
 use crate::run::{Entry, Outcome, Prospect};
 use crate::scene::Scene;
 use crate::trajectory::Trajectory;
+
+/// The file of a result that names all others.
+const INDEX: &str = "summary.json";
 
 impl Scene {
     /// The entry of its model.
@@ -144,9 +151,53 @@ impl Results {
     /// # Errors
     /// If a file cannot be written.
     pub fn write(&self, folder: impl AsRef<Path>) -> Result<Vec<PathBuf>, Error> {
-        let mut folder = OutputFolder::create(folder.as_ref())?;
+        self.written(folder.as_ref(), |_, _| Ok(()))
+    }
+
+    /// The files of `gearsim run --html`: the same and `page.html`, an interactive page that needs no other file and no network.
+    ///
+    /// # Errors
+    /// If a file cannot be written.
+    #[cfg(feature = "html")]
+    pub fn write_with_page(&self, folder: impl AsRef<Path>) -> Result<Vec<PathBuf>, Error> {
+        self.written(folder.as_ref(), |folder, summary| self.write_page(folder, summary))
+    }
+
+    /// The interactive page of the run in HTML: one file that needs no other and no network.
+    ///
+    /// # Errors
+    /// If it cannot be made.
+    #[cfg(feature = "html")]
+    pub fn page(&self) -> Result<String, Error> {
+        let mut bytes = vec![];
+        self.page_of(&self.summary())?.write(&mut bytes).map_err(OutputError::from)?;
+        Ok(String::from_utf8_lossy(&bytes).into_owned())
+    }
+
+    #[cfg(feature = "html")]
+    fn page_of(&self, summary: &Summary) -> Result<page::Page, OutputError> {
+        page::run::page(&page::run::Run { scene: &self.scene, outcome: &self.outcome, summary })
+    }
+
+    /// Writes the page into the folder of the result, and its name into the summary.
+    #[cfg(feature = "html")]
+    pub(crate) fn write_page(&self, folder: &mut OutputFolder, summary: &mut Summary) -> Result<(), Error> {
+        let page = self.page_of(summary)?.of(INDEX);
+        folder.write(PAGE, |sink| Ok(page.write(sink)?))?;
+        summary.files = folder.files().to_vec();
+        Ok(())
+    }
+
+    /// Writes the files of `gearsim run` and, before the summary, what `more` writes.
+    fn written(
+        &self,
+        folder: &Path,
+        more: impl FnOnce(&mut OutputFolder, &mut Summary) -> Result<(), Error>,
+    ) -> Result<Vec<PathBuf>, Error> {
+        let mut folder = OutputFolder::create(folder)?;
         let evaluated = self.write_to(&mut folder, self.scene.output.csv, |_| {})?;
-        let summary = self.summed(&folder, &evaluated);
+        let mut summary = self.summed(&folder, &evaluated);
+        more(&mut folder, &mut summary)?;
         finish(&mut folder, &summary)?;
         Ok(folder.files().iter().map(|name| folder.path().join(name)).collect())
     }
@@ -188,6 +239,6 @@ impl Results {
 
 /// Writes the summary, which names all other files, and puts the result in its place.
 pub(crate) fn finish(folder: &mut OutputFolder, summary: &Summary) -> Result<(), Error> {
-    folder.write_bytes("summary.json", summary.json()?.as_bytes())?;
-    Ok(folder.commit("summary.json")?)
+    folder.write_bytes(INDEX, summary.json()?.as_bytes())?;
+    Ok(folder.commit(INDEX)?)
 }

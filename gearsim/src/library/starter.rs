@@ -39,7 +39,6 @@ const FIRST: &[&str] = &["stiffness_step", "damping", "torques"];
 
 /// The text of a scene of `model` in TOML. It is complete: it can be run as it is.
 pub fn starter(model: &Model) -> String {
-    #[cfg(feature = "models")]
     if !model.elements.is_empty() {
         return crate::generated::TRAIN_SCENE.into();
     }

@@ -1,7 +1,7 @@
 //! A table as Parquet: compact, typed, with the unit of each column and the provenance inside.
 //!
 //! Columns are required `DOUBLE`s and UTF-8 strings. The key-value metadata of the file hold the provenance, and under
-//! [`UNITS`] a JSON object of column name and unit, and under [`CHECKSUM`] the SHA-256 of the content ([`super::checksum`]), which is
+//! [`UNITS`] a JSON object of column name and unit, and under [`CHECKSUM`] the SHA-256 of the content, which is
 //! verified when a file is read.
 
 use std::collections::BTreeMap;

@@ -78,7 +78,8 @@ fn earlier(folder: &Path, new: &[String], index: &str) -> Vec<String> {
     indexes
 }
 
-/// An element of the head of a page that says to which index file it belongs; it is among the first [`HEAD`] bytes.
+/// An element of the head of a page that says to which index file it belongs; it is among the first `HEAD` bytes.
+#[cfg(any(test, feature = "html"))]
 pub fn belongs(index: &str) -> String {
     format!("{BELONGS}{index}\">")
 }

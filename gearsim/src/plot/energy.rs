@@ -7,11 +7,7 @@
 use super::{Axis, Figure, Panel, Plot, PlotError, Run, Series, Style, first_run, scene_names, time_axis};
 
 /// The entry in [`super::PLOTS`].
-pub const PLOT: Plot = Plot {
-    name: "energy",
-    doc: "total energy U = T + V - W against time, its parts, and the residual of the energy balance",
-    draw,
-};
+pub const PLOT: Plot = Plot { name: "energy", draw };
 
 fn draw(runs: &[Run<'_>]) -> Result<Figure, PlotError> {
     let run = first_run(PLOT.name, runs)?;

@@ -37,6 +37,7 @@ pub fn draw(chart: &Chart) -> Result<Figure, PlotError> {
 }
 
 /// A chart over two quantities as a map of the growth where a disturbance grows; `None` for a chart over one.
+#[cfg_attr(not(feature = "html"), expect(dead_code, reason = "only pages draw it"))]
 pub fn heat(chart: &Chart) -> Option<HeatMap> {
     let y = chart.y.as_ref()?;
     let growth = |spot: &Option<Spot>| spot.filter(|s| s.unstable).map_or(f64::NAN, |s| s.growth);

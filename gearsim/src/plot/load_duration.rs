@@ -4,11 +4,7 @@ use super::outputs::engineering;
 use super::{Axis, Figure, Panel, Plot, PlotError, Run, Series, first_run, scene_names};
 
 /// The entry in [`super::PLOTS`].
-pub const PLOT: Plot = Plot {
-    name: "load_duration",
-    doc: "the loads of `[output] rainflow` over the share of time that exceeds them",
-    draw,
-};
+pub const PLOT: Plot = Plot { name: "load_duration", draw };
 
 /// Most points of a curve: more would not be visible.
 const POINTS: usize = 2000;

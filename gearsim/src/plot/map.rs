@@ -6,9 +6,8 @@ use super::{Drawn, PlotError, SweepPlot, SweepResults, symbol};
 use crate::model::Model;
 use crate::sweep::axis;
 
-/// The entry in [`super::SWEEP_PLOTS`].
-pub const PLOT: SweepPlot =
-    SweepPlot { name: "map", doc: "a recorded quantity over the one or two varied quantities", draw };
+/// A plot of `gearsim sweep`.
+pub const PLOT: SweepPlot = SweepPlot { name: "map", draw };
 
 /// The colour scale is logarithmic if all values are positive and the largest exceeds the smallest by this factor.
 const DECADES: f64 = 1e3;

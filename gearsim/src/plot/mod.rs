@@ -1,31 +1,33 @@
-//! Plots of recorded runs and of sweeps. Each plot has one file and one entry in [`PLOTS`] or [`SWEEP_PLOTS`].
+//! Figures: those of [`Results::plot`](crate::Results::plot), and those that a program draws of its own data.
 
-pub mod campbell;
+// Each plot of a run or of a sweep has one file; those of runs have an entry in `PLOTS`.
+
+pub(crate) mod campbell;
 mod canvas;
 mod cascade;
 mod decimate;
 mod energy;
-pub mod figure;
-pub mod floquet;
-pub mod heat;
+pub(crate) mod figure;
+pub(crate) mod floquet;
+pub(crate) mod heat;
 mod load_duration;
-pub mod map;
+pub(crate) mod map;
 mod marks;
-pub mod modes;
+pub(crate) mod modes;
 mod motion;
 mod order_cuts;
 mod order_waterfall;
 pub(crate) mod orders;
-pub mod outputs;
+pub(crate) mod outputs;
 mod picture;
 mod rainflow;
-pub mod response;
+pub(crate) mod response;
 mod run_up;
 mod spectrum;
 mod text;
 mod ticks;
-pub mod waterfall;
-pub mod work_precision;
+pub(crate) mod waterfall;
+pub(crate) mod work_precision;
 
 pub use figure::{Axis, Figure, Marker, Panel, Scale, Series, Style};
 use heat::HeatMap;
@@ -38,7 +40,7 @@ use crate::sweep::manifest::Layout;
 use crate::trajectory::Trajectory;
 
 /// All plots, in the order in which they are listed.
-pub const PLOTS: &[Plot] = &[
+pub(crate) const PLOTS: &[Plot] = &[
     outputs::PLOT,
     orders::PLOT,
     energy::PLOT,
@@ -51,23 +53,18 @@ pub const PLOTS: &[Plot] = &[
     load_duration::PLOT,
 ];
 
-/// All plots of sweeps.
-pub const SWEEP_PLOTS: &[SweepPlot] = &[map::PLOT, waterfall::PLOT];
-
 /// A plot of the results of a sweep.
 #[derive(Debug, Clone, Copy)]
-pub struct SweepPlot {
+pub(crate) struct SweepPlot {
     /// Name; also the first part of the file name.
     pub name: &'static str,
-    /// One line saying what it shows.
-    pub doc: &'static str,
     /// Draws it.
     pub draw: fn(&SweepResults<'_>) -> Result<Drawn, PlotError>,
 }
 
 /// What a plot of a sweep has drawn.
 #[derive(Debug, Clone)]
-pub enum Drawn {
+pub(crate) enum Drawn {
     /// Curves.
     Curves(Figure),
     /// A map.
@@ -86,7 +83,7 @@ impl Drawn {
 
 /// The results of a sweep, and the quantity to draw.
 #[derive(Clone, Copy)]
-pub struct SweepResults<'a> {
+pub(crate) struct SweepResults<'a> {
     /// Name of the scene, for the title.
     pub scene: &'a str,
     /// The varied quantities and the recorded columns.
@@ -99,18 +96,16 @@ pub struct SweepResults<'a> {
 
 /// A plot that a scene can ask for.
 #[derive(Debug, Clone, Copy)]
-pub struct Plot {
+pub(crate) struct Plot {
     /// Name in scenes and on the command line.
     pub name: &'static str,
-    /// One line saying what it shows.
-    pub doc: &'static str,
     /// Draws the plot. The curves of several runs are drawn over each other.
     pub draw: fn(&[Run<'_>]) -> Result<Figure, PlotError>,
 }
 
 /// A run to draw.
 #[derive(Debug, Clone, Copy)]
-pub struct Run<'a> {
+pub(crate) struct Run<'a> {
     /// Name in the legend of a plot with several runs, e.g. `exact`.
     pub label: &'a str,
     /// The recorded rows.
@@ -178,7 +173,7 @@ pub enum PlotError {
 }
 
 /// The plot called `name`. Errors: [`PlotError::Unknown`].
-pub fn find(name: &str) -> Result<&'static Plot, PlotError> {
+pub(crate) fn find(name: &str) -> Result<&'static Plot, PlotError> {
     let unknown = || PlotError::Unknown { name: name.to_owned() };
     PLOTS.iter().find(|p| p.name == name).ok_or_else(unknown)
 }

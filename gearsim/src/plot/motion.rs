@@ -8,11 +8,7 @@ use crate::model::Coordinate;
 use crate::trajectory::Trajectory;
 
 /// The entry in [`super::PLOTS`].
-pub const PLOT: Plot = Plot {
-    name: "motion",
-    doc: "every coordinate and its speed against time; only the speed of coordinates that rotate continuously",
-    draw,
-};
+pub const PLOT: Plot = Plot { name: "motion", draw };
 
 fn draw(runs: &[Run<'_>]) -> Result<Figure, PlotError> {
     let model = first_run(PLOT.name, runs)?.trajectory.model;

@@ -7,11 +7,7 @@ use crate::analysis::orders::{Mesh, SHAFT, Turning, cuts, meshes, reference_shaf
 use crate::model::Output;
 
 /// The entry in [`super::PLOTS`].
-pub const PLOT: Plot = Plot {
-    name: "order_cuts",
-    doc: "of a run-up: amplitudes of the mesh orders of transmission errors and forces over the speed of the first shaft",
-    draw,
-};
+pub const PLOT: Plot = Plot { name: "order_cuts", draw };
 
 /// The units of the outputs that are drawn; the first output of each.
 const UNITS: [&str; 3] = ["m", "rad", "N"];

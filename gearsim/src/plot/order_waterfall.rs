@@ -8,11 +8,7 @@ use super::{Axis, Figure, Plot, PlotError, Run, first_run, scene_names};
 use crate::analysis::orders::{Window, windows};
 
 /// The entry in [`super::PLOTS`].
-pub const PLOT: Plot = Plot {
-    name: "order_waterfall",
-    doc: "of a run-up: order spectra of a mesh force over the speed of the first shaft, with lines at the mesh orders",
-    draw,
-};
+pub const PLOT: Plot = Plot { name: "order_waterfall", draw };
 
 /// Revolutions in a window: orders a quarter apart are separate lines, of which the Hann window's lobe takes four.
 const WINDOW: usize = 4;

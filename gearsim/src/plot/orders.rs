@@ -8,11 +8,7 @@ use crate::analysis::spectrum::SpectrumError;
 use crate::model::Output;
 
 /// The entry in [`super::PLOTS`].
-pub const PLOT: Plot = Plot {
-    name: "orders",
-    doc: "amplitudes of transmission errors and forces over orders of a shaft, with mesh orders and sidebands",
-    draw,
-};
+pub const PLOT: Plot = Plot { name: "orders", draw };
 
 /// The units of the outputs that are drawn; the first output of each.
 const UNITS: [&str; 4] = ["m", "rad", "N", "N*m"];

@@ -5,11 +5,7 @@ use crate::model::Output;
 use crate::trajectory::Trajectory;
 
 /// The entry in [`super::PLOTS`].
-pub const PLOT: Plot = Plot {
-    name: "outputs",
-    doc: "what the scene records: speeds, forces, transmission errors, torques against time",
-    draw,
-};
+pub const PLOT: Plot = Plot { name: "outputs", draw };
 
 /// The units in the order of their panels, each with the quantity, the unit that engineers use, and the factor to it.
 const UNITS: [(&str, &str, &str, f64); 7] = [

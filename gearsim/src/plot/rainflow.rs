@@ -5,8 +5,7 @@ use super::{Axis, Figure, Panel, Plot, PlotError, Run, Series, first_run, scene_
 use crate::analysis::rainflow;
 
 /// The entry in [`super::PLOTS`].
-pub const PLOT: Plot =
-    Plot { name: "rainflow", doc: "ranges of the loads of `[output] rainflow` over the cycles that exceed them", draw };
+pub const PLOT: Plot = Plot { name: "rainflow", draw };
 
 fn draw(runs: &[Run<'_>]) -> Result<Figure, PlotError> {
     let first = first_run(PLOT.name, runs)?;

@@ -9,11 +9,7 @@ use super::{Axis, Figure, Plot, PlotError, Run, first_run, scene_names};
 use crate::analysis::spectrum::{SpectrumError, uniform_samples, welch};
 
 /// The entry in [`super::PLOTS`].
-pub const PLOT: Plot = Plot {
-    name: "run_up",
-    doc: "of a run-up: a cascade of amplitude spectra of a mesh force over speed, with rays at the mesh orders",
-    draw,
-};
+pub const PLOT: Plot = Plot { name: "run_up", draw };
 
 /// Parts of the run, which overlap by half.
 const PARTS: usize = 30;

@@ -17,11 +17,7 @@ use crate::trajectory::Trajectory;
 use scale::Shown;
 
 /// The entry in [`super::PLOTS`].
-pub const PLOT: Plot = Plot {
-    name: "spectrum",
-    doc: "spectra of forces, transmission errors and elastic coordinates over frequency, with mesh lines and sidebands",
-    draw,
-};
+pub const PLOT: Plot = Plot { name: "spectrum", draw };
 
 /// End of the frequency axis in units of wd, as in Oh, Grosh and Barber (2005), Fig. 4.
 const LONGEST: f64 = 5.0;

@@ -6,12 +6,8 @@ use super::map::{places, subtitle, varied};
 use super::{Drawn, PlotError, SweepPlot, SweepResults, symbol};
 use crate::sweep::spectra::NamedSpectrum;
 
-/// The entry in [`super::SWEEP_PLOTS`].
-pub const PLOT: SweepPlot = SweepPlot {
-    name: "waterfall",
-    doc: "spectra of a coordinate over the varied quantity, if only one was varied",
-    draw,
-};
+/// A plot of `gearsim sweep`.
+pub const PLOT: SweepPlot = SweepPlot { name: "waterfall", draw };
 
 /// Densities below this fraction of the highest density get the lowest colour.
 const FLOOR: f64 = 1e-7;

@@ -23,12 +23,15 @@
 //! t_end = "0.1 s"
 //! ```
 //!
-//! All keys, with units, defaults and meaning: `gearsim scene --keys`. Each reader has the keys that it reads as a constant beside it
-//! (`KEYS`, [`keys`]); the reader refuses others, and the reference and the JSON schema are written from the same constants.
+//! All keys, with units, defaults and meaning: `gearsim scene --keys`. Programs read a scene by [`Scene::load`], or build one by
+//! [`Scene::of_model`].
+
+// Each reader has the keys that it reads as a constant beside it (`KEYS`, `keys`). It refuses others, and the reference and the JSON
+// schema are written from the same constants.
 
 mod check;
 mod damage;
-pub mod dimension;
+pub(crate) mod dimension;
 pub(crate) mod document;
 mod effects;
 mod field;
@@ -43,7 +46,7 @@ mod output;
 mod overrides;
 mod parameters;
 mod per_radius;
-pub mod quantity;
+pub(crate) mod quantity;
 mod read;
 mod smooth;
 pub mod solver;
@@ -52,31 +55,31 @@ mod spectrum;
 mod start;
 mod symbol;
 mod teeth;
-pub mod template;
+pub(crate) mod template;
 #[cfg(test)]
 mod tests;
 pub mod time_history;
 mod train;
 mod transmission_error;
-pub mod unit;
+pub(crate) mod unit;
 
+pub use crate::gear::Gears;
+pub use crate::profile::{Profile, Step};
 #[cfg(feature = "html")]
 pub(crate) use gear_data::of_mesh;
-pub use key_unit::unit_of;
+pub(crate) use key_unit::unit_of;
 pub(crate) use keys::{reference, schema};
 pub use mistake::{Mistake, SceneMistakes};
 pub(crate) use mistake::{did_you_mean, list, shown};
 pub use solver::{Precision, Solver};
 pub use sound::Sound;
 pub use spectrum::{Reference, Spectrum, SpectrumKind};
-pub use template::Template;
+pub(crate) use template::Template;
 pub use time_history::TimeHistory;
 
 use std::sync::Arc;
 
-use crate::gear::Gears;
 use crate::model::{Law, Model, Start};
-use crate::profile::Profile;
 use crate::train::Train;
 
 /// Plots that a scene may ask for.
@@ -103,6 +106,7 @@ pub struct Scene {
     /// The model it simulates.
     pub model: &'static Model,
     /// How the model is put together, if the scene lists its parts.
+    #[doc(hidden)]
     pub train: Option<Arc<Train>>,
     /// Active effects.
     pub effects: Effects,

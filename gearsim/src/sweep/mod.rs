@@ -1,36 +1,38 @@
 //! Sweeps: a scene is run at many points, each with its own values in place of those of the scene, on all cores and on many machines.
 //!
-//! [`axis`], [`design`] and [`plan`] define the points and their order. [`record`] defines which results of a point are kept. [`run`] runs the
-//! points, [`row`] converts results to tables, and [`manifest`] describes the sweep. [`folder`] stores finished points, so that an
-//! interrupted sweep can be resumed. [`merge`] joins the results of several machines. The result depends on the manifest alone: the
-//! bytes are the same for any number of threads, interruptions and shards.
+//! Programs begin with [`Scene::vary`](crate::Scene::vary). The result depends on the scene and on the definition of the points alone: the
+//! bytes are the same for any number of threads, interruptions and machines.
 
-pub mod answers;
-pub mod axis;
-pub mod design;
+// `axis`, `design` and `plan` define the points and their order. `record` defines which results of a point are kept. `run` runs the
+// points, `row` converts results to tables, and `manifest` describes the sweep. `folder` stores finished points, so that an interrupted
+// sweep can be resumed. `merge` joins the results of several machines.
+
+pub(crate) mod answers;
+pub(crate) mod axis;
+pub(crate) mod design;
 mod distribution;
-pub mod folder;
-pub mod manifest;
-pub mod merge;
+pub(crate) mod folder;
+pub(crate) mod manifest;
+pub(crate) mod merge;
 mod parse;
-pub mod plan;
+pub(crate) mod plan;
 mod random;
-pub mod record;
+pub(crate) mod record;
 pub mod response;
-pub mod row;
-pub mod run;
-pub mod shard;
-pub mod spectra;
+pub(crate) mod row;
+pub(crate) mod run;
+pub(crate) mod shard;
+pub(crate) mod spectra;
 #[cfg(test)]
 mod tests;
 
 use std::path::Path;
 
 pub use design::Design;
-pub use manifest::Manifest;
-pub use plan::Plan;
-pub use row::Status;
-pub use shard::Shard;
+pub(crate) use manifest::Manifest;
+pub(crate) use plan::Plan;
+pub(crate) use row::Status;
+pub(crate) use shard::Shard;
 
 use crate::model::Model;
 use crate::output::OutputError;
@@ -42,6 +44,7 @@ use record::{Column, Group};
 
 /// The definition of a sweep, as the user wrote it.
 #[derive(Debug, Clone, Default, PartialEq)]
+#[doc(hidden)]
 pub struct Request {
     /// The axes as text, e.g. `parameters.T0=1:100:50`.
     pub vary: Vec<String>,
@@ -62,6 +65,7 @@ pub struct Request {
 }
 
 /// A sweep, checked and ready to run.
+#[doc(hidden)]
 pub struct Sweep {
     /// The scene without the values of a point.
     template: Template,
@@ -189,7 +193,7 @@ impl Sweep {
 ///
 /// # Errors
 /// All mistakes in their texts.
-pub fn axes(template: &Template, model: &Model, vary: &[String]) -> Result<Vec<Axis>, SceneMistakes> {
+pub(crate) fn axes(template: &Template, model: &Model, vary: &[String]) -> Result<Vec<Axis>, SceneMistakes> {
     let mut report = template.report();
     let axes = parse::axes(vary, model, &mut report);
     if report.is_empty() { Ok(axes) } else { Err(report.into_mistakes(template.name())) }

@@ -3,7 +3,7 @@
 //!
 //! A varied speed, `start.speed`, is that of the rigid motion. The next point has the coordinates and speeds at the end of the point
 //! before it, with the rigid motion changed so that its mean speed over the measured time would have been the new one. The set point of
-//! a governor, or a torque, holds it there ([`hold`]). Each point is measured over whole periods ([`span`]).
+//! a governor, or a torque, holds it there. Each point is measured over whole periods.
 
 mod hold;
 mod motion;
@@ -63,7 +63,7 @@ pub struct Point {
     pub observed: Vec<Option<Statistics>>,
     /// How the run ended.
     pub status: Status,
-    /// Why it is not [`Status::Done`]; else empty.
+    /// Why it is not `done`; else empty.
     pub reason: String,
 }
 

@@ -3,7 +3,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
 
-use gearsim::output::MARKER;
+use gearsim::__private::MARKER;
 use serde_json::Value;
 
 use crate::prepared::Prepared;

@@ -1,9 +1,8 @@
 //! Any bytes as the axes of a sweep: it is refused in words, or each of its points is a scene whose values are those of the plan.
 
+use gearsim::__private::{Request, Sweep, Template};
 use gearsim::Design;
-use gearsim::generated::MODELS;
-use gearsim::scene::Template;
-use gearsim::sweep::{Error, Request, Sweep};
+use gearsim::sweep::Error;
 
 const SCENE: &str = include_str!("../../../models/scenes/oh2005/energy_300rpm.toml");
 /// Number of points that are compared with their scenes.
@@ -23,7 +22,7 @@ pub fn check(data: &[u8]) {
         ..Request::default()
     };
     let read = || Template::parse("fuzz", "fuzz.toml", SCENE, &[]).expect("the scene is valid");
-    match Sweep::of(read(), MODELS, &request) {
+    match Sweep::of(read(), gearsim::models(), &request) {
         Err(Error::Scene(mistakes)) => {
             assert!(!mistakes.render(80, false).trim().is_empty(), "refused without a reason");
         }

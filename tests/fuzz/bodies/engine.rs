@@ -3,11 +3,9 @@
 use std::f64::consts::TAU;
 use std::panic::{AssertUnwindSafe, catch_unwind, resume_unwind};
 
-use gearsim::engine::equations::Derived;
-use gearsim::engine::equations::DerivedModel;
-use gearsim::engine::record::Recorder;
-use gearsim::engine::simulate::Simulation;
-use gearsim::generated::gear_pair::GearPair;
+use gearsim::__private::equations::{Derived, DerivedModel};
+use gearsim::__private::models::GearPair;
+use gearsim::__private::{Recorder, Simulation};
 use gearsim::scene::Scene;
 
 /// The scene in which every number is replaced.

@@ -6,10 +6,7 @@ use std::ops::ControlFlow;
 use std::path::PathBuf;
 use std::sync::{LazyLock, Mutex, PoisonError};
 
-use gearsim::generated::MODELS;
-use gearsim::scene::Template;
-use gearsim::sweep::folder::Folder;
-use gearsim::sweep::{Manifest, Request, Sweep, merge};
+use gearsim::__private::{Folder, Manifest, Request, Sweep, Template, gather};
 
 const SCENE: &str = include_str!("../../../models/scenes/oh2005/energy_300rpm.toml");
 /// The files that are changed.
@@ -34,9 +31,9 @@ impl Sound {
             ..Request::default()
         };
         let template = Template::parse("fuzz", "fuzz.toml", SCENE, &request.overrides).unwrap();
-        let sweep = Sweep::of(template, MODELS, &request).unwrap();
+        let sweep = Sweep::of(template, gearsim::models(), &request).unwrap();
         let manifest = Manifest::new(&sweep, &request, None);
-        let layout = manifest.layout(MODELS).unwrap();
+        let layout = manifest.layout(gearsim::models()).unwrap();
         let folder = tempfile::tempdir().unwrap();
         let mut kept = Folder::open(folder.path(), manifest, layout).unwrap();
         let mut rows = vec![];
@@ -56,7 +53,7 @@ impl Sound {
 
 /// The rows in a folder as text, which tells all bits; the error is why it is refused.
 fn read(folder: &PathBuf) -> Result<String, String> {
-    let gathered = merge::gather(std::slice::from_ref(folder), MODELS);
+    let gathered = gather(std::slice::from_ref(folder), gearsim::models());
     gathered.map(|(_, _, rows)| format!("{rows:?}")).map_err(|error| error.to_string())
 }
 

@@ -1,6 +1,5 @@
 //! Any bytes as a scene with overrides: the scene is read, or its mistakes are reported. It never panics.
 
-use gearsim::generated::MODELS;
 use gearsim::scene::{PLOTS, Scene};
 
 /// The text up to the first zero byte is the scene; each text after a zero byte is an override.
@@ -9,7 +8,7 @@ pub fn check(data: &[u8]) {
     let mut parts = text.split('\0');
     let scene = parts.next().unwrap_or_default();
     let overrides: Vec<String> = parts.map(str::to_owned).collect();
-    let models: Vec<_> = MODELS.iter().map(|entry| entry.model).collect();
+    let models: Vec<_> = gearsim::models().iter().map(|entry| entry.model).collect();
     match Scene::parse("fuzz", "fuzz.toml", scene, &overrides, &models) {
         Ok(scene) => sound(&scene),
         Err(errors) => {

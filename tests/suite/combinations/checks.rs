@@ -1,6 +1,6 @@
 //! What has to hold of every scene.
 
-use gearsim::analysis::work_precision::error;
+use gearsim::__private::error;
 use gearsim::run::Outcome;
 use gearsim::trajectory::Trajectory;
 use gearsim::{Error, Results, Scene};

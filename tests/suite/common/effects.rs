@@ -4,8 +4,9 @@
 
 use std::path::{Path, PathBuf};
 
+use gearsim::__private::{usual_levels, usual_value};
+use gearsim::Scene;
 use gearsim::model::{Effect, Model};
-use gearsim::{Scene, usual_levels, usual_value};
 
 /// Models that differ from another one only in a number of parts.
 const SAME: &[&str] = &[

@@ -4,7 +4,6 @@
 
 use std::path::{Path, PathBuf};
 
-use gearsim::generated::MODELS;
 use gearsim::model::Model;
 use gearsim::run::{Entry, Outcome};
 use gearsim::scene::Scene;
@@ -21,12 +20,12 @@ pub fn root() -> PathBuf {
 
 /// The registry entry of a model: its description and the function that runs its scenes.
 pub fn model(name: &str) -> &'static Entry {
-    MODELS.iter().find(|m| m.model.name == name).unwrap()
+    gearsim::models().iter().find(|m| m.model.name == name).unwrap()
 }
 
 /// The descriptions of all models.
 pub fn models() -> Vec<&'static Model> {
-    MODELS.iter().map(|m| m.model).collect()
+    gearsim::models().iter().map(|m| m.model).collect()
 }
 
 /// Loads a scene from `models/scenes`, with overrides (`key=value`).

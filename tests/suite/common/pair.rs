@@ -2,16 +2,12 @@
 
 #![allow(dead_code)] // each test binary uses only some of these
 
-use gearsim::engine::Stop;
-use gearsim::engine::equations::DerivedModel;
-use gearsim::engine::hybrid::Counts;
-use gearsim::engine::law::LawState;
-use gearsim::engine::record::{Recorder, State};
-use gearsim::engine::simulate::Simulation;
-use gearsim::generated::gear_pair::GearPair;
+use gearsim::__private::equations::DerivedModel;
+use gearsim::__private::models::GearPair;
+use gearsim::__private::{LawState, Recorder, Simulation, State};
 use gearsim::model::Start;
-use gearsim::profile::{Profile, Step};
-use gearsim::scene::Scene;
+use gearsim::run::{Counts, Stop};
+use gearsim::scene::{Profile, Scene, Step};
 use gearsim::trajectory::Trajectory;
 
 use crate::common;

@@ -1,5 +1,6 @@
 //! Damping that couples the modes: a train of three rotors whose shafts have dampers of their own, by the matrix exponential.
 
+use gearsim::__private::Inside;
 use gearsim::scene::Scene;
 use gearsim_tests::precise::exponential::Exponential;
 

@@ -1,7 +1,6 @@
 //! The end of a run in all its digits.
 
-use gearsim::engine::hybrid::Hybrid;
-use gearsim::engine::record::State;
+use gearsim::__private::{Hybrid, Inside, State};
 use gearsim::scene::{Precision, Scene};
 use gearsim_tests::precise::number::{Real, Scalar};
 

@@ -1,6 +1,6 @@
 //! The energy of an undamped gear pair with transmission errors and play, summed in 50 digits.
 
-use gearsim::engine::hybrid::Hybrid;
+use gearsim::__private::{Hybrid, Inside};
 use gearsim::scene::Scene;
 use gearsim_tests::precise::number::Scalar;
 

@@ -1,6 +1,6 @@
 //! All scenes whose cells are linear: both precisions have the same events, and the same end but for plain rounding.
 
-use gearsim::engine::hybrid::Hybrid;
+use gearsim::__private::{Hybrid, Inside};
 use gearsim::scene::Precision;
 
 use crate::common::{model, root, scene};

@@ -1,6 +1,6 @@
 //! The commands, each as what it asks of the library.
 
-use gearsim::analysis::work_precision;
+use gearsim::__private;
 use gearsim::{Error, Scene};
 
 /// What a command does with a scene; the error is why it cannot.
@@ -58,7 +58,7 @@ fn sweep(scene: &Scene) -> Result<(), String> {
 /// The reference that all methods are compared with; the methods themselves have columns of their own.
 fn reference(scene: &Scene) -> Result<(), String> {
     let entry = gearsim::models().iter().find(|entry| entry.model.name == scene.model.name).ok_or("no such model")?;
-    work_precision::reference::of(scene, &|scene: &Scene| entry.run(scene, &mut |_| {})).map(drop)
+    __private::reference(scene, &|scene: &Scene| entry.run(scene, &mut |_| {})).map(drop)
 }
 
 /// The text of an error without what differs from scene to scene: the name of the scene, and times.

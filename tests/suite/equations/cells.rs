@@ -1,7 +1,6 @@
 //! Eqs. (12), (13): the generated matrices of a cell and the motion between two steps, at random points.
 
-use gearsim::engine::cell::Cell;
-use gearsim::engine::vector::Vector;
+use gearsim::__private::{Cell, Vector};
 use gearsim_tests::oh2005::{GearPair, State};
 
 use crate::TOLERANCE;

@@ -1,7 +1,6 @@
 //! Eqs. (9), (11): transmission and reflection at random steps, compared with the hand-written rule and checked for energy.
 
-use gearsim::engine::crossing::Side;
-use gearsim::engine::jump::{Passage, Surface};
+use gearsim::__private::{Passage, Side, Surface};
 use gearsim_tests::oh2005::{Jump, State};
 
 use crate::TOLERANCE;

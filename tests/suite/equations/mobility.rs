@@ -1,8 +1,8 @@
 //! M⁻¹ at random points, compared with M1 and M2 by hand, and multiplied by M. At these points the inertias referred to the mesh
 //! differ by many decades.
 
-use gearsim::engine::equations::mobility;
-use gearsim::engine::vector::Matrix;
+use gearsim::__private::Matrix;
+use gearsim::__private::equations::mobility;
 
 use crate::TOLERANCE;
 use crate::points::{POINTS, Point, points};

@@ -1,7 +1,7 @@
 //! Random points: parameters and states of a gear pair, log-uniform over many decades, the same in every run.
 
-use gearsim::engine::equations::{Derived, Equations};
-use gearsim::generated::gear_pair::GearPair as Generated;
+use gearsim::__private::equations::{Derived, Equations};
+use gearsim::__private::models::GearPair as Generated;
 use gearsim_tests::oh2005::{GearPair, PITCH};
 
 pub const POINTS: usize = 10_000;

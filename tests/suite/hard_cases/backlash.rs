@@ -2,9 +2,9 @@
 
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_8, PI};
 
-use gearsim::engine::equations::DerivedModel;
-use gearsim::engine::simulate::Simulation;
-use gearsim::generated::gear_pair;
+use gearsim::__private::Simulation;
+use gearsim::__private::equations::DerivedModel;
+use gearsim::__private::models::GearPair;
 use gearsim::scene::{Effects, Scene};
 
 use crate::case::{Case, NONE, WRONG, count, largest};
@@ -259,7 +259,7 @@ fn pulls(note: &mut String) -> f64 {
     let worst = (0..60).map(|_| {
         let scene = rattling(&mut noise, &[]);
         let zeta = scene.parameter("zeta").expect("a parameter");
-        let equations = DerivedModel::of::<gear_pair::GearPair>().equations(&scene).expect("effects that go together");
+        let equations = DerivedModel::of::<GearPair>().equations(&scene).expect("effects that go together");
         let mut simulation = Simulation::new(&*equations, &scene).expect("a system");
         let (_, _, c) = constants(zeta);
         let c = c * (scene.laws[0].mid() / ((1430.0 + 2780.0) / 2.0)).sqrt();
@@ -300,7 +300,7 @@ fn pulls(note: &mut String) -> f64 {
 fn accounted(note: &mut String) -> f64 {
     let mut noise = Noise::new(1102);
     let outcomes: Vec<_> = (0..60).map(|_| common::run(&rattling(&mut noise, &[]))).collect();
-    let total = |of: fn(&gearsim::engine::hybrid::Counts) -> u64| outcomes.iter().map(|o| of(&o.counts)).sum::<u64>();
+    let total = |of: fn(&gearsim::run::Counts) -> u64| outcomes.iter().map(|o| of(&o.counts)).sum::<u64>();
     let (impacts, reflections, holds) = (total(|c| c.impacts), total(|c| c.reflections), total(|c| c.holds));
     *note = format!("60 scenes, {impacts} impacts, {reflections} reflections, {holds} holds");
     largest(outcomes.iter().map(residual))

@@ -5,7 +5,7 @@
 
 use std::sync::OnceLock;
 
-use gearsim::analysis::{digits, work_precision::error};
+use gearsim::__private::{digits, error};
 use gearsim_tests::precise::scene::scene;
 
 use crate::case::Case;

@@ -2,11 +2,8 @@
 
 mod draw;
 
-use gearsim::engine::cell::Cell;
-use gearsim::engine::crossing::{Cost, Search, Side};
-use gearsim::engine::error::Refusal;
-use gearsim::engine::signal::Signal;
-use gearsim::engine::vector::Vector;
+use gearsim::__private::{Cell, Cost, Search, Side, Signal, Vector};
+use gearsim::run::Refusal;
 use gearsim_tests::precise::exponential::Exponential;
 use gearsim_tests::precise::number::{Real, Scalar};
 

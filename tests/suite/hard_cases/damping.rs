@@ -1,6 +1,6 @@
 //! Row 6: damping factors 0, 1 +- 10^-k, and up to 1e6.
 
-use gearsim::engine::vector::Vector;
+use gearsim::__private::Vector;
 use gearsim_tests::oh2005::{GearPair, State};
 use gearsim_tests::precise::cell::{Law, Motion};
 use gearsim_tests::precise::number::{Real, Scalar};

@@ -1,6 +1,6 @@
 //! Row 9: starts after 1e9 revolutions, and runs of 3e8 seconds.
 
-use gearsim::engine::clock::Clock;
+use gearsim::__private::Clock;
 use gearsim_tests::oh2005::{GearPair, PITCH, State};
 use gearsim_tests::precise::number::{Real, Scalar};
 

@@ -189,7 +189,7 @@ fn uneven(noise: &mut Noise) -> Scene {
 fn accounted(note: &mut String) -> f64 {
     let mut noise = Noise::new(1105);
     let outcomes: Vec<_> = (0..60).map(|_| common::run(&uneven(&mut noise))).collect();
-    let total = |of: fn(&gearsim::engine::hybrid::Counts) -> u64| outcomes.iter().map(|o| of(&o.counts)).sum::<u64>();
+    let total = |of: fn(&gearsim::run::Counts) -> u64| outcomes.iter().map(|o| of(&o.counts)).sum::<u64>();
     let (impacts, changes, reflections) = (total(|c| c.impacts), total(|c| c.cell_changes), total(|c| c.reflections));
     *note = format!("60 scenes, {impacts} impacts, {changes} cell changes, {reflections} reflections");
     largest(outcomes.iter().map(residual))

@@ -1,7 +1,7 @@
 //! Row 4: events at t = 0, at the horizon of a search, and one bit apart.
 
-use gearsim::engine::crossing::Side;
-use gearsim::profile::Step;
+use gearsim::__private::Side;
+use gearsim::scene::Step;
 use gearsim_tests::oh2005::{GearPair, PITCH};
 
 use crate::case::{Case, NONE, WRONG, count, largest};

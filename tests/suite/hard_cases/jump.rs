@@ -1,11 +1,9 @@
 //! Row 2: total reflection, near-critical incidence v² = 2 G dV (1 +- 10^-k), equality.
 
-use gearsim::engine::crossing::Side;
+use gearsim::__private::equations::Equations;
+use gearsim::__private::{Passage, Side, Surface, Vector};
 mod incidence;
 
-use gearsim::engine::equations::Equations;
-use gearsim::engine::jump::{Passage, Surface};
-use gearsim::engine::vector::Vector;
 use gearsim_tests::oh2005::GearPair;
 use gearsim_tests::precise::number::Scalar;
 use incidence::{Digits, incidences, square};

@@ -1,6 +1,6 @@
 //! Row 13: coincident and defective modes, compared with the matrix exponential.
 
-use gearsim::engine::vector::Vector;
+use gearsim::__private::Vector;
 use gearsim_tests::precise::exponential::Exponential;
 use gearsim_tests::precise::number::{Real, Scalar};
 use nalgebra::{SMatrix, SVector};

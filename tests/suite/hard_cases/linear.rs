@@ -1,10 +1,7 @@
 //! Any linear cell M q'' + C q' + K q = f with the phase n.q, as equations for the engine. For cases that need no scene.
 
-use gearsim::engine::cell::{Cell, Flight, Point};
-use gearsim::engine::crossing::{Cost, Search, SearchError, Side};
-use gearsim::engine::equations::{Equations, Switching, matrix};
-use gearsim::engine::signal::Signal;
-use gearsim::engine::vector::{Matrix, Vector, dot};
+use gearsim::__private::equations::{Equations, Switching, matrix};
+use gearsim::__private::{Cell, Cost, Flight, Matrix, Point, Search, SearchError, Side, Signal, Vector, dot};
 
 /// The matrices of the cell. V = q.K q/2; a step dk of its only law gives dV = dk q_0²/2.
 #[derive(Debug, Clone, Copy)]

@@ -1,7 +1,7 @@
 //! Row 10: reverse rotation, and speeds that pass zero.
 
-use gearsim::engine::crossing::Side;
-use gearsim::profile::Step;
+use gearsim::__private::Side;
+use gearsim::scene::Step;
 use gearsim_tests::oh2005::{GearPair, PITCH, State};
 use gearsim_tests::precise::{self, first_crossing};
 

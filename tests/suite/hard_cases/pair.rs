@@ -2,13 +2,11 @@
 
 use std::sync::OnceLock;
 
-use gearsim::engine::equations::DerivedModel;
-use gearsim::engine::equations::Equations;
-use gearsim::generated::gear_pair;
+use gearsim::__private::equations::{DerivedModel, Equations};
+use gearsim::__private::models;
 use gearsim::model::Start;
-use gearsim::profile::Step;
 use gearsim::run::Outcome;
-use gearsim::scene::{InitialState, Scene};
+use gearsim::scene::{InitialState, Scene, Step};
 use gearsim::trajectory::Moment;
 use gearsim_tests::oh2005::{Event, GearPair, Kind, PITCH, State};
 
@@ -41,7 +39,7 @@ pub fn scene(pair: &GearPair, start: &State, t_end: f64) -> Scene {
 
 /// The equations of a gear pair with all its effects.
 pub fn equations(pair: &GearPair) -> Box<dyn Equations> {
-    DerivedModel::of::<gear_pair::GearPair>()
+    DerivedModel::of::<models::GearPair>()
         .equations(&scene(pair, &pair.start(0.0), 1.0))
         .expect("effects that go together")
 }

@@ -1,7 +1,6 @@
 //! Row 5: ratios of stiffness and inertia from 1e-9 to 1e9, and cells without stiffness.
 
-use gearsim::engine::cell::Cell;
-use gearsim::engine::vector::Vector;
+use gearsim::__private::{Cell, Vector};
 use gearsim_tests::oh2005::{GearPair, State};
 
 use crate::case::{Case, largest};

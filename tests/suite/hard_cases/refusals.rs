@@ -2,8 +2,8 @@
 
 use std::panic::catch_unwind;
 
-use gearsim::engine::Refusal;
-use gearsim::engine::cell::Cell;
+use gearsim::__private::Cell;
+use gearsim::run::Refusal;
 use gearsim::scene::Scene;
 
 use crate::case::{Case, NONE, count};

@@ -1,8 +1,6 @@
 //! Row 13: stiff shafts and rigid-body modes.
 
-use gearsim::engine::cell::Cell;
-use gearsim::engine::crossing::Side;
-use gearsim::engine::vector::Vector;
+use gearsim::__private::{Cell, Side, Vector};
 use gearsim_tests::oh2005::GearPair;
 
 use crate::case::{Case, largest};

@@ -1,7 +1,6 @@
 //! Row 11: flanks that just touch. Without a load they rest there; under a load that begins from nothing they press slowly.
 
-use gearsim::analysis::digits;
-use gearsim::analysis::work_precision::error;
+use gearsim::__private::{digits, error};
 use gearsim::scene::Scene;
 use gearsim::scene::solver::{Method, Solver};
 use gearsim::trajectory::Moment;

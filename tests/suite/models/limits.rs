@@ -1,7 +1,7 @@
 //! Limits: a model with very stiff shafts or bearings approaches the model without them. The difference falls as one over the
 //! stiffness.
 
-use gearsim::generated::*;
+use gearsim::__private::models::{PlanarPlanetary3, Planetary3};
 use gearsim::run::Outcome;
 use gearsim::scene::Scene;
 
@@ -153,11 +153,11 @@ fn stiff_planetaries() {
         ("T_motor", 0.0),
         ("T_load", 0.0),
     ];
-    let torsional = train::<planetary_3::Planetary3>(&stage).frequencies();
+    let torsional = train::<Planetary3>(&stage).frequencies();
     let stiffness = [1e12, 1e13, 1e14];
     let differences = stiffness.map(|k| {
         let plane = [("m_s", 0.4), ("m_c", 5.43), ("m_r", 2.35), ("kb_s", k), ("kb_c", k), ("kb_r", k), ("kb_p", k)];
-        let planar = train::<planar_planetary_3::PlanarPlanetary3>(&[&stage[..], &plane].concat()).frequencies();
+        let planar = train::<PlanarPlanetary3>(&[&stage[..], &plane].concat()).frequencies();
         // All but the rigid motion, whose frequency is zero in both.
         let off = torsional.iter().zip(&planar).skip(1).map(|(t, p)| (t - p).abs() / t);
         off.fold(0.0, f64::max)

@@ -1,6 +1,6 @@
 //! Published natural frequencies, each with its source.
 
-use gearsim::generated::{chain_2, chain_5, geared_branches, planar_planetary_3, planar_planetary_4};
+use gearsim::__private::models::{Chain2, Chain5, GearedBranches, PlanarPlanetary3, PlanarPlanetary4};
 
 use crate::printed;
 use crate::train::train;
@@ -73,7 +73,7 @@ pub const CASES: &[Case] = &[
         input: TABLE_1,
         printed: THREE,
         reason: PRINTED,
-        ours: || train::<planar_planetary_3::PlanarPlanetary3>(&lin_parker(3)).frequencies(),
+        ours: || train::<PlanarPlanetary3>(&lin_parker(3)).frequencies(),
     },
     Case {
         source: LIN_PARKER,
@@ -81,7 +81,7 @@ pub const CASES: &[Case] = &[
         input: TABLE_1,
         printed: FOUR,
         reason: PRINTED,
-        ours: || train::<planar_planetary_4::PlanarPlanetary4>(&lin_parker(4)).frequencies(),
+        ours: || train::<PlanarPlanetary4>(&lin_parker(4)).frequencies(),
     },
     Case {
         source: LIN_PARKER,
@@ -105,9 +105,7 @@ pub const CASES: &[Case] = &[
         input: "J 211.4, 8.3 kg m^2; k 9.775e6 N m/rad",
         printed: &[(0.0, 1, DIGITS), (176.1, 1, 3e-4)],
         reason: "half a unit in the last digit of 176.1",
-        ours: || {
-            train::<chain_2::Chain2>(&[("I1", 211.4), ("I2", 8.3), ("k1", 9.775e6), NONE[0], NONE[1]]).frequencies()
-        },
+        ours: || train::<Chain2>(&[("I1", 211.4), ("I2", 8.3), ("k1", 9.775e6), NONE[0], NONE[1]]).frequencies(),
     },
     Case {
         source: FRISWELL,
@@ -118,7 +116,7 @@ pub const CASES: &[Case] = &[
         ours: || {
             let discs = [("I1", 3.5e-3), ("I2", 3.5e-3), ("I3", 3.5e-3), ("I4", 0.15), ("I5", 0.05)];
             let shafts = [("k1", 12e3), ("k2", 12e3), ("k3", 14e3), ("k4", 10e3)];
-            train::<chain_5::Chain5>(&[&discs[..], &shafts, &NONE].concat()).frequencies()
+            train::<Chain5>(&[&discs[..], &shafts, &NONE].concat()).frequencies()
         },
     },
     Case {
@@ -130,7 +128,7 @@ pub const CASES: &[Case] = &[
         ours: || {
             let rotors = [("I_m", 400e-6), ("I1", 25e-6), ("I2", 25e-6), ("I_a", 700e-6), ("I_b", 700e-6)];
             let shafts = [("k_m", 1e4), ("k_a", 5e3), ("k_b", 5e3)];
-            train::<geared_branches::GearedBranches>(&[&rotors[..], &shafts, &NONE].concat()).frequencies()
+            train::<GearedBranches>(&[&rotors[..], &shafts, &NONE].concat()).frequencies()
         },
     },
 ];

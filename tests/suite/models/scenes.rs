@@ -1,7 +1,5 @@
 //! The scenes of the models: each runs to its end, and its energy account closes.
 
-use gearsim::generated::MODELS;
-
 use crate::common::{root, run, scene};
 
 /// The names of the scenes directly in `models/scenes`.
@@ -20,7 +18,7 @@ pub fn names() -> Vec<String> {
 /// T + V - W + D at every row equals its value at the start.
 pub fn keeps_its_energy(name: &str) {
     let scene = scene(name, &[]);
-    assert!(MODELS.iter().any(|m| m.model.name == scene.model.name));
+    assert!(gearsim::models().iter().any(|m| m.model.name == scene.model.name));
     let t = run(&scene).trajectory;
     let peak = |column: &[f64]| column.iter().fold(0.0, |m: f64, x| m.max(x.abs()));
     // The rounding error of the account is relative to its largest part.

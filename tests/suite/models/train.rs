@@ -1,6 +1,6 @@
 //! A derived model with a number for every parameter: its matrices, natural frequencies and energies.
 
-use gearsim::engine::equations::{Derived, Equations};
+use gearsim::__private::equations::{Derived, Equations};
 use gearsim::model::Model;
 use gearsim::scene::Effects;
 use nalgebra::{DMatrix, DVector, SymmetricEigen};

@@ -1,14 +1,13 @@
 //! The derivatives of the accelerations, which implicit methods need, against differences of the accelerations.
 
-use gearsim::engine::equations::{Equations, accelerated};
-use gearsim::engine::vector::{Matrix, Vector};
-use gearsim::generated::MODELS;
+use gearsim::__private::equations::{Equations, accelerated};
+use gearsim::__private::{Inside, Matrix, Vector};
 
 use super::common;
 
 fn check(name: &str, q: &[f64], v: &[f64]) {
     let scene = common::scene(name, &[]);
-    let entry = MODELS.iter().find(|entry| entry.model.name == scene.model.name).expect("a known model");
+    let entry = gearsim::models().iter().find(|entry| entry.model.name == scene.model.name).expect("a known model");
     let equations: Box<dyn Equations> = entry.equations(&scene).expect("effects that do not contradict one another");
     assert!(!equations.is_inertia_constant());
     let k = scene.model.in_contact(scene.laws.iter().map(|law| law.mid()));

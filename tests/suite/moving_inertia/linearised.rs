@@ -2,9 +2,9 @@
 
 use std::f64::consts::{PI, TAU};
 
+use gearsim::__private::{Inside, Motion};
 use gearsim::analysis::floquet::{Floquet, Verdict};
 use gearsim::analysis::modes;
-use gearsim::engine::system::Motion;
 use gearsim::model::Start;
 use gearsim::run::Entry;
 use gearsim::scene::Scene;

@@ -4,8 +4,7 @@
 use std::f64::consts::TAU;
 
 use super::{largest, linkage, run, scene};
-use gearsim::engine::error::Refusal;
-use gearsim::run::Entry;
+use gearsim::run::{Entry, Refusal};
 
 const LINKAGE: Entry = Entry::new::<linkage::Linkage>();
 

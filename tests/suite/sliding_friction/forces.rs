@@ -1,8 +1,8 @@
 //! The gear pair on bearings: accelerations from the flank forces as vectors in the plane, their moments about the centres, and the
 //! equations of Newton and Euler.
 
-use gearsim::engine::equations::Derived;
-use gearsim::generated::gear_pair_bearings::GearPairBearings;
+use gearsim::__private::equations::Derived;
+use gearsim::__private::models::GearPairBearings;
 
 use crate::common;
 

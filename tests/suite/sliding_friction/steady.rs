@@ -2,6 +2,7 @@
 
 use std::f64::consts::TAU;
 
+use gearsim::__private::Inside;
 use gearsim::scene::Scene;
 
 use crate::common::{model, scene};

@@ -2,7 +2,7 @@
 
 use std::f64::consts::{PI, TAU};
 
-use gearsim::engine::cell::Cell;
+use gearsim::__private::{Cell, Inside};
 use gearsim::scene::Scene;
 
 use crate::common;

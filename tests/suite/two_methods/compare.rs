@@ -1,7 +1,6 @@
 //! Compares one scene by two methods: events, impacts, the motion and the energy account.
 
-use gearsim::analysis::digits;
-use gearsim::analysis::work_precision::{Runner, error};
+use gearsim::__private::{Runner, digits, error};
 use gearsim::run::{Digits, Entry, Outcome};
 use gearsim::scene::Scene;
 use gearsim::scene::solver::{Method, Precision, Solver};

@@ -3,9 +3,9 @@
 
 use std::f64::consts::TAU;
 
+use gearsim::__private::Inside;
 use gearsim::model::Start;
-use gearsim::profile::Profile;
-use gearsim::scene::Scene;
+use gearsim::scene::{Profile, Scene};
 
 use crate::common;
 

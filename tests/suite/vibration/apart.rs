@@ -4,7 +4,7 @@
 //! The coordinates are a phase and a deflection for each mesh and the twists of the outer shafts, as in the models. The damper acts
 //! on one body alone, as that of a governor or a DC motor does.
 
-use gearsim::engine::modal::{Matrices, Modal};
+use gearsim::__private::{Matrices, Modal};
 use nalgebra::{DMatrix, DVector};
 
 const INERTIAS: [f64; 6] = [0.05, 3e-4, 6e-3, 5e-4, 0.08, 144.0];

@@ -3,9 +3,9 @@
 //! Source: M. I. Friswell, J. E. T. Penny, S. D. Garvey & A. W. Lees, Dynamics of Rotating Machines, Cambridge 2010,
 //! Chapter 9.
 
+use gearsim::__private::{Inside, Matrices};
 use gearsim::analysis::modes::masses::Mass;
 use gearsim::analysis::modes::{self, CellModes, Parts};
-use gearsim::engine::modal::Matrices;
 use nalgebra::{DMatrix, DVector};
 
 use crate::models::{DAMPERS, scene};

@@ -1,5 +1,6 @@
 //! Parametric instability: independently computed boundaries, and Floquet multipliers compared with 50 digits.
 
+use gearsim::__private::Inside;
 use gearsim::analysis::floquet::{Aperiodic, Floquet, FloquetError, Verdict};
 use gearsim::scene::Scene;
 use gearsim_tests::precise::number::{Real, Scalar};

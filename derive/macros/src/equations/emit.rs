@@ -33,7 +33,7 @@ pub fn emit(mut m: Model) -> TokenStream {
     let met = effects::met(m);
     let exactly = exactly(m);
     quote! {
-        use ::gearsim::engine::{equations, real, vector::{Matrix, Vector}};
+        use ::gearsim::__private::{Matrix, Vector, equations, real};
         use ::gearsim::model;
 
         #[doc = #doc]

@@ -32,7 +32,7 @@ pub enum Way {
 }
 
 /// The scene without the effects that drop terms.
-pub fn base(scene: &Scene) -> Scene {
+pub(crate) fn base(scene: &Scene) -> Scene {
     let mut names = scene.effects.names(scene.model);
     names.retain(|name| DROPPING.iter().all(|(_, how)| !switches(scene.model, name, *how)));
     let mut base = with(scene, &names);
@@ -42,7 +42,7 @@ pub fn base(scene: &Scene) -> Scene {
 }
 
 /// The candidates of `base`, a scene without effects that drop terms.
-pub fn candidates(base: &Scene) -> Vec<Candidate> {
+pub(crate) fn candidates(base: &Scene) -> Vec<Candidate> {
     let model = base.model;
     let present = base.effects.names(model);
     let mut candidates = vec![];

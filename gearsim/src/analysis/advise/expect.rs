@@ -29,7 +29,12 @@ pub struct Expected {
 ///
 /// # Errors
 /// [`Unknown`] if a cell has no modes or a settled motion does not exist.
-pub fn expected(scene: &Scene, steady: &Steady<'_>, bands: &Bands, without: Option<Way>) -> Result<Expected, Unknown> {
+pub(crate) fn expected(
+    scene: &Scene,
+    steady: &Steady<'_>,
+    bands: &Bands,
+    without: Option<Way>,
+) -> Result<Expected, Unknown> {
     let (elastic, rolling) = coordinates(scene);
     let mut measures = Measures {
         rms: vec![0.0; elastic.len()],
@@ -91,7 +96,7 @@ fn add(measures: &mut Measures, orbit: &Orbit, elastic: &[usize], bands: &Bands)
 }
 
 /// Duration of a short run of a scene [s]; `mesh` is its lowest mesh frequency [Hz], 0 if it has none.
-pub fn short_run(scene: &Scene, mesh: f64) -> f64 {
+pub(crate) fn short_run(scene: &Scene, mesh: f64) -> f64 {
     let least = if mesh > 0.0 { PITCHES / mesh } else { 0.0 };
     (SHORT * scene.t_end).max(least).min(AT_MOST * scene.t_end)
 }

@@ -79,7 +79,7 @@ impl Bands {
 }
 
 /// Indices of the coordinates that do not rotate continuously in a scene, and of those that do.
-pub fn coordinates(scene: &Scene) -> (Vec<usize>, Vec<usize>) {
+pub(crate) fn coordinates(scene: &Scene) -> (Vec<usize>, Vec<usize>) {
     let turns = |i: &usize| scene.effects.turns(scene.model.coordinates[*i].name, scene.model);
     let (rolling, elastic) = (0..scene.model.coordinates.len()).partition(turns);
     (elastic, rolling)

@@ -16,8 +16,9 @@ pub mod groups;
 pub mod measures;
 pub mod orbit;
 
-pub use candidates::{Candidate, Way, base, candidates};
-pub use expect::{expected, short_run};
+pub use candidates::{Candidate, Way};
+pub(crate) use candidates::{base, candidates};
+pub(crate) use expect::{expected, short_run};
 pub use measures::{Apart, Bands, Measures};
 
 /// Deviations up to which an effect may be left out; relative, those of bands in dB.

@@ -1,4 +1,4 @@
-//! The inertias of a scene: the moments of inertia and the masses among its parameters. M is linear in each of them ([`super::linear`]).
+//! The inertias of a scene: the moments of inertia and the masses among its parameters. M is linear in each of them.
 //!
 //! T is the sum of the energies of the parts, each its inertia times half a square of speeds. So the part of M that comes from an inertia
 //! is positive semidefinite, and its share of the kinetic energy is between 0 and 1. (A coordinate has no such share: where inertia

@@ -7,7 +7,8 @@ use super::go;
 use crate::cli::failure::Failure;
 use crate::cli::run::Run;
 use crate::output::fault::{self, Fault};
-use crate::output::{MARKER, Summary, parquet};
+use crate::output::marker::MARKER;
+use crate::output::{Summary, parquet};
 
 const OLD: [&str; 6] = ["--csv", "-q", "--set", "run.t_end=2 ms", "--set", "output.plots=[\"energy\"]"];
 const NEW: [&str; 7] = ["-q", "--set", "run.t_end=1 ms", "--set", "output.plots=[]", "--set", "output.rate=200 kHz"];

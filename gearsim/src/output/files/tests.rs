@@ -3,8 +3,8 @@
 use std::path::Path;
 
 use super::*;
-use crate::output::MARKER;
 use crate::output::fault::{self, Fault};
+use crate::output::marker::MARKER;
 
 fn names(folder: &Path) -> Vec<String> {
     let mut names: Vec<_> =

@@ -4,7 +4,7 @@
 //! of the mode, a bounds its distance, and the last factor is the effect of a rounding error of its frequency until the mode has
 //! died away.
 
-use gearsim::engine::vector::Vector;
+use gearsim::__private::Vector;
 use gearsim_tests::precise;
 use gearsim_tests::precise::cell::{Law, Motion};
 use gearsim_tests::precise::crossing::first_crossing_with;

@@ -1,6 +1,6 @@
 //! A belt drive with a tensioner.
 
-use gearsim::generated::belt_drive;
+use gearsim::__private::models::BeltDrive;
 
 use super::{ByHand, compare, of, with};
 
@@ -28,7 +28,5 @@ pub fn drive() {
             (p("k_t"), vec![(2, 1.0)]),
         ],
     };
-    compare::<belt_drive::BeltDrive>(&numbers, &by_hand, |q| {
-        vec![q("theta"), (p("r1") * q("theta") - q("s")) / p("r2"), q("psi")]
-    });
+    compare::<BeltDrive>(&numbers, &by_hand, |q| vec![q("theta"), (p("r1") * q("theta") - q("s")) / p("r2"), q("psi")]);
 }

@@ -1,7 +1,7 @@
 //! Chains of 2, 5 and 32 discs, each coupled to the next by a shaft.
 
-use gearsim::engine::equations::Derived;
-use gearsim::generated::{chain_2, chain_5, chain_32};
+use gearsim::__private::equations::Derived;
+use gearsim::__private::models::{Chain2, Chain5, Chain32};
 
 use super::{ByHand, TORQUES, compare, of, twist};
 
@@ -18,7 +18,7 @@ pub fn discs() {
         };
         compare::<D>(&numbers, &by_hand, |q| (1..=n).map(|i| q(&format!("theta{i}"))).collect());
     }
-    check::<chain_2::Chain2>(2);
-    check::<chain_5::Chain5>(5);
-    check::<chain_32::Chain32>(32);
+    check::<Chain2>(2);
+    check::<Chain5>(5);
+    check::<Chain32>(32);
 }

@@ -1,6 +1,6 @@
 //! One gear pair: with shafts and rotors, and on bearings.
 
-use gearsim::generated::{gear_pair_bearings, gear_pair_shafts};
+use gearsim::__private::models::{GearPairBearings, GearPairShafts};
 
 use super::{ByHand, TORQUES, compare, of, pair, twist, with};
 
@@ -26,7 +26,7 @@ pub fn shafts() {
         inertia: vec![p("I_m"), p("I1"), p("I2"), p("I_l")],
         springs: vec![twist(p("k_m"), 0, 1), (p("k12"), vec![(1, p("r1")), (2, -r2)]), twist(p("k_l"), 2, 3)],
     };
-    compare::<gear_pair_shafts::GearPairShafts>(&numbers, &by_hand, |q| {
+    compare::<GearPairShafts>(&numbers, &by_hand, |q| {
         let (theta1, theta2) = pair(q("theta"), q("s"), p("N1"), p("N2"), p("r1"));
         vec![theta1 + q("psi_m"), theta1, theta2, theta2 - q("psi_l")]
     });
@@ -60,7 +60,7 @@ pub fn bearings() {
             .chain([(0, "kb1"), (1, "kb1"), (3, "kb2"), (4, "kb2")].map(|(i, kb)| (p(kb), vec![(i, 1.0)])))
             .collect(),
     };
-    compare::<gear_pair_bearings::GearPairBearings>(&numbers, &by_hand, |q| {
+    compare::<GearPairBearings>(&numbers, &by_hand, |q| {
         let (theta1, theta2) = pair(q("theta"), q("s"), p("N1"), p("N2"), p("r1"));
         vec![q("x1"), q("y1"), theta1, q("x2"), q("y2"), theta2]
     });

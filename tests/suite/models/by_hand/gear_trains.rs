@@ -1,6 +1,6 @@
 //! Several gears in series or in parallel: two driven shafts, two stages, an idler between two gears.
 
-use gearsim::generated::{geared_branches, idler, two_stage};
+use gearsim::__private::models::{GearedBranches, Idler, TwoStage};
 
 use super::{ByHand, TORQUES, compare, of, pair, twist, with};
 
@@ -27,9 +27,7 @@ pub fn branches() {
         inertia: vec![p("I_m"), p("I1") + p("I2") * ratio * ratio, p("I_a"), p("I_b")],
         springs: vec![twist(p("k_m"), 0, 1), twist(p("k_a"), 1, 2), (p("k_b"), vec![(1, ratio), (3, -1.0)])],
     };
-    compare::<geared_branches::GearedBranches>(&numbers, &by_hand, |q| {
-        ["theta_m", "theta1", "theta_a", "theta_b"].map(q).to_vec()
-    });
+    compare::<GearedBranches>(&numbers, &by_hand, |q| ["theta_m", "theta1", "theta_a", "theta_b"].map(q).to_vec());
 }
 
 pub fn two_stages() {
@@ -67,7 +65,7 @@ pub fn two_stages() {
             twist(p("k_l"), 4, 5),
         ],
     };
-    compare::<two_stage::TwoStage>(&numbers, &by_hand, |q| {
+    compare::<TwoStage>(&numbers, &by_hand, |q| {
         let (theta1, theta2) = pair(q("theta1"), q("s1"), p("N1"), p("N2"), p("r1"));
         let (theta3, theta4) = pair(q("theta2"), q("s2"), p("N3"), p("N4"), p("r3"));
         vec![theta1 + q("psi_m"), theta1, theta2, theta3, theta4, theta4 - q("psi_l")]
@@ -95,7 +93,7 @@ pub fn idlers() {
         inertia: ["I1", "I2", "I3"].map(&p).to_vec(),
         springs: vec![(p("k12"), vec![(0, r[0]), (1, -r[1])]), (p("k23"), vec![(1, r[1]), (2, -r[2])])],
     };
-    compare::<idler::Idler>(&numbers, &by_hand, |q| {
+    compare::<Idler>(&numbers, &by_hand, |q| {
         let theta2 = q("theta") / p("N2");
         vec![(r[1] * theta2 + q("delta1")) / r[0], theta2, (r[1] * theta2 - q("delta2")) / r[2]]
     });

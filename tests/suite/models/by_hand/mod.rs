@@ -10,7 +10,7 @@ mod planetary;
 mod stage;
 mod wind_turbine;
 
-use gearsim::engine::equations::Derived;
+use gearsim::__private::equations::Derived;
 use nalgebra::DMatrix;
 
 use crate::train::{frequencies, train_with};

@@ -1,7 +1,7 @@
 //! Planetary stages with 3 to 5 planets whose bodies also move in the plane.
 
-use gearsim::engine::equations::Derived;
-use gearsim::generated::*;
+use gearsim::__private::equations::Derived;
+use gearsim::__private::models::{PlanarPlanetary3, PlanarPlanetary4, PlanarPlanetary5};
 
 use super::stage::{FURTHER, STAGE, SUPPORTS, radii, rotations};
 use super::{ByHand, TORQUES, compare_with, of, with};
@@ -59,7 +59,7 @@ pub fn stages() {
             x
         });
     }
-    check::<planar_planetary_3::PlanarPlanetary3>(3);
-    check::<planar_planetary_4::PlanarPlanetary4>(4);
-    check::<planar_planetary_5::PlanarPlanetary5>(5);
+    check::<PlanarPlanetary3>(3);
+    check::<PlanarPlanetary4>(4);
+    check::<PlanarPlanetary5>(5);
 }

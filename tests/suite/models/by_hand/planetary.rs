@@ -1,7 +1,7 @@
 //! Planetary stages with 3 to 7 planets; torsion only.
 
-use gearsim::engine::equations::Derived;
-use gearsim::generated::*;
+use gearsim::__private::equations::Derived;
+use gearsim::__private::models::{Planetary3, Planetary4, Planetary5, Planetary6, Planetary7};
 
 use super::stage::{FURTHER, STAGE, SUPPORTS, radii, rotations};
 use super::{ByHand, TORQUES, compare_with, of, with};
@@ -35,9 +35,9 @@ pub fn stages() {
             [sun, carrier, q("theta_r")].into_iter().chain(planets).collect()
         });
     }
-    check::<planetary_3::Planetary3>(3);
-    check::<planetary_4::Planetary4>(4);
-    check::<planetary_5::Planetary5>(5);
-    check::<planetary_6::Planetary6>(6);
-    check::<planetary_7::Planetary7>(7);
+    check::<Planetary3>(3);
+    check::<Planetary4>(4);
+    check::<Planetary5>(5);
+    check::<Planetary6>(6);
+    check::<Planetary7>(7);
 }

@@ -1,6 +1,6 @@
 //! A wind turbine: a planetary stage with a fixed ring, then a gear pair.
 
-use gearsim::generated::wind_turbine;
+use gearsim::__private::models::WindTurbine;
 
 use super::stage::{STAGE, radii, rotations};
 use super::{ByHand, compare, of, pair, twist};
@@ -42,7 +42,7 @@ pub fn turbine() {
         by_hand.springs.push((sun, vec![(2, r_s), (6 + i, r_p), (1, -(r_s + r_p))]));
         by_hand.springs.push((ring, vec![(6 + i, -r_p), (1, -(r_r - r_p))]));
     }
-    compare::<wind_turbine::WindTurbine>(&numbers, &by_hand, |q| {
+    compare::<WindTurbine>(&numbers, &by_hand, |q| {
         let (sun, carrier, planet) = rotations(&p, q("theta"), q("theta_c"));
         let (wheel, pinion) = pair(q("theta2"), q("s2"), p("N1"), p("N2"), p("r1"));
         let x = [carrier + q("psi_l"), carrier, sun, wheel, pinion, pinion - q("psi_h")];

@@ -4,7 +4,6 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 
 use anyhow::{Context, bail};
-use gearsim::generated::MODELS;
 
 use crate::{many_effects, processor_time};
 
@@ -31,7 +30,7 @@ const EFFECTS: [usize; 4] = [6, 12, 24, 48];
 /// If one does not compile.
 pub fn all() -> anyhow::Result<Vec<Compiled>> {
     let generated = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../gearsim/src/generated");
-    let each = MODELS.iter().map(|entry| entry.model);
+    let each = gearsim::models().iter().map(|entry| entry.model);
     each.map(|model| compile(model.name, model.coordinates.len(), &generated.join(format!("{}.rs", model.name))))
         .collect()
 }

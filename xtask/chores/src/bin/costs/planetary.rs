@@ -3,13 +3,9 @@
 use std::f64::consts::TAU;
 
 use anyhow::bail;
-use gearsim::engine::equations::{Derived, DerivedModel};
-use gearsim::generated::{
-    planetary_3::Planetary3, planetary_4::Planetary4, planetary_5::Planetary5, planetary_6::Planetary6,
-    planetary_7::Planetary7,
-};
-use gearsim::profile::{Profile, Step};
-use gearsim::scene::Scene;
+use gearsim::__private::equations::{Derived, DerivedModel};
+use gearsim::__private::models::{Planetary3, Planetary4, Planetary5, Planetary6, Planetary7};
+use gearsim::scene::{Profile, Scene, Step};
 
 use crate::row::Row;
 

@@ -4,8 +4,8 @@ use std::time::Duration;
 
 use anyhow::Context;
 use cpu_time::ThreadTime;
-use gearsim::engine::equations::Equations;
-use gearsim::engine::simulate::Simulation;
+use gearsim::__private::Simulation;
+use gearsim::__private::equations::Equations;
 use gearsim::scene::Scene;
 
 use crate::planetary::planetary;

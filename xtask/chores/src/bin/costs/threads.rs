@@ -5,8 +5,7 @@ use std::ops::ControlFlow;
 use std::path::Path;
 use std::time::Instant;
 
-use gearsim::generated::MODELS;
-use gearsim::sweep::{Request, Sweep};
+use gearsim::__private::{Request, Sweep};
 
 /// A sweep on one thread and on two.
 pub struct Gain {
@@ -40,7 +39,7 @@ fn gain(what: &'static str, record: &[&str]) -> anyhow::Result<Gain> {
         record: record.iter().map(|name| name.to_string()).collect(),
         ..Request::default()
     };
-    let sweep = Sweep::load(Path::new(scene), MODELS, &request)?;
+    let sweep = Sweep::load(Path::new(scene), gearsim::models(), &request)?;
     let all: Vec<usize> = (0..points).collect();
     let mut elapsed = [f64::INFINITY; 2];
     for _ in 0..TURNS {

@@ -10,9 +10,9 @@
 //!
 //! Dampers act in parallel with the springs, in proportion to k_mid and k_s. Since k differs from k_mid, they couple the modes.
 
-use gearsim::engine::equations::{Derived, Equations, Switching};
-use gearsim::engine::vector::{Matrix, Vector};
-use gearsim::generated::gear_pair::GearPair;
+use gearsim::__private::equations::{Derived, Equations, Switching};
+use gearsim::__private::models::GearPair;
+use gearsim::__private::{Matrix, Vector};
 use gearsim::model::{Coordinate, Model, Start};
 use gearsim::scene::{Effects, InitialState, Scene};
 

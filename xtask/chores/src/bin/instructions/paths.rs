@@ -1,11 +1,8 @@
 //! The paths that are counted: an entry each.
 
-use gearsim::engine::equations::{Derived, Equations};
-use gearsim::engine::simulate::Simulation;
-use gearsim::ensemble;
-use gearsim::generated::gear_pair::GearPair;
-use gearsim::generated::gear_pair_bearings::GearPairBearings;
-use gearsim::generated::two_stage::TwoStage;
+use gearsim::__private::equations::{Derived, Equations};
+use gearsim::__private::models::{GearPair, GearPairBearings, TwoStage};
+use gearsim::__private::{Inside, Simulation, ensemble};
 use gearsim::run::Entry;
 use gearsim::scene::Scene;
 use gearsim_tests::oh2005;

@@ -3,7 +3,6 @@
 use std::path::PathBuf;
 
 use anyhow::{Context, anyhow};
-use gearsim::generated::MODELS;
 use gearsim::run::Outcome;
 use gearsim::scene::Scene;
 use gearsim_tests::oh2005::GearPair;
@@ -53,11 +52,11 @@ pub fn pair(zeta: f64, t0: f64) -> GearPair {
 
 /// Runs the scene `name` with `overrides`, as for `--set`.
 pub fn run(name: &str, overrides: &[String]) -> anyhow::Result<Outcome> {
-    let models: Vec<_> = MODELS.iter().map(|entry| entry.model).collect();
+    let models: Vec<_> = gearsim::models().iter().map(|entry| entry.model).collect();
     let scene = Scene::load_with(&folder().join(format!("{name}.toml")), overrides, &models)
         .map_err(|errors| anyhow!("{}", errors.render(100, false)))
         .with_context(|| format!("scene {name} with {overrides:?}"))?;
-    let entry = MODELS.iter().find(|entry| entry.model.name == scene.model.name).context("no such model")?;
+    let entry = gearsim::models().iter().find(|entry| entry.model.name == scene.model.name).context("no such model")?;
     Ok(entry.run(&scene, &mut |_| {})?)
 }
 

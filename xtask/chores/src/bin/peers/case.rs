@@ -1,8 +1,8 @@
 //! The scenes that all tools run, as changes of files in models/scenes/oh2005, and the same systems for the references.
 
 use anyhow::{Context, anyhow};
-use gearsim::engine::equations::Derived;
-use gearsim::generated::gear_pair;
+use gearsim::__private::equations::Derived;
+use gearsim::__private::models;
 use gearsim::scene::Scene;
 use gearsim_tests::oh2005::{GearPair, State};
 
@@ -66,7 +66,7 @@ impl Case {
         let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/../../models/scenes/oh2005");
         let path = std::path::Path::new(folder).join(self.file).with_extension("toml");
         let set: Vec<_> = self.changes(quick).map(str::to_string).collect();
-        Scene::load_with(&path, &set, &[&gear_pair::GearPair::MODEL]).map_err(|e| anyhow!(e.render(100, false)))
+        Scene::load_with(&path, &set, &[&models::GearPair::MODEL]).map_err(|e| anyhow!(e.render(100, false)))
     }
 
     /// All changes of the file.

@@ -5,10 +5,9 @@ use std::time::Duration;
 
 use anyhow::{Context, bail};
 use cpu_time::ProcessTime;
-use gearsim::engine::equations::DerivedModel;
-use gearsim::engine::simulate::Simulation;
-use gearsim::ensemble;
-use gearsim::generated::gear_pair;
+use gearsim::__private::equations::DerivedModel;
+use gearsim::__private::models::GearPair;
+use gearsim::__private::{Simulation, ensemble};
 use gearsim::run::Entry;
 use gearsim::scene::Scene;
 use gearsim::trajectory::Moment;
@@ -57,7 +56,7 @@ pub fn run(method: &str, case: &Case, quick: bool) -> anyhow::Result<Value> {
 /// The engine with its guaranteed crossings and its energy account. The time of a run includes computing the cells and the start.
 fn engine(scene: &Scene) -> anyhow::Result<Value> {
     let begun = ProcessTime::now();
-    let equations = DerivedModel::of::<gear_pair::GearPair>().equations(scene)?;
+    let equations = DerivedModel::of::<GearPair>().equations(scene)?;
     let prepare = begun.elapsed().as_secs_f64();
     let solve = || -> anyhow::Result<_> {
         let mut alone = [Simulation::new(&*equations, black_box(scene))?];
@@ -77,7 +76,7 @@ fn engine(scene: &Scene) -> anyhow::Result<Value> {
 
 /// The events of the engine's run, from the recorded states just before and just after each.
 fn events(scene: &Scene) -> anyhow::Result<Vec<Value>> {
-    let run = Entry::new::<gear_pair::GearPair>().run(scene, &mut |_| {})?;
+    let run = Entry::new::<GearPair>().run(scene, &mut |_| {})?;
     let (t, mut cell) = (run.trajectory, 0);
     let befores = (0..t.len()).filter(|&i| t.moment[i] == Moment::Before);
     Ok(befores

@@ -3,10 +3,9 @@
 use std::time::{Duration, Instant};
 
 use anyhow::{Context, bail};
-use gearsim::engine::equations::DerivedModel;
-use gearsim::engine::record::Recorder;
-use gearsim::engine::simulate::Simulation;
-use gearsim::generated::gear_pair::GearPair;
+use gearsim::__private::equations::DerivedModel;
+use gearsim::__private::models::GearPair;
+use gearsim::__private::{Inside, Recorder, Simulation};
 use gearsim::run::Entry;
 use gearsim::scene::{Precision, Scene};
 use gearsim::trajectory::Moment;
@@ -110,7 +109,7 @@ impl Walk {
 
 /// The scene with the given precision.
 fn scene(precision: &str) -> anyhow::Result<Scene> {
-    let model = gearsim::generated::MODELS.iter().map(|entry| entry.model).collect::<Vec<_>>();
+    let model = gearsim::models().iter().map(|entry| entry.model).collect::<Vec<_>>();
     Scene::parse("soak", "the soak scene", SCENE, &[format!("run.precision={precision}")], &model)
         .map_err(|e| anyhow::anyhow!(e.render(100, false)))
 }

@@ -3,7 +3,7 @@
 mod pair;
 mod trains;
 
-use gearsim::engine::equations::{Derived, Equations};
+use gearsim::__private::equations::{Derived, Equations};
 use gearsim::model::Model;
 
 use crate::by_hand::ByHand;

@@ -1,7 +1,7 @@
 //! Right-hand sides of the gear pair of Oh, Grosh & Barber (2005), with various effects.
 
-use gearsim::engine::equations::Derived;
-use gearsim::generated::gear_pair::GearPair;
+use gearsim::__private::equations::Derived;
+use gearsim::__private::models::GearPair;
 
 use super::{Side, derived};
 use crate::by_hand::ByHand;

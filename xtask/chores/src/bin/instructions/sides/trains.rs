@@ -1,6 +1,6 @@
 //! Right-hand sides of trains: a chain of discs, an idler, a planetary stage.
 
-use gearsim::generated::{chain_5::Chain5, idler::Idler, planetary_3::Planetary3};
+use gearsim::__private::models::{Chain5, Idler, Planetary3};
 
 use super::{Side, derived};
 use crate::by_hand::trains;

@@ -1,0 +1,126 @@
+//! No part of the interface: it changes without notice. The code that `equations!` writes into other crates needs some of the engine, and so
+//! do the tests, benches and chores of this repository. They find it here, and nowhere else.
+
+// The code of `equations!`: the trait of a model's equations, what its functions take and return, and their arithmetic.
+pub use crate::engine::vector::{Matrix, Vector};
+
+/// For the code of `equations!`; the second list is for tests and benches.
+pub mod equations {
+    pub use crate::engine::equations::{
+        Affine, Deflection, Derived, Equations, ExactCells, Exit, Known, Matrices, Switching, array, array_mut,
+        compliance, direction, matrix, no_such, numbers, vector,
+    };
+
+    pub use crate::engine::equations::{DerivedModel, accelerated, mobility};
+}
+
+/// Types of numbers, for the code of `equations!`.
+pub mod real {
+    pub use crate::engine::real::{Df64, Double, Real};
+}
+
+// Tests of the parts of the engine by themselves (`tests/suite`), with programs by hand (`benches`) and with other tools (`xtask/chores`).
+pub use crate::engine::cell::{Cell, Flight, Point};
+pub use crate::engine::clock::Clock;
+pub use crate::engine::crossing::{Cost, Delay, Search, SearchError, Side};
+pub use crate::engine::hybrid::Hybrid;
+pub use crate::engine::jump::{Passage, Surface};
+pub use crate::engine::law::LawState;
+pub use crate::engine::modal::{Matrices, Modal};
+pub use crate::engine::record::{Recorder, State};
+pub use crate::engine::signal::Signal;
+pub use crate::engine::simulate::Simulation;
+pub use crate::engine::system::{Motion, System};
+pub use crate::engine::vector::dot;
+
+/// What runs the points of sweeps: benches and chores measure it alone.
+pub mod ensemble {
+    pub use crate::ensemble::run;
+}
+
+/// The derived models by their types: tests compare them with equations by hand.
+#[cfg(feature = "models")]
+pub use crate::generated::models;
+
+/// How many digits of a result are left: tests compare methods by it.
+pub mod digits {
+    pub use crate::analysis::digits::{companion, noted};
+}
+
+/// The distance of two trajectories: tests compare methods by it.
+pub mod error {
+    pub use crate::analysis::work_precision::error::{difference, of, sizes};
+}
+
+// Tests of the parts of commands by themselves, and fuzz targets.
+pub use crate::analysis::work_precision::Runner;
+pub use crate::analysis::work_precision::reference::of as reference;
+pub use crate::output::marker::MARKER;
+pub use crate::scene::template::Template;
+pub use crate::sweep::folder::Folder;
+pub use crate::sweep::manifest::Manifest;
+pub use crate::sweep::merge::gather;
+pub use crate::sweep::{Request, Sweep};
+
+// Scenes of any model, for tests of all of them.
+pub use crate::library::{usual_levels, usual_value};
+
+use crate::engine::equations::Equations;
+use crate::engine::error::Refusal;
+use crate::run::Entry;
+use crate::scene::Scene;
+
+/// What tests, benches and chores ask of a model, beyond running its scenes.
+pub trait Inside {
+    /// The equations of a scene.
+    ///
+    /// # Errors
+    /// Where its effects contradict one another.
+    fn equations(&self, scene: &Scene) -> Result<Box<dyn Equations>, Refusal>;
+
+    /// A simulation of `scene` as [`Entry::run`] runs it; `equations` are those of the scene.
+    ///
+    /// # Errors
+    /// Those of [`Entry::run`].
+    fn simulation<'a>(&self, scene: &'a Scene, equations: &'a dyn Equations) -> Result<Simulation<'a>, Refusal>;
+
+    /// The simulation with state and time in twice the digits.
+    ///
+    /// # Errors
+    /// Where the cells of the scene cannot be solved in twice the digits.
+    fn compensate<'a>(&self, simulation: Simulation<'a>, scene: &'a Scene) -> Result<Simulation<'a>, Refusal>;
+
+    /// The equations of a scene, for analyses.
+    ///
+    /// # Errors
+    /// Those of [`System::of`].
+    fn system(&self, scene: &Scene) -> Result<System, Refusal>;
+
+    /// The equations of a scene about its steady motion.
+    ///
+    /// # Errors
+    /// Those of [`System::about_steady_motion`].
+    fn about_steady_motion(&self, scene: &Scene) -> Result<System, Refusal>;
+}
+
+impl Inside for Entry {
+    fn equations(&self, scene: &Scene) -> Result<Box<dyn Equations>, Refusal> {
+        self.equations(scene)
+    }
+
+    fn simulation<'a>(&self, scene: &'a Scene, equations: &'a dyn Equations) -> Result<Simulation<'a>, Refusal> {
+        self.simulation(scene, equations)
+    }
+
+    fn compensate<'a>(&self, simulation: Simulation<'a>, scene: &'a Scene) -> Result<Simulation<'a>, Refusal> {
+        self.compensate(simulation, scene)
+    }
+
+    fn system(&self, scene: &Scene) -> Result<System, Refusal> {
+        self.system(scene)
+    }
+
+    fn about_steady_motion(&self, scene: &Scene) -> Result<System, Refusal> {
+        self.about_steady_motion(scene)
+    }
+}
