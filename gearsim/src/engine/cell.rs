@@ -15,7 +15,9 @@ use crate::engine::forcing::linear::Linear;
 use crate::engine::modal::{Coupled, Matrices, Modal, inverse_root};
 use crate::engine::mode::{Mode, Response};
 use crate::engine::real::Sized64;
+use crate::engine::switch::Switch;
 use crate::engine::vector::{Matrix, Vector, transposed};
+use crate::tolerance::modes::CANCELLED_STIFFNESS;
 
 /// The modes of one cell.
 #[derive(Debug, Clone)]
@@ -39,12 +41,20 @@ pub struct Cell {
 }
 
 impl Cell {
-    /// The cell of `equations` with law values `k`.
+    /// The cell of `equations` without switches, with law values `k`.
     ///
     /// # Errors
     /// Those of [`Modal::of`].
     pub fn new(equations: &dyn Equations, k: &[f64]) -> Result<Self, Refusal> {
-        let modal = Modal::of(&matrices(equations, k)?)?;
+        Self::with(equations, &[], k)
+    }
+
+    /// The same with `switches` in the modes whose values are among `k`.
+    ///
+    /// # Errors
+    /// Those of [`Modal::of`].
+    pub fn with(equations: &dyn Equations, switches: &[Switch], k: &[f64]) -> Result<Self, Refusal> {
+        let modal = Modal::of(&matrices(equations, switches, k)?)?;
         Ok(Self::from_modal(&modal, &modal.shapes, &modal.momentum, &modal.springs))
     }
 
@@ -53,8 +63,12 @@ impl Cell {
     ///
     /// # Errors
     /// Those of [`Modal::of`].
-    pub fn held(equations: &dyn Equations, k: &[f64], normals: &DMatrix<f64>) -> Result<(Self, Linear), Refusal> {
-        let full = matrices(equations, k)?;
+    pub fn held(
+        equations: &dyn Equations,
+        (switches, k): (&[Switch], &[f64]),
+        normals: &DMatrix<f64>,
+    ) -> Result<(Self, Linear), Refusal> {
+        let full = matrices(equations, switches, k)?;
         // Z is a basis of the remaining motions: q' = Z u, where u are the speeds of some of the coordinates. M, C, K and f are
         // projected onto it.
         let (z, free) = remaining(normals);
@@ -203,11 +217,11 @@ fn constant_mass(equations: &dyn Equations) -> Matrix {
     equations.mass(&Vector::zeros(equations.coordinates()))
 }
 
-/// M, M⁻¹, C, K, f of `equations` with law values `k`.
+/// M, M⁻¹, C, K, f of `equations` with `switches` in the modes whose values are among the law values `k`.
 ///
 /// # Errors
 /// If M is not positive definite, or a number overflows.
-pub fn matrices(equations: &dyn Equations, k: &[f64]) -> Result<Matrices, Refusal> {
+pub fn matrices(equations: &dyn Equations, switches: &[Switch], k: &[f64]) -> Result<Matrices, Refusal> {
     let mass = constant_mass(equations);
     if mass.iter().any(|x| !x.is_finite()) {
         return Err(Refusal::Overflow);
@@ -217,9 +231,29 @@ pub fn matrices(equations: &dyn Equations, k: &[f64]) -> Result<Matrices, Refusa
         mobility: equations.mobility(&Vector::zeros(mass.nrows())),
         mass,
         damping: equations.damping(k),
-        stiffness: equations.stiffness(k),
+        stiffness: without_roundings(equations.stiffness(k), equations, switches, k),
         load: DVector::from(&equations.load(k)),
     })
+}
+
+/// K without what is left, of rounding errors alone, where the forces of switches cancel those of springs: a coordinate without a spring would
+/// become one with a very soft spring, whose mode shape is a rounding error.
+fn without_roundings(mut stiffness: Matrix, equations: &dyn Equations, switches: &[Switch], k: &[f64]) -> Matrix {
+    let cancelling: Vec<(f64, &Vector)> = switches
+        .iter()
+        .map(|switch| (equations.lost(switch.index, k)[1].abs(), &switch.normal))
+        .filter(|(slope, _)| *slope > 0.0)
+        .collect();
+    if !cancelling.is_empty() {
+        let size = |i: usize, j: usize| cancelling.iter().map(|(slope, n)| slope * (n[i] * n[j]).abs()).sum::<f64>();
+        let (rows, columns) = stiffness.shape();
+        for (i, j) in (0..rows).flat_map(|i| (0..columns).map(move |j| (i, j))) {
+            if stiffness[(i, j)].abs() <= CANCELLED_STIFFNESS * size(i, j) {
+                stiffness[(i, j)] = 0.0;
+            }
+        }
+    }
+    stiffness
 }
 
 /// The motion in a cell from a given state on.

@@ -63,7 +63,7 @@ impl Cells {
             stand(&mut laws, &mut switches, i);
             let mut k = k.to_vec();
             write_levels((&laws, &switches), &mut k);
-            let cell = Cell::new(equations, &k)?.conserving(equations, &k, motions);
+            let cell = Cell::with(equations, &switches, &k)?.conserving(equations, &k, motions);
             Ok(Prepared::new(cell, equations, (&laws, &switches, &k)))
         };
         let cells = (0..count).map(prepare).collect::<Result<_, _>>()?;
@@ -81,7 +81,7 @@ impl Cells {
         self.present = match met.get(&self.present) {
             Some(place) => *place,
             None => {
-                let cell = Cell::new(equations, k)?.conserving(equations, k, self.motions);
+                let cell = Cell::with(equations, switches, k)?.conserving(equations, k, self.motions);
                 self.cells.push(Prepared::new(cell, equations, (laws, switches, k)));
                 met.insert(self.present, self.cells.len() - 1);
                 self.cells.len() - 1

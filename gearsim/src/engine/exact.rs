@@ -98,7 +98,7 @@ impl Solver for Exact {
         if now.forcing.is_some()
             && let Entry::Vacant(place) = self.linear.entry(now.cell())
         {
-            place.insert(Linear::new(now.equations, &now.k)?);
+            place.insert(Linear::new(now.equations, &now.switches, &now.k)?);
         }
         self.held = match &now.contact {
             Some(contact) => Some(self.meet_held(now, contact)?),
@@ -146,7 +146,7 @@ impl Solver for Exact {
 impl Held {
     fn new(now: &Hybrid<'_>, contact: &Contact) -> Result<Self, Refusal> {
         let (equations, k) = (now.equations, &now.k);
-        let (cell, linear) = Cell::held(equations, k, &contact.normals)?;
+        let (cell, linear) = Cell::held(equations, (&now.switches, k), &contact.normals)?;
         let (stiffness, damping) = (equations.stiffness(k), equations.damping(k));
         let slopes = |Form { on_q, on_speed, on_force, .. }: &Form| {
             [on_q - &transposed(&stiffness, on_force), on_speed - &transposed(&damping, on_force), on_force.clone()]

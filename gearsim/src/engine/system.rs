@@ -78,7 +78,7 @@ impl System {
     /// # Errors
     /// If M is not positive definite, or a number overflows.
     pub fn matrices(&self, k: &[f64]) -> Result<Matrices, Refusal> {
-        let Some(Steady { q, .. }) = &self.about else { return cell::matrices(&*self.equations, &self.values(k)) };
+        let Some(Steady { q, .. }) = &self.about else { return cell::matrices(&*self.equations, &[], &self.values(k)) };
         let mass = self.equations.mass(q);
         if mass.iter().any(|x| !x.is_finite()) {
             return Err(Refusal::Overflow);

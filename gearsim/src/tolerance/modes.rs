@@ -34,6 +34,9 @@ pub(crate) const DECAYED: f64 = 40.0;
 /// rule is exact to rounding there. Larger: it is not. Smaller: more panels.
 pub(crate) const QUADRATURE_PANEL: f64 = 2.0;
 
+/// An entry of K below this [relative to the terms of switches in it, which cancel those of springs] is zero. It is 18 eps: each term has
+/// a few roundings. Smaller: their rounding errors become very soft springs. Larger: soft springs beside stiff ones vanish.
+pub(crate) const CANCELLED_STIFFNESS: f64 = 4e-15;
 /// An eigenvalue of K, scaled to a unit diagonal, below this [1] is zero: a rigid motion. It is 450 eps; rounding errors of K
 /// grow with the number of coordinates. A value below minus this makes the cell unstable, and the scene is refused. Larger: soft
 /// springs beside stiff ones vanish. Smaller: a rigid motion becomes a slow vibration, or the scene is refused.

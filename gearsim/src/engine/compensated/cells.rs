@@ -100,7 +100,7 @@ impl Cells {
         }
         let k = values(exact, &now.switches, &now.k);
         let normals = held::normals(exact, now, contact, &k);
-        let (_, plain) = cell::Cell::held(now.equations, &now.k, &contact.normals)?;
+        let (_, plain) = cell::Cell::held(now.equations, (&now.switches, &now.k), &contact.normals)?;
         let cell = Cell::new(self.here.matrices.clone(), &plain, Some(&normals));
         let steps = contact.laws.iter().map(|&(law, side)| self.step(exact, now, law, side).cloned()).collect();
         let held = Arc::new(Held::new(cell, &self.here, &normals, steps).ok_or(Refusal::Mass)?);
@@ -144,7 +144,7 @@ impl Cells {
 /// A cell with these switches and law values.
 fn cell(exact: &dyn ExactCells, now: &Hybrid<'_>, (switches, k): (&[Switch], &[f64])) -> Result<Cell, Refusal> {
     let matrices = exact.matrices(&values(exact, switches, k));
-    Ok(Cell::new(matrices, &Linear::new(now.equations, k)?, None))
+    Ok(Cell::new(matrices, &Linear::new(now.equations, switches, k)?, None))
 }
 
 /// The law values in all digits: the levels of the laws as the scene has them, and the values of the modes of switches.

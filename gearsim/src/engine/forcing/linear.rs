@@ -4,6 +4,7 @@ use crate::engine::cell;
 use crate::engine::equations::Equations;
 use crate::engine::error::Refusal;
 use crate::engine::modal::Modal;
+use crate::engine::switch::Switch;
 use crate::engine::vector::{Matrix, Vector};
 
 /// One cell.
@@ -28,12 +29,12 @@ pub struct Linear {
 }
 
 impl Linear {
-    /// The cell of `equations` with law values `k`.
+    /// The cell of `equations` with `switches` in the modes whose values are among the law values `k`.
     ///
     /// # Errors
     /// Those of [`Modal::of`].
-    pub fn new(equations: &dyn Equations, k: &[f64]) -> Result<Self, Refusal> {
-        let modal = Modal::of(&cell::matrices(equations, k)?)?;
+    pub fn new(equations: &dyn Equations, switches: &[Switch], k: &[f64]) -> Result<Self, Refusal> {
+        let modal = Modal::of(&cell::matrices(equations, switches, k)?)?;
         Ok(Self::seen(&modal, &modal.shapes, &modal.momentum, &modal.springs))
     }
 
