@@ -1,4 +1,4 @@
-//! Effects: parts of the equations that a scene may name, or not.
+//! Effects. An effect is a part of the equations. It is active only in scenes that name it.
 
 use super::Model;
 use crate::expr::{Expr, Kind};
@@ -46,22 +46,22 @@ impl Model {
 
     /// Declares that the effect `name`, declared before, needs each of `others`.
     pub fn require(&mut self, name: &str, others: &[&str]) {
-        for effect in self.effects.iter_mut().filter(|effect| effect.name == name) {
-            for other in
-                others.iter().filter(|other| !effect.requires.iter().any(|known| known == *other)).collect::<Vec<_>>()
-            {
-                effect.requires.push(other.to_string());
-            }
-        }
+        self.relate(name, others, |effect| &mut effect.requires);
     }
 
     /// Declares that the effect `name`, declared before, excludes each of `others`: a scene may name one side only.
     pub fn exclude(&mut self, name: &str, others: &[&str]) {
+        self.relate(name, others, |effect| &mut effect.excludes);
+    }
+
+    /// Adds `others` to a list of the effect `name`, each once.
+    fn relate(&mut self, name: &str, others: &[&str], list: fn(&mut Effect) -> &mut Vec<String>) {
         for effect in self.effects.iter_mut().filter(|effect| effect.name == name) {
-            for other in
-                others.iter().filter(|other| !effect.excludes.iter().any(|known| known == *other)).collect::<Vec<_>>()
-            {
-                effect.excludes.push(other.to_string());
+            let list = list(effect);
+            for other in others {
+                if !list.iter().any(|known| known == other) {
+                    list.push(other.to_string());
+                }
             }
         }
     }

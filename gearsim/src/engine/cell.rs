@@ -4,8 +4,7 @@
 //! moves as a [`Mode`]. Rigid-body modes are exact: K does not contribute to them. If damping couples the modes, q = q_0 + X dxi
 //! + Y dxi' ([`coupling`](crate::engine::coupling)).
 
-use nalgebra::{DMatrix, DVector};
-use smallvec::SmallVec;
+use nalgebra::DMatrix;
 
 use crate::engine::conserved::Conserved;
 use crate::engine::coupling::Coupling;
@@ -13,11 +12,16 @@ use crate::engine::equations::Equations;
 use crate::engine::error::Refusal;
 use crate::engine::forcing::linear::Linear;
 use crate::engine::modal::{Coupled, Matrices, Modal, inverse_root};
-use crate::engine::mode::{Mode, Response};
+use crate::engine::mode::Mode;
 use crate::engine::real::Sized64;
 use crate::engine::switch::Switch;
 use crate::engine::vector::{Matrix, Vector, transposed};
-use crate::tolerance::modes::CANCELLED_STIFFNESS;
+
+mod flight;
+mod matrices;
+
+pub use flight::{Flight, Point};
+pub use matrices::matrices;
 
 /// The modes of one cell.
 #[derive(Debug, Clone)]
@@ -44,17 +48,17 @@ impl Cell {
     /// The cell of `equations` without switches, with law values `k`.
     ///
     /// # Errors
-    /// Those of [`Modal::of`].
+    /// Those of [`matrices`] and [`Modal::of`].
     pub fn new(equations: &dyn Equations, k: &[f64]) -> Result<Self, Refusal> {
-        Self::with(equations, &[], k)
+        Self::of(&matrices(equations, &[], k)?)
     }
 
-    /// The same with `switches` in the modes whose values are among `k`.
+    /// The cell with these matrices.
     ///
     /// # Errors
     /// Those of [`Modal::of`].
-    pub fn with(equations: &dyn Equations, switches: &[Switch], k: &[f64]) -> Result<Self, Refusal> {
-        let modal = Modal::of(&matrices(equations, switches, k)?)?;
+    pub fn of(matrices: &Matrices) -> Result<Self, Refusal> {
+        let modal = Modal::of(matrices)?;
         Ok(Self::from_modal(&modal, &modal.shapes, &modal.momentum, &modal.springs))
     }
 
@@ -127,12 +131,12 @@ impl Cell {
         }
     }
 
-    /// The same cell of `equations` with law values `k`. The momentum of the first `motions` rigid motions is corrected with
+    /// The same cell of `equations` with these matrices. The momentum of the first `motions` rigid motions is corrected with
     /// double-double precision.
-    pub fn conserving(mut self, equations: &dyn Equations, k: &[f64], motions: usize) -> Self {
-        let of_cell = [constant_mass(equations), equations.damping(k), equations.stiffness(k)];
+    pub fn conserving(mut self, equations: &dyn Equations, matrices: &Matrices, motions: usize) -> Self {
+        let of_cell = [&matrices.mass, &matrices.damping, &matrices.stiffness];
         let motions = (0..motions).map(|i| equations.motion(i));
-        self.conserved = motions.filter_map(|z| Conserved::of(z, &self, of_cell.each_ref())).collect();
+        self.conserved = motions.filter_map(|z| Conserved::of(z, &self, of_cell)).collect();
         self
     }
 
@@ -212,199 +216,9 @@ impl Cell {
     }
 }
 
-/// M, which in a linear cell is the same at every q.
-fn constant_mass(equations: &dyn Equations) -> Matrix {
-    equations.mass(&Vector::zeros(equations.coordinates()))
-}
-
-/// M, M⁻¹, C, K, f of `equations` with `switches` in the modes whose values are among the law values `k`.
-///
-/// # Errors
-/// If M is not positive definite, or a number overflows.
-pub fn matrices(equations: &dyn Equations, switches: &[Switch], k: &[f64]) -> Result<Matrices, Refusal> {
-    let mass = constant_mass(equations);
-    if mass.iter().any(|x| !x.is_finite()) {
-        return Err(Refusal::Overflow);
-    }
-    inverse_root(&mass)?; // an error if M is not positive definite
-    Ok(Matrices {
-        mobility: equations.mobility(&Vector::zeros(mass.nrows())),
-        mass,
-        damping: equations.damping(k),
-        stiffness: without_roundings(equations.stiffness(k), equations, switches, k),
-        load: DVector::from(&equations.load(k)),
-    })
-}
-
-/// K without what is left, of rounding errors alone, where the forces of switches cancel those of springs: a coordinate without a spring would
-/// become one with a very soft spring, whose mode shape is a rounding error.
-fn without_roundings(mut stiffness: Matrix, equations: &dyn Equations, switches: &[Switch], k: &[f64]) -> Matrix {
-    let cancelling: Vec<(f64, &Vector)> = switches
-        .iter()
-        .map(|switch| (equations.lost(switch.index, k)[1].abs(), &switch.normal))
-        .filter(|(slope, _)| *slope > 0.0)
-        .collect();
-    if !cancelling.is_empty() {
-        let size = |i: usize, j: usize| cancelling.iter().map(|(slope, n)| slope * (n[i] * n[j]).abs()).sum::<f64>();
-        let (rows, columns) = stiffness.shape();
-        for (i, j) in (0..rows).flat_map(|i| (0..columns).map(move |j| (i, j))) {
-            if stiffness[(i, j)].abs() <= CANCELLED_STIFFNESS * size(i, j) {
-                stiffness[(i, j)] = 0.0;
-            }
-        }
-    }
-    stiffness
-}
-
-/// The motion in a cell from a given state on.
-#[derive(Debug, Clone)]
-pub struct Flight<'a> {
-    cell: &'a Cell,
-    /// Modal speeds at the start (N).
-    speed: Vector,
-    /// Modal forces g - omega² xi at the start (N).
-    force: Vector,
-}
-
-/// The motion at one instant of a flight.
-#[derive(Debug, Clone)]
-pub struct Point {
-    /// Time since the start of the flight [s].
-    pub t: f64,
-    /// Responses of each mode to a unit speed and to a unit force.
-    responses: SmallVec<[Response; 10]>,
-    /// xi(t) - xi(0).
-    pub moved: Vector,
-    /// xi'(t) - xi'(0).
-    pub gained: Vector,
-}
-
-impl<'a> Flight<'a> {
-    /// The modes of its cell.
-    pub fn modes(&self) -> &'a [Mode] {
-        &self.cell.modes
-    }
-
-    /// Modal speed and acceleration of mode `i` at the start.
-    #[inline]
-    pub fn rates_at_start(&self, i: usize) -> (f64, f64) {
-        let v = self.speed[i];
-        (v, self.force[i] - 2.0 * self.cell.modes[i].sigma * v)
-    }
-
-    /// Modal speed and acceleration of mode `i` at a `point` of the flight.
-    #[inline]
-    pub fn rates(&self, i: usize, point: &Point) -> (f64, f64) {
-        let mode = &self.cell.modes[i];
-        let v = self.speed[i] + point.gained[i];
-        (v, self.force[i] - mode.omega2 * point.moved[i] - 2.0 * mode.sigma * v)
-    }
-
-    /// Each mode with its speed and acceleration at the start.
-    #[inline]
-    pub fn motions_at_start(&self) -> impl Iterator<Item = (&'a Mode, f64, f64)> {
-        let start = self.speed.iter().zip(&*self.force);
-        self.cell.modes.iter().zip(start).map(|(mode, (v, f))| (mode, *v, f - 2.0 * mode.sigma * v))
-    }
-
-    /// Each mode with its speed and acceleration at a `point` of the flight.
-    #[inline]
-    pub fn motions(&self, point: &Point) -> impl Iterator<Item = (&'a Mode, f64, f64)> {
-        let start = self.speed.iter().zip(&*self.force);
-        let since = point.moved.iter().zip(&*point.gained);
-        self.cell.modes.iter().zip(start.zip(since)).map(|(mode, ((v, f), (moved, gained)))| {
-            let v = v + gained;
-            (mode, v, f - mode.omega2 * moved - 2.0 * mode.sigma * v)
-        })
-    }
-
-    /// The point at the start.
-    #[inline]
-    pub fn begin(&self) -> Point {
-        let still = Response { s1: 0.0, s2: 0.0, decay: 0.0 };
-        let n = self.speed.len();
-        let (moved, gained) = (Vector::zeros(n), Vector::zeros(n));
-        Point { t: 0.0, responses: SmallVec::from_elem(still, n), moved, gained }
-    }
-
-    /// The point after the time `t` [s].
-    pub fn at(&self, t: f64) -> Point {
-        let mut point = self.begin();
-        self.go(&mut point, t);
-        point
-    }
-
-    /// Moves `point` to the time `t` [s]. It works in place, because a point is expensive to copy.
-    #[inline]
-    pub fn go(&self, point: &mut Point, t: f64) {
-        point.t = t;
-        self.place(point, |mode, _| mode.response(t));
-    }
-
-    /// Moves `point` by a short time `dt` [s] of either sign: |`dt`| * rate <=
-    /// `tolerance::modes::SHIFT_SPAN`.
-    #[inline]
-    pub fn shift(&self, point: &mut Point, dt: f64) {
-        point.t += dt;
-        self.place(point, |mode, response| mode.shifted(response, dt));
-    }
-
-    /// Updates `point` with the new response of each mode, which `respond` computes.
-    #[inline(always)]
-    fn place(&self, point: &mut Point, respond: impl Fn(&Mode, &Response) -> Response) {
-        let Point { responses, moved, gained, .. } = point;
-        let start = self.speed.iter().zip(&*self.force);
-        let places = responses.iter_mut().zip(moved.iter_mut().zip(gained.iter_mut()));
-        for ((mode, (v, f)), (response, (moved, gained))) in self.cell.modes.iter().zip(start).zip(places) {
-            *response = respond(mode, response);
-            let Response { s1, s2, .. } = *response;
-            *moved = v * s1 + f * s2;
-            *gained = (f - 2.0 * mode.sigma * v) * s1 - mode.omega2 * s2 * v;
-        }
-    }
-
-    /// Upper bound of the rates of its modes [1/s].
-    #[inline]
-    pub fn rate(&self) -> f64 {
-        self.cell.rate
-    }
-
-    /// Increments of q and q' since the start, at a point (N each).
-    #[inline]
-    pub fn increments(&self, point: &Point) -> (Vector, Vector) {
-        let (shapes, Point { moved, gained, .. }) = (&self.cell.shapes, point);
-        let mut dv = shapes * gained;
-        for Conserved { motion, on_gained, .. } in &self.cell.conserved {
-            dv.add_times(-on_gained.dot(gained), motion);
-        }
-        let Some(coupling) = &self.cell.coupling else { return (shapes * moved, dv) };
-        let further = Vector::from_fn(moved.len(), |i| self.cell.modes[i].next(moved[i], gained[i]));
-        for Conserved { motion, on_further, .. } in &self.cell.conserved {
-            dv.add_times(-on_further.as_ref().map_or(0.0, |on_further| on_further.dot(&further)), motion);
-        }
-        (shapes * moved + &(&coupling.shapes * gained), dv + &(&coupling.shapes * &further))
-    }
-
-    /// Energy dissipated from the start to a point [J], an integral of the speeds.
-    #[inline]
-    pub fn dissipated(&self, point: &Point) -> f64 {
-        if let Some(coupling) = &self.cell.coupling {
-            return coupling.dissipated(self, point.t);
-        }
-        let mut dissipated = 0.0;
-        for i in 0..self.speed.len() {
-            let mode = &self.cell.modes[i];
-            if mode.sigma > 0.0 {
-                let (v, a) = self.rates_at_start(i);
-                dissipated += mode.dissipated(v, a, point.t, &point.responses[i]);
-            }
-        }
-        dissipated
-    }
-}
-/// A basis of the motions along which all `normals` (n, one per column) vanish, one per column, and the coordinates whose speeds are the
-/// components. Each normal is solved for the
-/// coordinate with its largest coefficient (Gauss and Jordan), so that a coordinate that is held by itself is at rest exactly.
+/// A basis of the motions along which all `normals` (n, one per column) vanish, one motion per column, and the coordinates whose speeds are the
+/// components. Each normal is solved for the coordinate with its largest coefficient (Gauss and Jordan). A coordinate that is held by itself is
+/// then at rest exactly.
 pub(crate) fn remaining<R: Sized64>(normals: &DMatrix<R>) -> (DMatrix<R>, Vec<usize>) {
     let n = normals.nrows();
     let mut rows: Vec<Vec<R>> = (0..normals.ncols()).map(|c| normals.column(c).iter().copied().collect()).collect();

@@ -1,12 +1,12 @@
-//! The modes of every cell: every combination of the levels of the laws and the modes of the switches, worked
-//! out once, where there are many not before it is met.
+//! The cells of a scene. A cell is one combination of a level of each law and a mode of each switch. Its vibration modes are computed once: all
+//! in advance, or, if there are many combinations, when a run first enters the cell.
 
 use std::collections::HashMap;
 use std::sync::Arc;
 
 use smallvec::SmallVec;
 
-use crate::engine::cell::Cell;
+use crate::engine::cell::{Cell, matrices};
 use crate::engine::equations::{Equations, Exit};
 use crate::engine::error::Refusal;
 use crate::engine::law::LawState;
@@ -19,11 +19,11 @@ use crate::tolerance::events::CELLS_IN_ADVANCE;
 #[derive(Debug, Clone)]
 pub struct Cells {
     cells: Vec<Prepared>,
-    /// Where each combination met so far stands; `None` where all of them stand in their order.
+    /// The index in `cells` of each combination met so far; `None` if all combinations were computed in advance, in their order.
     met: Option<HashMap<usize, usize>>,
-    /// Where the present one stands.
+    /// The index of the present cell.
     present: usize,
-    /// Rigid motions of the model.
+    /// Number of rigid motions of the model.
     motions: usize,
 }
 
@@ -63,7 +63,7 @@ impl Cells {
             stand(&mut laws, &mut switches, i);
             let mut k = k.to_vec();
             write_levels((&laws, &switches), &mut k);
-            let cell = Cell::with(equations, &switches, &k)?.conserving(equations, &k, motions);
+            let cell = cell(equations, motions, (&switches, &k))?;
             Ok(Prepared::new(cell, equations, (&laws, &switches, &k)))
         };
         let cells = (0..count).map(prepare).collect::<Result<_, _>>()?;
@@ -81,7 +81,7 @@ impl Cells {
         self.present = match met.get(&self.present) {
             Some(place) => *place,
             None => {
-                let cell = Cell::with(equations, switches, k)?.conserving(equations, k, self.motions);
+                let cell = cell(equations, self.motions, (switches, k))?;
                 self.cells.push(Prepared::new(cell, equations, (laws, switches, k)));
                 met.insert(self.present, self.cells.len() - 1);
                 self.cells.len() - 1
@@ -112,6 +112,12 @@ impl Prepared {
         let exits = guards.exits.iter().map(|exits| exits.iter().map(watch).collect()).collect();
         Prepared { participation, on_speed, guards: Arc::new(guards), exits, cell }
     }
+}
+
+/// The cell of switches and law values.
+fn cell(equations: &dyn Equations, motions: usize, (switches, k): (&[Switch], &[f64])) -> Result<Cell, Refusal> {
+    let matrices = matrices(equations, switches, k)?;
+    Ok(Cell::of(&matrices)?.conserving(equations, &matrices, motions))
 }
 
 /// The number of the cell in which laws and switches are: the first law's counts fastest.

@@ -1,0 +1,155 @@
+//! The motion in a cell from a given state on, in closed form.
+
+use smallvec::SmallVec;
+
+use super::Cell;
+use crate::engine::conserved::Conserved;
+use crate::engine::mode::{Mode, Response};
+use crate::engine::vector::Vector;
+
+/// The motion in a cell from a given state on.
+#[derive(Debug, Clone)]
+pub struct Flight<'a> {
+    pub(super) cell: &'a Cell,
+    /// Modal speeds at the start (N).
+    pub(super) speed: Vector,
+    /// Modal forces g - omega² xi at the start (N).
+    pub(super) force: Vector,
+}
+
+/// The motion at one instant of a flight.
+#[derive(Debug, Clone)]
+pub struct Point {
+    /// Time since the start of the flight [s].
+    pub t: f64,
+    /// Responses of each mode to a unit speed and to a unit force.
+    responses: SmallVec<[Response; 10]>,
+    /// xi(t) - xi(0).
+    pub moved: Vector,
+    /// xi'(t) - xi'(0).
+    pub gained: Vector,
+}
+
+impl<'a> Flight<'a> {
+    /// The modes of its cell.
+    pub fn modes(&self) -> &'a [Mode] {
+        &self.cell.modes
+    }
+
+    /// Modal speed and acceleration of mode `i` at the start.
+    #[inline]
+    pub fn rates_at_start(&self, i: usize) -> (f64, f64) {
+        let v = self.speed[i];
+        (v, self.force[i] - 2.0 * self.cell.modes[i].sigma * v)
+    }
+
+    /// Modal speed and acceleration of mode `i` at a `point` of the flight.
+    #[inline]
+    pub fn rates(&self, i: usize, point: &Point) -> (f64, f64) {
+        let mode = &self.cell.modes[i];
+        let v = self.speed[i] + point.gained[i];
+        (v, self.force[i] - mode.omega2 * point.moved[i] - 2.0 * mode.sigma * v)
+    }
+
+    /// Each mode with its speed and acceleration at the start.
+    #[inline]
+    pub fn motions_at_start(&self) -> impl Iterator<Item = (&'a Mode, f64, f64)> {
+        let start = self.speed.iter().zip(&*self.force);
+        self.cell.modes.iter().zip(start).map(|(mode, (v, f))| (mode, *v, f - 2.0 * mode.sigma * v))
+    }
+
+    /// Each mode with its speed and acceleration at a `point` of the flight.
+    #[inline]
+    pub fn motions(&self, point: &Point) -> impl Iterator<Item = (&'a Mode, f64, f64)> {
+        let start = self.speed.iter().zip(&*self.force);
+        let since = point.moved.iter().zip(&*point.gained);
+        self.cell.modes.iter().zip(start.zip(since)).map(|(mode, ((v, f), (moved, gained)))| {
+            let v = v + gained;
+            (mode, v, f - mode.omega2 * moved - 2.0 * mode.sigma * v)
+        })
+    }
+
+    /// The point at the start.
+    #[inline]
+    pub fn begin(&self) -> Point {
+        let still = Response { s1: 0.0, s2: 0.0, decay: 0.0 };
+        let n = self.speed.len();
+        let (moved, gained) = (Vector::zeros(n), Vector::zeros(n));
+        Point { t: 0.0, responses: SmallVec::from_elem(still, n), moved, gained }
+    }
+
+    /// The point after the time `t` [s].
+    pub fn at(&self, t: f64) -> Point {
+        let mut point = self.begin();
+        self.go(&mut point, t);
+        point
+    }
+
+    /// Moves `point` to the time `t` [s]. It works in place, because a point is expensive to copy.
+    #[inline]
+    pub fn go(&self, point: &mut Point, t: f64) {
+        point.t = t;
+        self.place(point, |mode, _| mode.response(t));
+    }
+
+    /// Moves `point` by a short time `dt` [s] of either sign: |`dt`| * rate <=
+    /// `tolerance::modes::SHIFT_SPAN`.
+    #[inline]
+    pub fn shift(&self, point: &mut Point, dt: f64) {
+        point.t += dt;
+        self.place(point, |mode, response| mode.shifted(response, dt));
+    }
+
+    /// Updates `point` with the new response of each mode, which `respond` computes.
+    #[inline(always)]
+    fn place(&self, point: &mut Point, respond: impl Fn(&Mode, &Response) -> Response) {
+        let Point { responses, moved, gained, .. } = point;
+        let start = self.speed.iter().zip(&*self.force);
+        let places = responses.iter_mut().zip(moved.iter_mut().zip(gained.iter_mut()));
+        for ((mode, (v, f)), (response, (moved, gained))) in self.cell.modes.iter().zip(start).zip(places) {
+            *response = respond(mode, response);
+            let Response { s1, s2, .. } = *response;
+            *moved = v * s1 + f * s2;
+            *gained = (f - 2.0 * mode.sigma * v) * s1 - mode.omega2 * s2 * v;
+        }
+    }
+
+    /// Upper bound of the rates of its modes [1/s].
+    #[inline]
+    pub fn rate(&self) -> f64 {
+        self.cell.rate
+    }
+
+    /// Increments of q and q' since the start, at a point (N each).
+    #[inline]
+    pub fn increments(&self, point: &Point) -> (Vector, Vector) {
+        let (shapes, Point { moved, gained, .. }) = (&self.cell.shapes, point);
+        let mut dv = shapes * gained;
+        for Conserved { motion, on_gained, .. } in &self.cell.conserved {
+            dv.add_times(-on_gained.dot(gained), motion);
+        }
+        let Some(coupling) = &self.cell.coupling else { return (shapes * moved, dv) };
+        let further = Vector::from_fn(moved.len(), |i| self.cell.modes[i].next(moved[i], gained[i]));
+        for Conserved { motion, on_further, .. } in &self.cell.conserved {
+            dv.add_times(-on_further.as_ref().map_or(0.0, |on_further| on_further.dot(&further)), motion);
+        }
+        (shapes * moved + &(&coupling.shapes * gained), dv + &(&coupling.shapes * &further))
+    }
+
+    /// Energy dissipated from the start to a point [J], an integral of the speeds.
+    #[inline]
+    pub fn dissipated(&self, point: &Point) -> f64 {
+        if let Some(coupling) = &self.cell.coupling {
+            return coupling.dissipated(self, point.t);
+        }
+        let mut dissipated = 0.0;
+        for i in 0..self.speed.len() {
+            let mode = &self.cell.modes[i];
+            if mode.sigma > 0.0 {
+                let (v, a) = self.rates_at_start(i);
+                dissipated += mode.dissipated(v, a, point.t, &point.responses[i]);
+            }
+        }
+        dissipated
+    }
+}
