@@ -97,8 +97,8 @@ impl Model {
     }
 
     /// Names a deflection, for example of a spring: a linear form of the coordinates without a constant term, from which
-    /// offsets ([`Model::offset_law`]) and functions of several positions ([`Model::function_of`]) may be subtracted. V may be written in the deflection, D in its `.dot()`, which does not contain the
-    /// rate of an offset. The equations are then written in the deflection instead of being multiplied out.
+    /// offsets ([`Model::offset_law`]) and functions of several positions ([`Model::function_of`]) may be subtracted. V may be written in the
+    /// deflection, D in its `.dot()`, which does not contain the rate of an offset. The equations are then written in the deflection instead of being multiplied out.
     pub fn deflection(&mut self, name: &str, value: Expr) -> Expr {
         self.deflections.push(Deflection { name: name.into(), value: value.expand() });
         Expr::var(Kind::Deflection, name)

@@ -250,9 +250,9 @@ pub struct Effect {
     pub requires: &'static [&'static str],
     /// Effects that must not be active.
     pub excludes: &'static [&'static str],
-    /// How laws switch with it; `None` if it does not decide that.
+    /// How laws switch in scenes with this effect; `None` if the effect does not change that.
     pub switching: Option<Switching>,
-    /// Whether it makes a deflection depend on the coordinates nonlinearly.
+    /// Whether a deflection is a nonlinear function of the coordinates in scenes with this effect.
     pub bends: bool,
 }
 

@@ -205,13 +205,15 @@ impl<'a> Series<'a> {
     }
 }
 
-/// Where a time lies among at least two rising times `t`: the row before it, and the share of the way to the next row, from 0 to 1.
+/// The interval of the times `t` that contains `time`: the row at its start, and the position of `time` in it, from 0 (start) to 1 (end). The
+/// times `t` increase, and there are at least two. A time outside all intervals is moved to the nearest end.
 pub fn place(t: &[f64], time: f64) -> (usize, f64) {
     let next = t.partition_point(|&t| t < time).clamp(1, t.len() - 1);
     (next - 1, ((time - t[next - 1]) / (t[next] - t[next - 1])).clamp(0.0, 1.0))
 }
 
-/// The value of a column `x` at a time among its times `t`, on the line between its neighbours; beyond them that of the nearest row.
+/// The value of the column `x` at `time`, by linear interpolation between the rows at the times `t`. Outside the times `t` it is the value
+/// of the nearest row.
 pub fn value_at(t: &[f64], x: &[f64], time: f64) -> f64 {
     let (row, share) = place(t, time);
     x[row] + share * (x[row + 1] - x[row])

@@ -19,7 +19,8 @@ pub(super) fn boundaries(model: &Model) -> Result<(), Slip> {
     Ok(())
 }
 
-/// What is wrong with the statement `i`, that laws switch in the way `how` with an effect.
+/// The mistake in statement `i` of [`Model::boundaries`]: the statement declares that `effect` makes laws switch in the way `how`. `None` if there
+/// is no mistake.
 fn why(model: &Model, i: usize, how: Boundary, effect: &str) -> Option<String> {
     let declared = |name: &str| model.effects.iter().find(|e| e.name == name);
     let Some(own) = declared(effect) else {

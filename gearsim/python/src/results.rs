@@ -64,8 +64,8 @@ impl Results {
         py.detach(|| self.inner.plot(name)).map(|inner| Figure { inner }).map_err(raised)
     }
 
-    /// Writes the files that `gearsim run` writes to a folder, and returns their paths. With `html`, also `page.html`, the interactive page
-    /// that `gearsim run --html` writes.
+    /// Writes the result files to `folder`, as `gearsim run` does, and returns their paths. With `html=True`, writes the interactive page
+    /// `page.html` too.
     #[pyo3(signature = (folder, html=false))]
     fn write(&self, py: Python<'_>, folder: PathBuf, html: bool) -> PyResult<Vec<PathBuf>> {
         let written = py.detach(|| if html { self.inner.write_with_page(folder) } else { self.inner.write(folder) });

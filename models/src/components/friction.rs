@@ -74,7 +74,7 @@ pub fn sliding_friction(m: &mut Model, part: &str, what: &str, unit: &str, mesh:
     });
 }
 
-/// The effect `sliding_friction` of a part: what `add` adds is in the equations only of scenes that name the effect.
+/// Declares the effect `sliding_friction` of a part. The terms that `add` adds are in the equations only if a scene names this effect.
 pub fn friction_effect(m: &mut Model, part: &str, add: impl FnOnce(&mut Model)) {
     steps(m);
     let doc = "Coulomb friction between the flanks, against their sliding, which turns as a tooth pair passes the pitch point";

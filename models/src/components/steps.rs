@@ -1,5 +1,5 @@
-//! How the laws of meshes switch between the levels of single and double contact, in the effects `stiffness_step`, `rigid_kinematics` and
-//! `frozen_phase`: Oh, Grosh & Barber (2005), Eqs. (2)-(6).
+//! The effects `stiffness_step`, `rigid_kinematics` and `frozen_phase`. They decide how the laws of a mesh change where tooth pairs enter and
+//! leave contact: Oh, Grosh & Barber (2005), Eqs. (2)-(6).
 
 use gearsim_derive::{Boundary, Model};
 

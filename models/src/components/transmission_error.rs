@@ -4,9 +4,9 @@ use gearsim_derive::{Expr, Model};
 
 use super::steps::{STIFFNESS_STEP, steps};
 
-/// Declares the law `name` of a transmission error e [unit of the deflection], of any sign and periodic with one `pitch` of `phase`, or with
-/// several pitches if the scene says so; the scene gives its values. Subtract it from the deflection of the mesh, V = k (delta - e)^2/2.
-/// It is zero in scenes without the effect of this `part`. It steps or varies continuously by the same rules as a stiffness.
+/// Declares the transmission error e of a mesh as the law `name` [unit of the deflection]. A scene gives its values, of any sign. Its period is
+/// one `pitch` of `phase`; a scene may state several pitches. Subtract e from the deflection of the mesh: V = k (delta - e)^2/2. In scenes
+/// without the effect `transmission_error` of this `part`, e is zero. The values may have steps or follow a curve, as those of a stiffness.
 pub fn transmission_error(
     m: &mut Model,
     [name, part]: [&str; 2],

@@ -3,7 +3,7 @@
 use crate::model::{Model, Switching};
 use crate::scene::{Effects, Scene};
 
-/// What effects drop that change how laws switch; all others add terms.
+/// The effects that remove terms, by the way in which laws then switch, each with the terms it removes. All other effects add terms.
 const DROPPING: [(&str, Switching); 2] =
     [("jump terms", Switching::WithoutJump), ("jump terms, moving phase", Switching::ByTime)];
 
