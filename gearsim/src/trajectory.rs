@@ -40,6 +40,8 @@ pub struct Trajectory {
     pub q: Vec<Vec<f64>>,
     /// Speeds [SI/s]: `q_dot[i][row]` (n_q, n_rows).
     pub q_dot: Vec<Vec<f64>>,
+    /// The diagonal M_ii of the mass matrix at the start [J s^2/SI^2] (n_q); empty if it is not known.
+    pub inertia: Vec<f64>,
     /// Kinetic energy T [J].
     pub kinetic: Vec<f64>,
     /// Strain energy V [J].
@@ -66,6 +68,7 @@ impl Trajectory {
             moment: vec![],
             q: vec![vec![]; n],
             q_dot: vec![vec![]; n],
+            inertia: vec![],
             kinetic: vec![],
             strain: vec![],
             work: vec![],

@@ -97,18 +97,33 @@ pub fn difference((a, i): (&Trajectory, usize), (b, j): (&Trajectory, usize), si
 
 /// The sizes of the coordinates and of the speeds of a run: the largest absolute value, or one pitch for a rotating coordinate. A
 /// size is at least the share `AT_REST` of the largest size with the same unit.
+///
+/// If all speeds with the same unit are at rest, that largest size is a rounding error too. It is then at least the speed that a
+/// coordinate would have if it alone had the energy of the run, and the distance that it would cover with this speed.
 pub fn sizes(run: &Trajectory) -> (Vec<f64>, Vec<f64>) {
-    let unit = |i: usize| run.model.coordinates[i].unit;
-    let of_unit = |sizes: &[f64], i: usize| {
-        let same = sizes.iter().enumerate().filter(|(j, _)| unit(*j) == unit(i));
-        same.fold(0.0f64, |largest, (_, size)| largest.max(*size))
-    };
-    let least = |sizes: Vec<f64>| -> Vec<f64> {
-        (0..sizes.len()).map(|i| sizes[i].max(AT_REST * of_unit(&sizes, i))).collect()
-    };
-    let q = run.model.coordinates.iter().zip(&run.q).map(|(coordinate, column)| {
-        let law = run.model.laws.iter().find(|law| law.rolling && law.phase == coordinate.name);
-        law.map_or_else(|| largest(column), |law| law.period)
-    });
-    (least(q.collect()), least(run.q_dot.iter().map(|column| largest(column)).collect()))
+    let coordinates = &run.model.coordinates;
+    let n = coordinates.len();
+    let same = |i: usize| (0..n).filter(move |&j| coordinates[j].unit == coordinates[i].unit);
+    let largest_of = |sizes: &[f64], i: usize| same(i).fold(0.0f64, |most, j| most.max(sizes[j]));
+
+    let (energy, duration) = (run.largest_energy(), run.t.last().map_or(0.0, |t| t - run.t[0]));
+    let possible = |i: usize| run.inertia.get(i).map_or(0.0, |inertia| (2.0 * energy / inertia).sqrt());
+    let speeds: Vec<f64> = run.q_dot.iter().map(|column| largest(column)).collect();
+    let at_rest = |i: usize| same(i).all(|j| speeds[j] <= AT_REST * possible(j));
+
+    let q: Vec<f64> = coordinates
+        .iter()
+        .zip(&run.q)
+        .map(|(coordinate, column)| {
+            let law = run.model.laws.iter().find(|law| law.rolling && law.phase == coordinate.name);
+            law.map_or_else(|| largest(column), |law| law.period)
+        })
+        .collect();
+    let size = |sizes: &[f64], i: usize, at_rest: f64| sizes[i].max(AT_REST * largest_of(sizes, i).max(at_rest));
+    (0..n)
+        .map(|i| {
+            let possible = if at_rest(i) { possible(i) } else { 0.0 };
+            (size(&q, i, possible * duration), size(&speeds, i, possible))
+        })
+        .unzip()
 }

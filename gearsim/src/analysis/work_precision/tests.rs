@@ -4,10 +4,13 @@ use std::path::Path;
 
 use super::ladder::Kind;
 use super::table::{self, Price};
-use super::{By, Curve, Errors, Point, Scenes, WorkPrecision};
+use super::{By, Curve, Errors, Point, Scenes, WorkPrecision, error};
 use crate::generated::MODELS;
-use crate::model::Model;
+use crate::model::{Coordinate, Model, Start};
+use crate::output::fixture;
 use crate::scene::Scene;
+use crate::tolerance::analysis::AT_REST;
+use crate::trajectory::Trajectory;
 
 fn point(error: f64, seconds: f64, right_events: bool) -> Point {
     let errors = Errors { end: error, path: error, times: None, events: i64::from(!right_events), energy: error };
@@ -140,4 +143,27 @@ fn errors_of_a_scene() {
     // The diagram and the CSV file can be made from the measurements.
     assert!(crate::plot::work_precision::draw(&measured).svg().unwrap().contains("exact cells"));
     assert!(table::csv(&measured).lines().count() > 60);
+}
+
+/// A rotor of 2 kg m^2 turns at 3 rad/s for 2 s, and a mass of 0.5 kg is at rest but for rounding errors: with all the energy, 9 J, it would
+/// move at 6 m/s, 12 m far.
+#[test]
+fn what_is_at_rest_has_the_size_that_the_energy_of_the_run_allows() {
+    let [rotor, mass] = [("theta", "rad"), ("x", "m")];
+    let coordinate = |(name, unit)| Coordinate { name, unit, doc: "", start: Start::At(0.0) };
+    let model =
+        Box::leak(Box::new(Model { coordinates: vec![coordinate(rotor), coordinate(mass)].leak(), ..fixture::MODEL }));
+    let mut run = Trajectory::new(model, &[]);
+    run.inertia = vec![2.0, 0.5];
+    (run.t, run.kinetic) = (vec![0.0, 2.0], vec![9.0; 2]);
+    (run.q, run.q_dot) = (vec![vec![0.0, 6.0], vec![0.0, 1e-300]], vec![vec![3.0; 2], vec![0.0, 1e-300]]);
+    let (q, q_dot) = error::sizes(&run);
+    assert_eq!((q[0], q_dot[0]), (6.0, 3.0));
+    assert!((q[1] / (12.0 * AT_REST) - 1.0).abs() < 1e-15 && (q_dot[1] / (6.0 * AT_REST) - 1.0).abs() < 1e-15);
+    // A displacement that stays is not a rounding error.
+    run.q[1] = vec![1e-6; 2];
+    assert_eq!(error::sizes(&run).0[1], 1e-6);
+    // What moves slowly does move.
+    run.q_dot[1] = vec![0.0, 1e-7];
+    assert_eq!(error::sizes(&run).1[1], 1e-7);
 }
