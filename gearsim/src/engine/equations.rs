@@ -50,6 +50,10 @@ pub trait Equations: Send + Sync {
     fn output(&self, i: usize, _q: &[f64], _q_dot: &[f64], _k: &[f64], _known: &Known) -> f64 {
         no_such("output", i)
     }
+    /// The values of the outputs `which` at a state, as by [`Equations::output`].
+    fn write_outputs(&self, which: &[usize], q: &[f64], q_dot: &[f64], k: &[f64], known: &Known, values: &mut [f64]) {
+        which.iter().zip(values).for_each(|(&i, value)| *value = self.output(i, q, q_dot, k, known));
+    }
     /// Net work of all external torques over the displacement `dq` [J]; only the parts that do not depend on the state. Torques
     /// in balance cancel.
     fn work(&self, dq: &[f64]) -> f64;

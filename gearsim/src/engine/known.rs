@@ -3,17 +3,22 @@
 //! With the gradients N of what is held, R = (NᵀM⁻¹N)⁻¹ NᵀM⁻¹ F, see [`contact`](crate::engine::contact). The power of a torque has three
 //! parts: that of its value at the start, that which depends on the state, and that which varies in time.
 
+use smallvec::SmallVec;
+
 use crate::engine::contact;
 use crate::engine::hybrid::Hybrid;
 use crate::engine::record::State;
+
+/// Some numbers, on the stack if they are few.
+type Numbers = SmallVec<[f64; 4]>;
 
 /// Reactions and powers. What is not asked for is left out, and reads as zero.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Known {
     /// By the switches of the model: the force along the deflection that its hold resists [N or N m].
-    pub reactions: Vec<f64>,
+    pub reactions: Numbers,
     /// By the external torques of the model \[W\].
-    pub powers: Vec<f64>,
+    pub powers: Numbers,
 }
 
 impl Known {
@@ -40,15 +45,15 @@ impl Known {
     }
 }
 
-fn reactions(now: &Hybrid<'_>, t: f64, State { q, q_dot, .. }: &State, k: &[f64]) -> Vec<f64> {
-    let Some(held) = now.contact.as_ref().filter(|contact| !contact.switches.is_empty()) else { return vec![] };
+fn reactions(now: &Hybrid<'_>, t: f64, State { q, q_dot, .. }: &State, k: &[f64]) -> Numbers {
+    let mut reactions = Numbers::new();
+    let Some(held) = now.contact.as_ref().filter(|contact| !contact.switches.is_empty()) else { return reactions };
     let slopes: Vec<f64> = now.laws.iter().map(|law| law.course(q[law.phase], t)[1]).collect();
     let mut force = now.equations.force(q, q_dot, k, &slopes);
     if let Some(forcing) = &now.forcing {
         force += &forcing.load(t);
     }
     let (_, to_reactions) = contact::held(&now.equations.mobility(q), &held.normals);
-    let mut reactions = vec![];
     for &(switch, row) in &held.switches {
         let switch = now.switches[switch].index;
         reactions.resize(reactions.len().max(switch + 1), 0.0);

@@ -94,6 +94,8 @@ pub struct Recorder<'a> {
     equations: &'a dyn Equations,
     /// The outputs that are recorded, by their numbers.
     outputs: Vec<usize>,
+    /// Their values in the present row.
+    values: Vec<f64>,
     pitch: Vector,
     start: State,
     /// T + V at the start [J].
@@ -111,8 +113,22 @@ impl<'a> Recorder<'a> {
     pub fn new(scene: &Scene, equations: &'a dyn Equations, pitch: Vector, start: State, k: &[f64]) -> Self {
         let energy_at_start = equations.kinetic(&start.q, &start.q_dot) + equations.potential(&start.q, k);
         let outputs = scene.output.record.clone();
-        let trajectory = Trajectory::new(scene.model, &outputs);
-        Recorder { equations, outputs, pitch, start, energy_at_start, beyond: vec![], trajectory, most_rows: u64::MAX }
+        let mut trajectory = Trajectory::new(scene.model, &outputs);
+        // T of one coordinate alone at the speed 1 is M_ii/2.
+        let n = start.q.len();
+        let alone = |i: usize| Vector::from_fn(n, |j| if i == j { 1.0 } else { 0.0 });
+        trajectory.inertia = (0..n).map(|i| 2.0 * equations.kinetic(&start.q, &alone(i))).collect();
+        Recorder {
+            equations,
+            values: vec![0.0; outputs.len()],
+            outputs,
+            pitch,
+            start,
+            energy_at_start,
+            beyond: vec![],
+            trajectory,
+            most_rows: u64::MAX,
+        }
     }
 
     /// Ends a run that has recorded as many rows as it may.
@@ -153,9 +169,8 @@ impl<'a> Recorder<'a> {
         row.t.push(t);
         row.moment.push(moment);
         let q = state.unwrapped(&self.pitch);
-        for (i, (_, column)) in self.outputs.iter().zip(&mut row.outputs) {
-            column.push(self.equations.output(*i, &q, &state.q_dot, k, &known));
-        }
+        self.equations.write_outputs(&self.outputs, &q, &state.q_dot, k, &known, &mut self.values);
+        row.outputs.iter_mut().zip(&self.values).for_each(|((_, column), value)| column.push(*value));
         for (i, x) in q.iter().enumerate() {
             row.q[i].push(*x);
             row.q_dot[i].push(state.q_dot[i]);

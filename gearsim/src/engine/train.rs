@@ -8,13 +8,17 @@
 mod exact;
 mod geometry;
 mod linear;
+mod observed;
+mod placed;
 
 use xprec::Df64;
 
 use self::geometry::Geometry;
-use self::linear::{Linear, Sparse};
+use self::linear::{Inertias, Linear, Sparse};
+use self::observed::{Observed, Observer, OfPart};
+use self::placed::Placed;
 use crate::engine::equations::{
-    Affine, Deflection, Equations, ExactCells, Exit, Functions, Known, Source, Switching, mobility,
+    Deflection, Equations, ExactCells, Exit, Functions, Known, Source, Switching, mobility,
 };
 use crate::engine::linear_forces::LinearForces;
 use crate::engine::vector::{Matrix, Vector};
@@ -49,93 +53,12 @@ impl Source for Elements {
             Some(Placed::new(part.clone(), effects, model, equations, rows))
         };
         let parts: Option<Vec<Placed>> = train.parts.iter().zip(&geometry.rows).map(part).collect();
-        Some(Box::new(Assembly::new(train, parts?, geometry)))
+        let needs = |part: &Part, output: usize| self.0[part.element].0.outputs[output].known;
+        Some(Box::new(Assembly::new(train, parts?, geometry, needs)))
     }
 
     fn exactly<'a>(&'a self, scene: &'a Scene, parameters: Vec<Df64>, mids: Vec<Df64>) -> Box<dyn ExactCells + 'a> {
         Box::new(exact::Cells::new(self, scene, parameters, mids))
-    }
-}
-
-/// Largest numbers of coordinates and values of an element whose forces are computed without a vector of any length.
-const COORDINATES: usize = 3;
-const VALUES: usize = 8;
-
-/// A part with its equations.
-struct Placed {
-    part: Part,
-    equations: Box<dyn Equations>,
-    /// R.
-    rows: Vec<Sparse>,
-    /// R as a matrix, for sums of matrices.
-    matrix: Matrix,
-    /// Whether its forces are linear in x and x', with constant factors.
-    is_constant: bool,
-    /// Whether they are linear while the values of its laws and switches do not change.
-    is_linear: bool,
-}
-
-impl Placed {
-    fn new(part: Part, effects: Effects, model: &Model, equations: Box<dyn Equations>, rows: &Matrix) -> Placed {
-        let is_linear = effects.nonlinear(model).is_empty();
-        let is_constant = is_linear && model.laws.is_empty() && model.switches.is_empty();
-        let of_row = |i| Sparse::of(rows.row(i).iter().copied());
-        let sparse = (0..rows.nrows()).map(of_row).collect();
-        Placed { part, equations, rows: sparse, matrix: rows.clone(), is_constant, is_linear }
-    }
-
-    /// Its coordinates, or their rates.
-    #[inline]
-    fn at(&self, q: &[f64]) -> Vector {
-        Vector::from_fn(self.rows.len(), |i| self.rows[i].dot(q))
-    }
-
-    /// The values of its laws and symbols.
-    #[inline]
-    fn values(&self, k: &[f64]) -> Vector {
-        Vector::from_fn(self.part.values.len(), |i| k[self.part.values[i]])
-    }
-
-    /// The derivatives of its laws; absent ones are zero.
-    #[inline]
-    fn slopes(&self, dk: &[f64]) -> Vector {
-        Vector::from_fn(self.part.laws, |i| dk.get(self.part.values[i]).copied().unwrap_or(0.0))
-    }
-
-    /// Adds its forces; called at every step, so that its numbers are in arrays.
-    #[inline]
-    fn add_force(&self, [q, q_dot, k, dk]: [&[f64]; 4], force: &mut [f64]) {
-        let (n, values, laws) = (self.rows.len(), &self.part.values[..], self.part.laws);
-        if n > COORDINATES || values.len() > VALUES {
-            let mut own = Vector::zeros(n);
-            self.equations.write_force(&self.at(q), &self.at(q_dot), &self.values(k), &self.slopes(dk), &mut own);
-            self.rows.iter().zip(own.iter()).for_each(|(row, f)| row.add_to(*f, force));
-            return;
-        }
-        let (mut x, mut x_dot, mut own) = ([0.0; COORDINATES], [0.0; COORDINATES], [0.0; COORDINATES]);
-        let (mut of_k, mut of_dk) = ([0.0; VALUES], [0.0; VALUES]);
-        for (i, row) in self.rows.iter().enumerate() {
-            (x[i], x_dot[i]) = row.dot_both(q, q_dot);
-        }
-        values.iter().zip(&mut of_k).for_each(|(&i, x)| *x = k[i]);
-        values[..laws].iter().zip(&mut of_dk).for_each(|(&i, x)| *x = dk.get(i).copied().unwrap_or(0.0));
-        self.equations.write_force(&x[..n], &x_dot[..n], &of_k[..values.len()], &of_dk[..laws], &mut own[..n]);
-        for (row, f) in self.rows.iter().zip(own).filter(|(_, f)| *f != 0.0) {
-            row.add_to(f, force);
-        }
-    }
-
-    /// A gradient by its coordinates as one by those of the train.
-    fn spread(&self, gradient: &Vector, n: usize) -> Vector {
-        let mut sum = Vector::zeros(n);
-        self.rows.iter().zip(gradient.iter()).for_each(|(row, x)| row.add_to(*x, &mut sum));
-        sum
-    }
-
-    fn affine(&self, of: Affine, n: usize) -> Affine {
-        let errors = of.errors.iter().map(|&(law, unit)| (self.part.values[law], unit)).collect();
-        let (on_q, on_speed) = (self.spread(&of.on_q, n), self.spread(&of.on_speed, n));
-        Affine { errors, on_q, on_speed, ..of }
     }
 }
 
@@ -147,64 +70,80 @@ struct Assembly {
     varying: Vec<usize>,
     /// The other parts.
     linear: Linear,
-    /// For each law, each switch, each deflection and each torque: its part, and its number there.
+    inertias: Inertias,
+    /// For each law, each switch and each deflection: its part, and its number there.
     laws: Vec<[usize; 2]>,
     switches: Vec<[usize; 2]>,
     deflections: Vec<[usize; 2]>,
-    torques: Vec<[usize; 2]>,
-    /// For each output the parts whose outputs it is the sum of.
-    outputs: Vec<Vec<[usize; 2]>>,
-    /// The outputs that are products: the output, another output, and the form of the speeds with which that is multiplied.
-    products: Vec<(usize, usize, Vector)>,
-    /// The outputs that are multiples: the output, another output, and the factor.
-    multiples: Vec<(usize, usize, f64)>,
+    /// For each torque the same, and its work per displacement, without what varies.
+    torques: Vec<([usize; 2], Sparse)>,
+    /// The sum of these works: where torques are in balance, they cancel before they are multiplied.
+    work: Sparse,
+    outputs: Vec<Observed>,
     mass: Matrix,
     mobility: Matrix,
     motions: Vec<Vector>,
 }
 
 impl Assembly {
-    fn new(train: &Train, parts: Vec<Placed>, geometry: Geometry<f64>) -> Assembly {
+    /// `known`: whether an output of a part depends on reactions and powers.
+    fn new(
+        train: &Train,
+        mut parts: Vec<Placed>,
+        geometry: Geometry<f64>,
+        known: impl Fn(&Part, usize) -> bool,
+    ) -> Assembly {
         let n = train.coordinates.len();
         let [laws, torques, outputs] = train.counts;
-        let (mut of_laws, mut of_torques) = (vec![[0; 2]; laws], vec![[0; 2]; torques]);
-        let mut of_outputs = vec![vec![]; outputs];
+        let mut of_laws = vec![[0; 2]; laws];
+        let mut of_torques = vec![([0; 2], Sparse::of(std::iter::empty())); torques];
+        let mut sums: Vec<Vec<OfPart>> = (0..outputs).map(|_| vec![]).collect();
         let (mut switches, mut deflections) = (vec![], vec![]);
         let mut mass = Matrix::zeros(n, n);
-        for (i, placed) in parts.iter().enumerate() {
+        let mut numbers = 0;
+        for (i, placed) in parts.iter_mut().enumerate() {
+            placed.place = numbers;
+            numbers += placed.numbers();
             let part = &placed.part;
             part.values[..part.laws].iter().enumerate().for_each(|(j, &law)| of_laws[law] = [i, j]);
-            part.torques.iter().enumerate().for_each(|(j, &torque)| of_torques[torque] = [i, j]);
-            part.outputs.iter().enumerate().for_each(|(j, &output)| of_outputs[output].push([i, j]));
+            part.torques.iter().enumerate().for_each(|(j, &torque)| of_torques[torque] = ([i, j], placed.work(j, n)));
+            for (j, &output) in part.outputs.iter().enumerate() {
+                sums[output].push(OfPart { part: i, output: j, known: known(part, j) });
+            }
             for j in 0..part.switches {
                 switches.push([i, j]);
                 deflections.push([i, placed.equations.switched(j)]);
             }
-            geometry::add(&mut mass, &placed.equations.mass(&Vector::zeros(placed.rows.len())), &placed.matrix);
+            geometry::add(&mut mass, &placed.mass(), &placed.matrix);
         }
-        let linear = Linear::of(n, parts.iter().filter(|p| p.is_constant).map(|p| (&*p.equations, &p.rows[..])));
-        let varying = (0..parts.len()).filter(|&i| !parts[i].is_constant).collect();
-        let mobility = mobility(&mass);
-        let speeds = geometry.products.into_iter().map(|row| Vector::from_fn(n, |i| row[i]));
-        let products =
-            train.products.iter().zip(speeds).map(|((output, of, _), speed)| (*output, *of, speed)).collect();
-        let multiples = train.multiples.iter().zip(&geometry.multiples);
-        let multiples = multiples.map(|((output, of, _), factor)| (*output, *of, *factor)).collect();
+        let mut work = Vector::zeros(n);
+        of_torques.iter().for_each(|(_, of)| of.add_to(1.0, &mut work));
+        let sum = |mut parts: Vec<OfPart>| match parts.len() {
+            1 => Observed::One(parts.remove(0)),
+            _ => Observed::Sum(parts),
+        };
+        let mut observed: Vec<Observed> = sums.into_iter().map(sum).collect();
+        for ((output, of, _), speed) in train.products.iter().zip(geometry.products) {
+            observed[*output] = Observed::Product(*of, Sparse::of(speed.into_iter()));
+        }
+        for ((output, of, _), factor) in train.multiples.iter().zip(geometry.multiples) {
+            observed[*output] = Observed::Multiple(*of, factor);
+        }
         Assembly {
             n,
-            parts,
-            varying,
-            linear,
+            varying: (0..parts.len()).filter(|&i| !parts[i].is_constant).collect(),
+            linear: Linear::of(n, parts.iter().filter(|p| p.is_constant).map(|p| (&*p.equations, &p.rows[..]))),
+            inertias: Inertias::of(parts.iter().map(|p| (p.mass(), &p.matrix))),
             laws: of_laws,
             switches,
             deflections,
             torques: of_torques,
-            outputs: of_outputs,
-            products,
-            multiples,
+            work: Sparse::of(work.iter().copied()),
+            outputs: observed,
+            mobility: mobility(&mass),
             mass,
-            mobility,
             motions: geometry.motions,
+            parts,
         }
     }
 
@@ -238,27 +177,30 @@ impl Equations for Assembly {
         self.n
     }
 
-    fn kinetic(&self, q: &[f64], q_dot: &[f64]) -> f64 {
-        self.parts.iter().map(|p| p.equations.kinetic(&p.at(q), &p.at(q_dot))).sum()
+    fn kinetic(&self, _: &[f64], q_dot: &[f64]) -> f64 {
+        self.inertias.kinetic(q_dot)
     }
 
     fn potential(&self, q: &[f64], k: &[f64]) -> f64 {
-        self.linear.potential(q) + self.varying().map(|p| p.equations.potential(&p.at(q), &p.values(k))).sum::<f64>()
+        let of = |part: &Placed| part.at_state([q, q, k], |equations, [x, _, k]| equations.potential(x, k));
+        self.linear.potential(q) + self.varying().map(of).sum::<f64>()
     }
 
     fn dissipation(&self, q: &[f64], q_dot: &[f64], k: &[f64]) -> f64 {
-        let varying = self.varying().map(|p| p.equations.dissipation(&p.at(q), &p.at(q_dot), &p.values(k)));
-        self.linear.dissipation(q_dot) + varying.sum::<f64>()
+        let of = |p: &Placed| p.at_state([q, q_dot, k], |equations, [x, x_dot, k]| equations.dissipation(x, x_dot, k));
+        self.linear.dissipation(q_dot) + self.varying().map(of).sum::<f64>()
     }
 
     fn torque_work(&self, i: usize, dq: &[f64]) -> f64 {
-        let [part, torque] = self.torques[i];
-        self.parts[part].equations.torque_work(torque, &self.parts[part].at(dq))
+        self.torques[i].1.dot(dq)
     }
 
     fn torque_power(&self, i: usize, q: &[f64], q_dot: &[f64], k: &[f64]) -> f64 {
-        let [part, torque] = self.torques[i];
+        let [part, torque] = self.torques[i].0;
         let p = &self.parts[part];
+        if !p.equations.has_powers() {
+            return 0.0;
+        }
         p.equations.torque_power(torque, &p.at(q), &p.at(q_dot), &p.values(k))
     }
 
@@ -267,27 +209,16 @@ impl Equations for Assembly {
     }
 
     fn output(&self, i: usize, q: &[f64], q_dot: &[f64], k: &[f64], known: &Known) -> f64 {
-        if let Some((_, of, speed)) = self.products.iter().find(|product| product.0 == i) {
-            return self.output(*of, q, q_dot, k, known) * speed.dot(q_dot);
-        }
-        if let Some((_, of, factor)) = self.multiples.iter().find(|multiple| multiple.0 == i) {
-            return factor * self.output(*of, q, q_dot, k, known);
-        }
-        let of = |&[part, output]: &[usize; 2]| {
-            let p = &self.parts[part];
-            let switches = self.switches.iter().enumerate().filter(|(_, of)| of[0] == part);
-            let own = Known {
-                reactions: switches.map(|(switch, _)| known.reaction(switch)).collect(),
-                powers: p.part.torques.iter().map(|&torque| known.power(torque)).collect(),
-            };
-            p.equations.output(output, &p.at(q), &p.at(q_dot), &p.values(k), &own)
-        };
-        self.outputs[i].iter().map(of).sum()
+        Observer::new(self, [q, q_dot, k], known).output(i)
+    }
+
+    fn write_outputs(&self, which: &[usize], q: &[f64], q_dot: &[f64], k: &[f64], known: &Known, values: &mut [f64]) {
+        let mut observer = Observer::new(self, [q, q_dot, k], known);
+        which.iter().zip(values).for_each(|(&i, value)| *value = observer.output(i));
     }
 
     fn work(&self, dq: &[f64]) -> f64 {
-        let driven = self.parts.iter().filter(|p| !p.part.torques.is_empty());
-        driven.map(|p| p.equations.work(&p.at(dq))).sum()
+        self.work.dot(dq)
     }
 
     fn write_force(&self, q: &[f64], q_dot: &[f64], k: &[f64], dk: &[f64], force: &mut [f64]) {
@@ -309,7 +240,8 @@ impl Equations for Assembly {
     }
 
     fn other_dissipation(&self, q: &[f64], q_dot: &[f64], k: &[f64]) -> f64 {
-        self.nonlinear().map(|p| p.equations.dissipation(&p.at(q), &p.at(q_dot), &p.values(k))).sum()
+        let of = |p: &Placed| p.at_state([q, q_dot, k], |equations, [x, x_dot, k]| equations.dissipation(x, x_dot, k));
+        self.nonlinear().map(of).sum()
     }
 
     fn jacobian(&self, q: &[f64], q_dot: &[f64], k: &[f64], dk: &[f64], ddk: &[f64]) -> [Matrix; 2] {

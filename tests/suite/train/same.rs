@@ -2,83 +2,31 @@
 
 use gearsim::run::Outcome;
 use gearsim::scene::Scene;
+use gearsim_tests::trains::{BRANCHES, CHAIN, PLANETARY, Pair, SHAFTS, TWO_STAGE};
 
 use crate::common;
 
-/// A derived model's scene, and the tables that list the same parts.
-struct Pair<'a> {
-    scene: &'static str,
-    tables: &'a str,
-    /// Names that differ: in the derived model, in the train.
-    renamed: &'a [(&'static str, &'static str)],
+/// Runs of both drivetrains of a pair.
+trait Compared {
+    /// Both scenes with the same overrides.
+    fn scenes(&self, overrides: &[&str]) -> [Scene; 2];
+    /// Both scenes, each with its overrides.
+    fn scenes_of(&self, overrides: [&[&str]; 2]) -> [Scene; 2];
+    /// Runs both, and returns the largest difference of an output or an energy, relative to its largest value.
+    fn compare(&self, overrides: &[&str]) -> f64;
+    /// The same of two scenes.
+    fn apart(&self, scenes: [Scene; 2], overrides: &[&str]) -> f64;
 }
 
-const CHAIN: Pair<'static> = Pair {
-    scene: "chain_5",
-    tables: "[rotors]\n1={}\n2={}\n3={}\n4={}\n5={}\n[shafts]\n1={between=['1','2']}\n2={between=['2','3']}\n\
-             3={between=['3','4']}\n4={between=['4','5']}\n[drives]\nmotor={rotor='1'}\n[loads]\nload={rotor='5'}\n",
-    renamed: &[],
-};
-
-const BRANCHES: Pair<'static> = Pair {
-    scene: "geared_branches",
-    tables: "[rotors]\n1={}\nm={}\na={}\nb={}\n2={}\n[shafts]\nm={between=['m','1']}\na={between=['1','a']}\n\
-             b={between=['2','b']}\n[meshes]\n12={between=['1','2'],stiffness='rigid',teeth=[1,1]}\n\
-             [drives]\nmotor={rotor='m'}\n[loads]\nload={rotor='b'}\n",
-    renamed: &[],
-};
-
-const SHAFTS: Pair<'static> = Pair {
-    scene: "gear_pair_shafts",
-    tables: "[rotors]\n1={}\nm={}\n2={}\nl={}\n[shafts]\nm={between=['m','1']}\nl={between=['2','l']}\n\
-             [meshes]\n12={between=['1','2']}\n[drives]\nmotor={rotor='m'}\n[loads]\nload={rotor='l'}\n",
-    renamed: &[],
-};
-
-const TWO_STAGE: Pair<'static> = Pair {
-    scene: "two_stage",
-    tables: "[rotors]\n1={}\nm={}\n2={}\n3={}\n4={}\nl={}\n[shafts]\nm={between=['m','1']}\n\
-             l={between=['4','l']}\nc={between=['2','3']}\n[meshes]\n12={between=['1','2']}\n34={between=['3','4']}\n\
-             [drives]\nmotor={rotor='m'}\n[loads]\nload={rotor='l'}\n",
-    renamed: &[],
-};
-
-const PLANETARY: Pair<'static> = Pair {
-    scene: "planetary_3",
-    tables: "[rotors]\ns={}\nc={}\nr={}\n[planets.p]\nsun='s'\ncarrier='c'\nring='r'\ncount=3\nteeth=[27,99]\n\
-             [supports]\nr={rotor='r'}\n[drives]\nmotor={rotor='s'}\n[loads]\nload={rotor='c'}\n",
-    renamed: &[
-        ("Z_s = 27\n", ""),
-        ("Z_r = 99\n", ""),
-        ("r_s =", "rs_p ="),
-        ("alpha =", "alpha_p ="),
-        ("I_p =", "Ip_p ="),
-        ("m_p =", "mp_p ="),
-        ("k_s1.", "k_p_s1."),
-        ("k_s2.", "k_p_s2."),
-        ("k_s3.", "k_p_s3."),
-        ("k_r1.", "k_p_r1."),
-        ("k_r2.", "k_p_r2."),
-        ("k_r3.", "k_p_r3."),
-    ],
-};
-
-impl Pair<'_> {
-    /// Both scenes with the same overrides.
+impl Compared for Pair<'_> {
     fn scenes(&self, overrides: &[&str]) -> [Scene; 2] {
         self.scenes_of([overrides; 2])
     }
 
-    /// Both scenes, each with its overrides.
     fn scenes_of(&self, overrides: [&[&str]; 2]) -> [Scene; 2] {
         let path = common::root().join(format!("models/scenes/{}.toml", self.scene));
         let text = std::fs::read_to_string(path).expect("a scene");
-        let mut listed = text.replace(&format!("model = {:?}", self.scene), "model = \"train\"");
-        for (from, to) in self.renamed {
-            assert!(listed.contains(from), "{}: {from}", self.scene);
-            listed = listed.replace(from, to);
-        }
-        let listed = format!("{listed}\n{}", self.tables);
+        let listed = self.listed(&text);
         let [derived, of_train] = overrides.map(|all| all.iter().map(|text| text.to_string()).collect::<Vec<_>>());
         [(text, derived), (listed, of_train)].map(|(text, overrides)| {
             Scene::parse("both", "both.toml", &text, &overrides, &common::models())
@@ -86,12 +34,10 @@ impl Pair<'_> {
         })
     }
 
-    /// Runs both, and returns the largest difference of an output or an energy, relative to its largest value.
     fn compare(&self, overrides: &[&str]) -> f64 {
         self.apart(self.scenes(overrides), overrides)
     }
 
-    /// The same of two scenes.
     fn apart(&self, scenes: [Scene; 2], overrides: &[&str]) -> f64 {
         let [derived, listed] = scenes.map(|scene| common::run(&scene));
         assert_eq!(events(&derived), events(&listed), "{}: events", self.scene);

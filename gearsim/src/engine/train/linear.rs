@@ -1,13 +1,12 @@
-//! The parts of a train whose forces are linear with constant factors: f - k x - c x' along each of their coordinates.
-
-use smallvec::SmallVec;
+//! What is constant in a train: the forces f - k x - c x' of the parts whose factors do not change, the inertias of all parts, and the
+//! displacements along which torques work.
 
 use crate::engine::equations::Equations;
-use crate::engine::vector::Vector;
+use crate::engine::vector::{Matrix, Vector};
 
 /// A row of R: its entries that are not zero, each with its coordinate.
 #[derive(Debug, Clone)]
-pub(super) struct Sparse(SmallVec<[(u32, f64); 4]>);
+pub(super) struct Sparse(Box<[(u32, f64)]>);
 
 impl Sparse {
     pub fn of(row: impl Iterator<Item = f64>) -> Sparse {
@@ -23,7 +22,7 @@ impl Sparse {
     #[inline]
     pub fn dot_both(&self, q: &[f64], q_dot: &[f64]) -> (f64, f64) {
         let (mut x, mut x_dot) = (0.0, 0.0);
-        for &(i, factor) in &self.0 {
+        for &(i, factor) in &*self.0 {
             x += factor * q[i as usize];
             x_dot += factor * q_dot[i as usize];
         }
@@ -84,5 +83,38 @@ impl Linear {
             let (x, x_dot) = row.dot_both(q, q_dot);
             row.add_to(-(stiffness * x + damping * x_dot), force);
         }
+    }
+}
+
+/// The kinetic energy as a sum of squares: each has a mass, and its speed is a combination of those of the train.
+#[derive(Debug)]
+pub(super) struct Inertias(Vec<(f64, Sparse)>);
+
+impl Inertias {
+    /// Those of parts with the mass matrices `m` and the rows R. With m = L D L^T, the energy of a part is the sum of D_i (L^T R q')_i^2/2.
+    pub fn of<'a>(parts: impl Iterator<Item = (Matrix, &'a Matrix)>) -> Inertias {
+        let mut squares = vec![];
+        for (mut m, rows) in parts {
+            let n = m.nrows();
+            for i in 0..n {
+                // The rows before i are already eliminated. A mass of zero has no energy.
+                let mass = m[(i, i)];
+                if mass == 0.0 {
+                    continue;
+                }
+                let factors: Vec<f64> = (0..n).map(|j| m[(j, i)] / mass).collect();
+                let speed = (0..rows.ncols()).map(|c| (i..n).map(|j| factors[j] * rows[(j, c)]).sum());
+                squares.push((mass, Sparse::of(speed)));
+                for (a, b) in (i + 1..n).flat_map(|a| (i + 1..n).map(move |b| (a, b))) {
+                    m[(a, b)] -= factors[a] * mass * factors[b];
+                }
+            }
+        }
+        Inertias(squares)
+    }
+
+    /// T \[J\] with these speeds.
+    pub fn kinetic(&self, q_dot: &[f64]) -> f64 {
+        self.0.iter().map(|(mass, speed)| mass * speed.dot(q_dot).powi(2) / 2.0).sum()
     }
 }

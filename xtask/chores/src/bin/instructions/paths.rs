@@ -6,6 +6,7 @@ use gearsim::__private::{Inside, Simulation, ensemble};
 use gearsim::run::Entry;
 use gearsim::scene::Scene;
 use gearsim_tests::oh2005;
+use gearsim_tests::trains::{PLANETARY, Pair, TWO_STAGE};
 
 use crate::sides;
 
@@ -15,6 +16,8 @@ pub struct Path {
     pub what: &'static str,
     /// The path that it is compared with.
     pub compared_with: Option<&'static str>,
+    /// Largest ratio to that path that is allowed.
+    pub at_most: Option<f64>,
     /// Prepares it. The job that it returns is counted; the job returns its number of items.
     pub prepare: fn() -> Job,
 }
@@ -28,7 +31,12 @@ const fn path(
     compared_with: Option<&'static str>,
     prepare: fn() -> Job,
 ) -> Path {
-    Path { name, what, compared_with, prepare }
+    Path { name, what, compared_with, at_most: None, prepare }
+}
+
+/// A path of a train, beside the derived model of the same drivetrain.
+const fn as_train(name: &'static str, what: &'static str, derived: &'static str, prepare: fn() -> Job) -> Path {
+    Path { name, what, compared_with: Some(derived), at_most: Some(1.5), prepare }
 }
 
 /// All paths.
@@ -109,6 +117,31 @@ pub const PATHS: &[Path] = &[
     path("method_friction", "a step of dop853, a pair on bearings with sliding friction", None, || {
         steps::<GearPairBearings>("sliding_friction", &["output.rate=1 kHz", "output.events=false"])
     }),
+    path("derived_two_stage", "a row of two stages, 20 ms by exact cells with all outputs", None, || {
+        derived(&TWO_STAGE, "exact")
+    }),
+    as_train(
+        "train_two_stage",
+        "the same as a train, whose equations are put together from those of its parts",
+        "derived_two_stage",
+        || train(&TWO_STAGE, "exact"),
+    ),
+    path("derived_planets", "a row of a planetary stage, 20 ms by exact cells with all outputs", None, || {
+        derived(&PLANETARY, "exact")
+    }),
+    as_train("train_planets", "the same as a train", "derived_planets", || train(&PLANETARY, "exact")),
+    path("derived_two_stage_by_steps", "a row of two stages, 20 ms by dop853 with all outputs", None, || {
+        derived(&TWO_STAGE, "dop853")
+    }),
+    as_train("train_two_stage_by_steps", "the same as a train", "derived_two_stage_by_steps", || {
+        train(&TWO_STAGE, "dop853")
+    }),
+    path("derived_planets_by_steps", "a row of a planetary stage, 20 ms by dop853 with all outputs", None, || {
+        derived(&PLANETARY, "dop853")
+    }),
+    as_train("train_planets_by_steps", "the same as a train", "derived_planets_by_steps", || {
+        train(&PLANETARY, "dop853")
+    }),
 ];
 
 fn scene(name: &str, overrides: &[&str]) -> Scene {
@@ -129,6 +162,26 @@ fn steps<D: Derived>(name: &str, overrides: &[&str]) -> Job {
         let outcome = Entry::new::<D>().run(&scene, &mut |_| {}).expect("the scene is sound");
         outcome.solver.steps + outcome.solver.rejected
     })
+}
+
+/// Runs of a drivetrain as a derived model, and as a train, with their preparation; their items are the rows.
+fn derived(pair: &Pair<'_>, method: &'static str) -> Job {
+    rows(text(pair), method)
+}
+
+fn train(pair: &Pair<'_>, method: &'static str) -> Job {
+    rows(pair.listed(&text(pair)), method)
+}
+
+fn text(pair: &Pair<'_>) -> String {
+    let path = format!("{}/../../models/scenes/{}.toml", env!("CARGO_MANIFEST_DIR"), pair.scene);
+    std::fs::read_to_string(path).expect("the scene is there")
+}
+
+fn rows(text: String, method: &'static str) -> Job {
+    let scene = gearsim::Scene::from_toml("counted", &text).and_then(|scene| scene.with("run.method", method));
+    let scene = scene.and_then(|scene| scene.with("run.t_end", "20 ms")).expect("the scene is sound");
+    Box::new(move || scene.run().expect("the run ends").outcome.trajectory.len() as u64)
 }
 
 fn equations(scene: &Scene) -> &'static dyn Equations {

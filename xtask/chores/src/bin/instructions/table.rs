@@ -23,22 +23,23 @@ impl Table {
         );
         for (path, count) in PATHS.iter().zip(&self.counts) {
             let compared = path.compared_with.map_or((String::new(), String::new()), |other| {
-                let ratio = self.of(other).map_or(f64::NAN, |other| count / other);
-                (format!("`{other}`"), format!("{ratio:.3}"))
+                let bound = path.at_most.map_or(String::new(), |most| format!(" (at most {most})"));
+                (format!("`{other}`"), format!("{:.3}{bound}", self.ratio(*count, other)))
             });
             text += &format!("| `{}` | {} | {count:.1} | {} | {} |\n", path.name, path.what, compared.0, compared.1);
         }
         text
     }
 
-    fn of(&self, name: &str) -> Option<f64> {
-        PATHS.iter().position(|path| path.name == name).map(|i| self.counts[i])
+    /// A count over that of the path `other`.
+    fn ratio(&self, count: f64, other: &str) -> f64 {
+        PATHS.iter().position(|path| path.name == other).map_or(f64::NAN, |i| count / self.counts[i])
     }
 
     /// Compares the counts with those of a committed table.
     ///
     /// # Errors
-    /// Names every path that the table lacks, or whose count differs from it by more than 3 %.
+    /// Names every path that the table lacks, whose count differs from it by more than 3 %, or whose ratio is too large.
     pub fn compare(&self, kept: &str) -> anyhow::Result<()> {
         let row = |path: &Path| kept.lines().find(|line| line.starts_with(&format!("| `{}` |", path.name)));
         let value = |line: &str| line.split('|').nth(3).and_then(|cell| cell.trim().parse::<f64>().ok());
@@ -52,6 +53,17 @@ impl Table {
                     path.name,
                     100.0 * (now / then - 1.0)
                 )),
+            }
+        }
+        for (path, now) in PATHS.iter().zip(&self.counts) {
+            let (Some(other), Some(most)) = (path.compared_with, path.at_most) else { continue };
+            let ratio = self.ratio(*now, other);
+            // NaN is too large as well.
+            if !(ratio <= most) {
+                faults.push(format!(
+                    "`{}` takes {ratio:.3} times the instructions of `{other}`, at most {most} allowed",
+                    path.name
+                ));
             }
         }
         if faults.is_empty() {

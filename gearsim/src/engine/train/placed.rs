@@ -1,0 +1,123 @@
+//! A part of a train with its equations, in its place.
+
+use super::linear::Sparse;
+use crate::engine::equations::{Affine, Equations};
+use crate::engine::vector::{Matrix, Vector};
+use crate::model::Model;
+use crate::scene::Effects;
+use crate::train::Part;
+
+/// Largest number of coordinates, speeds and values of an element for which no memory is asked for.
+const NUMBERS: usize = 16;
+
+/// A part with its equations.
+pub(super) struct Placed {
+    pub part: Part,
+    pub equations: Box<dyn Equations>,
+    /// R.
+    pub rows: Vec<Sparse>,
+    /// R as a matrix, for sums of matrices.
+    pub matrix: Matrix,
+    /// Where its x, x' and values are among those of all parts.
+    pub place: usize,
+    /// Whether its forces are linear in x and x', with constant factors.
+    pub is_constant: bool,
+    /// Whether they are linear while the values of its laws and switches do not change.
+    pub is_linear: bool,
+}
+
+impl Placed {
+    pub fn new(part: Part, effects: Effects, model: &Model, equations: Box<dyn Equations>, rows: &Matrix) -> Placed {
+        let is_linear = effects.nonlinear(model).is_empty();
+        let is_constant = is_linear && model.laws.is_empty() && model.switches.is_empty();
+        let of_row = |i| Sparse::of(rows.row(i).iter().copied());
+        let sparse = (0..rows.nrows()).map(of_row).collect();
+        Placed { part, equations, rows: sparse, matrix: rows.clone(), place: 0, is_constant, is_linear }
+    }
+
+    /// How many numbers its x, x' and values are.
+    pub fn numbers(&self) -> usize {
+        2 * self.rows.len() + self.part.values.len()
+    }
+
+    /// Its coordinates, or their rates.
+    #[inline]
+    pub fn at(&self, q: &[f64]) -> Vector {
+        Vector::from_fn(self.rows.len(), |i| self.rows[i].dot(q))
+    }
+
+    /// The values of its laws and symbols.
+    #[inline]
+    pub fn values(&self, k: &[f64]) -> Vector {
+        Vector::from_fn(self.part.values.len(), |i| k[self.part.values[i]])
+    }
+
+    /// The derivatives of its laws; absent ones are zero.
+    #[inline]
+    pub fn slopes(&self, dk: &[f64]) -> Vector {
+        Vector::from_fn(self.part.laws, |i| dk.get(self.part.values[i]).copied().unwrap_or(0.0))
+    }
+
+    /// Writes x, x' and the values of its laws and symbols at a state of the train [q, q', values].
+    #[inline]
+    pub fn localise(&self, [q, q_dot, k]: [&[f64]; 3], numbers: &mut [f64]) {
+        let n = self.rows.len();
+        for (i, row) in self.rows.iter().enumerate() {
+            (numbers[i], numbers[n + i]) = row.dot_both(q, q_dot);
+        }
+        self.part.values.iter().zip(&mut numbers[2 * n..]).for_each(|(&i, x)| *x = k[i]);
+    }
+
+    /// What `of` gives at a state of the train, from x, x' and the values. Called at every step, so that few numbers are in an array.
+    #[inline]
+    pub fn at_state<T>(&self, state: [&[f64]; 3], of: impl FnOnce(&dyn Equations, [&[f64]; 3]) -> T) -> T {
+        let mut array = [0.0; NUMBERS];
+        let mut vector = vec![];
+        let count = self.numbers();
+        let numbers = if count <= NUMBERS {
+            &mut array[..count]
+        } else {
+            vector.resize(count, 0.0);
+            &mut vector[..]
+        };
+        self.localise(state, numbers);
+        let (x, rest) = numbers.split_at(self.rows.len());
+        let (x_dot, values) = rest.split_at(x.len());
+        of(&*self.equations, [x, x_dot, values])
+    }
+
+    /// Adds its forces; `dk` are the slopes of the laws of the train.
+    #[inline]
+    pub fn add_force(&self, [q, q_dot, k, dk]: [&[f64]; 4], force: &mut [f64]) {
+        let mut own = Vector::zeros(self.rows.len());
+        let slopes = self.slopes(dk);
+        self.at_state([q, q_dot, k], |equations, [x, x_dot, k]| equations.write_force(x, x_dot, k, &slopes, &mut own));
+        self.rows.iter().zip(own.iter()).filter(|(_, f)| **f != 0.0).for_each(|(row, f)| row.add_to(*f, force));
+    }
+
+    /// Its mass matrix, which is constant.
+    pub fn mass(&self) -> Matrix {
+        self.equations.mass(&Vector::zeros(self.rows.len()))
+    }
+
+    /// The work of its torque `i`, without what varies, per displacement of each of the `n` coordinates of the train.
+    pub fn work(&self, i: usize, n: usize) -> Sparse {
+        let own = self.rows.len();
+        let unit = |j: usize| Vector::from_fn(own, |i| f64::from(u8::from(i == j)));
+        let gradient = Vector::from_fn(own, |j| self.equations.torque_work(i, &unit(j)));
+        Sparse::of(self.spread(&gradient, n).iter().copied())
+    }
+
+    /// A gradient by its coordinates as one by those of the train.
+    pub fn spread(&self, gradient: &Vector, n: usize) -> Vector {
+        let mut sum = Vector::zeros(n);
+        self.rows.iter().zip(gradient.iter()).for_each(|(row, x)| row.add_to(*x, &mut sum));
+        sum
+    }
+
+    pub fn affine(&self, of: Affine, n: usize) -> Affine {
+        let errors = of.errors.iter().map(|&(law, unit)| (self.part.values[law], unit)).collect();
+        let (on_q, on_speed) = (self.spread(&of.on_q, n), self.spread(&of.on_speed, n));
+        Affine { errors, on_q, on_speed, ..of }
+    }
+}
