@@ -154,7 +154,7 @@ pub struct Attempt<const N: usize, const L: usize> {
     up: Mask<L>,
     /// Whether the motion is turned back.
     turned: Mask<L>,
-    /// Whether the phase may have turned within the flight. Its time then predicts no other.
+    /// Whether the phase may have turned within the flight. The time of the event then does not predict the next one.
     found: Mask<L>,
     /// Number of evaluations of the motion.
     pub evaluations: usize,
@@ -346,7 +346,7 @@ impl<const N: usize, const L: usize> Lanes<N, L> {
         let in_time = taken.compare(self.end - self.clock[0] - self.clock[1], |t, left| t < left);
         let angle = cells.rate * taken;
         let resolved = angle.compare(angle, |angle, _| (angle >= SERIES_SPAN) & (angle < KERNEL_ANGLE));
-        // A crossing that was found is the one beside it.
+        // Newton's method must converge to the crossing that was found, not to another one.
         let beside = ((taken - guess) * cells.rate).compare(guess, |angle, _| angle.abs() <= 2.0 * SHIFT_SPAN);
         let sure = sure.and(done).and(in_time).and(resolved);
         (sure.without(target.found.without(beside)), taken, points, evaluations)
@@ -407,7 +407,7 @@ impl<const N: usize, const L: usize> Lanes<N, L> {
     }
 
     /// Whether a motion that is turned back with the normal speed `v` is not pressed against the step ([`presses`]): its bounce is longer than a
-    /// pressed one. The acceleration after the impulse is at most that before it and what the dampers add.
+    /// pressed one. The acceleration after the impulse is at most that before it plus what the dampers add.
     ///
     /// [`presses`]: crate::engine::contact::presses
     #[inline(always)]

@@ -57,7 +57,7 @@ impl Source for Elements {
     }
 }
 
-/// Largest numbers of coordinates and values of an element whose forces are computed without a vector of any length.
+/// Largest numbers of coordinates and values of an element whose forces are computed in arrays of fixed length.
 const COORDINATES: usize = 3;
 const VALUES: usize = 8;
 
@@ -102,7 +102,7 @@ impl Placed {
         Vector::from_fn(self.part.laws, |i| dk.get(self.part.values[i]).copied().unwrap_or(0.0))
     }
 
-    /// Adds its forces; called at every step, so that its numbers are in arrays.
+    /// Adds its forces. It is called at every step; small elements therefore use arrays of fixed length.
     #[inline]
     fn add_force(&self, [q, q_dot, k, dk]: [&[f64]; 4], force: &mut [f64]) {
         let (n, values, laws) = (self.rows.len(), &self.part.values[..], self.part.laws);
@@ -125,7 +125,7 @@ impl Placed {
         }
     }
 
-    /// A gradient by its coordinates as one by those of the train.
+    /// Converts a gradient from its coordinates to those of the train.
     fn spread(&self, gradient: &Vector, n: usize) -> Vector {
         let mut sum = Vector::zeros(n);
         self.rows.iter().zip(gradient.iter()).for_each(|(row, x)| row.add_to(*x, &mut sum));
@@ -152,7 +152,7 @@ struct Assembly {
     switches: Vec<[usize; 2]>,
     deflections: Vec<[usize; 2]>,
     torques: Vec<[usize; 2]>,
-    /// For each output the parts whose outputs it is the sum of.
+    /// For each output, the outputs of parts of which it is the sum.
     outputs: Vec<Vec<[usize; 2]>>,
     /// The outputs that are products: the output, another output, and the form of the speeds with which that is multiplied.
     products: Vec<(usize, usize, Vector)>,
@@ -216,7 +216,7 @@ impl Assembly {
         self.parts.iter().filter(|part| !part.is_linear)
     }
 
-    /// The sum of what `of` gives of each of `parts`, by the coordinates of the train.
+    /// The sum over `parts` of the matrices `of`, in the coordinates of the train.
     fn total<'a>(&self, parts: impl Iterator<Item = &'a Placed>, of: impl Fn(&Placed) -> Matrix) -> Matrix {
         let mut sum = Matrix::zeros(self.n, self.n);
         parts.for_each(|placed| geometry::add(&mut sum, &of(placed), &placed.matrix));

@@ -27,7 +27,7 @@ pub fn horizon(now: &Hybrid<'_>) -> (f64, End) {
     first
 }
 
-/// How a motion ends that ends at the `horizon` at the latest, and when \[s\].
+/// How and when \[s\] a motion ends. It ends at the `horizon` at the latest.
 ///
 /// # Errors
 /// Where a search does not end, or leaves the range of numbers.

@@ -173,7 +173,7 @@ impl Equilibrium<'_> {
                     [0.5, 1.0, -0.5, -1.0].map(|half_turns| half_turns * PI).into()
                 }
                 None => {
-                    // The mirrored place, and places of any size: the unit does not show the scale.
+                    // The mirrored place, and places of many sizes, because the unit does not show the scale.
                     let sizes =
                         [1.0, 2.0, 4.0].map(|x| x * at[i].abs()).into_iter().chain((-6..2).map(|n| 10f64.powi(n)));
                     sizes.flat_map(|size| [size - at[i], -size - at[i]]).collect()
