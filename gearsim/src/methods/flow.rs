@@ -1,4 +1,4 @@
-//! The vector that methods integrate: coordinates, speeds, and the energy that damping has taken.
+//! The vector that methods integrate: coordinates, speeds, and the dissipated energy.
 
 use crate::engine::vector::Vector;
 
@@ -9,7 +9,7 @@ pub struct Flow {
     pub q: Vector,
     /// Speeds (N).
     pub v: Vector,
-    /// Energy lost to damping \[J\]: a quadrature beside the motion, on which nothing depends.
+    /// Energy dissipated by damping \[J\]. The motion does not depend on it.
     pub lost: f64,
 }
 
@@ -50,7 +50,7 @@ impl Flow {
     }
 }
 
-/// What an error of each component is measured by: never zero.
+/// The unit of the error of each component; never zero.
 #[derive(Debug, Clone)]
 pub struct Scale {
     /// Of the coordinates (N).
@@ -60,7 +60,7 @@ pub struct Scale {
 }
 
 impl Scale {
-    /// The largest component of the motion in `flow`, each in units of its scale. The quadrature has none.
+    /// The largest component of the motion in `flow`, each in units of its scale. The dissipated energy does not count.
     #[inline]
     pub fn norm(&self, flow: &Flow) -> f64 {
         let mut norm = 0.0f64;
