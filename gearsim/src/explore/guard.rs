@@ -3,7 +3,7 @@
 /// Most bytes of a request's body.
 pub(super) const MOST_BYTES: usize = 64 << 10;
 
-/// What is asked for.
+/// What a request asks for.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Route {
     /// The page.

@@ -203,7 +203,7 @@ impl Content {
     }
 }
 
-/// The policy of what is no page.
+/// The policy of answers that are no pages.
 fn nothing() -> String {
     "default-src 'none'; frame-ancestors 'none'".into()
 }

@@ -71,7 +71,7 @@ impl Text {
         self.put(&[key], Value::from_iter(names.iter().copied()));
     }
 
-    /// Writes a number with the unit that stands there. Nothing is changed where the same number stands already.
+    /// Writes a number with the unit that the text has at its place. If the number is the same, nothing is changed.
     pub fn set(&mut self, leaf: &Leaf, number: f64) {
         if leaf.number != number {
             let path: Vec<_> = leaf.path.iter().map(String::as_str).collect();
