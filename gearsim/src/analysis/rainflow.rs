@@ -1,9 +1,10 @@
 //! Load spectra: rainflow counts and the load duration distribution of a recorded column.
 //!
 //! Rainflow counting by the three-point rule of ASTM E1049-85 (2017), section 5.4.4. The reversals of the column are read one after the
-//! other. With the range X of the last two and the range Y before it: while X >= Y, Y is counted, as a cycle and without its two points,
-//! or as half a cycle and without its first point if that is the start of what is left. In the end each range that is left is half a
-//! cycle. The reversals are those of all rows, samples and both sides of events, so that a peak at an event is not missed.
+//! other. With the range X of the last two and the range Y before it: while X >= Y, Y is counted as a cycle and its two points are removed.
+//! If Y contains the first remaining point, it is counted as half a cycle, and only this point is removed. In the end each remaining range
+//! is counted as half a cycle. The reversals are those of all rows, samples and both sides of events, so that a peak at an event is not
+//! missed.
 
 use crate::trajectory::Trajectory;
 

@@ -28,7 +28,7 @@ const LONGEST: f64 = 600.0;
 pub struct Sound {
     /// Values from -1 to 1 at [`RATE`].
     pub values: Vec<f64>,
-    /// What full scale is: the value of the signal, without its mean, that would be 1 [unit of the signal].
+    /// The value of the signal without its mean that would be 1, full scale [unit of the signal].
     pub full_scale: f64,
     /// The mean that was subtracted [unit of the signal].
     pub mean: f64,

@@ -1,4 +1,4 @@
-//! Tests of the gears of meshes: whose rotation and lead are those of the run, and whose pairs leave contact where the stiffness falls.
+//! Tests of the gears of meshes: their rotation and lead are those of the run, and pairs of teeth leave contact where the stiffness falls.
 
 use std::f64::consts::TAU;
 use std::path::Path;

@@ -23,8 +23,8 @@ pub struct Mass {
     pub name: &'static str,
     /// Its part of M (n x n).
     pub inertia: DMatrix<f64>,
-    /// Its momentum in a motion by unit of each coordinate (n), counted along its motion in the first rigid motion; if that leaves it at
-    /// rest, along its largest component. Its product with a mode shape has the sign of the part's motion.
+    /// Its momentum in the first rigid motion (n). If the part is at rest there, its momentum in a motion of the coordinate with its
+    /// largest inertia. The product with a mode shape has the sign of the part's motion.
     pub sense: DVector<f64>,
 }
 
