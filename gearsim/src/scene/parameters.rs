@@ -30,8 +30,8 @@ pub(super) struct Given {
 }
 
 /// Reads `[parameters]`, in the order of the model. If the table is missing, the lines to add go to `absent`. A parameter without a
-/// default whose effect is not among `effects` may be left out; its value is then NaN. `radii` has those to which values per squared radius
-/// refer.
+/// default whose effect is not among `effects` may be left out; its value is then NaN. `radii` has the radii to which values per squared
+/// radius refer.
 pub(super) fn read(
     entries: &[Entry],
     (model, radii): (&Model, &dyn Radii),

@@ -9,7 +9,7 @@ pub(crate) struct Key {
     pub name: &'static str,
     /// What its value may be.
     pub kind: Kind,
-    /// What holds without it; [`REQUIRED`] if it must be there.
+    /// Its default; [`REQUIRED`] if it has none.
     pub default: &'static str,
     /// What it means.
     pub doc: &'static str,
@@ -55,7 +55,7 @@ pub(crate) struct Named {
     pub doc: &'static str,
 }
 
-/// A key; `default` says what holds without it.
+/// A key, with its `default`.
 pub(in crate::scene) const fn key(name: &'static str, kind: Kind, default: &'static str, doc: &'static str) -> Key {
     Key { name, kind, default, doc }
 }
