@@ -35,7 +35,7 @@ impl Distribution {
         match *self {
             Distribution::Uniform { low, high, spacing } => spacing.between(low, high, p),
             Distribution::Normal { mean, deviation, within: None } => {
-                // A random number is 0 once in 2^53 times. It stands for the interval of that width, and its middle is taken.
+                // A random number is 0 once in 2^53 times. It stands for an interval of that width; use the middle of the interval.
                 let p = p.max(0.25 * f64::EPSILON);
                 Spacing::rounded(mean + deviation * standard(p, (f64::NEG_INFINITY, f64::INFINITY)))
             }
@@ -47,7 +47,7 @@ impl Distribution {
     }
 
     /// Values to try before any point runs: the ends of an interval. The values of a distribution without ends are tried at its mean
-    /// and at three standard deviations from it; a value beyond that the scene does not admit makes a row that says so.
+    /// and at three standard deviations from it; a value further out that the scene does not admit gives a row with the reason.
     pub fn trials(&self) -> Vec<f64> {
         match *self {
             Distribution::Uniform { low, high, .. } | Distribution::Normal { within: Some((low, high)), .. } => {

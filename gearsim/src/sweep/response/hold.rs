@@ -8,8 +8,8 @@
 //! b = d(z.F)/dP        of the parameter P, in which forces are linear
 //! ```
 //!
-//! At the speed v the force would be r - c (v - u), which P + (c (v - u) - r)/b makes zero: Newton's method, one step a run. The mean
-//! speed u differs from v further by what the force has done until the middle of the measured time; the start is shifted by the rest.
+//! At the speed v the force would be r - c (v - u). The parameter P + (c (v - u) - r)/b makes it zero: Newton's method, one step a run. A
+//! part of v - u is the effect of the force until the middle of the measured time; the speed at the start is shifted by the rest.
 
 use super::motion::Motion;
 use super::span::Span;
@@ -39,7 +39,7 @@ pub enum Hold {
 pub(super) struct Handle {
     /// Its index.
     pub parameter: usize,
-    /// Force on the motion of a unit, b.
+    /// Force on the motion per unit of the parameter, b.
     unit: f64,
 }
 
@@ -92,7 +92,7 @@ impl Handle {
     pub(super) fn step(&self, speed: &Speed, wanted: f64) -> [f64; 2] {
         let Speed { mean, force, inertia, drag, times: [_, middle] } = *speed;
         let imbalance = force - drag * (wanted - mean);
-        // What the imbalance has done until the middle of the measured time.
+        // The effect of the imbalance until the middle of the measured time.
         let relaxed = drag * middle / inertia;
         let done = if relaxed.abs() < 1e-6 { middle / inertia } else { -(-relaxed).exp_m1() / drag };
         // A shift at the start that fades away is of no use.
@@ -102,7 +102,7 @@ impl Handle {
 }
 
 impl Speed {
-    /// That of a run over the measured time.
+    /// The speed of a run over the measured time.
     pub(super) fn of(scene: &Scene, equations: &dyn Equations, motion: &Motion, run: &Trajectory, span: &Span) -> Self {
         let last = run.len() - 1;
         let state = |row: usize| -> [Vector; 2] {

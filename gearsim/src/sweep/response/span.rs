@@ -36,7 +36,7 @@ pub struct Span {
 }
 
 impl Excitations {
-    /// Those of a scene with its `equations`.
+    /// The excitations of a scene with its `equations`.
     pub(super) fn of(scene: &Scene, equations: &dyn Equations) -> Self {
         let varies = |i: usize, steps: usize, curves: usize| {
             equations.switching(i) != Switching::Never && (steps > 1 || curves > 0)
