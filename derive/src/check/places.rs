@@ -104,7 +104,7 @@ impl Places<'_> {
         })
     }
 
-    /// The modes of a switch have one value for each symbol, and lead to modes that it has. Guards and the lost force are linear.
+    /// The modes of a switch have one value for each symbol, and lead to modes that it has. Guards and the dissipative force are linear.
     fn switch(&self, switch: &Switch) -> Result<(), Slip> {
         let place = format!("the switch of `{}`", switch.over);
         let slip = |why: &'static str, mode: &str| {

@@ -91,7 +91,7 @@ impl Model {
         Expr::var(Kind::Friction, name)
     }
 
-    /// Laws are in the order of their roles: first those that are always present, then those that scenes have in turn.
+    /// Inserts a law in the order of roles: stiffnesses, which are always present, then offsets, then factors.
     fn law(
         &mut self,
         name: &str,

@@ -1,5 +1,5 @@
-//! The balance of power. The rates of V, D and Q are taken here anew from the energies as the author wrote them, not from the
-//! gradients from which F was made: a proof must not repeat the errors of what it proves.
+//! The balance of power. The rates of V, D and Q are computed again from the energies as the author wrote them, not from the gradients that
+//! gave F: a proof must not repeat the errors of the formula that it proves.
 
 use symbolica::atom::{Atom, AtomCore, Symbol};
 

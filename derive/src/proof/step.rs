@@ -103,7 +103,7 @@ fn potential(model: &Model, law: &Law) -> Atom {
         let far = model.deflections.iter().fold(beyond(&v), |e, d| {
             let (name, near) = (Atom::var(symbol(Kind::Deflection, &d.name)), d.value.atom());
             let moved = beyond(&near);
-            // The deflection itself stays a name: it is what V is written in. What it moves by is added to it.
+            // The deflection stays a name, because V is written in it. Its step is added to it.
             if moved == near { e } else { e.replace(name.to_pattern()).with((&name + moved - near).to_pattern()) }
         });
         far - v
