@@ -43,7 +43,8 @@ struct Cord {
 
 /// The string between the base circles. a1 and a2 are the rotations of the gears, each in its own direction; the centres are displaced. At rest it has the
 /// pressure angle, and the depth zero. It touches the first circle at the angle b: the free lengths of the flanks' involutes are
-/// r1 (a1 - b) and -r2 (a2 + b), up to a constant, and overlap by what they exceed the distance of the points of contact.
+/// r1 (a1 - b) and -r2 (a2 + b), up to a constant. The flanks overlap by the excess of these lengths over the distance of the points of
+/// contact.
 fn string([a1, a2]: [f64; 2], [x1, y1, x2, y2]: [f64; 4]) -> Cord {
     let free = |[x1, y1, x2, y2]: [f64; 4]| {
         let distance = (R1 + R2) / ALPHA.cos();
@@ -173,7 +174,7 @@ fn the_play_opens_as_the_centres_move_apart() {
         let (found, play) = (t.q[1][met].abs(), t.outputs[0].1[0]);
         println!("v = {v} m/s: contact after {found:e} m, {way:e} by the closed form; opening {play:e}, {opening:e}");
         assert!((found - way).abs() < 1e-12 && (play - opening).abs() < 1e-15, "{found} {way} {play} {opening}");
-        // Without the effect the play does not open, and a line of action of the drive flank serves the coast flank.
+        // Without the effect the play does not open, and the coast flank has the line of action of the drive flank.
         assert!(opening > 0.1 * b && (way - 0.5 * b).abs() > 0.1 * b);
     }
 }

@@ -29,8 +29,8 @@ pub fn models() -> Vec<(String, &'static str)> {
     all.map(|model| (model.name.to_string(), model.title)).collect()
 }
 
-/// Each effect of a model and a scene with it; the error is why there is none. An effect of parts is there at all of them, and where there
-/// are several, at the first alone.
+/// Each effect of a model and a scene with it; the error is why there is none. An effect of parts is listed for all parts and, if there are
+/// several, for the first part alone.
 pub fn of(model: &str) -> Vec<(&'static str, Result<Scene, String>)> {
     let base = base(model);
     let mut names: Vec<&'static str> = vec![];
@@ -85,7 +85,7 @@ pub fn committed(model: &str, t_end: f64) -> Vec<Scene> {
 fn scene(base: &Scene, effect: &'static str) -> Result<Scene, String> {
     let model = base.model;
     let mut names = needed(model, effect);
-    // The effect at one part alone is not that at all of them, which the scene may have.
+    // The effect of one part replaces the effect of all parts, which the scene may have.
     let all = model.effects.iter().find(|e| e.name == effect).and_then(|e| e.of);
     for name in base.effects.names(model).into_iter().filter(|name| Some(*name) != all) {
         if !names.contains(&name) && !names.iter().any(|other| exclude(model, name, other)) {

@@ -32,7 +32,7 @@ fn scenes_with_linear_cells_run_in_both_precisions() {
             let Some(name) = name.strip_suffix(".toml") else { continue };
             let name = format!("{folder}{name}");
             let mut scene = scene(&name, &[]);
-            // The first part of each: errors of plain numbers do not yet grow beyond what is asked for.
+            // Only the first part of each, in which the errors of plain precision are still below the tolerance.
             scene.t_end *= CONTACTS.iter().find(|(contact, _)| *contact == name).map_or(0.02, |(_, part)| *part);
             let entry = model(scene.model.name);
             if entry.check(&scene).unwrap().method != "exact" {

@@ -21,8 +21,8 @@
 //! an error. This adds -2 zeta e' to the right side, so that F = Fah W² sqrt(1 + (2 zeta/W)²), 0.5 % more at W = 1. The formula is evaluated
 //! with it. The transmission error x has the amplitude N a/sqrt(W⁴ + (2 zeta W)²).
 //!
-//! A third column is the same equation integrated here by Runge and Kutta's method, through the same sequence of speeds. It tells the error
-//! of the balance, which neglects all harmonics but the first, from an error of ours.
+//! A third column is the same equation integrated here by Runge and Kutta's method, through the same sequence of speeds. It separates the
+//! error of the harmonic balance, which neglects all harmonics but the first, from an error of gearsim.
 
 use std::f64::consts::{FRAC_PI_2, PI, SQRT_2, TAU};
 
@@ -179,7 +179,7 @@ fn amplitude(points: &[Point], upward: bool, w: f64) -> f64 {
 /// All rows, each within what is allowed.
 ///
 /// # Errors
-/// The first that is not.
+/// The first row that is not.
 pub fn rows() -> Result<Vec<Row>, String> {
     let (ours, integrated, curve) = (ours()?, integrated(), balance());
     let turn = |better: fn(f64, f64) -> bool, range: &[(f64, f64)]| {

@@ -140,7 +140,7 @@ fn of_multipliers(floquet: &Floquet) -> [f64; 2] {
     [all().sum::<Complex<f64>>().re, all().product::<Complex<f64>>().re]
 }
 
-/// Where a run of `scene` from (q, q') comes to in the time `t`, and its accelerations there.
+/// The end of a run of `scene` from (q, q') after the time `t`, and its accelerations there.
 fn flow(entry: &Entry, scene: &Scene, y: &[f64], t: f64) -> [Vec<f64>; 2] {
     let (mut scene, n) = (scene.clone(), y.len() / 2);
     scene.t_end = t;
@@ -247,8 +247,8 @@ impl ByHand {
     }
 }
 
-/// A shaft behind a joint shakes the mesh as Hill's equation says: unstable at one speed, not at another; and every multiplier is that of the
-/// equations by hand.
+/// A shaft behind a joint excites the mesh according to Hill's equation: it is unstable at one speed and stable at another. Every
+/// multiplier is that of the equations by hand.
 #[test]
 fn a_joint_shakes_its_drive_as_by_hand() {
     let (n1, n2, r1) = (24.0, 96.0, 0.0716);

@@ -207,6 +207,6 @@ fn planets_with_supports_of_sun_and_carrier() {
 }
 
 #[test]
-fn twice_the_digits() {
+fn compensated_precision() {
     assert!(SHAFTS.compare(&["run.t_end=\"20 ms\"", "run.precision=\"compensated\""]) < 1e-12);
 }
