@@ -42,7 +42,7 @@ struct Chapter<'a> {
     book: &'a Book,
     /// Path in the folder of the chapters, without the ending.
     name: &'a Path,
-    /// Who runs the commands.
+    /// Runs the commands.
     reader: Reader,
     /// What is written so far.
     text: String,
