@@ -19,7 +19,7 @@ use crate::slip::Slip;
 use crate::symbols::Symbols;
 use crate::tree::Tree;
 
-/// What is proved, and the statements proved so far.
+/// The formulas to prove, and the statements proved so far.
 pub(crate) struct Proof<'a> {
     model: &'a Model,
     s: &'a Symbols,

@@ -58,14 +58,14 @@ pub struct Outcome {
     pub refuted: Option<Account>,
     /// How many digits of the result are left, where that was estimated.
     pub digits: Option<Digits>,
-    /// What else a reader of the result must know, a sentence each.
+    /// Remarks for the reader of the result, a sentence each.
     pub remarks: Vec<String>,
 }
 
 /// How many digits of a result are left.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Digits {
-    /// Of the state at the end, its worst coordinate or speed: 0 to 16.
+    /// Digits of the least accurate coordinate or speed at the end: 0 to 16.
     pub at_end: f64,
     /// Time from which on none are left \[s\]; `None` where some are.
     pub none_from: Option<f64>,
@@ -100,7 +100,7 @@ pub struct Prospect {
 /// A model as the program knows it: its description, and how to run a scene of it.
 #[derive(Clone, Copy)]
 pub struct Entry {
-    /// What scenes and people read.
+    /// The description of the model.
     pub model: &'static Model,
     derived: DerivedModel,
 }
@@ -247,7 +247,7 @@ const UNUSED_TOLERANCE: &str = "run.tolerance is not used: every cell is linear,
 struct Plan<'a> {
     scene: &'a Scene,
     choice: Choice,
-    /// What a reader of the result must know, a sentence each.
+    /// Remarks for the reader of the result, a sentence each.
     remarks: Vec<String>,
 }
 

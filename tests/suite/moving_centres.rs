@@ -64,9 +64,10 @@ fn coordinates([a1, a2]: [f64; 2]) -> [f64; 2] {
     [0.5 * (N1 * a1 + N2 * a2), R1 * a1 - R2 * a2]
 }
 
-/// The accelerations are those of the force k d + c d' along the string, at any place, with d' by a difference of the string.
+/// At any position, the accelerations are those of the force k d + c d' along the common tangent, with d' from a difference quotient of its
+/// length.
 #[test]
-fn forces_act_along_the_string_between_the_base_circles() {
+fn forces_act_along_the_common_tangent_of_the_base_circles() {
     let scene = scene(&["moving_centres", "damping", "stiffness_step"], &["parameters.beta_K=2 us"]);
     let value = |name: &str| scene.parameters[scene.model.parameters.iter().position(|p| p.name == name).unwrap()];
     let [i1, i2, m1, m2, kb1, kb2] = ["I1", "I2", "m1", "m2", "kb1", "kb2"].map(value);
@@ -138,8 +139,8 @@ fn small_motions_are_those_of_the_linear_model() {
     }
 }
 
-/// A light gear is thrown through the play of heavy gears whose centres are apart: it meets the drive flank after the way b/2 + R (phi + inv a' -
-/// inv a), and the coast flank after b/2 - R phi + R (inv a' - inv a) beyond the middle.
+/// A light gear moves through the play of heavy gears whose centres are apart. It meets the drive flank after the distance b/2 + R (phi +
+/// inv a' - inv a), and the coast flank at the distance b/2 - R phi + R (inv a' - inv a) from the middle.
 #[test]
 fn the_play_opens_as_the_centres_move_apart() {
     let (x, y, b) = (0.4e-3, 0.1e-3, 100e-6);

@@ -28,7 +28,7 @@ const OUTPUT: [Kind; 16] = [
 /// What a constant may depend on.
 const CONSTANT: [Kind; 4] = [Constant, Parameter, Mid, Mobility];
 
-/// A model and the names declared in it, each with what it is, in words for messages.
+/// A model and the names declared in it, each with its kind in words for messages.
 struct Places<'a> {
     model: &'a Model,
     declared: BTreeMap<String, &'static str>,

@@ -65,8 +65,8 @@ impl Model {
         slope(&self.dissipation, symbol(Kind::Rate, &speed_name(x)))
     }
 
-    /// For outputs: the force along the deflection `x` of a switch that its hold resists, zero in modes that do not hold. Of several holds
-    /// that prevent the same motion the first has the reaction.
+    /// For outputs: the force along the deflection `x` of a switch that its hold resists, zero in modes that do not hold. If several holds
+    /// prevent the same motion, the first has the reaction.
     pub fn reaction(&self, x: Expr) -> Expr {
         match symbols(&x.atom()).as_slice() {
             [(Kind::Deflection, name)] => Expr::var(Kind::Known, &reaction_name(name)),

@@ -87,7 +87,7 @@ fn rate(model: &Model, e: &Atom) -> Atom {
     })
 }
 
-/// The sum over the symbols of `e` of the derivative by it, times what `factor` gives for its kind and name.
+/// The sum over the symbols of `e` of the derivative by the symbol times the value of `factor` for its kind and name.
 fn along(e: &Atom, factor: impl Fn(Kind, &str) -> Option<Atom>) -> Atom {
     let part = |s: Symbol| {
         let (kind, name) = kind_and_name(s);

@@ -105,8 +105,8 @@ fn is_guard(p: &Proof, force: &Atom, guard: &Atom, rate: Symbol) -> bool {
 /// (c F_s x') (c F_d x) = (F_s x) (F_d x')      since c² = 1
 /// ```
 ///
-/// and c F_d x > F_s x >= 0. So c F_s x' >= 0 follows from F_s x >= 0 and F_d x' >= 0, which their forms show. That c F_d x >= F_s x
-/// in the mode follows from two guards whose product it is.
+/// and c F_d x > F_s x >= 0. Hence c F_s x' >= 0 follows from F_s x >= 0 and F_d x' >= 0, which follow from the forms of F_s and F_d. In
+/// the mode, c F_d x >= F_s x holds because it is the product of two guards.
 fn is_clipped(p: &Proof, switch: &Switch, mode: &Mode, force: &Atom, guards: &[Atom]) -> bool {
     let [over, rate] = [(Kind::Deflection, switch.over.clone()), (Kind::Rate, speed_name(&switch.over))]
         .map(|(kind, name)| symbol(kind, &name));

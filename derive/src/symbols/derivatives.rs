@@ -8,7 +8,7 @@ use super::{Place, Sparse, Symbols};
 use crate::expr::number;
 
 impl Symbols {
-    /// Sums the derivatives by the symbols of `e`, each times what `parts` gives for its place.
+    /// Sums the derivatives by the symbols of `e`, each times the value of `parts` for its place.
     fn chain<'a>(&'a self, e: &Atom, parts: impl Fn(Place) -> Option<Part<'a>>) -> Sparse {
         let mut sum: BTreeMap<usize, Atom> = BTreeMap::new();
         let mut add = |i, part: Atom| {

@@ -21,7 +21,7 @@ use super::orders::force;
 
 mod train;
 
-/// What the scene states about the teeth of a mesh.
+/// The data that the scene has of the teeth of a mesh.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum ToothData {
     /// It has the teeth of the mesh.
@@ -39,7 +39,7 @@ pub struct Engaged<'a> {
     pub law: &'static Law,
     /// The gears, the driving one first. Lengths in metres, or in modules if only the numbers of teeth are known.
     pub gears: Gears,
-    /// What the scene states about their teeth.
+    /// The data that the scene has of their teeth.
     pub known: ToothData,
     /// The output that is the speed of the driving gear; `None`: its rotation is that of the mesh phase, relative to the carrier.
     pub rotor: Option<&'static str>,
@@ -57,7 +57,7 @@ pub struct Engaged<'a> {
     pub force: Option<(&'static Output, &'a [f64])>,
 }
 
-/// The teeth of a mesh, and what is known of how they turn.
+/// The teeth of a mesh, and the data from which their rotation follows.
 struct Teeth {
     gears: Gears,
     known: ToothData,

@@ -50,7 +50,7 @@ pub struct Contact {
     pub normals: DMatrix<f64>,
     /// P, the remaining mobility (n x n), where the hold began.
     pub mobility: Matrix,
-    /// What can end the holds.
+    /// The functions that can end the holds.
     pub watches: Vec<Watch>,
     /// The switches whose deflections cannot move, because of their own hold or of other holds.
     pub locked: Vec<usize>,
@@ -59,7 +59,7 @@ pub struct Contact {
 /// A function of the state whose zero ends a hold.
 #[derive(Debug, Clone)]
 pub struct Watch {
-    /// What then happens.
+    /// The event at the zero.
     pub end: End,
     /// The function.
     pub form: Form,
@@ -74,7 +74,7 @@ pub struct Form {
     pub on_speed: Vector,
     /// Those along the forces: a multiple of a row of the factors of the reactions.
     pub on_force: Vector,
-    /// That row, and the multiple; `None` if the function does not depend on reactions.
+    /// The number of that row, and the multiple; `None` if the function does not depend on reactions.
     reaction: Option<(usize, f64)>,
     /// Its value where all of them are zero.
     pub constant: f64,
@@ -106,8 +106,8 @@ impl Form {
     }
 }
 
-/// Whether a phase that was just turned back at `side` is pressed against the step so hard, and bounces so little, that
-/// it is to be held. `acceleration` is q'' now, `rate` bounds the rates of the cell, `energy` is T + V.
+/// Whether a phase that was just reflected at `side` must be held: it is pressed against the step, and its bounces are negligible.
+/// `acceleration` is q'' now, `rate` bounds the rates of the cell, `energy` is T + V.
 pub fn presses(law: &LawState, side: Side, state: &State, acceleration: &Vector, rate: f64, energy: f64) -> bool {
     let v = law.surface.normal.dot(&state.q_dot).abs();
     let a = side.sign() * law.surface.normal.dot(acceleration);
@@ -150,7 +150,7 @@ impl Contact {
     }
 }
 
-/// What is held.
+/// A held motion.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Held {
     /// The phase of a law, at a side of its cell.
@@ -159,7 +159,7 @@ enum Held {
     Switch(usize),
 }
 
-/// What is held, with the matrices of its reactions.
+/// The held motions, with the matrices of their reactions.
 struct Holds {
     held: Vec<Held>,
     normals: DMatrix<f64>,

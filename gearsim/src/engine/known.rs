@@ -10,9 +10,9 @@ use crate::engine::record::State;
 /// Reactions and powers. Those that are not requested are not computed and read as zero.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Known {
-    /// By the switches of the model: the force along the deflection that its hold resists [N or N m].
+    /// For each switch of the model, the force along the deflection that its hold resists [N or N m].
     pub reactions: Vec<f64>,
-    /// By the external torques of the model \[W\].
+    /// For each external torque of the model, its power \[W\].
     pub powers: Vec<f64>,
 }
 

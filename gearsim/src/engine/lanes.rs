@@ -1,8 +1,8 @@
 //! The kernel of plain events: L simulations pass one step of a stiffness at once.
 //!
-//! An event is plain if the phase is certainly monotone, or a single vibration takes part in it ([`turning`]), Newton's method converges, the
-//! step lies before the end of the run, and the motion passes it or is turned back without being pressed against it. A lane whose
-//! event is not plain is not changed; the general loop ([`simulate`]) handles its event.
+//! An event is plain under these conditions. The phase is certainly monotone, or contains a single vibration ([`turning`]). Newton's method
+//! converges. The step lies before the end of the run. The motion passes the step, or is reflected without being pressed against it. A lane
+//! whose event is not plain is not changed; the general loop ([`simulate`]) handles its event.
 //!
 //! The kernel is compiled for a few numbers of coordinates N, for L = 8 ([`ensemble`](crate::ensemble)) and for L = 1
 //! ([`alone`]). If a simulation has fewer coordinates, the last ones stay at rest.

@@ -22,7 +22,7 @@ pub struct State {
     pub q_dot: Vector,
     /// Whole pitches of each coordinate (N).
     pub turns: Turns,
-    /// What the speeds have lost to rounding since they were set (N), see [`State::gain`].
+    /// Sum of the rounding errors of the speeds since they were set (N), see [`State::gain`].
     pub lost: Vector,
     /// The low parts of the coordinates in double-double precision (N); empty in plain precision.
     pub low: Vector,

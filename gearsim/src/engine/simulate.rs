@@ -93,7 +93,7 @@ impl<'a> Simulation<'a> {
     /// is told the time after events, not after each of those that pass in some microseconds.
     ///
     /// # Errors
-    /// Where the run cannot go on; what was recorded until then is in the recorder.
+    /// If the run cannot continue. `recorder` has the rows up to that time.
     pub fn run(
         &mut self,
         recorder: Option<(&mut Recorder<'_>, f64, bool)>,
@@ -144,9 +144,9 @@ impl<'a> Simulation<'a> {
         let mut motion = self.solver.solve(now, horizon.0)?;
         // Locate: how it ends.
         let (t, end) = locate::first(now, &mut *motion, horizon, &mut cost)?;
-        // Propagate: to there.
+        // Propagate: the state at t.
         let (t, reached) = motion.arrive(t, end, &mut cost);
-        // Record: what is between.
+        // Record: the samples until t.
         if let Some(recording) = recording {
             recording.samples(now, &mut *motion, t.hi());
         }

@@ -45,8 +45,8 @@ impl System {
         Ok(System { equations: derived.equations(scene)?, model: scene.model, about: None })
     }
 
-    /// The system of a scene. What is not linear is linearised about a motion ([`Steady`]): an equilibrium if nothing turns, else the steady
-    /// motion at the speeds of the start. Coordinates that are static by default are in equilibrium there.
+    /// The system of a scene. Nonlinear terms are linearised about a motion ([`Steady`]): an equilibrium if nothing turns, otherwise the
+    /// steady motion at the speeds of the start. Coordinates that are static by default are in equilibrium there.
     ///
     /// # Errors
     /// If the effects contradict one another, M is not positive definite there, or there is no equilibrium.

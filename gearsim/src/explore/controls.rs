@@ -21,7 +21,7 @@ pub(super) struct Control {
     group: String,
     /// Name in its group.
     label: String,
-    /// What it is; may be empty.
+    /// Its description; may be empty.
     doc: String,
     /// The unit of its numbers, as the scene writes it; empty for a plain number.
     unit: String,
@@ -44,7 +44,7 @@ pub(super) struct EffectBox {
     on: bool,
 }
 
-/// What the scene says of its solver.
+/// The solver keys of the scene.
 #[derive(Debug, Serialize)]
 pub(super) struct SolverFields {
     methods: Vec<&'static str>,
@@ -79,7 +79,7 @@ pub(super) fn offered(scene: &Scene, text: &Text) -> Vec<Leaf> {
 /// The sliders of a text; `first` has the numbers from which their ranges begin.
 pub(super) fn controls(scene: &Scene, text: &Text, first: &HashMap<String, f64>) -> Vec<Control> {
     let stated = text.leaves().into_iter().filter(|leaf| match leaf.path[0].as_str() {
-        // The solver has fields of its own, and what is recorded is no parameter.
+        // The solver has its own fields, and keys of `[output]` are no parameters.
         "output" => false,
         "run" => leaf.path[1..] == ["t_end"],
         _ => leaf.path.len() > 1,

@@ -188,7 +188,7 @@ impl Drop for Answering<'_> {
     }
 }
 
-/// What is sent.
+/// The body of an answer.
 struct Content {
     bytes: Vec<u8>,
     kind: &'static str,

@@ -53,9 +53,9 @@ impl Flow {
 /// The unit of the error of each component; never zero.
 #[derive(Debug, Clone)]
 pub struct Scale {
-    /// Of the coordinates (N).
+    /// Scale of each coordinate (N).
     pub q: Vector,
-    /// Of the speeds (N).
+    /// Scale of each speed (N).
     pub v: Vector,
 }
 
@@ -66,13 +66,13 @@ impl Scale {
         let mut norm = 0.0f64;
         for i in 0..flow.q.len() {
             let x = (flow.q[i] / self.q[i]).abs().max((flow.v[i] / self.v[i]).abs());
-            // Not `max`, which would pass over NaN.
+            // `max` would ignore NaN.
             norm = if x > norm || x.is_nan() { x } else { norm };
         }
         norm
     }
 
-    /// Widens the scale to what `flow` has reached.
+    /// Enlarges the scale to the values in `flow`.
     #[inline]
     pub fn reach(&mut self, flow: &Flow) {
         for i in 0..flow.q.len() {

@@ -34,7 +34,7 @@ pub(super) const KEYS: &[Key] = &[
 /// Number of samples of a run if the scene states no rate.
 const DEFAULT_SAMPLES: f64 = 1e4;
 
-/// What `absent` has of a scene without `[run]`.
+/// The entry in `absent` for a scene without `[run]`.
 pub(super) const RUN: &str = "[run]";
 
 /// Reads the end time of the run [s] and the solver. If `[run]` is missing, the lines to add go to `absent`, and the end is infinite.

@@ -23,7 +23,7 @@ pub(super) const NAMED: &[Named] = &[each(
 pub(super) struct Given {
     /// Values at t = 0 [SI], in the order of the model.
     pub values: Vec<f64>,
-    /// By index, the parameters that vary in time.
+    /// The parameters that vary in time, with their indices.
     pub varying: Vec<(usize, TimeHistory)>,
     /// The values that were given over the square of a radius, a sentence each.
     pub conversions: Vec<String>,

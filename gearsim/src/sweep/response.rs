@@ -253,8 +253,8 @@ impl Point {
 
 impl Response {
     /// The points as a table: `way`, the varied key, `mean_speed`, `speed_drift` over the measured time, the parameter that holds the
-    /// speed, `measured_time`, `periods` and of what (`period_of`), `status`, `reason`, and of each output the mean, the root mean square
-    /// about the mean, and the peak-to-peak value.
+    /// speed, `measured_time`, `periods` and their kind (`period_of`), `status`, `reason`, and for each output the mean, the root mean
+    /// square about the mean, and the peak-to-peak value.
     ///
     /// # Errors
     /// [`OutputError::Ragged`] never happens: all columns have one entry a point.

@@ -1,4 +1,4 @@
-//! What has to hold of every scene.
+//! Checks that every scene must pass.
 
 use gearsim::__private::error;
 use gearsim::run::Outcome;
@@ -8,7 +8,7 @@ use gearsim::{Error, Results, Scene};
 use crate::compare;
 use crate::draw::Case;
 
-/// What a check found.
+/// The result of a check.
 #[derive(Clone)]
 pub enum Checked {
     /// It holds.

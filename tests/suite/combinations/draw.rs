@@ -18,9 +18,9 @@ const FACTOR: f64 = 2.0;
 pub struct Case {
     /// The committed scene that it is made of.
     pub base: Scene,
-    /// What is set in it.
+    /// The overrides of the scene.
     pub sets: Vec<String>,
-    /// The scene, or what is wrong with it.
+    /// The scene, or its mistakes.
     pub scene: Result<Scene, String>,
     /// Its run, once a check has asked for it.
     pub run: OnceCell<Result<Results, Checked>>,

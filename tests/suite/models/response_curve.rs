@@ -38,7 +38,7 @@ const TIMES: (f64, f64) = (0.04, 0.03);
 /// An amplitude that changes by this factor from one frequency to the next has jumped.
 const JUMP: f64 = 1.2;
 
-/// A value of the curve, by the three ways.
+/// A value of the curve, found in three ways.
 pub struct Row {
     pub what: String,
     /// By the published formula.
@@ -81,7 +81,7 @@ fn ours() -> Result<Vec<Point>, String> {
     all.ok_or_else(|| format!("a point has no result: {:?}", response.points.iter().find(|p| !p.reason.is_empty())))
 }
 
-/// By Runge and Kutta's method of order 4 with 200 steps a period, as many periods as the scene runs.
+/// The curve by the Runge-Kutta method of order 4 with 200 steps a period, over the same number of periods as the scene.
 fn integrated() -> Vec<Point> {
     const STEPS: usize = 200;
     let natural = 40.0 * SCALES.0;

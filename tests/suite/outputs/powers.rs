@@ -1,4 +1,5 @@
-//! Powers of torques and through parts, and the torques of what is held: against the work of the account and against Newton's laws.
+//! Powers of torques, powers through parts, and reactions of held parts, compared with the work in the energy account and with Newton's
+//! laws.
 
 use std::collections::BTreeMap;
 
@@ -35,7 +36,7 @@ fn the_powers_of_torques_are_the_rates_of_their_works() {
         "train_turbine",
         "crank_drive",
     ] {
-        // The trapezoidal rule has an error of (w h)²/12 of what vibrates with w, 3e-6 of the power of friction at this rate.
+        // The trapezoidal rule has a relative error of (w h)²/12 for a vibration with w, 3e-6 of the power of friction at this rate.
         let run = run(&scene(name, &["run.t_end=20 ms".into(), "output.rate=2 MHz".into()])).trajectory;
         for (i, torque) in run.model.torques.iter().enumerate() {
             let power = format!("power_{}", torque.name);

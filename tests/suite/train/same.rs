@@ -114,13 +114,13 @@ impl Pair<'_> {
     }
 }
 
-/// What was counted.
+/// The counts of events.
 fn events(run: &Outcome) -> [u64; 5] {
     let counts = &run.counts;
     [counts.cell_changes, counts.reflections, counts.holds, counts.impacts, counts.sticks]
 }
 
-/// Energies and outputs of a run, but for losses, which are near zero.
+/// Energies and outputs of a run, except losses, which are near zero.
 fn columns(run: &Outcome) -> Vec<(&'static str, Vec<f64>)> {
     let outputs = run.trajectory.outputs.iter().map(|(output, values)| (output.name, values.clone()));
     let energies = [("kinetic", &run.trajectory.kinetic), ("strain", &run.trajectory.strain)];

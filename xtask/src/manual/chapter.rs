@@ -1,4 +1,4 @@
-//! A chapter, with what its commands print and plot.
+//! A chapter, with the output and the plots of its commands.
 //!
 //! | in a chapter | what becomes of it |
 //! | --- | --- |

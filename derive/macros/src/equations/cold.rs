@@ -39,9 +39,9 @@ pub enum Takes {
 
 /// A result.
 pub enum Returns {
-    /// Of this type, in both functions.
+    /// A value of this type, in both functions.
     Plain(TokenStream),
-    /// Of a type that depends on that of the numbers, in both functions.
+    /// A value of a type that depends on the type of the numbers, in both functions.
     In(fn(&TokenStream) -> TokenStream),
     /// n numbers.
     Vector,

@@ -1,9 +1,9 @@
 //! Stability of a motion along which M and F change: a crank, a universal joint, a moving line of action.
 //!
-//! There is no steady motion. The reference is the motion that repeats after a turn ([`Turn`]) in the time that the turn takes at the speeds of
-//! the scene: all coordinates move on by the turn, and all speeds return except that of the reference coordinate. Its change in a turn is
-//! [`Orbit::drift`], caused by unbalanced torques and by losses. The motion is found by shooting: Newton's method on the state at the
-//! start, with the exact derivatives of the flow ([`variational`]), from the state that is static in the mean.
+//! There is no steady motion. The reference is the motion that repeats after a turn ([`Turn`]) at the speeds of the scene. After the turn
+//! all coordinates have moved by the turn, and all speeds have their first values again except the speed of the reference coordinate. Its
+//! change in a turn is [`Orbit::drift`], caused by unbalanced torques and by losses. The motion is found by shooting: Newton's method on
+//! the state at the start, with the exact derivatives of the flow ([`variational`]), from the state that is static in the mean.
 //!
 //! The multipliers are the eigenvalues of the derivative of the map from turn to turn, P = (1 - f grad g/(grad g . f)) Phi on the section
 //! g = const of the reference coordinate (F. Verhulst, Nonlinear Differential Equations and Dynamical Systems, 1996, Ch. 4): a shift along the

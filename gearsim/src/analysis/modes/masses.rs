@@ -1,8 +1,8 @@
 //! The inertias of a scene: the moments of inertia and the masses among its parameters. M is linear in each of them.
 //!
-//! T is the sum of the energies of the parts, each its inertia times half a square of speeds. So the part of M that comes from an inertia
-//! is positive semidefinite, and its share of the kinetic energy is between 0 and 1. (A coordinate has no such share: where inertia
-//! couples coordinates, Re(conj(phi_i) (M phi)_i) may be negative, and others more than the whole.)
+//! T is the sum of the energies of the parts; the energy of a part is its inertia times half a square of speeds. The part of M that comes
+//! from an inertia is therefore positive semidefinite, and its share of the kinetic energy is between 0 and 1. (Coordinates have no such
+//! shares: where inertia couples coordinates, Re(conj(phi_i) (M phi)_i) may be negative, and for other coordinates larger than the sum.)
 
 use nalgebra::{DMatrix, DVector};
 

@@ -26,7 +26,7 @@ pub struct Mesh {
     /// The output that is its force, or its torque in models that have no base radii.
     pub force: Option<&'static str>,
     /// The rotors of its gears whose speeds are recorded. The mesh frequency is a whole multiple of the rotor frequency, the number of
-    /// teeth. Of rotors with equal speeds, only the first.
+    /// teeth. If rotors have equal speeds, only the first is listed.
     pub rotors: Vec<Rotor>,
 }
 

@@ -21,7 +21,7 @@ use crate::engine::switch::Switch;
 
 /// The cells.
 pub struct Cells {
-    /// By their numbers.
+    /// The cells met so far, by number.
     met: HashMap<usize, Arc<Cell>>,
     /// The cells in which motions are held.
     held: HashMap<Place, Arc<Held>>,
@@ -108,12 +108,12 @@ impl Cells {
         Ok(held)
     }
 
-    /// The present cell, with what is held in it.
+    /// The present cell. If motions are held, the cell of the remaining motion.
     pub fn here(&self) -> &Cell {
         self.present.as_ref().map_or(&self.here, |held| &held.cell)
     }
 
-    /// What is held in the present cell.
+    /// The holds in the present cell.
     pub fn held(&self) -> Option<&Held> {
         self.present.as_deref()
     }

@@ -159,7 +159,7 @@ impl State {
         self
     }
 
-    /// Writes it to a state of a run: the rounded numbers, and what these lack.
+    /// Writes the state to the state of a run: high and low parts of its numbers.
     fn write(&self, state: &mut record::State) {
         for i in 0..self.q.len() {
             (state.q[i], state.low[i]) = (self.q[i].hi(), self.q[i].lo());

@@ -98,8 +98,8 @@ impl<const N: usize, const L: usize> Lanes<N, L> {
 }
 
 impl Phase {
-    /// The boundary that is crossed first, whether the upper one, and about when \[s\]; `gaps` are the distances of the lower and of the
-    /// upper boundary, `fastest` bounds the rates, and the run ends after the time `left` \[s\].
+    /// The boundary that is crossed first (whether it is the upper one), and the approximate time of the crossing \[s\]. `gaps` are the
+    /// distances of the lower and of the upper boundary, `fastest` bounds the rates, and the run ends after the time `left` \[s\].
     #[inline(never)]
     fn first(&self, gaps: [f64; 2], fastest: f64, left: f64) -> Option<(bool, f64)> {
         let size = (self.a[0] * self.a[0] + self.a[1] * self.a[1]).sqrt();

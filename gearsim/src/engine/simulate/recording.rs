@@ -33,8 +33,8 @@ impl<'r, 'e> Recording<'r, 'e> {
         self.next as f64 / self.rate
     }
 
-    /// Adds the samples that are due within the time `t` \[s\] of a motion from `now`. The end of the run is noted by itself. A sample at
-    /// an event belongs to the motion that ends there.
+    /// Adds the samples that are due within the time `t` \[s\] of a motion from `now`, except at the end of the run, which has its own row.
+    /// A sample at an event belongs to the motion that ends there.
     pub fn samples(&mut self, now: &Hybrid<'_>, motion: &mut dyn Motion, t: f64) {
         let mut end = now.clock;
         end.advance(t);

@@ -114,7 +114,7 @@ fn is_balanced(equations: &dyn Equations, q: &[f64], (k, flat): (&[f64], &[f64])
 
 /// Whether M or F change as the coordinates move on from `q` at the speeds `q_dot`, at fixed values and slopes of the laws.
 fn changes(equations: &dyn Equations, q: &Vector, q_dot: &Vector, laws: (&[f64], &[f64])) -> bool {
-    // None of them is a whole number of turns, teeth or radians.
+    // Distances that are no whole numbers of turns, teeth or radians.
     const PLACES: [f64; 3] = [0.618_033_988_7, 1.732_050_807_5, 41.303_162_87];
     let fastest = q_dot.amax();
     PLACES.iter().any(|x| !are_same(equations, [q, &(q + &(q_dot * (x / fastest)))], q_dot, laws))

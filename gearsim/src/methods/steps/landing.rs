@@ -29,11 +29,11 @@ impl Step<'_, '_> {
             }
             let slope = self.slope(found, taken, left, &trial);
             let dt = -left / slope;
-            // The guard is not met, or turns before it is: use the root of the dense output.
+            // The guard does not reach zero, or its slope changes sign before: use the root of the dense output.
             if !(slope < 0.0 && taken + dt > 0.0 && dt.abs() <= 0.5 * self.h) {
                 break;
             }
-            // So near that two terms of the Taylor series are enough.
+            // At this distance two terms of the Taylor series are enough.
             if dt.abs() * self.solver.fastest < LANDING {
                 trial.end = moved_on(&trial, dt);
                 trial.rate = self.solver.field.rate(taken + dt, &trial.end);

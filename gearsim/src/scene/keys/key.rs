@@ -7,18 +7,18 @@
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Key {
     pub name: &'static str,
-    /// What its value may be.
+    /// Kind of its value.
     pub kind: Kind,
     /// Its default; [`REQUIRED`] if it has none.
     pub default: &'static str,
-    /// What it means.
+    /// Its meaning.
     pub doc: &'static str,
 }
 
 /// The default of a key that a table must always have.
 pub(crate) const REQUIRED: &str = "required";
 
-/// What a value may be.
+/// Kind of a value.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum Kind {
     /// Any text.
@@ -48,7 +48,7 @@ pub(crate) enum Kind {
 /// The keys of a table that the model or the scene names.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Named {
-    /// What stands for the name in the reference, e.g. `COORDINATE_dot`.
+    /// Placeholder of the name in the reference, e.g. `COORDINATE_dot`.
     pub name: &'static str,
     pub kind: Kind,
     pub default: &'static str,

@@ -21,16 +21,16 @@ use crate::scene::Scene;
 use crate::tolerance::analysis::{HELD_SPEED, HELD_STEADY};
 use crate::trajectory::{Trajectory, place};
 
-/// By what a response curve holds the speed.
+/// How a response curve holds the speed.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub enum Hold {
-    /// If a speed is varied, by the set point of a governor. Without a governor, by a torque that drives; without such a torque, by another
-    /// torque. If no speed is varied, by nothing.
+    /// If a speed is varied: by the set point of a governor, else by a driving torque, else by another torque. If no speed is varied, the
+    /// speed is not held.
     #[default]
     Own,
     /// By this parameter.
     By(String),
-    /// By nothing: torques are those of the scene.
+    /// The speed is not held: torques are those of the scene.
     Nothing,
 }
 
@@ -43,7 +43,7 @@ pub(super) struct Handle {
     unit: f64,
 }
 
-/// The speed of a run, and what changes it.
+/// The mean speed of a run, and the force that changes it.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Speed {
     /// Mean over the measured time, u.

@@ -109,7 +109,7 @@ fn the_set_point_of_a_governor_holds_the_speed() {
 }
 
 #[test]
-fn the_values_of_a_response_rise() {
+fn a_response_needs_ascending_values() {
     let request = |over: &str| Request { vary: vec![over.into()], ..Request::default() };
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../models/scenes/response.toml");
     for over in ["start.speed=300 rpm,200 rpm", "start.speed=300 rpm"] {

@@ -32,8 +32,8 @@ pub struct Event {
 }
 
 impl Event {
-    /// The event at the end of a motion, in the state (q, v, a) = `before` with these values and slopes of laws; `None` if the state and its rate
-    /// do not change there, or it happens at a given time.
+    /// The event at the end of a motion, in the state (q, v, a) = `before` with these values and slopes of laws. `None` if the state and
+    /// its rate do not change at the event, or if the event is at a given time.
     ///
     /// # Errors
     /// If it holds or releases a phase or a deflection, in words.
