@@ -73,7 +73,7 @@ pub enum Kind {
     Known,
     /// The force of the springs of a deflection; replaced by its value before anything is derived.
     Spring,
-    /// The force of its dampers, likewise.
+    /// The force of the dampers of a deflection; replaced in the same way.
     Damper,
     /// Anything not declared.
     Free,

@@ -43,7 +43,7 @@ pub(crate) struct Mode {
     pub held: bool,
     /// Whether a static equilibrium may be in it.
     pub rests: bool,
-    /// What is counted when a run enters it from a mode that does not count the same.
+    /// Name of the event that is counted when a run enters the mode from a mode without this name.
     pub counts: Option<String>,
     pub exits: Vec<Exit>,
 }
@@ -166,20 +166,20 @@ impl Describing<'_> {
         self
     }
 
-    /// What is counted when a run enters this mode from one that does not count the same, e.g. "flanks met".
+    /// Names the event that a run counts when it enters this mode from a mode without this name, e.g. "flanks met".
     pub fn counts(self, what: &str) -> Self {
         self.0.counts = Some(what.into());
         self
     }
 
-    /// The mode lasts while `guard` >= 0, then the mode `to` follows. The guard is linear in deflections and rates, and in the
-    /// reaction of a mode that holds.
+    /// The mode lasts while `guard` >= 0; then the mode is `to`. The guard is linear in deflections and rates, and in the reaction of a
+    /// mode that holds.
     pub fn until(self, to: &str, guard: Expr) -> Self {
         self.0.exits.push(Exit { to: to.into(), guard, sudden: false });
         self
     }
 
-    /// The same for a guard that only a sudden change of the state can violate: in every motion another exit comes first.
+    /// As [`Describing::until`], for a guard that only a sudden change of the state can violate: in every motion another exit comes first.
     pub fn unless(self, to: &str, guard: Expr) -> Self {
         self.0.exits.push(Exit { to: to.into(), guard, sudden: true });
         self

@@ -7,8 +7,8 @@
 //! T(q' + w d) - T(q') - w (2 v + w)/(2 G) = (w q' + w² d/2).(M d - n/G) + w²/(2 G) (n.d - 1)
 //! ```
 //!
-//! is an identity in q', d, G and w, if M is the matrix of T and v = n.q' the speed of the phase. It is this identity that is
-//! proved, with T, M, n and v as derived; so is M d = n/G wherever d is written.
+//! is an identity in q', d, G and w, if M is the matrix of T and v = n.q' the speed of the phase. This identity is proved with the derived
+//! T, M, n and v. If the file has d, M d = n/G is proved too.
 
 use symbolica::atom::{Atom, AtomCore};
 

@@ -70,8 +70,8 @@ pub struct Duration {
     pub time: f64,
 }
 
-/// The time of a column in `classes` of equal width between its smallest and largest sample. Samples are evenly spaced, so that each
-/// stands for the same time. Empty if there are no finite samples.
+/// The time of a column in `classes` of equal width between its smallest and largest sample. Samples are evenly spaced, so that each counts
+/// for the same time. Empty if there are no finite samples.
 pub fn durations(run: &Trajectory, from: f64, column: &[f64], classes: usize) -> Vec<Duration> {
     let begin = run.row_from(from);
     let samples: Vec<f64> =

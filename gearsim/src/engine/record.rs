@@ -57,8 +57,8 @@ impl State {
         state
     }
 
-    /// Adds `dv` to the speeds (N), and keeps their rounding errors (Knuth's two-sum). The speed of a rolling coordinate is large beside
-    /// its change at an event. Without the correction the rounding errors add up, and the angles drift.
+    /// Adds `dv` to the speeds (N), and keeps their rounding errors (Knuth's two-sum). The speed of a rolling coordinate is large compared
+    /// with its change at an event. Without the correction the rounding errors add up, and the angles drift.
     #[inline]
     pub fn gain(&mut self, dv: &Vector) {
         for ((speed, lost), dv) in self.q_dot.iter_mut().zip(self.lost.iter_mut()).zip(&**dv) {

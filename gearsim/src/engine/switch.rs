@@ -174,8 +174,8 @@ impl Guards {
     }
 }
 
-/// The exits that a motion can take: those that no other exit precedes, and of equal ones the first. Those of a reaction are watched
-/// with the hold.
+/// The exits that a motion can take: no other exit comes before them; of equal exits only the first is taken. Exits by a reaction are
+/// watched with the hold.
 fn watched(exits: Vec<Exit>) -> SmallVec<[Exit; 2]> {
     let mut watched: SmallVec<[Exit; 2]> = SmallVec::new();
     for exit in exits.into_iter().filter(|exit| !exit.sudden && exit.guard.on_reaction == 0.0) {
