@@ -112,7 +112,7 @@ fn inertias(model: &Model, s: &Symbols, motion: &Motion) -> Vec<(Vec<String>, St
             found.push((marks, text));
         }
     }
-    // The order of terms depends on what was derived before in this process; that of the effects does not.
+    // The order of terms depends on earlier derivations in this process; the order of the effects does not.
     let declared = |name: &String| model.effects.iter().position(|effect| effect.name == *name);
     found.sort_by_key(|(marks, _)| marks.iter().map(declared).collect::<Vec<_>>());
     found

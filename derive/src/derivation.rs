@@ -117,8 +117,8 @@ impl Derivation<'_> {
     }
 
     /// Whether the phase of a law rolls: energies and torques depend on this coordinate only through laws. Whole pitches of it
-    /// then change nothing, so that the engine may count them separately. `None` if it never rolls; else the effects of which each alone
-    /// stops it, as a support of a rotor that turns. An effect at all parts stands for those of its parts.
+    /// then change nothing, so that the engine may count them separately. `None` if it never rolls; otherwise each effect that alone
+    /// prevents it, for example a support of a rotor that turns. An effect of all parts replaces those of its parts.
     pub(crate) fn rolling(&self, law: &Law) -> Option<Vec<String>> {
         let phase = expr::symbols(&law.phase.atom());
         let [(kind, name)] = phase.as_slice() else { return None };

@@ -69,11 +69,11 @@ pub enum Kind {
     Reaction,
     /// What a run can record.
     Output,
-    /// What the engine alone knows, for outputs: the reaction of a held deflection, the power of a torque.
+    /// Quantity for outputs that only the engine knows: the reaction of a held deflection, the power of a torque.
     Known,
     /// The force of the springs of a deflection; replaced by its value before anything is derived.
     Spring,
-    /// The force of its dampers, likewise.
+    /// The force of the dampers of a deflection; replaced in the same way.
     Damper,
     /// Anything not declared.
     Free,

@@ -1,4 +1,4 @@
-//! Where models are described, and how they are derived: what the head of a generated file tells its reader.
+//! Where models are described, and how they are derived, as stated at the head of a generated file.
 
 /// The place of models.
 #[derive(Debug, Clone, Copy)]

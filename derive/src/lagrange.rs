@@ -73,7 +73,7 @@ pub(crate) fn rows(n: usize, parts: impl Iterator<Item = (usize, Atom)>) -> Vec<
     rows.into_iter().map(|parts| total(parts).expand()).collect()
 }
 
-/// The restoring forces dV/dq of the terms `potential` of V, and the forces of switches whose work is lost.
+/// The restoring forces dV/dq of the terms `potential` of V, and the dissipative forces of switches.
 pub(crate) fn restoring<'a>(
     model: &'a Model,
     s: &'a Symbols,

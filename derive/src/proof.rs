@@ -19,7 +19,7 @@ use crate::slip::Slip;
 use crate::symbols::Symbols;
 use crate::tree::Tree;
 
-/// What is proved, and the statements proved so far.
+/// The formulas to prove, and the statements proved so far.
 pub(crate) struct Proof<'a> {
     model: &'a Model,
     s: &'a Symbols,
@@ -83,7 +83,7 @@ impl Proof<'_> {
         Ok(())
     }
 
-    /// The error that `what` was not proved, with what should be zero or, for a sign, what has it wrong.
+    /// The error that `what` was not proved, with the remainder that should be zero or, for a sign, the term that may have the wrong one.
     fn unproved(&self, what: &str, rest: &Atom) -> Slip {
         let rest = print(&Tree::new(&rest.expand()), Style::Plain);
         Slip::Unproved { model: self.model.name.clone(), what: what.into(), rest }

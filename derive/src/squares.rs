@@ -68,7 +68,7 @@ fn not_zero(model: &Model, e: &Atom) -> bool {
 /// The forms l_i: one row each, one coefficient for each coordinate.
 struct Forms {
     rows: Vec<Vec<Atom>>,
-    /// Whether T has no other squares. Squares of an effect, or with c_i = 0 allowed, are left out: they may be absent.
+    /// Whether T has no other squares. Squares that may be zero (of an effect, or with c_i = 0 allowed) are left out.
     complete: bool,
 }
 

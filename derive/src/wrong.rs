@@ -7,7 +7,7 @@ use crate::expr::{Kind, number};
 use crate::model::Model;
 use crate::slip::Slip;
 
-/// The formula with the mistake: it is twice what it should be, unless said otherwise.
+/// The formula with the mistake. It has twice its correct value unless another mistake is stated.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Wrong {
     /// The first entry of M.

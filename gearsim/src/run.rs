@@ -33,14 +33,14 @@ use crate::scene::solver::Method;
 use crate::scene::{Precision, Scene};
 use crate::trajectory::{Moment, Trajectory};
 
-/// What a run came to.
+/// The result of a run.
 #[derive(Debug, Clone)]
 pub struct Outcome {
-    /// Everything recorded; its last row is the state at the end, or where the run had to stop.
+    /// The recorded rows. The last one is the state at the end, or where the run had to stop.
     pub trajectory: Trajectory,
     /// T + V at the start [J].
     pub energy_at_start: f64,
-    /// Energy of bounces that were not followed to their ends [J], counted in the residual.
+    /// Energy of neglected bounces [J], counted in the residual.
     pub ignored: f64,
     /// Events and costs.
     pub counts: Counts,
@@ -54,18 +54,18 @@ pub struct Outcome {
     pub reference_frequency: Option<f64>,
     /// Processor time that the simulation took, with its recording [s].
     pub cpu_seconds: f64,
-    /// The energy account, where it refutes the result.
+    /// The energy account, if it refutes the result.
     pub refuted: Option<Account>,
     /// How many digits of the result are left, where that was estimated.
     pub digits: Option<Digits>,
-    /// What a reader of the result has to know beside it, a sentence each.
+    /// Remarks for the reader of the result, a sentence each.
     pub remarks: Vec<String>,
 }
 
 /// How many digits of a result are left.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Digits {
-    /// Of the state at the end, its worst coordinate or speed: 0 to 16.
+    /// Digits of the least accurate coordinate or speed at the end: 0 to 16.
     pub at_end: f64,
     /// Time from which on none are left \[s\]; `None` where some are.
     pub none_from: Option<f64>,
@@ -80,7 +80,7 @@ pub struct Solver {
     pub why: String,
     /// Steps of a numerical method; 0 for the exact one.
     pub steps: u64,
-    /// Steps that it tried in vain.
+    /// Steps that were rejected.
     pub rejected: u64,
 }
 
@@ -100,7 +100,7 @@ pub struct Prospect {
 /// A model as the program knows it: its description, and how to run a scene of it.
 #[derive(Clone, Copy)]
 pub struct Entry {
-    /// What scenes and people read.
+    /// The description of the model.
     pub model: &'static Model,
     derived: DerivedModel,
 }
@@ -199,10 +199,10 @@ impl Entry {
         Ok(Prepared::new(&self.derived, scene, equations)?.simulation)
     }
 
-    /// A simulation of `scene` with state and time in twice the digits.
+    /// A simulation of `scene` with state and time in double-double precision.
     ///
     /// # Errors
-    /// Where its cells cannot be solved in twice the digits.
+    /// If its cells cannot be solved in double-double precision.
     pub(crate) fn compensate<'a>(
         &self,
         simulation: Simulation<'a>,
@@ -223,7 +223,7 @@ fn compensate<'a>(
     let load = |parameters| derived.source.exactly(scene, parameters, mids.clone()).matrices(&k).load;
     let varies = scene.model.parameters.iter().map(|p| p.varies);
     let bare: Vec<Df64> = parameters.iter().zip(varies).map(|(x, v)| if v { Df64::from(0.0) } else { *x }).collect();
-    // The forces are linear in a torque: those of a unit less those of nothing.
+    // The forces are linear in a torque: subtract those at 0 from those at 1.
     let of_unit = |p: usize| {
         let mut unit = bare.clone();
         unit[p] = Df64::from(1.0);
@@ -247,7 +247,7 @@ const UNUSED_TOLERANCE: &str = "run.tolerance is not used: every cell is linear,
 struct Plan<'a> {
     scene: &'a Scene,
     choice: Choice,
-    /// What a reader of the result has to know, a sentence each.
+    /// Remarks for the reader of the result, a sentence each.
     remarks: Vec<String>,
 }
 
@@ -261,7 +261,7 @@ impl<'a> Prepared<'a> {
         if !equations.kinetic(q, q_dot).is_finite() {
             return Err(Refusal::StartOverflow);
         }
-        // Of a constant M the first cell shows it.
+        // A constant M is checked with the first cell.
         if !equations.is_inertia_constant() && equations.mass(q).cholesky().is_none() {
             return Err(Refusal::Mass);
         }
@@ -308,7 +308,7 @@ impl<'a> Plan<'a> {
         recorder
     }
 
-    /// What the simulation came to.
+    /// The result of the simulation.
     fn outcome(
         self,
         mut simulation: Simulation<'_>,

@@ -78,7 +78,7 @@ fn no_module_uses_one_above_it() {
     assert!(wrong.is_empty(), "a module uses one above it: {wrong:#?}");
 }
 
-/// The core: what derives equations, expands them, and runs them.
+/// The core: the code that derives equations, expands them, and runs them.
 const CORE: [&str; 6] = [
     "derive/src",
     "derive/macros/src",
@@ -88,7 +88,7 @@ const CORE: [&str; 6] = [
     "gearsim/src/ensemble",
 ];
 
-/// Effects whose names are words of the core too: the matrix C of a cell and its block, and what a model adds by `m.torque`.
+/// Effects whose names are also words of the core: the matrix C of a cell and its block, and the terms that a model adds by `m.torque`.
 const WORDS: [&str; 2] = ["damping", "torques"];
 
 /// The code of a file: without comments, and without unit tests, of which some are files of their own.
@@ -100,7 +100,7 @@ fn code(path: &Path, root: &Path) -> String {
     code.map(|line| line.split("//").next().unwrap_or("")).collect::<Vec<_>>().join("\n")
 }
 
-/// What an effect does is said by the model that declares it, and by the file derived from it.
+/// Only the model that declares an effect, and the file derived from it, state what the effect does.
 #[test]
 fn the_core_knows_no_effect_by_name() {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");

@@ -1,6 +1,6 @@
-//! Every effect with every other: random scenes over models, sets of effects, numbers, methods and precisions. Of each run the energy
-//! account closes and all numbers are finite; a sweep gives the bits of the run; two halves give the whole; and another method gives the
-//! same motion. A scene that cannot be run is refused in words.
+//! Every effect with every other: random scenes over models, sets of effects, numbers, methods and precisions. For each run the energy
+//! account closes and all numbers are finite; a sweep gives the bits of the run; two halves give the whole run; and another method gives
+//! the same motion. A scene that cannot be run is refused with a message.
 //!
 //! `COMBINATIONS=N` runs N scenes instead of 1,000, `COMBINATIONS_FROM=I` begins with scene I: `cargo xtask combinations`. The command of
 //! a single scene is shown before it runs.
@@ -74,6 +74,6 @@ fn every_effect_works_with_every_other() {
     let (counts, wrong) = found.into_inner().unwrap();
     counts.iter().for_each(|(what, n)| println!("{n:7}  {what}"));
     assert!(wrong.is_empty(), "{} of {count} scenes are wrong\n\n{}", wrong.len(), wrong.join("\n\n"));
-    // Refusals are answers too, but most scenes must run.
+    // A refusal is a valid result too, but most scenes must run.
     assert!(2 * counts.get("run: right").copied().unwrap_or(0) > count, "too few scenes ran");
 }

@@ -77,7 +77,7 @@ fn a_scene_built_in_code_swings_as_its_closed_form() {
 }
 
 #[test]
-fn what_is_not_there_is_refused_by_name() {
+fn unknown_columns_and_parameters_are_refused_by_name() {
     let results = build_a_scene::struck(0.5, 0.25, 1e4, 2.0).unwrap();
     let error = results.column("twist").unwrap_err().to_string();
     assert!(error.contains("there is no column `twist`") && error.contains("shaft_twist_1"), "{error}");
@@ -145,7 +145,7 @@ fn pairs_with_other_backlash_and_damping_have_other_forces() {
 }
 
 #[test]
-fn without_its_stiffness_steps_a_pair_has_less_dynamic_force() {
+fn a_pair_without_stiffness_steps_has_less_dynamic_force() {
     let path = scene("oh2005/spectrum_4500rpm_exact");
     let found = effects_and_time::without_each(&path, "mesh_torque").unwrap();
     let (_, force, time) = found.iter().find(|(effect, ..)| *effect == "stiffness_step").unwrap();

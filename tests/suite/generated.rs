@@ -46,7 +46,7 @@ fn no_line_is_too_long() {
 }
 
 #[test]
-fn what_runs_comes_first_and_equations_are_written_once() {
+fn running_code_comes_first_and_equations_are_written_once() {
     for (name, text) in generated("rs") {
         let before = text.lines().take_while(|line| *line != "equations! {").count();
         assert!(before <= 8, "{name}: {before} lines before what runs");
@@ -59,9 +59,9 @@ fn what_runs_comes_first_and_equations_are_written_once() {
 
 /// A row of the table of proofs in ARCHITECTURE.md.
 struct Claim {
-    /// As README names it.
+    /// Its name in README.
     what: String,
-    /// What a file must have for the proof to be in it; `every file` if nothing.
+    /// The block that a file with the proof has; `every file` if the proof is in all files.
     of: String,
     /// How the line in the file begins.
     begins: String,

@@ -43,7 +43,8 @@ struct Cord {
 
 /// The string between the base circles. a1 and a2 are the rotations of the gears, each in its own direction; the centres are displaced. At rest it has the
 /// pressure angle, and the depth zero. It touches the first circle at the angle b: the free lengths of the flanks' involutes are
-/// r1 (a1 - b) and -r2 (a2 + b), up to a constant, and overlap by what they exceed the distance of the points of contact.
+/// r1 (a1 - b) and -r2 (a2 + b), up to a constant. The flanks overlap by the excess of these lengths over the distance of the points of
+/// contact.
 fn string([a1, a2]: [f64; 2], [x1, y1, x2, y2]: [f64; 4]) -> Cord {
     let free = |[x1, y1, x2, y2]: [f64; 4]| {
         let distance = (R1 + R2) / ALPHA.cos();
@@ -63,9 +64,10 @@ fn coordinates([a1, a2]: [f64; 2]) -> [f64; 2] {
     [0.5 * (N1 * a1 + N2 * a2), R1 * a1 - R2 * a2]
 }
 
-/// The accelerations are those of the force k d + c d' along the string, at any place, with d' by a difference of the string.
+/// At any position, the accelerations are those of the force k d + c d' along the common tangent, with d' from a difference quotient of its
+/// length.
 #[test]
-fn forces_act_along_the_string_between_the_base_circles() {
+fn forces_act_along_the_common_tangent_of_the_base_circles() {
     let scene = scene(&["moving_centres", "damping", "stiffness_step"], &["parameters.beta_K=2 us"]);
     let value = |name: &str| scene.parameters[scene.model.parameters.iter().position(|p| p.name == name).unwrap()];
     let [i1, i2, m1, m2, kb1, kb2] = ["I1", "I2", "m1", "m2", "kb1", "kb2"].map(value);
@@ -137,8 +139,8 @@ fn small_motions_are_those_of_the_linear_model() {
     }
 }
 
-/// A light gear is thrown through the play of heavy gears whose centres are apart: it meets the drive flank after the way b/2 + R (phi + inv a' -
-/// inv a), and the coast flank after b/2 - R phi + R (inv a' - inv a) beyond the middle.
+/// A light gear moves through the play of heavy gears whose centres are apart. It meets the drive flank after the distance b/2 + R (phi +
+/// inv a' - inv a), and the coast flank at the distance b/2 - R phi + R (inv a' - inv a) from the middle.
 #[test]
 fn the_play_opens_as_the_centres_move_apart() {
     let (x, y, b) = (0.4e-3, 0.1e-3, 100e-6);
@@ -173,7 +175,7 @@ fn the_play_opens_as_the_centres_move_apart() {
         let (found, play) = (t.q[1][met].abs(), t.outputs[0].1[0]);
         println!("v = {v} m/s: contact after {found:e} m, {way:e} by the closed form; opening {play:e}, {opening:e}");
         assert!((found - way).abs() < 1e-12 && (play - opening).abs() < 1e-15, "{found} {way} {play} {opening}");
-        // Without the effect the play does not open, and a line of action of the drive flank serves the coast flank.
+        // Without the effect the play does not open, and the coast flank has the line of action of the drive flank.
         assert!(opening > 0.1 * b && (way - 0.5 * b).abs() > 0.1 * b);
     }
 }

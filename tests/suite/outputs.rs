@@ -256,7 +256,7 @@ fn gears_by_their_teeth_have_the_factor_of_the_standard() {
     assert!(ratio < 0.5 && relative(kv, 1.0 + 0.23 * ratio, 0.0) < 1e-3, "{kv}, not {}", 1.0 + 0.23 * ratio);
 }
 
-/// Transforms and means take the samples: no two of them have the same time, and they are evenly spaced but for the end of the run.
+/// Transforms and means use the samples: no two samples have the same time, and they are evenly spaced except at the end of the run.
 #[test]
 fn samples_never_repeat_a_time() {
     for name in ["two_stage", "backlash", "rattle", "electric_axle", "oh2005/stall_300rpm"] {

@@ -61,7 +61,8 @@ impl Tutorial {
                 Step::Change(change) => apply(&folder, &change)?,
             }
         }
-        // It takes minutes: the features of `cargo derive`, of `cargo test --workspace` and of this workspace must stay the same.
+        // To compile Symbolica takes minutes, so the features of `cargo derive`, of `cargo test --workspace` and of this workspace must
+        // stay the same.
         let after = symbolicas(&target);
         ensure!(
             after <= before.max(1),

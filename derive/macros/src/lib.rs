@@ -62,7 +62,7 @@
 //!         free (0.0, 0.0) rests {                            // `holds`: over_dot = 0; guards may contain the `reaction`
 //!             until upper { over { _ => -1.0; } one { _ => b/2.0; } }   // `one`: the constant; `unless`: only a sudden change ends it
 //!         }
-//!         // loss { one { _ => 2.0; } }                      // the force against `over` whose work is lost; linear in it
+//!         // loss { one { _ => 2.0; } }                      // the dissipative force against `over`; linear in it
 //!     }
 //! }
 //! // forces { F { friction => c*k*x_dot; } }  // named forces, for rows of `force` and for powers
@@ -106,7 +106,7 @@
 //! Expressions consist of numbers with a decimal point, names, `+ - * /`, parentheses and smooth methods of `f64` (`powi`, `sqrt`,
 //! `sin`, ..). Piecewise functions are refused: only laws and switches switch.
 //!
-//! No effect is known by its name: what it does is what the file says with it.
+//! The macro knows no effect by its name. The file states what each effect does.
 //!
 //! # Stages
 //!

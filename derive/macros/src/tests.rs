@@ -111,7 +111,7 @@ fn ways_to_switch_that_contradict_each_other_are_refused() {
     assert!(never.len() == 2 && never.iter().all(says), "{never:#?}");
 }
 
-/// Under other names the effects of the sample have the same code, but for the names.
+/// If the effects of the sample are renamed, the code differs only in these names.
 #[test]
 fn no_effect_is_known_by_its_name() {
     let renamed = |text: &str| {

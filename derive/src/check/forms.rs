@@ -72,7 +72,7 @@ pub(super) fn linear(model: &Model) -> Result<(), Slip> {
         let edges = offsets.map(|s| (Kind::Edge, &s.name));
         let errors = model.laws.iter().filter(|law| law.role == Role::Offset).map(|law| (law.kind(), &law.name));
         let offsets: Vec<Atom> = edges.chain(errors).map(|(kind, name)| Atom::var(symbol(kind, name))).collect();
-        // So are functions of positions, each with a factor that is constant in a mode.
+        // Functions of positions are no part of the form either; the factor of each must be constant in a mode.
         let functions: Vec<_> = symbols(&d.value.atom()).into_iter().filter(|s| s.0 == Kind::Function).collect();
         let factor = |(kind, name): &(Kind, String)| d.value.atom().derivative(symbol(*kind, name)).expand();
         let may_be_a_factor = |s: &(Kind, String)| matches!(s.0, Kind::Constant | Kind::Parameter | Kind::Switched);

@@ -44,7 +44,7 @@ pub(super) fn what_it_is(kind: Kind) -> &'static str {
     }
 }
 
-/// All declared names, each with what it is, in words for messages.
+/// All declared names, each with its kind in words for messages.
 pub(super) fn declared(model: &Model) -> Result<BTreeMap<String, &'static str>, Slip> {
     let mut all = BTreeMap::new();
     let mut declare = |name: &str, what: &'static str, derived: bool| -> Result<(), Slip> {

@@ -13,22 +13,22 @@ use crate::slip::Slip;
 
 use Kind::*;
 
-/// What energies may depend on; listed in messages.
+/// Kinds of symbols that energies may contain; listed in messages.
 const USABLE: [Kind; 12] =
     [Constant, Parameter, Mid, Law, Error, Friction, Switched, Function, Deflection, Coordinate, Rate, Speed];
-/// What a torque may depend on.
+/// Kinds of symbols that a torque may contain.
 const TORQUE: [Kind; 6] = [Constant, Parameter, Mid, Force, Rate, Speed];
-/// What a torque with a friction law as a factor may depend on besides.
+/// Further kinds of symbols for a torque with a friction law as a factor.
 const FRICTION: [Kind; 4] = [Law, Friction, Switched, Deflection];
-/// What an output may depend on.
+/// Kinds of symbols that an output may contain.
 const OUTPUT: [Kind; 16] = [
     Constant, Parameter, Mid, Law, Error, Friction, Switched, Function, Edge, Deflection, Coordinate, Rate, Speed,
     Force, Output, Known,
 ];
-/// What a constant may depend on.
+/// Kinds of symbols that a constant may contain.
 const CONSTANT: [Kind; 4] = [Constant, Parameter, Mid, Mobility];
 
-/// A model and the names declared in it, each with what it is, in words for messages.
+/// A model and the names declared in it, each with its kind in words for messages.
 struct Places<'a> {
     model: &'a Model,
     declared: BTreeMap<String, &'static str>,
@@ -104,7 +104,7 @@ impl Places<'_> {
         })
     }
 
-    /// The modes of a switch have one value for each symbol, and lead to modes that it has. Guards and the lost force are linear.
+    /// The modes of a switch have one value for each symbol, and lead to modes that it has. Guards and the dissipative force are linear.
     fn switch(&self, switch: &Switch) -> Result<(), Slip> {
         let place = format!("the switch of `{}`", switch.over);
         let slip = |why: &'static str, mode: &str| {

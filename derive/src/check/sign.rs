@@ -31,11 +31,11 @@ fn sign(model: &Model, e: &Atom, strictly: bool) -> bool {
             }
             // Stiffnesses are >= 0 in every scene.
             [(Kind::Mid | Kind::Law, _)] => !strictly,
-            // A factor of a switch, if it is so in every mode.
+            // A factor of a switch is >= 0 if it is in every mode.
             [(Kind::Switched, name)] => {
                 !strictly && model.switches.iter().any(|switch| in_every_mode(model, switch, name))
             }
-            // So are the arms of rolling friction.
+            // The arms of rolling friction are >= 0 in every scene.
             [(Kind::Friction, name)] => {
                 let arm = Role::Factor(Factor::Arm);
                 !strictly && model.laws.iter().any(|law| law.name == *name && law.role == arm)

@@ -18,7 +18,7 @@ pub fn derive(model: &Model) -> Result<Derivation<'_>, Slip> {
     derive_with(model, |_| {})
 }
 
-/// What the proofs are about.
+/// The formulas that are proved.
 pub(crate) struct Formulas {
     pub symbols: Symbols,
     pub motion: Motion,

@@ -9,7 +9,8 @@ pub(super) fn write(b: &mut Block, d: &Derivation) {
     let (motion, names) = (&d.motion, d.coordinates());
     b.matrix(1, "mass", &names, &motion.mass);
     if let Some(inverse) = &motion.mobility {
-        // Not expanded: an entry stays one fraction over the determinant. If no terms of M cancel, none of its inverse do.
+        // An entry is not expanded, so that it stays one fraction over the determinant. If no terms of M cancel, no terms of its inverse
+        // do.
         b.triangle(1, "mobility", &names, inverse, |b, entry| b.not_expanded(std::slice::from_ref(entry)));
     }
     if let Some(inertia) = &motion.inertia {

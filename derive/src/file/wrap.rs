@@ -44,7 +44,8 @@ pub(crate) fn wrap(line: &str) -> String {
 fn place(line: &str, start: usize) -> Option<(usize, bool)> {
     let fits = line.char_indices().nth(WIDTH - 2).map_or(line.len(), |(at, _)| at);
     let places: Vec<Place> = places(line).into_iter().filter(|p| p.at > start && p.at <= fits).collect();
-    // Rather outside a string. A break in the first third of a line leaves it nearly empty: only if there is no other.
+    // Places outside strings come first. A break in the first third leaves the line nearly empty, and is used only if there is no other
+    // outside a string.
     for (in_text, least) in [(false, WIDTH / 3), (false, 0), (true, 0)] {
         let mut far = places.iter().filter(|p| p.in_text == in_text && p.at >= least);
         if let Some(best) = far.clone().map(|p| (p.depth, p.kind)).min() {

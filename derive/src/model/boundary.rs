@@ -1,7 +1,7 @@
 //! How laws switch where their phase reaches a boundary between two levels, and which effects decide it.
 //!
-//! A model declares this: `m.boundaries("steps", Boundary::WithJump)`. The derivation has two conditions made of it, and the file states both,
-//! so that neither the derivation nor what runs the equations knows such an effect by name.
+//! A model declares this: `m.boundaries("steps", Boundary::WithJump)`. The derivation makes two conditions of it, and the file states both.
+//! Neither the derivation nor the engine then knows such an effect by name.
 
 use super::Model;
 

@@ -6,7 +6,7 @@ use crate::expr::{Expr, Kind};
 /// An effect.
 pub(crate) struct Effect {
     pub name: String,
-    /// The effect of which it is the one of a part: `backlash` of `backlash_12`.
+    /// For an effect of one part, the effect of all parts: `backlash` of `backlash_12`.
     pub of: Option<String>,
     pub requires: Vec<String>,
     pub excludes: Vec<String>,

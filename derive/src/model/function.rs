@@ -1,7 +1,7 @@
 //! Named functions of positions, and their derivatives.
 //!
-//! A function f of one position has the derivatives `df`, `ddf`, `dddf`. One of several positions x, y, .. has `f_by_x`, which its author gives
-//! so that they are short, and `f_by_x_by_y`; that they are its derivatives is proved.
+//! A function f of one position has the derivatives `df`, `ddf`, `dddf`. A function of several positions x, y, .. has `f_by_x` and
+//! `f_by_x_by_y`. Its author gives the first derivatives, so that they are short, and the derivation proves them.
 
 use symbolica::atom::{Atom, AtomCore};
 

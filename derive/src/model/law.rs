@@ -1,7 +1,7 @@
 //! Laws: periodic functions of a phase, whose values a scene gives. A law has a role: stiffness, offset of deflections, factor of torques.
 //!
-//! Where a law steps, what happens follows from its role: a stiffness and an offset are in V, so that the step takes or gives energy and the
-//! speeds jump; a factor is in no energy, so that they do not. How laws switch at all is said by [`Model::boundaries`].
+//! The effect of a step follows from the role of the law. A stiffness and an offset are in V, so that their step takes or gives energy and
+//! the speeds jump. A factor is in no energy, so that the speeds do not jump. [`Model::boundaries`] declares how laws switch.
 
 use super::Model;
 use crate::expr::{Expr, Kind};
@@ -91,7 +91,7 @@ impl Model {
         Expr::var(Kind::Friction, name)
     }
 
-    /// Laws are in the order of their roles: first those that are always present, then those that scenes have in turn.
+    /// Inserts a law in the order of roles: stiffnesses, which are always present, then offsets, then factors.
     fn law(
         &mut self,
         name: &str,

@@ -11,7 +11,7 @@ use crate::markers::{markers, terms};
 pub(crate) struct Output {
     pub name: String,
     pub unit: String,
-    /// With the markers of effects.
+    /// Its value, with the markers of effects.
     pub value: Expr,
     /// The effect in whose closure it was declared: scenes without it do not have the output.
     pub with: Option<String>,
@@ -19,7 +19,7 @@ pub(crate) struct Output {
 }
 
 impl Output {
-    /// The terms of its value, each with the effects that it needs as factors; as its author wrote it where it needs none.
+    /// The terms of its value, each with the markers of its effects as factors. A value without effects is not expanded.
     pub fn terms(&self) -> Vec<Atom> {
         let value = self.value.atom();
         if markers(&value).is_empty() { terms(&value) } else { terms(&value.expand()) }
@@ -65,8 +65,8 @@ impl Model {
         slope(&self.dissipation, symbol(Kind::Rate, &speed_name(x)))
     }
 
-    /// For outputs: the force along the deflection `x` of a switch that its hold resists, zero in modes that do not hold. Of several holds
-    /// that prevent the same motion the first has the reaction.
+    /// For outputs: the force along the deflection `x` of a switch that its hold resists, zero in modes that do not hold. If several holds
+    /// prevent the same motion, the first has the reaction.
     pub fn reaction(&self, x: Expr) -> Expr {
         match symbols(&x.atom()).as_slice() {
             [(Kind::Deflection, name)] => Expr::var(Kind::Known, &reaction_name(name)),
@@ -79,8 +79,7 @@ impl Model {
         Expr::var(Kind::Known, &power_name(name))
     }
 
-    /// For outputs: the force of all that takes energy along the named deflection `x`: dampers, dD/dx', and the force of a switch
-    /// whose work is lost.
+    /// For outputs: the dissipative force along the named deflection `x`: that of dampers, dD/dx', and that of a switch.
     pub fn damper(&self, x: Expr) -> Expr {
         of(Kind::Damper, x)
     }
@@ -91,7 +90,7 @@ fn slope(pieces: &[Expr], by: Symbol) -> Atom {
     total(pieces.iter().map(|piece| piece.atom().derivative(by)).collect()).expand()
 }
 
-/// The symbol of a force along a deflection. Of what is no deflection it is undeclared, and is refused.
+/// The symbol of a force along a deflection. For any other expression it is undeclared, and is refused.
 fn of(kind: Kind, x: Expr) -> Expr {
     match symbols(&x.atom()).as_slice() {
         [(Kind::Deflection, name)] if x.atom() == Expr::var(Kind::Deflection, name).atom() => Expr::var(kind, name),

@@ -9,12 +9,12 @@ use crate::model::{Deflection, Model};
 /// is the zero of a linear function of the state.
 #[derive(Clone)]
 pub(crate) struct Switch {
-    /// Name of the deflection x, which is less the offset of the mode.
+    /// Name of the deflection x, from which the offset of the mode is subtracted.
     pub over: String,
     pub unit: String,
     pub symbols: Vec<Constant>,
     pub modes: Vec<Mode>,
-    /// The force against x whose work is lost, beyond those of V and D; linear in x.
+    /// The dissipative force against x besides those of V and D; linear in x.
     pub loss: Expr,
     /// Symbols of springs, each with the symbol that takes its place in Rayleigh damping.
     pub damped: Vec<(String, String)>,
@@ -43,7 +43,7 @@ pub(crate) struct Mode {
     pub held: bool,
     /// Whether a static equilibrium may be in it.
     pub rests: bool,
-    /// What is counted when a run enters it from a mode that does not count the same.
+    /// Name of the event that is counted when a run enters the mode from a mode without this name.
     pub counts: Option<String>,
     pub exits: Vec<Exit>,
 }
@@ -108,7 +108,7 @@ impl Switching<'_> {
         self.model.deflections.iter_mut().filter(|d| d.name == over).for_each(|d| d.value = (d.value - by).expand());
     }
 
-    /// A factor for energies and for the force that is lost, constant in each mode; `neutral` in scenes without the effect.
+    /// A factor for energies and for the dissipative force, constant in each mode; `neutral` in scenes without the effect.
     pub fn factor(&mut self, name: &str, neutral: i64) -> Expr {
         self.switch().symbols.push(Constant { name: name.into(), kind: Kind::Switched, neutral });
         Expr::var(Kind::Switched, name)
@@ -139,7 +139,7 @@ impl Switching<'_> {
         Expr::var(Kind::Reaction, REACTION)
     }
 
-    /// The force `f` against x whose work is lost; linear in x, and such that f x' >= 0 in every mode.
+    /// The dissipative force `f` against x; linear in x, with f x' >= 0 in every mode.
     pub fn loss(&mut self, f: Expr) {
         self.switch().loss = f;
     }
@@ -166,20 +166,20 @@ impl Describing<'_> {
         self
     }
 
-    /// What is counted when a run enters this mode from one that does not count the same, e.g. "flanks met".
+    /// Names the event that a run counts when it enters this mode from a mode without this name, e.g. "flanks met".
     pub fn counts(self, what: &str) -> Self {
         self.0.counts = Some(what.into());
         self
     }
 
-    /// The mode lasts while `guard` >= 0, then the mode `to` follows. The guard is linear in deflections and rates, and in the
-    /// reaction of a mode that holds.
+    /// The mode lasts while `guard` >= 0; then the mode is `to`. The guard is linear in deflections and rates, and in the reaction of a
+    /// mode that holds.
     pub fn until(self, to: &str, guard: Expr) -> Self {
         self.0.exits.push(Exit { to: to.into(), guard, sudden: false });
         self
     }
 
-    /// The same of a guard that only a sudden change of the state can violate: in every motion another exit comes first.
+    /// As [`Describing::until`], for a guard that only a sudden change of the state can violate: in every motion another exit comes first.
     pub fn unless(self, to: &str, guard: Expr) -> Self {
         self.0.exits.push(Exit { to: to.into(), guard, sudden: true });
         self
@@ -190,7 +190,7 @@ impl Describing<'_> {
 pub(crate) const REACTION: &str = "reaction";
 
 impl Switch {
-    /// The force that is lost, with the marker of the effect.
+    /// The dissipative force, with the marker of the effect.
     pub fn lost(&self) -> Atom {
         Atom::var(symbol(Kind::Marker, &self.effect)) * self.loss.atom()
     }

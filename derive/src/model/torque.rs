@@ -53,9 +53,9 @@ impl Model {
         self.power_output(name, doc);
     }
 
-    /// Adds an external torque (or force) of size `value` that works along `speed`, a linear form of the speeds with factors that may
-    /// depend on the coordinates, where the displacement has no closed form: the speed of a shaft behind a universal joint. Otherwise
-    /// as [`Model::torque`].
+    /// Adds an external torque (or force) of size `value` that works along `speed`, for displacements without a closed form. `speed` is a
+    /// linear form of the speeds with factors that may depend on the coordinates, e.g. the speed of a shaft behind a universal joint.
+    /// Otherwise as [`Model::torque`].
     pub fn torque_along(&mut self, name: &str, value: Expr, speed: Expr, doc: &str) {
         let (value, through) = (self.marked(value), Expr::from(0));
         self.torques.push(Torque { name: name.into(), value, through, along: Some(speed), doc: doc.into() });
@@ -68,8 +68,8 @@ impl Model {
         self.output(&format!("power_{name}"), "W", power, &format!("power of the {doc}: positive if it drives"));
     }
 
-    /// Names a force, for example a friction force, that is a factor in several torques or acts on several coordinates. It may
-    /// depend on whatever those torques may depend on. The equations are written in its name instead of being multiplied out.
+    /// Names a force, for example a friction force, that is a factor in several torques or acts on several coordinates. It may depend on
+    /// everything on which those torques may depend. The equations contain its name; it is not multiplied out.
     pub fn force(&mut self, name: &str, value: Expr) -> Expr {
         self.forces.push(Force { name: name.into(), value, with: self.within.clone() });
         Expr::var(Kind::Force, name)

@@ -1,5 +1,5 @@
-//! The balance of power. The rates of V, D and Q are taken here anew from the energies as the author wrote them, not from the
-//! gradients from which F was made: a proof must not repeat the errors of what it proves.
+//! The balance of power. The rates of V, D and Q are computed again from the energies as the author wrote them, not from the gradients that
+//! gave F: a proof must not repeat the errors of the formula that it proves.
 
 use symbolica::atom::{Atom, AtomCore, Symbol};
 
@@ -87,7 +87,7 @@ fn rate(model: &Model, e: &Atom) -> Atom {
     })
 }
 
-/// The sum over the symbols of `e` of the derivative by it, times what `factor` gives for its kind and name.
+/// The sum over the symbols of `e` of the derivative by the symbol times the value of `factor` for its kind and name.
 fn along(e: &Atom, factor: impl Fn(Kind, &str) -> Option<Atom>) -> Atom {
     let part = |s: Symbol| {
         let (kind, name) = kind_and_name(s);

@@ -53,7 +53,7 @@ pub(super) fn prove(p: &mut Proof) -> Result<(), Slip> {
     Ok(())
 }
 
-/// The law of this kind that is in a torque. A torque with an arm is of rolling, whatever else is in it.
+/// The law of this kind that is in a torque. A torque with an arm is rolling friction, even if it has other laws.
 fn law<'a>(p: &Proof<'a>, torque: &Torque, what: Factor) -> Option<&'a Law> {
     let value = p.model.written_out(&torque.value.atom());
     let found = |what| {

@@ -7,8 +7,8 @@
 //! T(q' + w d) - T(q') - w (2 v + w)/(2 G) = (w q' + w² d/2).(M d - n/G) + w²/(2 G) (n.d - 1)
 //! ```
 //!
-//! is an identity in q', d, G and w, if M is the matrix of T and v = n.q' the speed of the phase. It is this identity that is
-//! proved, with T, M, n and v as derived; so is M d = n/G wherever d is written.
+//! is an identity in q', d, G and w, if M is the matrix of T and v = n.q' the speed of the phase. This identity is proved with the derived
+//! T, M, n and v. If the file has d, M d = n/G is proved too.
 
 use symbolica::atom::{Atom, AtomCore};
 
@@ -103,7 +103,7 @@ fn potential(model: &Model, law: &Law) -> Atom {
         let far = model.deflections.iter().fold(beyond(&v), |e, d| {
             let (name, near) = (Atom::var(symbol(Kind::Deflection, &d.name)), d.value.atom());
             let moved = beyond(&near);
-            // The deflection itself stays a name: it is what V is written in. What it moves by is added to it.
+            // The deflection stays a name, because V is written in it. Its step is added to it.
             if moved == near { e } else { e.replace(name.to_pattern()).with((&name + moved - near).to_pattern()) }
         });
         far - v

@@ -10,7 +10,7 @@ use crate::mobility::is_zero;
 use crate::model::{Exit, Mode, Switch, set};
 use crate::slip::Slip;
 
-/// Proves both of every switch.
+/// Proves both statements for every switch.
 pub(super) fn prove(p: &mut Proof) -> Result<(), Slip> {
     for switch in &p.model.switches {
         let what = format!("V is the same on both sides of the exits of {}: no impulse there", switch.over);
@@ -26,7 +26,7 @@ pub(super) fn prove(p: &mut Proof) -> Result<(), Slip> {
 fn step(p: &Proof, switch: &Switch, mode: &Mode, exit: &Exit) -> Atom {
     let Some(beyond) = switch.mode(&exit.to) else { return number(0) };
     let over = symbol(Kind::Deflection, &switch.over);
-    // The deflection without what the mode offsets and bends.
+    // The deflection without the offset and the functions of the mode.
     let x = symbol(Kind::Free, "x");
     let value = |name: &str| p.model.deflections.iter().find(|d| d.name == name).map_or(number(0), |d| d.value.atom());
     let zero = |e: &Atom| switch.symbols.iter().fold(e.clone(), |e, s| set(&e, symbol(s.kind, &s.name), &number(0)));
@@ -105,8 +105,8 @@ fn is_guard(p: &Proof, force: &Atom, guard: &Atom, rate: Symbol) -> bool {
 /// (c F_s x') (c F_d x) = (F_s x) (F_d x')      since c² = 1
 /// ```
 ///
-/// and c F_d x > F_s x >= 0. So c F_s x' >= 0 follows from F_s x >= 0 and F_d x' >= 0, which their forms show. That c F_d x >= F_s x
-/// in the mode follows from two guards whose product it is.
+/// and c F_d x > F_s x >= 0. Hence c F_s x' >= 0 follows from F_s x >= 0 and F_d x' >= 0, which follow from the forms of F_s and F_d. In
+/// the mode, c F_d x >= F_s x holds because it is the product of two guards.
 fn is_clipped(p: &Proof, switch: &Switch, mode: &Mode, force: &Atom, guards: &[Atom]) -> bool {
     let [over, rate] = [(Kind::Deflection, switch.over.clone()), (Kind::Rate, speed_name(&switch.over))]
         .map(|(kind, name)| symbol(kind, &name));

@@ -8,7 +8,7 @@ use super::{Place, Sparse, Symbols};
 use crate::expr::number;
 
 impl Symbols {
-    /// Sums the derivatives by the symbols of `e`, each times what `parts` gives for its place.
+    /// Sums the derivatives by the symbols of `e`, each times the value of `parts` for its place.
     fn chain<'a>(&'a self, e: &Atom, parts: impl Fn(Place) -> Option<Part<'a>>) -> Sparse {
         let mut sum: BTreeMap<usize, Atom> = BTreeMap::new();
         let mut add = |i, part: Atom| {
@@ -86,10 +86,10 @@ impl Symbols {
     }
 }
 
-/// How an expression depends on what it is differentiated by, through one of its symbols.
+/// How an expression depends on the variable of differentiation through one of its symbols.
 enum Part<'a> {
-    /// The symbol is what it is differentiated by, with this index.
+    /// The symbol is the variable of this index.
     Itself(usize),
-    /// The symbol depends on it with these derivatives.
+    /// The symbol depends on the variables with these derivatives.
     Through(&'a Sparse),
 }

@@ -1,4 +1,4 @@
-//! Named deflections and forces: what the derivatives through them are.
+//! Named deflections and forces, and the derivatives through them.
 
 use std::collections::HashMap;
 

@@ -1,9 +1,9 @@
-"""What executors cost, beside the threads of the command line: `python gearsim/python/measure/cost.py 10000 100000`.
+"""The cost of executors, compared with the threads of the command line: `python gearsim/python/measure/cost.py 10000 100000`.
 
-Every number of points is swept by every executor, all with the same number of workers, one after the other, in several rounds; the tables
-must have the same bytes. Clusters are started and used once before. Two times are taken: that on the clock, and the processor time of this
-process and of all below it, the cluster's included. Ratios are those to the threads of the same round: the median, and the least and
-largest. On a machine that others use too, look at the processor time.
+Every number of points is swept by every executor, one after the other and with the same number of workers, in several rounds. The tables
+must have the same bytes. Clusters are started and used once before the measurement. Two times are measured: that on the clock, and the
+processor time of this process and all its descendants, the cluster's included. Ratios are those to the threads of the same round: median,
+least and largest. On a machine that others also use, the processor time is more reliable.
 """
 
 import argparse
@@ -29,7 +29,7 @@ def axes(points):
 
 
 class Plan:
-    """What is swept, and how: scene, end time, recorded quantities, workers, points of a task."""
+    """The sweep: scene, end time, recorded quantities, workers, points of a task."""
 
     def __init__(self, given):
         self.t_end, self.record = given.t_end, given.record
@@ -63,7 +63,7 @@ def all_ways(plan):
 
 
 def processor_time():
-    """Processor time of this process and of all below it, those that have ended included [s]."""
+    """Processor time of this process and of all its descendants, ended ones included [s]."""
     here = psutil.Process()
     total = 0.0
     for process in [here, *here.children(recursive=True)]:
@@ -83,7 +83,7 @@ def measured(way, points):
 
 
 def ratios(times, base):
-    """Median of the times, and of their ratios to those of the same round, with the least and the largest."""
+    """Median of the times, and median, least and largest of their ratios to `base` in the same round."""
     of = sorted(time_taken / other for time_taken, other in zip(times, base))
     return f"{statistics.median(times):.2f} s, {statistics.median(of):.2f} ({of[0]:.2f} to {of[-1]:.2f})"
 

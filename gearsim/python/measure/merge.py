@@ -1,4 +1,4 @@
-"""What joining the parts of a sweep costs, in time and memory: `python gearsim/python/measure/merge.py 100000`."""
+"""Time and memory for joining the parts of a sweep: `python gearsim/python/measure/merge.py 100000`."""
 
 import os
 import pathlib

@@ -1,8 +1,8 @@
-"""What a point, a part and the joining of parts cost, in processor time: `python gearsim/python/measure/parts.py`.
+"""Processor time of a point, of a part and of joining parts: `python gearsim/python/measure/parts.py`.
 
-No executor takes part: the calls are those that `gearsim.sweep` makes in workers and at home, on one thread of this process. Processor time
-is little changed by what else the machine does. A line a + b N is put through the times of parts of N points: a is the cost of a part, b that
-of a point. The shortest of the repetitions counts.
+There is no executor: one thread of this process makes the calls that `gearsim.sweep` makes in workers and in its own process. Other
+programs change the processor time little. A line a + b N is fitted to the times of parts of N points: a is the cost of a part, b that of a
+point. The shortest of the repetitions counts.
 """
 
 import argparse
@@ -32,7 +32,7 @@ def shortest(call, repeat):
 
 
 def per_part_and_point(times):
-    """The line a + b N through times by N, as text."""
+    """The line a + b N fitted to times by N, as text."""
     b, a = np.polyfit(list(times), list(times.values()), 1)
     return f"{1e3 * max(a, 0):.2f} ms a part, {1e6 * b:.2f} µs a point"
 
@@ -60,7 +60,7 @@ def whole(points, record):
 
 
 def joined(points, per_part, record):
-    """Keeps the rows of all points, then joins them; prints what that took."""
+    """Keeps the rows of all points, then joins them; prints time and memory."""
     job = scene_and_job(points, record, "0.1 ms")
     with tempfile.TemporaryDirectory() as out:
         gathering = job.gather(out)

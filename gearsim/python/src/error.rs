@@ -4,7 +4,7 @@ use pyo3::PyErr;
 use pyo3::create_exception;
 use pyo3::exceptions::PyException;
 
-create_exception!(gearsim, GearsimError, PyException, "What gearsim was asked for is not possible.");
+create_exception!(gearsim, GearsimError, PyException, "gearsim cannot do what was requested.");
 create_exception!(gearsim, SceneError, GearsimError, "A scene has mistakes: the text shows each with its line.");
 
 /// The exception of an error.

@@ -1,16 +1,16 @@
-//! Long calls without Python's lock, which Ctrl-C ends and a function of the caller follows.
+//! Long calls without Python's lock. Ctrl-C ends them, and a function of the caller receives their progress.
 
 use std::panic::{AssertUnwindSafe, catch_unwind, resume_unwind};
 use std::time::{Duration, Instant};
 
 use pyo3::prelude::*;
 
-/// Interval at which Python is asked for signals and told the progress.
+/// Interval between two checks for signals and reports of the progress.
 const EVERY: Duration = Duration::from_millis(50);
 /// The clock is read once in this many calls.
 const CALLS: u32 = 1 << 8;
 
-/// What a long call tells as it goes.
+/// Progress reports and interruption of a long call.
 pub struct Watch {
     progress: Option<Py<PyAny>>,
     calls: u32,
@@ -21,7 +21,7 @@ pub struct Watch {
 struct Interrupted(PyErr);
 
 impl Watch {
-    /// Where the call is. An error is that of a signal or of the caller's function, and ends the call.
+    /// Reports how far the call is. An error comes from a signal or from the caller's function, and ends the call.
     pub fn at(&mut self, place: f64) -> PyResult<()> {
         self.calls = self.calls.wrapping_add(1);
         if !self.calls.is_multiple_of(CALLS) {
@@ -30,7 +30,7 @@ impl Watch {
         self.now(place)
     }
 
-    /// The same, for calls that are rare.
+    /// The same as [`Watch::at`], but reads the clock at every call.
     pub fn now(&mut self, place: f64) -> PyResult<()> {
         if self.last.elapsed() < EVERY {
             return Ok(());
@@ -42,7 +42,7 @@ impl Watch {
         })
     }
 
-    /// The same; where the call cannot return an error, it unwinds to [`detached`].
+    /// The same as [`Watch::at`], for calls that cannot return an error: it unwinds to [`detached`].
     pub fn at_or_unwind(&mut self, place: f64) {
         if let Err(error) = self.at(place) {
             resume_unwind(Box::new(Interrupted(error)));

@@ -14,7 +14,7 @@ use crate::interrupt::detached;
 use crate::scene::{Definition, Scene};
 use crate::table::Table;
 
-/// The points of a sweep. A part of them is a range of numbers; its rows travel as bytes with a checksum.
+/// The points of a sweep. A part is a range of their numbers; its rows are sent as bytes with a checksum.
 #[pyclass(frozen, module = "gearsim")]
 pub struct Job {
     inner: gearsim::Job,
@@ -74,7 +74,7 @@ impl Job {
         Table::new(py.detach(|| self.inner.sensitivity(&table)).map_err(raised)?)
     }
 
-    /// Opens the folder in which finished rows are kept; the points of an earlier run of the same sweep are there already.
+    /// Opens the folder in which finished rows are stored. It may contain points of an earlier run of the same sweep.
     fn gather(&self, folder: PathBuf) -> PyResult<Gathering> {
         Ok(Gathering { inner: Mutex::new(Some(self.inner.gather(folder).map_err(raised)?)) })
     }
@@ -94,7 +94,7 @@ impl Job {
     }
 }
 
-/// The folder of a sweep under way.
+/// The folder of a running sweep.
 #[pyclass(frozen, module = "gearsim")]
 pub struct Gathering {
     inner: Mutex<Option<gearsim::Gathering>>,
@@ -109,7 +109,7 @@ impl Gathering {
 
 #[pymethods]
 impl Gathering {
-    /// Lets go of the folder, so that another process can go on from what it holds.
+    /// Closes the folder, so that another process can continue the sweep in it.
     fn close(&self) {
         self.inner.lock().unwrap_or_else(|poisoned| poisoned.into_inner()).take();
     }

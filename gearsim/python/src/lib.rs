@@ -1,5 +1,5 @@
-//! gearsim for Python: the extension module `gearsim._gearsim`. The package around it, `gearsim`, re-exports it and adds what is
-//! easier to say in Python.
+//! gearsim for Python: the extension module `gearsim._gearsim`. The package around it, `gearsim`, re-exports it and adds
+//! methods that are simpler in Python.
 
 mod error;
 mod interrupt;

@@ -9,7 +9,7 @@ use crate::error::raised;
 use crate::scene::Scene;
 use crate::table::Table;
 
-/// What a run came to: its recorded columns by name, its summary, plots and files.
+/// The results of a run: its recorded columns by name, its summary, plots and files.
 #[pyclass(frozen, module = "gearsim")]
 pub struct Results {
     inner: gearsim::Results,
@@ -72,7 +72,7 @@ impl Results {
         written.map_err(raised)
     }
 
-    /// The interactive page of the run in HTML: one file that needs no other and no network.
+    /// The interactive page of the run in HTML: one file that needs no other files and no network.
     fn page(&self, py: Python<'_>) -> PyResult<String> {
         py.detach(|| self.inner.page()).map_err(raised)
     }

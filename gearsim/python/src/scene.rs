@@ -170,7 +170,7 @@ impl Scene {
         Job::new(self, &axes, &definition)
     }
 
-    /// Accelerations at a state and law values [SI], every play closed: to check equations against those written by hand.
+    /// Accelerations at a state and law values [SI], with every play closed, for comparison with hand-written equations.
     fn acceleration(&self, q: Vec<f64>, q_dot: Vec<f64>, laws: Vec<f64>) -> PyResult<Vec<f64>> {
         self.inner.acceleration(&q, &q_dot, &laws).map_err(raised)
     }
@@ -218,7 +218,7 @@ impl Scene {
         format!("gearsim.Scene: {}, model {}, effects [{effects}]", self.inner.name, self.inner.model.name)
     }
 
-    /// Text, name and values set: what `_restore` needs. Scenes travel to other processes in this way.
+    /// Text, name and set values, which `_restore` needs: scenes are sent to other processes in this form.
     fn __reduce__<'py>(&self, py: Python<'py>) -> PyResult<(Bound<'py, PyAny>, (String, String, Vec<String>))> {
         let restore = py.import("gearsim._gearsim")?.getattr("Scene")?.getattr("_restore")?;
         Ok((restore, (self.inner.name.clone(), self.inner.text.to_string(), self.inner.overrides.clone())))

@@ -16,7 +16,7 @@ use crate::error::raised;
 /// Key of the unit in the metadata of an Arrow field.
 const UNIT: &str = "unit";
 
-/// A table. Its columns are NumPy arrays by name, without a copy and not to be written to; as a whole it is an Arrow stream:
+/// A table. Its columns are read-only NumPy arrays by name, without a copy. The table is an Arrow stream:
 /// `pyarrow.table(table)` and `polars.DataFrame(table)` make no copy, `pandas.DataFrame.from_arrow(table)` makes one.
 #[pyclass(frozen, module = "gearsim")]
 pub struct Table {
@@ -120,7 +120,7 @@ impl Table {
     }
 }
 
-/// A column of numbers. A NumPy array of it holds it, and reads its memory, which is neither moved nor changed.
+/// A column of numbers. Its NumPy array refers to it and reads its memory, which is neither moved nor changed.
 #[pyclass(frozen, module = "gearsim._gearsim")]
 struct Column {
     numbers: Float64Array,
@@ -128,7 +128,7 @@ struct Column {
 
 #[pymethods]
 impl Column {
-    /// Version 3 of NumPy's array interface: where the numbers are, not to be written to.
+    /// Version 3 of NumPy's array interface: the address of the numbers, read-only.
     #[getter]
     fn __array_interface__<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
         let numbers = self.numbers.values();

@@ -5,7 +5,7 @@ use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
 use pyo3::types::{PyBool, PyDict, PyFloat, PyInt, PyString};
 
-/// The values of a nested dictionary, each with its key and the tables of it: `{"run": {"t_end": 1.0}}` has `run.t_end`.
+/// The values of a nested dictionary, each with its dotted key: `{"run": {"t_end": 1.0}}` has `run.t_end`.
 pub fn flat(table: &Bound<'_, PyDict>, before: &str) -> PyResult<Vec<(String, Value)>> {
     let mut values = vec![];
     for (key, value) in table.iter() {
@@ -47,7 +47,7 @@ fn toml(value: &Bound<'_, PyAny>) -> PyResult<String> {
         let entries = table.iter().map(entry).collect::<PyResult<Vec<_>>>()?;
         return Ok(format!("{{ {} }}", entries.join(", ")));
     }
-    // NumPy's numbers have no class of Python's, but convert.
+    // NumPy's numbers are no instances of Python's classes, but can be converted.
     if let Ok(number) = value.extract::<f64>() {
         return Ok(format!("{number:?}"));
     }

@@ -1,4 +1,4 @@
-"""A small sweep, and the bytes that the command line makes of it."""
+"""A small sweep, and the bytes of its table from the command line."""
 
 import pathlib
 import subprocess
@@ -39,7 +39,7 @@ def sweep(scene, tmp_path):
 
 @pytest.fixture
 def points_kept(scene, tmp_path):
-    """Counts the points that the folder of a stopped sweep has. A part that is not whole is an error."""
+    """Counts the points in the folder of a stopped sweep. An incomplete part is an error."""
 
     def count(out=tmp_path / "here"):
         job = scene.job(AXES, ["outputs"])

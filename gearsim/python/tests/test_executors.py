@@ -1,4 +1,4 @@
-"""Executors of Ray, Dask and submitit: the same bytes as on one machine, though workers and schedulers are lost."""
+"""Executors of Ray, Dask and submitit: the same bytes as on one machine, even if workers and schedulers are lost."""
 
 import os
 import pathlib
@@ -14,7 +14,7 @@ from gearsim.executors import DaskExecutor, RayExecutor, SubmititExecutor
 
 
 class Through(Executor):
-    """Sends tasks by another executor, each through a function that is called with the task in the worker."""
+    """Sends tasks by another executor. In the worker, a function is called with the task."""
 
     def __init__(self, executor, function, *arguments):
         self.executor, self.function, self.arguments = executor, function, arguments
@@ -40,7 +40,7 @@ def die(task, *arguments):
 
 
 def slowly(task, *arguments):
-    """Run a task in such a time that the scheduler can be killed during it [0.3 s]."""
+    """Run a task slowly (0.3 s), so that the scheduler can be killed during it."""
     time.sleep(0.3)
     return task(*arguments)
 

@@ -1,4 +1,4 @@
-"""A full disk: a part is whole or not there, the error names the file and the cause, and the sweep goes on once there is space."""
+"""A full disk: each part is complete or absent, the error names the file and the cause, and the sweep continues when there is space."""
 
 import os
 import shutil

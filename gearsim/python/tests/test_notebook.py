@@ -1,4 +1,4 @@
-"""The notebook of the paper runs, and says what the paper says."""
+"""The notebook of the paper runs, and its results agree with the paper."""
 
 import pathlib
 import re

@@ -45,7 +45,7 @@ def test_columns_have_names_and_units():
 
 
 def test_columns_have_one_place_in_memory():
-    """NumPy, pyarrow, polars and pandas read the same bytes; none has a copy."""
+    """NumPy, pyarrow, polars and pandas read the same bytes, without a copy."""
     table = struck().run().table
     pyarrow, polars, pandas = (pytest.importorskip(name) for name in ("pyarrow", "polars", "pandas"))
     address = lambda array: array.__array_interface__["data"][0]

@@ -1,4 +1,4 @@
-"""The JSON schema of scenes agrees with the reader: what it refuses, the reader refuses."""
+"""The JSON schema of scenes agrees with the reader: the reader refuses every scene that the schema refuses."""
 
 import copy
 import functools

@@ -75,7 +75,7 @@ def test_damaged_rows_are_refused(scene, tmp_path, bytes_of_the_command_line):
             job.keep(gathering, bytes(rows))
         except gearsim.GearsimError:
             refused += 1
-    # What is not refused has its content: the damage is where a reader does not look.
+    # Damaged rows that are not refused have the same content: the damaged bytes are not read.
     assert refused > len(places) // 2
     other = scene.replace({"run.t_end": "10 ms"}).job(AXES, ["outputs"])
     with pytest.raises(gearsim.GearsimError, match="another sweep"):

@@ -1,4 +1,4 @@
-"""The types that editors and type checkers see: the package has types throughout, and its stub is that of the extension module."""
+"""The types that editors and type checkers see: the package has types throughout, and its stub agrees with the extension module."""
 
 import subprocess
 import sys
@@ -7,7 +7,7 @@ import pytest
 
 pytest.importorskip("mypy")
 
-#: Uses what the package shows. Each `reveal_type` has the type on its right.
+#: Uses the public names of the package. The comment on a line is its expected type or error.
 USE = """
 import gearsim
 scene = gearsim.load("scene.toml").replace({"run.t_end": "1 s"}, parameters={"zeta": 0.1})
@@ -22,7 +22,7 @@ gearsim.sweep(scene, "run.t_end=1 s,2 s", design="latin")  # incompatible type
 
 @pytest.fixture(scope="module")
 def mypy(tmp_path_factory):
-    """Runs a module of mypy in a folder of its own. What it has read of NumPy stays there."""
+    """Runs a module of mypy in a folder of its own, which keeps its cache of NumPy."""
     folder = tmp_path_factory.mktemp("mypy")
     (folder / "use.py").write_text(USE)
 

@@ -1,4 +1,4 @@
-"""One grammar of values: what one place accepts or refuses, every other does too."""
+"""One grammar of values: all places accept the same values and refuse the same values."""
 
 import re
 import subprocess

@@ -84,8 +84,8 @@ pub fn left(scene: &Scene, run: &Outcome, companion: &Outcome) -> Digits {
     if scene.solver.precision == Precision::Plain {
         return Digits { at_end: plain, none_from };
     }
-    // The companion runs in plain numbers and has their error. A run in twice the digits loses as many digits as the plain one. If
-    // the plain run loses all its digits, the rate at which it lost them is extrapolated to the end.
+    // The companion runs in plain precision and has its rounding errors. A compensated run loses as many digits as a plain one. If the
+    // plain run loses all its digits, the rate at which it lost them is extrapolated to the end.
     let lost = match none_from {
         Some(t) if t > 0.0 => analysis::PLAIN_DIGITS * end / t,
         Some(_) => analysis::COMPENSATED_DIGITS,

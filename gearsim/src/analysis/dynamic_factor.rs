@@ -31,7 +31,7 @@ pub struct DynamicFactor {
     pub iso6336: Result<f64, String>,
 }
 
-/// Those of all meshes of a run whose forces are recorded.
+/// The dynamic factors of all meshes of a run whose forces are recorded.
 pub fn of(scene: &Scene, entry: &Entry, run: &Trajectory) -> Vec<DynamicFactor> {
     let at_rest = entry.outputs_at_rest(scene).map_err(|refusal| format!("there is no static equilibrium: {refusal}"));
     let mut all = vec![];
@@ -57,7 +57,7 @@ fn iso6336(scene: &Scene, entry: &Entry, run: &Trajectory, i: usize, at_rest: f6
     let gears =
         scene.gears[i].as_ref().ok_or_else(|| format!("the scene gives the stiffness {} without teeth", law.name))?;
     let contact = gears.contact().map_err(|e| e.to_string())?;
-    // In N m the model turns about the axis of the driving gear.
+    // A value in N m is the torque about the axis of the driving gear.
     let force = if law.unit == "N/m" { at_rest } else { at_rest / contact.base[0] };
     let line_load = force * contact.transverse_angle.cos() / gears.face_width;
     let single = Iso6336::of(gears, Some(line_load)).map_err(|e| e.to_string())?.single;

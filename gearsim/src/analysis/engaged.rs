@@ -21,7 +21,7 @@ use super::orders::force;
 
 mod train;
 
-/// What the scene states about the teeth of a mesh.
+/// The data that the scene has of the teeth of a mesh.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum ToothData {
     /// It has the teeth of the mesh.
@@ -39,7 +39,7 @@ pub struct Engaged<'a> {
     pub law: &'static Law,
     /// The gears, the driving one first. Lengths in metres, or in modules if only the numbers of teeth are known.
     pub gears: Gears,
-    /// What of them the scene says.
+    /// The data that the scene has of their teeth.
     pub known: ToothData,
     /// The output that is the speed of the driving gear; `None`: its rotation is that of the mesh phase, relative to the carrier.
     pub rotor: Option<&'static str>,
@@ -57,7 +57,7 @@ pub struct Engaged<'a> {
     pub force: Option<(&'static Output, &'a [f64])>,
 }
 
-/// The teeth of a mesh, and what is known of how they turn.
+/// The teeth of a mesh, and the data from which their rotation follows.
 struct Teeth {
     gears: Gears,
     known: ToothData,
@@ -65,7 +65,8 @@ struct Teeth {
     rotor: Option<usize>,
 }
 
-/// The meshes of a run whose gears the scene knows, in the order of their laws; instead of one whose teeth cannot be drawn, its law and why.
+/// The meshes of a run whose numbers of teeth the scene states, in the order of their laws. If the teeth of a mesh cannot be drawn: its
+/// law, and the reason.
 pub fn engaged<'a>(scene: &Scene, run: &'a Trajectory) -> Vec<Result<Engaged<'a>, (&'static Law, String)>> {
     let Some(equations) = known::of(scene).and_then(|entry| entry.equations(scene).ok()) else { return vec![] };
     let mut all = vec![];
@@ -87,7 +88,7 @@ pub fn engaged<'a>(scene: &Scene, run: &'a Trajectory) -> Vec<Result<Engaged<'a>
     all
 }
 
-/// The teeth of the mesh with law `i` of a derived model; `None` if the scene does not know their numbers.
+/// The teeth of the mesh with law `i` of a derived model; `None` if the scene does not state their numbers.
 fn teeth(scene: &Scene, i: usize) -> Option<Teeth> {
     let names = of_mesh(scene.model.laws[i].name);
     let rotor = scene.model.outputs.iter().position(|o| o.name == format!("rotor_speed_{}", names[0]));
@@ -144,7 +145,7 @@ fn follow<'a>(
         Some(turned) => sum(turned, &run.q).collect(),
         None => (0..run.len()).map(|row| contact.base_pitch * pitches(row) / base).collect(),
     };
-    // The pair that the law means is where both gears are in the mean.
+    // The phase of the law is that of the mean rotation of both gears: half of the lead belongs to each.
     let half = if turned.is_some() { 0.5 * lead[0] } else { 0.0 };
     let end = if known == ToothData::Teeth { profile.origin } else { fall(profile) };
     let at_start = contact.base_pitch * (pitches(0) - end / law.period) + contact.recess;
@@ -166,7 +167,7 @@ fn follow<'a>(
     Some(Engaged { law, gears, known, rotor, rotation, lead, play, has_error, begin, force })
 }
 
-/// The end of the name of an output of the part of a law: `_12` of `12` and of `_12`, nothing of nothing.
+/// The suffix of the names of a part's outputs: `_12` for the part `12` or `_12`, empty if there is no part.
 fn suffix(part: &str) -> String {
     let part = part.trim_start_matches('_');
     if part.is_empty() { String::new() } else { format!("_{part}") }

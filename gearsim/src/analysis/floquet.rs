@@ -2,8 +2,8 @@
 //! the cells of a period. Its eigenvalues are the Floquet multipliers, by which a small disturbance grows per period (Meissner's
 //! equation and its generalisations; G. Floquet, 1883).
 //!
-//! Forces that are not linear, as friction of the flanks, are linearised about the steady motion (`about.rs`). Where M or F change along the
-//! motion, it is the motion that repeats, and the monodromy matrix is integrated along it (`orbit.rs`).
+//! Forces that are not linear, such as friction of the flanks, are linearised about the steady motion (`about.rs`). If M or F change along
+//! the motion, the reference is a motion that repeats, and the monodromy matrix is integrated along it (`orbit.rs`).
 //!
 //! Rigid motions, the null space of every K and of C, have the double multiplier 1. They are split off exactly, through their
 //! M-orthogonal complement. The verdict is on the other motions.
@@ -97,7 +97,7 @@ impl Floquet {
     /// The multipliers of `scene` in steady rotation at the speeds of its start.
     ///
     /// # Errors
-    /// If a cell has no modes, the stiffnesses have no common period, nothing vibrates, or the multipliers overflow.
+    /// If the modes of a cell cannot be computed, the stiffnesses have no common period, nothing vibrates, or the multipliers overflow.
     pub fn of(scene: &Scene, system: &System) -> Result<Floquet, FloquetError> {
         if let Some(about) = system.steady().filter(|about| about.motion == Motion::Place) {
             return orbit::of(scene, system, about);

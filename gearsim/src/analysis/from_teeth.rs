@@ -19,7 +19,7 @@ pub struct FromTeeth<'a> {
     pub profile: &'a Profile,
 }
 
-/// Those of all stiffnesses of a scene.
+/// The stiffnesses of a scene that are given by their teeth.
 pub fn of(scene: &Scene) -> Vec<FromTeeth<'_>> {
     let given = scene.model.laws.iter().zip(&scene.laws).zip(&scene.gears);
     let stiffnesses = given.filter(|((law, _), _)| law.role == Role::Stiffness);

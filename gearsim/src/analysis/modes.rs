@@ -42,7 +42,7 @@ pub struct Parts {
 }
 
 impl Parts {
-    /// Those of `scene`.
+    /// The parts of `scene`.
     ///
     /// # Errors
     /// Those of the matrices of the scene.

@@ -62,8 +62,8 @@ pub struct Turning {
 /// Revolutions that a spectrum over orders needs to separate neighbouring ones: the main lobe of the Hann window is 4 lines wide.
 const ENOUGH: f64 = 4.0;
 
-/// The shaft to whose turns orders refer: the one whose speed is the recorded output `asked`; else of the recorded outputs the first that is
-/// the speed of a rotor that makes at least four revolutions, or the one that makes the most.
+/// The shaft to whose turns orders refer. If `asked` names a recorded output, it is the shaft with this speed. Otherwise it is the first
+/// recorded rotor that makes at least four revolutions, or else the rotor that makes the most.
 pub fn reference_shaft(run: &Trajectory, asked: Option<&str>) -> Option<&'static Output> {
     if let Some(found) = run.outputs.iter().find(|(output, _)| asked == Some(output.name)) {
         return Some(found.0);

@@ -1,9 +1,10 @@
 //! Load spectra: rainflow counts and the load duration distribution of a recorded column.
 //!
 //! Rainflow counting by the three-point rule of ASTM E1049-85 (2017), section 5.4.4. The reversals of the column are read one after the
-//! other. With the range X of the last two and the range Y before it: while X >= Y, Y is counted, as a cycle and without its two points,
-//! or as half a cycle and without its first point if that is the start of what is left. In the end each range that is left is half a
-//! cycle. The reversals are those of all rows, samples and both sides of events, so that a peak at an event is not missed.
+//! other. With the range X of the last two and the range Y before it: while X >= Y, Y is counted as a cycle and its two points are removed.
+//! If Y contains the first remaining point, it is counted as half a cycle, and only this point is removed. In the end each remaining range
+//! is counted as half a cycle. The reversals are those of all rows, samples and both sides of events, so that a peak at an event is not
+//! missed.
 
 use crate::trajectory::Trajectory;
 
@@ -69,8 +70,8 @@ pub struct Duration {
     pub time: f64,
 }
 
-/// The time of a column in `classes` of equal width between its smallest and largest sample. Samples are evenly spaced, so that each
-/// stands for the same time. Empty if there are no finite samples.
+/// The time of a column in `classes` of equal width between its smallest and largest sample. Samples are evenly spaced, so that each counts
+/// for the same time. Empty if there are no finite samples.
 pub fn durations(run: &Trajectory, from: f64, column: &[f64], classes: usize) -> Vec<Duration> {
     let begin = run.row_from(from);
     let samples: Vec<f64> =

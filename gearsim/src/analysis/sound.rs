@@ -28,7 +28,7 @@ const LONGEST: f64 = 600.0;
 pub struct Sound {
     /// Values from -1 to 1 at [`RATE`].
     pub values: Vec<f64>,
-    /// What full scale is: the value of the signal, without its mean, that would be 1 [unit of the signal].
+    /// The value of the signal without its mean that would be 1, full scale [unit of the signal].
     pub full_scale: f64,
     /// The mean that was subtracted [unit of the signal].
     pub mean: f64,
@@ -143,17 +143,17 @@ mod tests {
     }
 
     #[test]
-    fn what_cannot_be_heard_at_48_khz_is_left_out_and_does_not_come_back_as_another_tone() {
+    fn frequencies_above_half_the_sound_rate_are_removed_without_aliases() {
         let (run, _) = sine(200e3, 0.0, 0.2);
         let x: Vec<f64> = run.t.iter().map(|t| (TAU * 1000.0 * t).sin() + (TAU * 40e3 * t).sin()).collect();
         let sound = of(&run, &x, 1.0).unwrap();
         let spectrum = welch(&sound.values, f64::from(RATE), 4800).unwrap();
-        // 40 kHz would come back at 8 kHz.
+        // The alias of 40 kHz is at 8 kHz.
         assert!(spectrum.power(7.5e3, 8.5e3) < 1e-6 * spectrum.power(900.0, 1100.0));
     }
 
     #[test]
-    fn silence_and_hours_are_refused() {
+    fn silent_and_too_long_sounds_are_refused() {
         let (run, x) = sine(1e3, 0.0, 1.0);
         assert_eq!(of(&run, &x, 1.0), Err(SoundError::Silent));
         let (run, x) = sine(1e3, 50.0, 1.0);

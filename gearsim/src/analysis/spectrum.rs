@@ -7,8 +7,8 @@
 //! without the factor 2 at `f = 0` and, for even L, at `f = fs/2`. Segments overlap by half. `P` is one-sided, in
 //! unit^2/Hz: its integral over f is the mean square of the signal without its mean.
 //!
-//! The power in the noise bandwidth B = fs sum w²/(sum w)², 1.5 lines for the Hann window, is that of a sine at f_m: its root mean
-//! square is sqrt(P B), its peak amplitude sqrt(2 P B). A sine between two lines reads up to 15 % less; its power is that of the lines
+//! The noise bandwidth is B = fs sum w²/(sum w)², 1.5 lines for the Hann window. The power P B in it is that of a sine at f_m with the root
+//! mean square sqrt(P B) and the peak amplitude sqrt(2 P B). A sine between two lines reads up to 15 % less; its power is that of the lines
 //! about it together ([`Spectrum::power`]).
 //!
 //! Sources: P. D. Welch, IEEE Trans. Audio Electroacoust. 15 (1967) 70-73, doi:10.1109/TAU.1967.1161901;

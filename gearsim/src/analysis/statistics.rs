@@ -24,7 +24,7 @@ impl Statistics {
     /// Their names, in the order of [`Statistics::values`].
     pub const NAMES: [&str; 6] = ["min", "max", "mean", "rms", "p01", "p99"];
 
-    /// Those of a column `x` with the kinds of its rows; `None` if there is no sample.
+    /// The statistics of a column `x` with the kinds of its rows; `None` if there is no sample.
     pub fn of(x: &[f64], moments: &[Moment]) -> Option<Statistics> {
         let rows = x.iter().zip(moments);
         let mut samples: Vec<f64> = rows.filter(|(_, m)| **m == Moment::Sample).map(|(x, _)| *x).collect();
@@ -41,9 +41,9 @@ impl Statistics {
         Some(Statistics { min, max, mean, rms: square.sqrt(), p01, p99 })
     }
 
-    /// Those of a column `x` of samples at the times `t` \[s\] from the time `begin` on, which need not be that of a sample. Mean and root
-    /// mean square are integrals over the time, by the trapezoidal rule: of a periodic column over whole periods they are exact but for
-    /// what its samples do not resolve. `None` if less than two samples are later.
+    /// The statistics of a column `x` of samples at the times `t` \[s\] from the time `begin` on, which need not be that of a sample. Mean
+    /// and root mean square are integrals over the time, by the trapezoidal rule. For a periodic column over whole periods they are exact,
+    /// if the samples resolve it. `None` if less than two samples are later.
     pub fn between(t: &[f64], x: &[f64], begin: f64) -> Option<Statistics> {
         let first = t.partition_point(|&t| t <= begin);
         if first + 1 >= t.len() {

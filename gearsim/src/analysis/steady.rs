@@ -76,8 +76,7 @@ pub fn speeds(scene: &Scene, system: &System) -> Vec<f64> {
     speeds
 }
 
-/// Whether springs resist the rigid motions by which a scene states its speeds: a support to the ground holds what turns. `k` are the law
-/// values.
+/// Whether springs resist the rigid motions by which a scene states its speeds, as with a support to the ground. `k` are the law values.
 ///
 /// # Errors
 /// [`Refusal`] if the cell has no matrices.

@@ -61,7 +61,7 @@ impl Turn {
 
     /// Whether the equations are the same after the turn, from several places.
     fn returns(&self, system: &System, about: &Steady, laws: (&[f64], &[f64])) -> bool {
-        // No parts of a turn that symmetries have: there what should vanish is rounding errors.
+        // Fractions of a turn at which symmetric equations have no zeros: at a zero the comparison would be one of rounding errors.
         const PLACES: [f64; 3] = [0.137_035_999, 0.360_679_774, 0.618_033_988_7];
         PLACES.iter().all(|part| {
             let one = &about.q + &(&self.shift * *part);

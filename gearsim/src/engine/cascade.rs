@@ -4,7 +4,7 @@ use crate::engine::error::Stop;
 use crate::engine::hybrid::Hybrid;
 use crate::tolerance::events::{CASCADE_EVENTS, CASCADE_SPAN};
 
-/// A sequence of events that hardly passes time.
+/// A sequence of events that follow one another in almost no time.
 #[derive(Debug, Clone, Default)]
 pub struct Cascade {
     /// When it began \[s\].

@@ -152,9 +152,9 @@ impl Cell {
         Flight { cell: self, speed, force }
     }
 
-    /// The same motion, where the generalised forces at `q` are known: `f`, without those of speeds (n). Those on the vibrations
-    /// follow from them. Model forces are zero where flanks just touch, since the deflection beyond the edge is one difference; load and spring
-    /// forces of the modes cancel only to their rounding errors, which would part the flanks.
+    /// The same motion with known generalised forces `f` at `q`, without those of speeds (n). They give the forces on the vibrations. Where
+    /// flanks just touch, `f` is exactly zero, because the deflection beyond the edge is a single difference. The load and the spring
+    /// forces of the modes cancel only to rounding errors, which would separate the flanks.
     pub fn flight_under(&self, q: &Vector, q_dot: &Vector, f: &Vector) -> Flight<'_> {
         let mut flight = self.flight(q, q_dot);
         let (speed, force) = match &self.coupling {

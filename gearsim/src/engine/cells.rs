@@ -27,29 +27,29 @@ pub struct Cells {
     motions: usize,
 }
 
-/// A cell, and what is watched in it.
+/// A cell, and the phases and guards as functions of its modes.
 #[derive(Debug, Clone)]
 pub struct Prepared {
     /// Its modes.
     pub cell: Cell,
-    /// n.X of each law: how its modes take part in the phase.
+    /// n.X of each law: contribution of each mode to the phase.
     pub participation: Vec<Vector>,
-    /// n.Y of each law, where damping couples the modes: how the phase follows their speeds.
+    /// n.Y of each law, if damping couples the modes: contribution of the speed of each mode to the phase.
     pub on_speed: Vec<Option<Vector>>,
     /// The guards of the modes of the switches.
     pub guards: Arc<Guards>,
-    /// How the modes of the cell take part in the guard of each exit of each switch.
+    /// The guard of each exit of each switch as a function of the modes.
     pub exits: Vec<SmallVec<[Watch; 2]>>,
 }
 
-/// What cells are combinations of.
+/// The laws, the switches and the law values, which determine the cell.
 pub type Stand<'a> = (&'a [LawState], &'a [Switch], &'a [f64]);
 
 impl Cells {
-    /// The cells of laws and switches, whose values are `k`, of equations with so many rigid `motions`.
+    /// The cells of laws and switches with the values `k`. The equations have the given number of rigid `motions`.
     ///
     /// # Errors
-    /// Where one of them has no modes.
+    /// If the modes of a cell cannot be computed.
     pub fn new(equations: &dyn Equations, motions: usize, (laws, switches, k): Stand<'_>) -> Result<Self, Refusal> {
         let count = laws.iter().map(|l| l.pitch.cells()).chain(switches.iter().map(Switch::modes));
         let count = count.fold(1, usize::saturating_mul);
@@ -70,10 +70,10 @@ impl Cells {
         Ok(Cells { cells, met: None, present: index(laws, switches), motions })
     }
 
-    /// Makes the cell in which laws and switches are the present one; works it out, if that is still to be done.
+    /// Makes the cell of these laws and switches the present one. Computes it if it is met for the first time.
     ///
     /// # Errors
-    /// Where it has no modes.
+    /// If its modes cannot be computed.
     #[inline]
     pub fn meet(&mut self, equations: &dyn Equations, (laws, switches, k): Stand<'_>) -> Result<(), Refusal> {
         self.present = index(laws, switches);
@@ -90,12 +90,12 @@ impl Cells {
         Ok(())
     }
 
-    /// All of them, by their numbers; `None` where they are worked out as they are met.
+    /// All cells, by their numbers; `None` if cells are computed when a run first enters them.
     pub fn all(&self) -> Option<&[Prepared]> {
         self.met.is_none().then_some(&self.cells)
     }
 
-    /// The present one.
+    /// The present cell.
     #[inline]
     pub fn here(&self) -> &Prepared {
         &self.cells[self.present]
@@ -120,7 +120,7 @@ fn cell(equations: &dyn Equations, motions: usize, (switches, k): (&[Switch], &[
     Ok(Cell::of(&matrices)?.conserving(equations, &matrices, motions))
 }
 
-/// The number of the cell in which laws and switches are: the first law's counts fastest.
+/// The number of the cell of these laws and switches. The index of the first law varies fastest.
 #[inline]
 pub fn index(laws: &[LawState], switches: &[Switch]) -> usize {
     number(laws, switches, |law| laws[law].cell)
@@ -133,7 +133,7 @@ pub fn number(laws: &[LawState], switches: &[Switch], cell: impl Fn(usize) -> us
     laws.iter().enumerate().rev().fold(of_switches, |index, (i, law)| index * law.pitch.cells() + cell(i))
 }
 
-/// Puts laws and switches into the cell of a number.
+/// Puts laws and switches into the cell with this number.
 fn stand(laws: &mut [LawState], switches: &mut [Switch], mut index: usize) {
     let mut digit = |base: usize| {
         let digit = index % base;
@@ -151,7 +151,7 @@ pub fn write((laws, switches): (&[LawState], &[Switch]), (q, t): (&[f64], f64), 
     switches.iter().for_each(|switch| switch.write(k));
 }
 
-/// The same of laws that are constant within their cells.
+/// The same for laws that are constant within their cells.
 fn write_levels((laws, switches): (&[LawState], &[Switch]), k: &mut [f64]) {
     k.iter_mut().zip(laws).for_each(|(k, law)| *k = law.level());
     switches.iter().for_each(|switch| switch.write(k));

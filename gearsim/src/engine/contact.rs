@@ -9,12 +9,12 @@
 //! - a step of another stiffness gives an impulse: what is held is released, and bounces or leaves.
 //!
 //! **Deflections.** A switch enters a mode that holds where the rate of its deflection is zero. Its guards are linear in the reaction, and
-//! the hold ends at the zero of one. The forces of friction and clutches are bounded, so an impulse is not passed on by them: the
-//! deflection slips after it, and comes to rest anew.
+//! the hold ends at the zero of one. Friction and clutches transmit bounded forces, so they transmit no impulse: the deflection slips after
+//! an impulse, and sticks again later.
 //!
-//! With the outward normals n of the held phases and the gradients of the held deflections as columns of N, the motion that is left has the mobility
-//! P = M⁻¹ - M⁻¹N (NᵀM⁻¹N)⁻¹ NᵀM⁻¹, and the reactions to the generalised forces F are R = (NᵀM⁻¹N)⁻¹ NᵀM⁻¹ F. N is constant. Where M
-//! depends on the coordinates, so do P and the factors of F in R; both are then computed where they are needed ([`held`]).
+//! With the outward normals n of the held phases and the gradients of the held deflections as columns of N, the remaining motion has the
+//! mobility P = M⁻¹ - M⁻¹N (NᵀM⁻¹N)⁻¹ NᵀM⁻¹, and the reactions to the generalised forces F are R = (NᵀM⁻¹N)⁻¹ NᵀM⁻¹ F. N is constant. Where
+//! M depends on the coordinates, so do P and the factors of F in R; both are then computed where they are needed ([`held`]).
 
 use nalgebra::linalg::Cholesky;
 use nalgebra::{DMatrix, DVector, Dyn};
@@ -48,18 +48,18 @@ pub struct Contact {
     pub switches: Vec<(usize, usize)>,
     /// N, the outward normals of the laws, then the gradients of the deflections (n, one a column).
     pub normals: DMatrix<f64>,
-    /// P, the mobility that is left (n x n), where the hold began.
+    /// P, the remaining mobility (n x n), where the hold began.
     pub mobility: Matrix,
-    /// What can end the holds.
+    /// The functions that can end the holds.
     pub watches: Vec<Watch>,
-    /// The switches whose deflections cannot move, whether they hold them or others do.
+    /// The switches whose deflections cannot move, because of their own hold or of other holds.
     pub locked: Vec<usize>,
 }
 
 /// A function of the state whose zero ends a hold.
 #[derive(Debug, Clone)]
 pub struct Watch {
-    /// What then happens.
+    /// The event at the zero.
     pub end: End,
     /// The function.
     pub form: Form,
@@ -74,14 +74,14 @@ pub struct Form {
     pub on_speed: Vector,
     /// Those along the forces: a multiple of a row of the factors of the reactions.
     pub on_force: Vector,
-    /// That row, and the multiple; `None` if the function does not depend on reactions.
+    /// The number of that row, and the multiple; `None` if the function does not depend on reactions.
     reaction: Option<(usize, f64)>,
     /// Its value where all of them are zero.
     pub constant: f64,
 }
 
 impl Form {
-    /// R plus what it may pull: the forces times row `which` of the factors, and a margin.
+    /// R plus the margin by which it may pull: the forces times row `which` of the factors, plus the margin.
     fn reaction(on_force: Vector, which: usize, constant: f64) -> Self {
         let none = Vector::zeros(on_force.len());
         Form { on_q: none.clone(), on_speed: none, on_force, reaction: Some((which, 1.0)), constant }
@@ -106,8 +106,8 @@ impl Form {
     }
 }
 
-/// Whether a phase that was just turned back at `side` is pressed against the step so hard, and bounces so little, that
-/// it is to be held. `acceleration` is q'' now, `rate` bounds the rates of the cell, `energy` is T + V.
+/// Whether a phase that was just reflected at `side` must be held: it is pressed against the step, and its bounces are negligible.
+/// `acceleration` is q'' now, `rate` bounds the rates of the cell, `energy` is T + V.
 pub fn presses(law: &LawState, side: Side, state: &State, acceleration: &Vector, rate: f64, energy: f64) -> bool {
     let v = law.surface.normal.dot(&state.q_dot).abs();
     let a = side.sign() * law.surface.normal.dot(acceleration);
@@ -115,9 +115,9 @@ pub fn presses(law: &LawState, side: Side, state: &State, acceleration: &Vector,
 }
 
 impl Contact {
-    /// Holds the phases of `laws`, those of them whose reactions press, and the deflections of the switches in modes that hold,
-    /// those of them whose reactions the modes admit; other switches go on to the modes beyond. `None` if nothing is held. Brings the
-    /// held speeds to rest and returns the energy that this neglects \[J\].
+    /// Holds the phases of `laws` whose reactions press. Holds the deflections of switches in modes that hold, if the mode admits the
+    /// reaction; other switches go on to the modes beyond. `None` if nothing is held. Sets the held speeds to zero and returns the energy
+    /// that this neglects \[J\].
     ///
     /// # Errors
     /// If the mass matrix is not positive definite.
@@ -150,7 +150,7 @@ impl Contact {
     }
 }
 
-/// What is held.
+/// A held motion.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Held {
     /// The phase of a law, at a side of its cell.
@@ -159,7 +159,7 @@ enum Held {
     Switch(usize),
 }
 
-/// What is held, with the matrices of its reactions.
+/// The held motions, with the matrices of their reactions.
 struct Holds {
     held: Vec<Held>,
     normals: DMatrix<f64>,
@@ -172,8 +172,8 @@ struct Holds {
 }
 
 impl Holds {
-    /// The phases of `laws` and the deflections of switches in modes that hold. A motion that those before it prevent is left out: it
-    /// has no reaction of its own.
+    /// The phases of `laws` and the deflections of switches in modes that hold. A motion that earlier holds already prevent is left out,
+    /// because it has no reaction of its own.
     fn new(now: &Hybrid<'_>, laws: &[(usize, Side)]) -> Result<Self, Refusal> {
         let stuck = (0..now.switches.len()).filter(|&i| now.switches[i].here().held).map(Held::Switch);
         let mass = now.equations.mass(&now.state.q).cholesky().ok_or(Refusal::Mass)?;
@@ -197,8 +197,8 @@ impl Holds {
         Ok(Holds { held, normals, mobility, compliance, to_reactions })
     }
 
-    /// The functions that end the holds: the reactions of the laws, each with what it may pull, and the zeros of their steps; the guards
-    /// of the switches, each with the same margin.
+    /// The functions that end the holds. For a law: its reaction plus the margin, and the zeros of its step. For a switch: its guards plus
+    /// the same margin.
     fn watches(&self, now: &Hybrid<'_>) -> Vec<Watch> {
         let (equations, k, State { q, q_dot, .. }) = (now.equations, &now.k, &now.state);
         let (stiffness, damping) = (equations.stiffness(k), equations.damping(k));
@@ -243,12 +243,12 @@ impl Holds {
         reactions.into_iter().chain(slips).collect()
     }
 
-    /// Brings the held speeds to rest.
+    /// Sets the held speeds to zero.
     fn begin(self, now: &mut Hybrid<'_>, watches: Vec<Watch>) -> Result<(Option<Contact>, f64), Refusal> {
         let Holds { held, normals, mobility, compliance, to_reactions } = self;
         let speeds = normals.transpose() * DVector::from(&now.state.q_dot);
         let impulses = compliance.solve(&speeds);
-        // With twice the digits, the solver brings them to rest.
+        // In double-double precision, the solver sets them to zero.
         if now.state.low.is_empty() {
             now.state.q_dot -= &Vector::from(&(&mobility * &impulses));
             now.state.lost = Vector::zeros(now.state.q.len());
@@ -276,8 +276,7 @@ impl Holds {
     }
 }
 
-/// P and the factors of the forces in the reactions, where M⁻¹ is `mobility` and N are the gradients `normals`; NaN if they do not follow
-/// from these.
+/// P and the factors of the forces in the reactions, from M⁻¹ = `mobility` and N = `normals`; NaN if NᵀM⁻¹N is not positive definite.
 pub fn held(mobility: &Matrix, normals: &DMatrix<f64>) -> (Matrix, DMatrix<f64>) {
     let response = mobility * normals;
     let unknown = || DMatrix::repeat(normals.ncols(), normals.nrows(), f64::NAN);
@@ -301,7 +300,7 @@ fn is_free(mass: &Cholesky<f64, Dyn>, columns: &[DVector<f64>]) -> bool {
     left.is_some_and(|left| left > INDEPENDENT * alone)
 }
 
-/// Whether a step of a law is none in the present cell, whatever the state: what it strains is out of contact.
+/// Whether dV of a law is zero at every state in the present cell, because the deflection that it strains is out of contact.
 pub fn is_void(equations: &dyn Equations, stand: Stand<'_>, law: (usize, Side), state: &State) -> bool {
     StepOfV::new(equations, stand, law, state)
         .is_some_and(|StepOfV { stiffness, load, .. }| stiffness.amax() == 0.0 && load.amax() == 0.0)
@@ -318,8 +317,7 @@ struct StepOfV {
 }
 
 impl StepOfV {
-    /// That of a law at a side of its cell. `None` if it is not of this form: where the law is a factor of a strain that is not
-    /// quadratic in the coordinates.
+    /// The step of a law at a side of its cell. `None` if dV is not quadratic in the coordinates.
     fn new(equations: &dyn Equations, stand: Stand<'_>, (law, side): (usize, Side), state: &State) -> Option<Self> {
         let (beyond, k, q) = (law::beyond(equations, stand, law, side, state), stand.2, &state.q);
         let stiffness = equations.stiffness(&beyond) - equations.stiffness(k);
@@ -334,13 +332,12 @@ impl StepOfV {
     }
 }
 
-/// What vanishes with the step of a law: of dV = q.dK q/2 - df.q + h
-/// - that of a transmission error, dK = 0: it is linear;
-/// - that of the stiffness of one deflection x = d.q, c x²/2 - g x + h with dK = c d dᵀ and df = g d, each of its zeros; of a
-///   mere stiffness it is c (x - e)²/2.
+/// Linear functions of the coordinates that are zero where the step dV = q.dK q/2 - df.q + h of a law is:
+/// - for a transmission error dK = 0, and dV itself is linear;
+/// - for the stiffness of one deflection x = d.q, dV = c x²/2 - g x + h with dK = c d dᵀ and df = g d, one function for each root x.
 ///
-/// Nothing where the law strains more than one deflection, which do not vanish together, and where dV is not of this form. Laws of
-/// other phases are taken at their present values.
+/// There are none if the law strains several deflections, which are not zero together, or if dV is not of this form. Laws of other phases
+/// have their present values.
 fn barriers(equations: &dyn Equations, stand: Stand<'_>, law: usize, side: Side, state: &State) -> Vec<Form> {
     let Some(StepOfV { stiffness, load, at_zero: h }) = StepOfV::new(equations, stand, (law, side), state) else {
         return vec![];

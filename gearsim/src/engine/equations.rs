@@ -71,8 +71,8 @@ pub trait Equations: Send + Sync {
     fn acceleration(&self, q: &[f64], q_dot: &[f64], k: &[f64], dk: &[f64]) -> Vector {
         &self.mobility(q) * &self.force(q, q_dot, k, dk)
     }
-    /// The forces that are linear while the values `k` do not change, with what they dissipate; none if the model writes all forces
-    /// faster. Those that are not in it are [`Equations::add_other_forces`].
+    /// The forces that are linear while the values `k` do not change, with their dissipation; `None` if the model evaluates all forces
+    /// together faster. The other forces are those of [`Equations::add_other_forces`].
     fn linear_forces(&self, _k: &[f64]) -> Option<LinearForces> {
         None
     }
@@ -91,8 +91,8 @@ pub trait Equations: Send + Sync {
     }
     /// Mass matrix M at the coordinates `q` (n x n).
     fn mass(&self, q: &[f64]) -> Matrix;
-    /// Derivatives of the inertia forces M q'' (rows) by q (columns), at the accelerations `q_ddot` (n x n). With them a force F
-    /// differentiated by q gives the derivatives of the accelerations: M dq''/dq = dF/dq - d(M q'')/dq.
+    /// Derivatives of the inertia forces M q'' (rows) by q (columns), at the accelerations `q_ddot` (n x n). They are needed for the
+    /// derivatives of the accelerations: M dq''/dq = dF/dq - d(M q'')/dq.
     fn inertia(&self, q: &[f64], _q_ddot: &[f64]) -> Matrix {
         Matrix::zeros(q.len(), q.len())
     }
@@ -130,12 +130,12 @@ pub trait Equations: Send + Sync {
     fn mode(&self, i: usize, _mode: usize) -> Option<Vec<f64>> {
         no_such("switch", i)
     }
-    /// What can end a mode of switch `i`; `k` has the values of this mode. Where deflections bend, the guards are those of their tangents at
-    /// `q`: exact there.
+    /// What can end a mode of switch `i`; `k` has the values of this mode. Where deflections bend, the guards are those of their tangents
+    /// at `q`, which are exact there.
     fn exits(&self, i: usize, _mode: usize, _q: &[f64], _k: &[f64]) -> Vec<Exit> {
         no_such("switch", i)
     }
-    /// The force of switch `i` against its deflection x whose work is lost, f = a + b x: \[a, b\].
+    /// The dissipative force of switch `i` against its deflection x, f = a + b x: \[a, b\].
     fn lost(&self, i: usize, _k: &[f64]) -> [f64; 2] {
         no_such("switch", i)
     }
@@ -143,7 +143,7 @@ pub trait Equations: Send + Sync {
     fn switched(&self, i: usize) -> usize {
         no_such("switch", i)
     }
-    /// A named deflection; of one that bends its tangent at `q`.
+    /// A named deflection; if it bends, its tangent at `q`.
     fn deflection(&self, i: usize, _q: &[f64], _k: &[f64]) -> Deflection {
         no_such("deflection", i)
     }
@@ -190,7 +190,7 @@ pub struct Exit<R: Real = f64> {
 /// A linear function of the state: constant + sum(unit k\[law\]) + on_q.q + on_speed.q' + on_reaction R.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Affine<R: Real = f64> {
-    /// Its value in the state zero.
+    /// Its value at the state zero.
     pub constant: R,
     /// The transmission errors in it: index of the law, and factor.
     pub errors: SmallVec<[(usize, R); 1]>,
@@ -223,14 +223,14 @@ impl<R: Real> Affine<R> {
         R::add_times(&mut self.on_speed, factor, &x.normal);
     }
 
-    /// Its value in the state zero at the law values `k`.
+    /// Its value at the state zero and the law values `k`.
     pub fn constant_at(&self, k: &[R]) -> R {
         self.constant + shift(&self.errors, k)
     }
 }
 
 impl Affine {
-    /// Its value without that of the reaction.
+    /// Its value without the term of the reaction.
     pub fn value(&self, q: &[f64], q_dot: &[f64], k: &[f64]) -> f64 {
         self.constant_at(k) + self.on_q.dot(q) + self.on_speed.dot(q_dot)
     }

@@ -35,7 +35,7 @@ pub struct Exact {
     held: Option<Arc<Held>>,
     /// The cells met so far in which something was held, by their numbers and the phases held.
     met: HashMap<Place, Arc<Held>>,
-    /// How late the phase was in each cell of a pitch, when it was last there; of a single law, whose motion repeats itself.
+    /// The delay of the phase in each cell of a pitch at its last passage. Used only for a single law, whose motion repeats itself.
     lateness: Vec<Delay>,
 }
 
@@ -55,7 +55,7 @@ impl Exact {
     /// The solver of a run of `scene` that begins with `now`.
     ///
     /// # Errors
-    /// Where a cell is not linear, or has no modes.
+    /// If a cell is not linear, or its modes cannot be computed.
     pub fn new(scene: &Scene, now: &Hybrid<'_>) -> Result<Self, Refusal> {
         let terms = scene.effects.nonlinear(scene.model);
         if !terms.is_empty() {

@@ -1,5 +1,6 @@
-//! Whether a steady motion meets both flanks of a mesh. Friction of the flanks is proportional to the size of the mesh force, which bends where the
-//! force is zero: linearised, it is that of one flank. The slopes of the forces show the bend, so nothing here knows what a mesh is.
+//! Whether a steady motion meets both flanks of a mesh. Friction of the flanks is proportional to the absolute value of the mesh force,
+//! which has a kink where the force is zero: linearised friction is that of one flank. The derivatives of the forces show the kink, so this
+//! module needs to know nothing about meshes.
 
 use crate::engine::equations::Equations;
 use crate::engine::vector::{Matrix, Vector};
@@ -9,9 +10,9 @@ use crate::tolerance::analysis::{BEND, BEND_ROUNDING, NO_LOAD, NO_LOAD_PART};
 
 /// Why the motion about the state `q`, `q_dot` (n each) with the law values `k` meets both flanks, in words; `None` if it does not:
 ///
-/// - no load: the slopes differ on both sides of `q`;
-/// - a transmission error that varies by more than the load deflects the flanks: the slopes differ where the error is at an
-///   extreme, and the gears, which cannot follow it at speed, are where they are in the mean.
+/// - no load: the derivatives of the forces differ on the two sides of `q`;
+/// - a transmission error that varies by more than the load deflects the flanks. At speed the gears cannot follow the error and stay at
+///   their mean place. There the derivatives differ when the error is at an extreme.
 pub fn both(equations: &dyn Equations, scene: &Scene, (q, q_dot): (&Vector, &Vector), k: &[f64]) -> Option<String> {
     let flat = vec![0.0; scene.model.laws.len()];
     let slopes = |q: &Vector, k: &[f64]| {
@@ -45,7 +46,7 @@ pub fn both(equations: &dyn Equations, scene: &Scene, (q, q_dot): (&Vector, &Vec
     })
 }
 
-/// Whether two matrices of slopes (n x n) differ by more than rounding errors.
+/// Whether two matrices of derivatives (n x n) differ by more than rounding errors.
 fn differ(a: &Matrix, b: &Matrix) -> bool {
     let least = BEND_ROUNDING * a.amax().max(b.amax());
     a.iter().zip(b.iter()).any(|(a, b)| {

@@ -1,8 +1,8 @@
 //! Torques that vary in time: the generalised forces beyond those of the start, sum over p of B_p (T_p(t) - T_p(0)).
 //!
-//! The equations of a scene are those with T_p(0). Where all T_p are constant for a while, cells are as ever, with another
-//! load ([`Forcing::load`]); where one is straight or harmonic, the motion goes on in windows of a power series
-//! ([`window`]). A breakpoint of a course is an event: the next piece is state, as the cell of a stiffness is.
+//! The equations of a scene are those with T_p(0). While all T_p are constant, the cells are solved as without forcing, with another load
+//! ([`Forcing::load`]). While one is linear in time or harmonic, the motion is computed in windows of a power series ([`window`]). A
+//! breakpoint of a time history is an event: the present piece is part of the state, as the cell of a stiffness is.
 
 use std::sync::Arc;
 
@@ -19,7 +19,7 @@ pub mod window;
 
 use window::TERMS;
 
-/// What varies.
+/// The parameters that vary.
 #[derive(Debug, Clone)]
 pub struct Forcing {
     drives: Arc<[Drive]>,
@@ -37,14 +37,14 @@ struct Drive {
     course: TimeHistory,
     /// T_p(0).
     at_start: f64,
-    /// B_p: generalised forces of a unit (N).
+    /// B_p: generalised forces per unit of the parameter (N).
     load: Vector,
-    /// Power of each torque at a unit, by the speeds (N each).
+    /// Power of each torque per unit of the parameter: its factors of the speeds (N each).
     power: Vec<Vector>,
 }
 
 impl Forcing {
-    /// What varies in a scene and moves it; `None` if nothing does.
+    /// The parameters of a scene that vary and act on its motion; `None` if there are none.
     pub fn of(derived: &DerivedModel, scene: &Scene) -> Option<Self> {
         let mids: Vec<f64> = scene.laws.iter().map(|law| law.mid()).collect();
         let varies = scene.model.parameters.iter().map(|p| p.varies);
@@ -52,7 +52,7 @@ impl Forcing {
             scene.parameters.iter().zip(varies).map(|(x, varies)| if varies { 0.0 } else { *x }).collect();
         let (k, flat) = (scene.model.in_contact(mids.iter().copied()), vec![0.0; mids.len()]);
         let drive = |(p, course): &(usize, TimeHistory)| {
-            // The forces are linear in it: those of a unit less those of nothing.
+            // The forces are linear in the parameter: B_p is the difference of those at 1 and at 0.
             let mut unit = bare.clone();
             unit[*p] = 1.0;
             let unit = derived.source.equations(scene, &unit, &mids)?;
@@ -74,14 +74,14 @@ impl Forcing {
         (!drives.is_empty()).then(|| Forcing { drives, pieces, torques: scene.model.torques.len() })
     }
 
-    /// When a course next breaks \[s\]; infinite where none does.
+    /// The time of the next breakpoint \[s\]; infinite if there is none.
     pub fn next(&self) -> f64 {
         let next =
             |(d, piece): (&Drive, usize)| d.course.pieces.get(piece + 1).map_or(f64::INFINITY, |piece| piece.begin);
         self.in_pieces().map(next).fold(f64::INFINITY, f64::min)
     }
 
-    /// Goes on into the pieces that begin by the time `t` \[s\].
+    /// Enters the pieces that begin by the time `t` \[s\].
     pub fn enter(&mut self, t: f64) {
         for (drive, piece) in self.drives.iter().zip(&mut self.pieces) {
             while drive.course.pieces.get(*piece + 1).is_some_and(|piece| piece.begin <= t) {
@@ -90,7 +90,7 @@ impl Forcing {
         }
     }
 
-    /// Whether all that varies is constant until the next breakpoint.
+    /// Whether every parameter is constant until the next breakpoint.
     pub fn is_flat(&self) -> bool {
         self.in_pieces().all(|(d, piece)| d.course.harmonics.is_empty() && d.course.pieces[piece].slope == 0.0)
     }
@@ -105,12 +105,12 @@ impl Forcing {
         self.in_pieces().map(move |(d, piece)| (d, d.course.at(piece, t) - d.at_start))
     }
 
-    /// What varies, each with the piece in which it is.
+    /// The parameters that vary, each with its present piece.
     fn in_pieces(&self) -> impl Iterator<Item = (&Drive, usize)> {
         self.drives.iter().zip(self.pieces.iter().copied())
     }
 
-    /// The time history of each, the piece in which it is, and its value at the start.
+    /// The time history of each, its present piece, and its value at the start.
     pub fn histories(&self) -> impl Iterator<Item = (&TimeHistory, usize, f64)> {
         self.in_pieces().map(|(d, piece)| (&d.course, piece, d.at_start))
     }
@@ -144,7 +144,7 @@ impl Forcing {
     }
 }
 
-/// 2 pi in 32 digits: its rounding, and what that lacks.
+/// 2 pi in 32 digits: the nearest f64, and the remainder.
 pub(crate) const TURN: (f64, f64) = (std::f64::consts::TAU, 2.449_293_598_294_706_4e-16);
 
 impl Drive {
@@ -154,7 +154,7 @@ impl Drive {
         c[0] = piece.value - self.at_start + piece.slope * (clock.0 - piece.begin).hi();
         c[1] = piece.slope * width;
         for h in &self.course.harmonics {
-            // Whole turns leave no trace: the phase has all its digits at any time.
+            // Whole turns are removed exactly, so the phase keeps its digits at any time.
             let angle = Df64::from(h.omega) * clock.0;
             let turns = (angle.hi() / TURN.0).round();
             let (sin, cos) = ((angle - Df64::from(TURN.0) * turns - TURN.1 * turns) + h.phase).hi().sin_cos();

@@ -31,11 +31,11 @@ pub struct Counts {
     pub reflections: u64,
     /// Times that a phase was held at a step.
     pub holds: u64,
-    /// Times that flanks met which had parted, by more than rounding errors of their distance.
+    /// Impacts: flanks met that had separated by more than the rounding error of their distance.
     pub impacts: u64,
     /// Times that a clutch or dry friction locked.
     pub sticks: u64,
-    /// Steps met together, where the order in which they are taken changes the speeds: the result is one of several.
+    /// Steps met together whose order changes the speeds: the result is one of several.
     pub ambiguous: u64,
     /// What the searches for crossings cost.
     pub cost: Cost,
@@ -71,14 +71,14 @@ pub struct Hybrid<'a> {
     pub contact: Option<Box<Contact>>,
     /// Torques that vary in time, if any does.
     pub forcing: Option<Box<Forcing>>,
-    /// When a switch last changed its mode \[s\], and how often without a motion of the deflections between the changes.
+    /// When a switch last changed its mode \[s\], and the number of changes between which the deflections did not move.
     pub rattle: (f64, u32),
 
     /// Energy that damping has taken so far \[J\].
     pub dissipated: f64,
     /// Energy of bounces that were not followed to their ends, so far \[J\].
     pub ignored: f64,
-    /// Work of each torque so far, as far as it is not constant \[J\]; empty where all are.
+    /// Work of the varying part of each torque so far \[J\]; empty if all torques are constant.
     pub work: Vec<f64>,
     /// Events so far.
     pub counts: Counts,
@@ -134,7 +134,7 @@ impl Hybrid<'_> {
         }
     }
 
-    /// M⁻¹ at the present coordinates, or what held phases leave of it (N x N).
+    /// M⁻¹ at the present coordinates; P if phases are held (N x N).
     pub fn mobility(&self) -> Matrix {
         let free = || self.equations.mobility(&self.state.q);
         match &self.contact {
@@ -173,10 +173,10 @@ impl Hybrid<'_> {
         self.contact.as_ref().is_some_and(|contact| contact.holds(law))
     }
 
-    /// What is left to an exit of a switch. Less than nothing is rounding: the value is not negative until the exit.
+    /// Value of the guard of an exit of a switch. Before the exit a negative value is a rounding error and counts as zero.
     ///
-    /// A train that starts from rest moves at first by less than the roundings of its state. Where these make a switch
-    /// change again and again without passing time, it does so only once its guard is violated by more than that.
+    /// A train that starts from rest moves at first by less than the rounding errors of its state. These can make a switch rattle: it
+    /// changes its mode repeatedly at one time. Such a switch changes only when its guard is violated by more than the rounding error.
     pub fn left_to(&self, exit: &Exit) -> f64 {
         exit.guard.value(&self.state.q, &self.state.q_dot, &self.k).max(0.0) + self.slack_of(exit)
     }
@@ -188,9 +188,9 @@ impl Hybrid<'_> {
         dt == 0.0 || dt > 0.0 && self.guards.exits.iter().flatten().all(still)
     }
 
-    /// Whether a guard that is zero now was more than its rounding error away from zero since the time `t` \[s\]: its rate times the time
-    /// since is twice to four times the way that it has made and come back. Less is no way: a flank without a load that rests at its edge
-    /// parts from it by rounding errors, one method's and not another's.
+    /// Whether a guard that is zero now was away from zero by more than its rounding error since the time `t` \[s\]. The product of its
+    /// rate and the elapsed time is two to four times its largest value in between. Smaller values are ignored: an unloaded flank at rest
+    /// at its edge separates by rounding errors, which depend on the method.
     fn has_moved_from(&self, guard: &Affine, t: f64) -> bool {
         let rate = guard.on_q.dot(&self.state.q_dot);
         (rate * (self.clock.now() - t)).abs() > 4.0 * guard.rounding(&self.k)
@@ -202,7 +202,7 @@ impl Hybrid<'_> {
         if self.rattle.1 >= all.min(each * self.switches.len() as u32) { exit.guard.rounding(&self.k) } else { 0.0 }
     }
 
-    /// What is left to the end of a hold, by its number among the functions that end holds; of either sign.
+    /// Value of a function that ends a hold, by its number; it may have either sign.
     pub fn left_of_hold(&self, which: usize) -> f64 {
         let Some(contact) = &self.contact else { return f64::INFINITY };
         let (State { q, q_dot, .. }, Some(watch)) = (&self.state, contact.watches.get(which)) else {
@@ -233,13 +233,13 @@ impl Hybrid<'_> {
         force
     }
 
-    /// The generalised forces at the present coordinates, without those of speeds and of torques that vary; of a linear cell (N).
+    /// The generalised forces of a linear cell at the present coordinates, without those of speeds and of torques that vary (N).
     pub fn force_at_rest(&self) -> Vector {
         let n = self.state.q.len();
         self.equations.force(&self.state.q, &Vector::zeros(n), &self.k, &Vector::zeros(self.laws.len()))
     }
 
-    /// What the forces of switches take where the coordinates move on by `dq` \[J\].
+    /// Energy that the forces of switches dissipate while the coordinates move by `dq` \[J\].
     #[inline]
     pub fn lost_by_switches(&self, dq: &Vector) -> f64 {
         self.guards.lost(&self.state.q, dq, &self.k)
@@ -271,7 +271,7 @@ impl Hybrid<'_> {
         self.switches[switch].write(&mut self.k);
     }
 
-    /// Holds phases at their steps and the deflections of switches, those of them whose reactions are as they must be.
+    /// Holds the phases of `laws` and the deflections of switches if their reactions admit it.
     ///
     /// # Errors
     /// Those of [`Contact::begin`].
@@ -301,7 +301,7 @@ impl Hybrid<'_> {
         passage
     }
 
-    /// Moves to where a motion has come to in the time `t` \[s\].
+    /// Moves to the state that a motion has reached after the time `t` \[s\].
     #[inline]
     pub fn take(&mut self, t: Df64, reached: Reached) {
         self.clock.advance(t);

@@ -19,8 +19,8 @@ pub enum Passage {
     Reflected,
 }
 
-/// The geometry of the steps of one law. It is constant during a run, but where M depends on the coordinates: then G and M⁻¹n are
-/// those of the last event.
+/// The geometry of the steps of one law. It is constant during a run, unless M depends on the coordinates: then G and M⁻¹n are those of the
+/// last event.
 #[derive(Debug, Clone)]
 pub struct Surface {
     /// Gradient n of the phase (N).

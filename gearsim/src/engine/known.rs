@@ -1,7 +1,7 @@
-//! What the engine alone knows of a state, for outputs: the reactions R of held deflections and the powers of the external torques.
+//! Quantities for outputs that only the engine knows: the reactions R of held deflections and the powers of the external torques.
 //!
-//! With the gradients N of what is held, R = (NᵀM⁻¹N)⁻¹ NᵀM⁻¹ F, see [`contact`](crate::engine::contact). The power of a torque has three
-//! parts: that of its value at the start, that which depends on the state, and that which varies in time.
+//! With the gradients N of the held motions, R = (NᵀM⁻¹N)⁻¹ NᵀM⁻¹ F, see [`contact`](crate::engine::contact). The power of a torque has
+//! three parts: that of its value at the start, that which depends on the state, and that which varies in time.
 
 use smallvec::SmallVec;
 
@@ -12,12 +12,12 @@ use crate::engine::record::State;
 /// Some numbers, on the stack if they are few.
 type Numbers = SmallVec<[f64; 4]>;
 
-/// Reactions and powers. What is not asked for is left out, and reads as zero.
+/// Reactions and powers. Those that are not requested are not computed and read as zero.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Known {
-    /// By the switches of the model: the force along the deflection that its hold resists [N or N m].
+    /// For each switch of the model, the force along the deflection that its hold resists [N or N m].
     pub reactions: Numbers,
-    /// By the external torques of the model \[W\].
+    /// For each external torque of the model, its power \[W\].
     pub powers: Numbers,
 }
 
@@ -32,8 +32,8 @@ impl Known {
         self.powers.get(torque).copied().unwrap_or(0.0)
     }
 
-    /// What a run knows in a `state` of its present mode, with the law values `k`, at the time `t` \[s\]; `torques` is the number of
-    /// external torques of the model.
+    /// Reactions and powers in a `state` of the present mode of a run, with the law values `k`, at the time `t` \[s\]; `torques` is the
+    /// number of external torques of the model.
     pub fn of(now: &Hybrid<'_>, t: f64, state: &State, k: &[f64], torques: usize) -> Self {
         let State { q, q_dot, .. } = state;
         let further = now.forcing.as_ref().map(|forcing| forcing.power(t, q_dot));

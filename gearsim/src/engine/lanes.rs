@@ -1,8 +1,8 @@
 //! The kernel of plain events: L simulations pass one step of a stiffness at once.
 //!
-//! An event is plain if the phase is certainly monotone, or a single vibration takes part in it ([`turning`]), Newton's method converges, the
-//! step lies before the end of the run, and the motion passes it or is turned back without being pressed against it. A lane whose
-//! event is not plain is not changed; the general loop ([`simulate`]) handles its event.
+//! An event is plain under these conditions. The phase is certainly monotone, or contains a single vibration ([`turning`]). Newton's method
+//! converges. The step lies before the end of the run. The motion passes the step, or is reflected without being pressed against it. A lane
+//! whose event is not plain is not changed; the general loop ([`simulate`]) handles its event.
 //!
 //! The kernel is compiled for a few numbers of coordinates N, for L = 8 ([`ensemble`](crate::ensemble)) and for L = 1
 //! ([`alone`]). If a simulation has fewer coordinates, the last ones stay at rest.
@@ -154,7 +154,7 @@ pub struct Attempt<const N: usize, const L: usize> {
     up: Mask<L>,
     /// Whether the motion is turned back.
     turned: Mask<L>,
-    /// Whether the phase may have turned within the flight. Its time then predicts no other.
+    /// Whether the phase may have turned within the flight. The time of the event then does not predict the next one.
     found: Mask<L>,
     /// Number of evaluations of the motion.
     pub evaluations: usize,
@@ -346,7 +346,7 @@ impl<const N: usize, const L: usize> Lanes<N, L> {
         let in_time = taken.compare(self.end - self.clock[0] - self.clock[1], |t, left| t < left);
         let angle = cells.rate * taken;
         let resolved = angle.compare(angle, |angle, _| (angle >= SERIES_SPAN) & (angle < KERNEL_ANGLE));
-        // A crossing that was found is the one beside it.
+        // Newton's method must converge to the crossing that was found, not to another one.
         let beside = ((taken - guess) * cells.rate).compare(guess, |angle, _| angle.abs() <= 2.0 * SHIFT_SPAN);
         let sure = sure.and(done).and(in_time).and(resolved);
         (sure.without(target.found.without(beside)), taken, points, evaluations)
@@ -407,7 +407,7 @@ impl<const N: usize, const L: usize> Lanes<N, L> {
     }
 
     /// Whether a motion that is turned back with the normal speed `v` is not pressed against the step ([`presses`]): its bounce is longer than a
-    /// pressed one. The acceleration after the impulse is at most that before it and what the dampers add.
+    /// pressed one. The acceleration after the impulse is at most that before it plus what the dampers add.
     ///
     /// [`presses`]: crate::engine::contact::presses
     #[inline(always)]

@@ -10,8 +10,8 @@
 //! - `linear_forces`: forces of a cell, put together once; `hybrid`: the state of a run, continuous and discrete; `start`: the initial state; `record`: rows and the energy account;
 //! - `motion`: the motion between two events, and what finds it: a solver; `exact`: the solver of linear cells; `compensated`: the
 //!   same in double-double numbers; `lanes`: the kernel of plain events;
-//! - `cascade`: too many events; `order`: events that depend on their order; `simulate`: the hybrid loop; `system`: the equations
-//!   as analyses use them; `flanks`: whether a steady motion meets both flanks.
+//! - `cascade`: events that come ever faster; `order`: events that depend on their order; `simulate`: the hybrid loop; `system`: the
+//!   equations as analyses use them; `flanks`: whether a steady motion meets both flanks.
 
 pub mod cascade;
 pub mod cell;

@@ -78,7 +78,7 @@ impl Modal {
             let z = DMatrix::from_columns(&rigid.iter().map(|&i| column(i).component_div(&d)).collect::<Vec<_>>());
             let inverse = inverse_root(&(z.transpose() * &m.mass * &z))?;
             let x = z * inverse.transpose();
-            // What of a row cancels to its rounding errors is zero: a motion at rest has no part in the others.
+            // Entries that cancel to rounding errors are set to zero, so that a rigid motion at rest is not excited by the other motions.
             let (rows, sizes) = (x.transpose() * &m.mass, x.abs().transpose() * m.mass.abs());
             let rows = rows.zip_map(&sizes, |x, size| if x.abs() <= RIGID_MOMENTUM * size { 0.0 } else { x });
             momentum.rows_mut(0, rigid.len()).copy_from(&rows);

@@ -41,7 +41,7 @@ pub trait Solver {
         true
     }
 
-    /// The linear cells, where the solver has them in plain numbers.
+    /// The linear cells, if the solver has them in plain precision.
     fn cells(&self) -> Option<&Cells> {
         None
     }
@@ -66,7 +66,7 @@ pub trait Motion {
     /// The state after the time `t` \[s\], which is at most its length.
     fn at(&mut self, t: f64) -> Reached;
 
-    /// The state at its end, which `end` brings at about the time `t` \[s\], and that time as exactly as it is known.
+    /// The state at the end `end`, at about the time `t` \[s\], and that time as exactly as it is known.
     fn arrive(&mut self, t: f64, end: End, cost: &mut Cost) -> (Df64, Reached);
 }
 
@@ -84,7 +84,7 @@ pub enum Guard {
 /// How a motion ends.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum End {
-    /// It is not known any further; nothing happens.
+    /// The motion is not known any further; there is no event.
     Open,
     /// A law meets a boundary of its cell.
     Step(usize, Side),
@@ -100,14 +100,14 @@ pub enum End {
     Run,
 }
 
-/// Where a motion has come to.
+/// The state that a motion has reached.
 #[derive(Debug, Clone)]
 pub struct Reached {
     /// The state.
     pub state: State,
     /// Energy that damping has taken since the motion began \[J\].
     pub dissipated: f64,
-    /// Work of each torque since then, as far as it is not constant \[J\]; empty where all are.
+    /// Work of the varying part of each torque since then \[J\]; empty if all torques are constant.
     pub work: Vec<f64>,
 }
 

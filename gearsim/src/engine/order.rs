@@ -9,8 +9,8 @@ use crate::engine::record::State;
 use crate::engine::vector::Vector;
 use crate::tolerance::events::ORDER;
 
-/// Whether `law`, at its boundary, meets it together with another law of another phase, and the two give other speeds in
-/// the opposite order: the motion beyond is then one of several.
+/// Whether `law` meets its boundary together with a law of another phase, and the order of the two steps changes the speeds. The motion
+/// beyond is then one of several.
 pub fn matters(
     equations: &dyn Equations,
     (laws, switches, k): Stand<'_>,
@@ -19,7 +19,7 @@ pub fn matters(
     side: Side,
 ) -> bool {
     let pass = |(l, side): (usize, Side), (speeds, k): &mut (Vector, Vec<f64>)| {
-        // The second step is met only if the first leaves the phase on its way to it.
+        // The second step is met only if its phase still moves towards it after the first.
         if side.sign() * laws[l].surface.normal.dot(speeds) <= 0.0 {
             return;
         }

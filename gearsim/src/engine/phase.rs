@@ -200,9 +200,9 @@ impl Pitch {
         (count * self.pitches + before, rest, cell)
     }
 
-    /// The place of a coordinate in this law, given by its count of `turns` (one pitch each) and the remainder `rest`: the
-    /// pitches from its turn to the whole pitch from which the cell is counted, and the cell. A phase within four rounding errors
-    /// of a boundary is on it. Events of other laws on the same coordinate have the same tolerance.
+    /// The place of a coordinate in this law, given by its count of `turns` (one pitch each) and the remainder `rest`. Returns the pitches
+    /// from its turn to the whole pitch from which the cell is counted, and the cell. A phase within four rounding errors of a boundary is
+    /// on it. Events of other laws on the same coordinate have the same tolerance.
     pub fn locate_from(&self, turns: i64, rest: f64, speed: f64) -> (i64, usize) {
         let within = |cell: usize, ahead: i64| {
             let Span { lower, upper, .. } = self.spans[cell];

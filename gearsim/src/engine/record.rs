@@ -1,4 +1,4 @@
-//! Writes down what a run does: samples at a chosen rate, and the left and right limits at events.
+//! Records a run: samples at a chosen rate, and the left and right limits at events.
 
 use smallvec::SmallVec;
 
@@ -13,7 +13,7 @@ use crate::trajectory::{Moment, Trajectory};
 /// Whole pitches of each coordinate (n).
 pub type Turns = SmallVec<[i64; 10]>;
 
-/// A state as the engine has it: remainders of the angles, and the pitches counted off.
+/// A state in the form of the engine: remainders of the angles, and counts of whole pitches.
 #[derive(Debug, Clone)]
 pub struct State {
     /// Coordinates, less whole pitches (N).
@@ -22,9 +22,9 @@ pub struct State {
     pub q_dot: Vector,
     /// Whole pitches of each coordinate (N).
     pub turns: Turns,
-    /// What the speeds have lost to rounding since they were set (N), see [`State::gain`].
+    /// Sum of the rounding errors of the speeds since they were set (N), see [`State::gain`].
     pub lost: Vector,
-    /// What the coordinates lack to the numbers with twice the digits (N); empty in plain numbers.
+    /// The low parts of the coordinates in double-double precision (N); empty in plain precision.
     pub low: Vector,
 }
 
@@ -49,7 +49,7 @@ impl State {
         State { turns: self.turns.clone(), ..State::new(&self.q + dq, &self.q_dot + dv) }
     }
 
-    /// The same, with what the digits of the speeds do not hold ([`State::gain`]): for the end of a motion.
+    /// The same for the end of a motion: keeps the rounding errors of the speeds ([`State::gain`]).
     pub fn advanced(&self, dq: &Vector, dv: &Vector) -> Self {
         let mut state = self.clone();
         state.q += dq;
@@ -57,8 +57,8 @@ impl State {
         state
     }
 
-    /// Adds `dv` to the speeds (N), and keeps what their last digits do not hold (Knuth's two-sum). A speed that rolls on
-    /// is large beside what it gains at an event: rounded away, that adds up, and angles drift by it.
+    /// Adds `dv` to the speeds (N), and keeps their rounding errors (Knuth's two-sum). The speed of a rolling coordinate is large compared
+    /// with its change at an event. Without the correction the rounding errors add up, and the angles drift.
     #[inline]
     pub fn gain(&mut self, dv: &Vector) {
         for ((speed, lost), dv) in self.q_dot.iter_mut().zip(self.lost.iter_mut()).zip(&**dv) {
@@ -72,7 +72,7 @@ impl State {
     /// Whether all of it is finite.
     #[inline]
     pub fn is_finite(&self) -> bool {
-        // What is not finite stays so in a sum; where the sum alone is beyond numbers, one by one.
+        // If a value is not finite, neither is the sum. If only the sum overflows, the values are tested one by one.
         let sum: f64 = self.q.iter().zip(&*self.q_dot).map(|(q, v)| q + v).sum();
         sum.is_finite() || self.q.iter().chain(self.q_dot.iter()).all(|x| x.is_finite())
     }
@@ -145,8 +145,8 @@ impl<'a> Recorder<'a> {
         Stop::Rows { t: self.trajectory.t.last().copied().unwrap_or(0.0), rows: self.trajectory.len() }
     }
 
-    /// Adds a row of the run `now` in a `state` of its present mode with the law values `k`; `lost` is what damping took so far, and what
-    /// was ignored in contacts \[J\].
+    /// Adds a row of the run `now` in a `state` of its present mode with the law values `k`; `lost` is the energy that damping has
+    /// dissipated so far, and the energy neglected in contacts \[J\].
     pub fn row(
         &mut self,
         now: &Hybrid<'_>,

@@ -30,13 +30,13 @@ pub struct Reach {
 /// Rounding errors of a signal and of its first derivatives.
 #[derive(Debug, Clone, Copy)]
 pub struct Rounding {
-    /// Of the signal.
+    /// Error of the signal.
     pub value: f64,
-    /// Of its first derivative.
+    /// Error of its first derivative.
     pub rate: f64,
-    /// Of its second derivative.
+    /// Error of its second derivative.
     pub acceleration: f64,
-    /// Of its third derivative.
+    /// Error of its third derivative.
     pub jerk: f64,
 }
 

@@ -33,7 +33,7 @@ pub struct Simulation<'a> {
     pub now: Hybrid<'a>,
     /// How the motion between two events is found.
     solver: Box<dyn Solver + 'a>,
-    /// Whether the solver was told of the present mode; the kernel of plain events does without it.
+    /// Whether the solver has entered the present mode. The kernel of plain events does not need the solver.
     entered: bool,
     /// The events that come ever faster.
     cascade: Cascade,
@@ -83,7 +83,7 @@ impl<'a> Simulation<'a> {
     /// The same simulation with state and time in double-double precision. `given` provides its cells.
     ///
     /// # Errors
-    /// Where its cells cannot be solved in twice the digits.
+    /// If its cells cannot be solved in double-double precision.
     pub fn compensate(mut self, given: Given<'a>) -> Result<Self, Refusal> {
         self.solver = Box::new(Compensated::new(given, self.solver, &mut self.now)?);
         Ok(self)
@@ -93,7 +93,7 @@ impl<'a> Simulation<'a> {
     /// is told the time after events, not after each of those that pass in some microseconds.
     ///
     /// # Errors
-    /// Where the run cannot go on; what was recorded until then is in the recorder.
+    /// If the run cannot continue. `recorder` has the rows up to that time.
     pub fn run(
         &mut self,
         recorder: Option<(&mut Recorder<'_>, f64, bool)>,
@@ -144,9 +144,9 @@ impl<'a> Simulation<'a> {
         let mut motion = self.solver.solve(now, horizon.0)?;
         // Locate: how it ends.
         let (t, end) = locate::first(now, &mut *motion, horizon, &mut cost)?;
-        // Propagate: to there.
+        // Propagate: the state at t.
         let (t, reached) = motion.arrive(t, end, &mut cost);
-        // Record: what is between.
+        // Record: the samples until t.
         if let Some(recording) = recording {
             recording.samples(now, &mut *motion, t.hi());
         }
@@ -183,7 +183,7 @@ impl<'a> Simulation<'a> {
         }
     }
 
-    /// Puts its only law into another cell, up to which the kernel has simulated it.
+    /// Puts its only law into the cell that the kernel has reached.
     #[inline]
     pub(crate) fn stand_in(&mut self, cell: usize) {
         self.now.laws[0].cell = cell;
@@ -194,7 +194,7 @@ impl<'a> Simulation<'a> {
     /// Goes on from the state of another run of the scene: its coordinates and speeds, laws and switches.
     ///
     /// # Errors
-    /// Where the cell has no modes.
+    /// If the modes of the cell cannot be computed.
     pub fn go_on_from(&mut self, state: State, laws: Vec<LawState>, switches: Vec<Switch>) -> Result<(), Stop> {
         (self.now.state, self.now.laws, self.now.switches) = (state, laws, switches);
         self.now.set_levels();
@@ -220,7 +220,7 @@ impl<'a> Simulation<'a> {
         self.now.equations
     }
 
-    /// Its linear cells, where it has them in plain numbers.
+    /// Its linear cells, if it has them in plain precision.
     pub fn cells(&self) -> Option<&Cells> {
         self.solver.cells()
     }

@@ -128,8 +128,8 @@ fn in_modes(
     settle(switches)
 }
 
-/// Whether a mode of a switch is the one of a place `q` from which the speeds `q_dot` lead: the guards that depend on the place alone are
-/// positive, or `resting` zero.
+/// Whether the coordinates `q` with the speeds `q_dot` admit a mode of a switch: every guard of the coordinates alone is positive or about
+/// to be. If `resting`, it may be zero.
 fn is_at(
     switch: &Switch,
     equations: &dyn Equations,

@@ -7,8 +7,8 @@
 //! (this is proved by the derivation), so there is no impulse. A step of a transmission error may violate a guard, and V steps with
 //! the mode: an impulse as any other ([`law::barrier`](crate::engine::law::barrier)).
 //!
-//! A deflection may bend: it is not linear in the coordinates, as the one along a line of action that turns with the centres. Its guards are
-//! then those of its tangent at a place, exact there, and methods by steps follow them along the motion.
+//! A deflection may bend: it is not linear in the coordinates, e.g. along a line of action that turns with the centres. Its guards are then
+//! those of its tangent at a place, which are exact there. Methods by steps follow them along the motion.
 //!
 //! A mode may hold its deflection: x' = 0, by a reaction ([`crate::engine::contact`]).
 
@@ -30,7 +30,7 @@ pub struct Switch {
     at: usize,
     /// Gradient of its deflection (n).
     pub normal: Vector,
-    /// The laws that shift its deflection.
+    /// Whether laws shift its deflection.
     shifted: bool,
     /// The mode. State: not computed from the deflection.
     pub mode: usize,
@@ -43,7 +43,7 @@ pub struct Switch {
 }
 
 impl Switch {
-    /// The switches of a model that its effects ask for, each in its first mode, at the coordinates `q` and the law values `k`.
+    /// The switches of a model that its effects need, each in its first mode, at the coordinates `q` and the law values `k`.
     pub fn all(equations: &dyn Equations, model: &Model, q: &[f64], k: &[f64]) -> Vec<Switch> {
         let mut at = model.laws.len();
         let mut all = vec![];
@@ -128,16 +128,16 @@ impl Switch {
     }
 }
 
-/// What guards the present modes of switches.
+/// The guards of the present modes of switches.
 #[derive(Debug, Clone, Default)]
 pub struct Guards {
     /// The exits of each switch that a motion can take.
     pub exits: Vec<SmallVec<[Exit; 2]>>,
-    /// The forces of switches that take energy, those that are not zero.
+    /// The dissipative forces of switches that are not zero.
     lost: Vec<Loss>,
 }
 
-/// The force of a switch against its deflection x, whose work is lost: constant + slope x.
+/// The dissipative force of a switch against its deflection x: constant + slope x.
 #[derive(Debug, Clone)]
 struct Loss {
     over: Deflection,
@@ -146,7 +146,7 @@ struct Loss {
 }
 
 impl Guards {
-    /// Those of `switches` at the coordinates `q` and the law values `k`.
+    /// The guards of `switches` at the coordinates `q` and the law values `k`.
     pub fn of(equations: &dyn Equations, switches: &[Switch], q: &[f64], k: &[f64]) -> Self {
         let exits = |switch: &Switch| watched(switch.exits(equations, q, k));
         let lost = |switch: &Switch| {
@@ -157,7 +157,7 @@ impl Guards {
         Guards { exits: switches.iter().map(exits).collect(), lost: switches.iter().filter_map(lost).collect() }
     }
 
-    /// What the forces of switches take where the coordinates move on from `q` by `dq`, at the law values `k` \[J\].
+    /// Energy that the forces of switches dissipate while the coordinates move from `q` by `dq`, at the law values `k` \[J\].
     #[inline]
     pub fn lost(&self, q: &[f64], dq: &Vector, k: &[f64]) -> f64 {
         let of = |Loss { over, constant, slope }: &Loss| {
@@ -167,15 +167,15 @@ impl Guards {
         self.lost.iter().map(of).sum()
     }
 
-    /// The power that the forces of switches take \[W\].
+    /// The power that the forces of switches dissipate \[W\].
     pub fn power(&self, q: &[f64], q_dot: &[f64], k: &[f64]) -> f64 {
         let of = |Loss { over, constant, slope }: &Loss| (constant + slope * over.value(q, k)) * over.normal.dot(q_dot);
         self.lost.iter().map(of).sum()
     }
 }
 
-/// The exits that a motion can take: those that no other exit precedes, and of equal ones the first. Those of a reaction are watched
-/// with the hold.
+/// The exits that a motion can take: no other exit comes before them; of equal exits only the first is taken. Exits by a reaction are
+/// watched with the hold.
 fn watched(exits: Vec<Exit>) -> SmallVec<[Exit; 2]> {
     let mut watched: SmallVec<[Exit; 2]> = SmallVec::new();
     for exit in exits.into_iter().filter(|exit| !exit.sudden && exit.guard.on_reaction == 0.0) {
@@ -200,9 +200,9 @@ fn ratio(guard: &Affine, of: &Affine) -> Option<f64> {
     (a.len() == b.len() && factor != 0.0 && a.iter().zip(&b).all(same)).then_some(factor)
 }
 
-/// Goes on to the mode in which the state `q`, `q_dot` violates no guard. `crossed` is the guard that has just become zero: its
-/// multiples have the sign that this means, whatever their rounded values are. The values of its symbols in `k` follow. Returns whether
-/// the mode has changed.
+/// Goes on to the mode in which the state `q`, `q_dot` violates no guard. `crossed` is the guard that has just become zero: it counts as
+/// negative, and its multiples have the sign that follows, regardless of their rounded values. Updates the values of the switch's symbols
+/// in `k`. Returns whether the mode has changed.
 pub fn settle(
     switch: &mut Switch,
     equations: &dyn Equations,
@@ -218,7 +218,7 @@ pub fn settle(
             None => exit.guard.value(q, q_dot, k) < -exit.guard.rounding(k),
         };
         let exit = match switch.here().held {
-            // The reaction is known once the hold is begun. A motion along the deflection ends the hold.
+            // The reaction is not known before the hold begins. A motion along the deflection ends the hold.
             true if crossed.is_some() || switch.is_at_rest(equations, q, q_dot) => None,
             true => exits.iter().find(|exit| admits(switch, equations, exit.beyond, (q, q_dot), k)),
             false => exits.iter().find(|exit| violated(exit)),

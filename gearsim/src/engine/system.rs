@@ -15,9 +15,9 @@ use crate::scene::Scene;
 
 pub use about::{Motion, Steady, are_same};
 
-/// The equations of a scene. `k` holds the present value of each law; if it holds the stiffnesses alone, which come first, the other laws
-/// are zero, or about a steady motion at their means. Every switch is as without its effect: every play is in contact, and its
-/// deflection is counted from its edge.
+/// The equations of a scene. `k` holds the present value of each law; if it holds only the stiffnesses, which come first, the other laws
+/// are zero, or at their means about a steady motion. Switches are as without their effects: flanks with play are in contact, and the
+/// deflection is measured from the edge.
 pub struct System {
     equations: Box<dyn Equations>,
     model: &'static Model,
@@ -45,8 +45,8 @@ impl System {
         Ok(System { equations: derived.equations(scene)?, model: scene.model, about: None })
     }
 
-    /// The system of a scene. What is not linear is linearised about a motion ([`Steady`]): an equilibrium if nothing turns, else the steady
-    /// motion at the speeds of the start. Coordinates that are static by default are in equilibrium there.
+    /// The system of a scene. Nonlinear terms are linearised about a motion ([`Steady`]): an equilibrium if nothing turns, otherwise the
+    /// steady motion at the speeds of the start. Coordinates that are static by default are in equilibrium there.
     ///
     /// # Errors
     /// If the effects contradict one another, M is not positive definite there, or there is no equilibrium.
@@ -72,8 +72,8 @@ impl System {
         &*self.equations
     }
 
-    /// M, M⁻¹, C, K, f of the linear part. About a steady motion, M at its place, and K the derivatives of the forces that have a potential:
-    /// minus those of F at rest and without friction, made symmetric.
+    /// M, M⁻¹, C, K, f of the linear part. About a steady motion, M is that at its place. K is minus the derivative of F at rest and
+    /// without friction, made symmetric, because these forces have a potential.
     ///
     /// # Errors
     /// If M is not positive definite, or a number overflows.
@@ -118,8 +118,7 @@ impl System {
         System { about, ..self }
     }
 
-    /// The propagator: a small disturbance (dq, dq') at t = 0 gives its product with this matrix after the time `t` [s] (2n x
-    /// 2n).
+    /// The propagator P (2n x 2n): a small disturbance (dq, dq') at t = 0 becomes P (dq, dq') after the time `t` [s].
     ///
     /// # Errors
     /// Those of the modes of a cell.

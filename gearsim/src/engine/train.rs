@@ -155,7 +155,7 @@ impl Assembly {
         self.parts.iter().filter(|part| !part.is_linear)
     }
 
-    /// The sum of what `of` gives of each of `parts`, by the coordinates of the train.
+    /// The sum over `parts` of the matrices `of`, in the coordinates of the train.
     fn total<'a>(&self, parts: impl Iterator<Item = &'a Placed>, of: impl Fn(&Placed) -> Matrix) -> Matrix {
         let mut sum = Matrix::zeros(self.n, self.n);
         parts.for_each(|placed| geometry::add(&mut sum, &of(placed), &placed.matrix));

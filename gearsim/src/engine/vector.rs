@@ -106,7 +106,7 @@ impl Vector {
 }
 
 impl Clone for Vector {
-    // That of `SmallVec` adds the numbers one by one.
+    // `SmallVec::clone` adds the numbers one by one.
     #[inline]
     fn clone(&self) -> Self {
         self[..].into()

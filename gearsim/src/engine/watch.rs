@@ -1,4 +1,4 @@
-//! A linear function of the state whose first zero ends a motion, as the modes of a cell take part in it.
+//! A linear function of the state whose first zero ends a motion, as a function of the modes of a cell.
 
 use crate::engine::cell::{Cell, Flight, Point};
 use crate::engine::crossing::{Cost, Search, SearchError, Side};
@@ -8,7 +8,7 @@ use crate::engine::signal::Signal;
 use crate::engine::vector::Vector;
 use crate::tolerance::events::GRAZE_DEPTH;
 
-/// Its slopes.
+/// The function, by its slopes.
 #[derive(Debug, Clone)]
 pub struct Watch {
     /// Along the coordinates (N).
@@ -35,8 +35,8 @@ impl Watch {
         Watch { on_q, on_speed, on_load, modal }
     }
 
-    /// Whether the function, which has `value` at the start of the flight, comes to zero before the horizon; `point` is then moved
-    /// there. It must be at the start before.
+    /// Whether the function, which has `value` at the start of the flight, becomes zero before the horizon; `point` is then moved there. On
+    /// entry `point` must be at the start.
     ///
     /// # Errors
     /// Where the search does not end, or leaves the range of numbers.
@@ -54,7 +54,7 @@ impl Watch {
         search.first(point, cost)
     }
 
-    /// The same over a window: the part of it at which the function comes to zero.
+    /// The same over a window: the fraction of it at which the function becomes zero.
     pub fn first_zero_in(&self, value: f64, window: &Window<'_>, cost: &mut Cost) -> Option<f64> {
         let course = window.course(&self.on_q, &self.on_speed, &self.on_load);
         let sign = if value >= 0.0 { 1.0 } else { -1.0 };

@@ -13,10 +13,10 @@ use crate::library::interrupt::interruptible;
 pub(super) struct Advised {
     /// Names of the deviations.
     names: [&'static str; 6],
-    /// Up to which an effect may be left out.
+    /// Deviations up to which an effect may be left out.
     limits: [String; 6],
     rows: Vec<Row>,
-    /// Why there is none.
+    /// Why there is no advice.
     why_not: Option<String>,
 }
 
@@ -32,7 +32,7 @@ struct Row {
     truth: Option<bool>,
     /// The deviations by the full runs, or by the estimate.
     deviations: Option<[String; 6]>,
-    /// What else there is to say.
+    /// A further remark.
     note: String,
     /// Time saved: -30 %.
     time: String,

@@ -12,7 +12,7 @@ use crate::model::Role;
 use crate::scene::quantity::Quantity;
 use crate::scene::{Effects, Scene};
 
-/// The state of the page. What it leaves out is as in the scene.
+/// The state of the page. Values that it does not state are those of the scene.
 #[derive(Debug, Clone, Default, Deserialize)]
 #[serde(deny_unknown_fields, default)]
 pub(super) struct Choice {
@@ -22,13 +22,14 @@ pub(super) struct Choice {
     pub effects: Option<Vec<String>>,
     /// The solver.
     pub solver: Option<SolverChoice>,
-    /// The identifiers of the sections that a person sees: the answer to `run` has these, that to `rest` the others. Empty: all in one.
+    /// The identifiers of the sections that a person sees: the answer to `run` has these sections, the answer to `rest` the others. If
+    /// empty, the answer to `run` has all sections.
     pub seen: Vec<String>,
     /// A number of the choice, in the identifiers of the arrays of its plots.
     pub number: u32,
 }
 
-/// The keys of `[run]` for the solver; `None` where the scene is to have none.
+/// The keys of `[run]` for the solver; `None` if they are not to be stated.
 #[derive(Debug, Clone, Default, Deserialize)]
 #[serde(deny_unknown_fields, default)]
 pub(super) struct SolverChoice {

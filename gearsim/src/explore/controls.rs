@@ -21,7 +21,7 @@ pub(super) struct Control {
     group: String,
     /// Name in its group.
     label: String,
-    /// What it is; may be empty.
+    /// Its description; may be empty.
     doc: String,
     /// The unit of its numbers, as the scene writes it; empty for a plain number.
     unit: String,
@@ -30,7 +30,7 @@ pub(super) struct Control {
     /// Ends of the slider. The field takes numbers beyond them.
     low: f64,
     high: f64,
-    /// Whether equal ways of the slider are equal factors.
+    /// Whether the scale of the slider is logarithmic.
     log: bool,
     /// Whether the slider has whole numbers only.
     whole: bool,
@@ -44,7 +44,7 @@ pub(super) struct EffectBox {
     on: bool,
 }
 
-/// What the scene says of its solver.
+/// The solver keys of the scene.
 #[derive(Debug, Serialize)]
 pub(super) struct SolverFields {
     methods: Vec<&'static str>,
@@ -53,7 +53,7 @@ pub(super) struct SolverFields {
     step: Option<f64>,
 }
 
-/// Unit and number that a scene may state and does not, with the value that it has without.
+/// The numbers that a scene may state but does not, each with its unit and default value.
 pub(super) fn offered(scene: &Scene, text: &Text) -> Vec<Leaf> {
     let names = text.names("effects");
     let effects = Effects::from_names(names.iter().map(String::as_str), scene.model);
@@ -79,7 +79,7 @@ pub(super) fn offered(scene: &Scene, text: &Text) -> Vec<Leaf> {
 /// The sliders of a text; `first` has the numbers from which their ranges begin.
 pub(super) fn controls(scene: &Scene, text: &Text, first: &HashMap<String, f64>) -> Vec<Control> {
     let stated = text.leaves().into_iter().filter(|leaf| match leaf.path[0].as_str() {
-        // The solver has fields of its own, and what is recorded is no parameter.
+        // The solver has its own fields, and keys of `[output]` are no parameters.
         "output" => false,
         "run" => leaf.path[1..] == ["t_end"],
         _ => leaf.path.len() > 1,
@@ -128,7 +128,7 @@ fn named(path: &[String]) -> (String, String) {
     (head, tail.join("."))
 }
 
-/// The description in the model of what a path leads to.
+/// The model's description of the value at a path.
 fn doc(scene: &Scene, path: &[String]) -> &'static str {
     let model = scene.model;
     let found = match (path[0].as_str(), path.get(1).map_or("", String::as_str)) {
@@ -144,8 +144,8 @@ fn doc(scene: &Scene, path: &[String]) -> &'static str {
     found.unwrap_or_default()
 }
 
-/// The ends of a slider that begins at `from`: a quarter to four times of it; a usual size to both sides of 0. Within the range of the
-/// parameter.
+/// The ends of a slider that begins at `from`: a quarter and four times of it; for 0, a usual size to both sides. They lie within the range
+/// of the parameter.
 fn range(scene: &Scene, leaf: &Leaf, from: f64, parameter: Option<&Parameter>) -> (f64, f64) {
     let (low, high) = match from {
         0.0 => {

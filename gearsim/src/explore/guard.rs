@@ -3,7 +3,7 @@
 /// Most bytes of a request's body.
 pub(super) const MOST_BYTES: usize = 64 << 10;
 
-/// What is asked for.
+/// The target of a request.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Route {
     /// The page.
@@ -36,7 +36,7 @@ pub(super) struct Head<'a> {
 /// HTTP status and reason of a refusal.
 pub(super) type Refused = (u16, &'static str);
 
-/// Finds what a request asks for. `port` and `token` are those of this server.
+/// Finds the target of a request. `port` and `token` are those of this server.
 ///
 /// # Errors
 /// The refusal. Its text tells nothing to a page that does not know the token.

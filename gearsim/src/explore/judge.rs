@@ -22,11 +22,11 @@ use crate::trajectory::Moment;
 pub(super) struct Judgement {
     /// Processor time: the smallest of three runs where they are short.
     time: String,
-    /// That time over that of exact cells.
+    /// This time over the time of exact cells.
     ratio: String,
     /// Largest error of a coordinate or speed at the end, in units of its size.
     error: String,
-    /// What it is compared with, and how accurate that is.
+    /// The reference of the error, and its accuracy.
     against: String,
     /// Digits left.
     digits: String,

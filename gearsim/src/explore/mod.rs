@@ -2,8 +2,8 @@
 //!
 //!     choice --edit--> text of a scene --Scene::parse--> scene --run--> answer: sections of a page, end state, cost
 //!
-//! The page sends its whole state, a [`Choice`]. It is written into the text of the scene ([`text`]), and that text is what is read, run
-//! and saved. A saved scene therefore has the same bytes of results as the page. The service keeps no state but the last run.
+//! The page sends its whole state, a [`Choice`]. It is written into the text of the scene ([`text`]), and this text is read, run and saved.
+//! A saved scene therefore gives the same bytes of results as the page. The server keeps only the last run.
 //!
 //! | request | answer | ends after |
 //! | --- | --- | --- |

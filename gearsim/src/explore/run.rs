@@ -23,7 +23,7 @@ pub(super) struct Answer {
     controls: Vec<Control>,
     effects: Vec<EffectBox>,
     solver: SolverFields,
-    /// What is wrong; then there is no run.
+    /// Mistakes; if there are any, there is no run.
     mistakes: Vec<Wrong>,
     run: Option<Shown>,
 }
@@ -51,7 +51,7 @@ struct Shown {
     /// Energy unaccounted for at the end, in words, and its share of the largest part of the account.
     unaccounted: String,
     share: String,
-    /// What a reader must see.
+    /// Remarks on the run.
     remarks: Vec<String>,
     /// Time simulated [s].
     length: f64,
@@ -157,7 +157,7 @@ fn wrong(mistakes: &SceneMistakes, text: &str) -> Vec<Wrong> {
     mistakes.mistakes().iter().map(of).collect()
 }
 
-/// What the page shows of a run at first: the sections that are `seen`, all of them if none is named. `None` if `go_on` ended it.
+/// The first part of a run's page: the visible sections (`seen`), or all sections if `seen` is empty. `None` if `go_on` cancelled the run.
 fn shown(results: &Results, choice: &Choice, go_on: &dyn Fn() -> bool) -> Result<Option<Shown>, Error> {
     let seen = &choice.seen;
     let is_wanted = |id: &str| seen.is_empty() || seen.iter().any(|seen| seen == id);

@@ -188,7 +188,7 @@ impl Drop for Answering<'_> {
     }
 }
 
-/// What is sent.
+/// The body of an answer.
 struct Content {
     bytes: Vec<u8>,
     kind: &'static str,
@@ -203,7 +203,7 @@ impl Content {
     }
 }
 
-/// The policy of what is no page.
+/// The policy of answers that are no pages.
 fn nothing() -> String {
     "default-src 'none'; frame-ancestors 'none'".into()
 }

@@ -71,9 +71,9 @@ fn a_change_gives_the_end_state_of_the_same_change_in_the_library() {
     assert_eq!(state(&answer(&explorer, json!({ "solver": solver }))), end(&expected.run().unwrap()));
 }
 
-/// The sections that are seen come with the run, the others with `rest`; each section once, with arrays of its own.
+/// The visible sections come with the run, the others with `rest`; each section once, with its own arrays.
 #[test]
-fn what_is_seen_comes_first_and_the_rest_after_it() {
+fn visible_sections_come_first_and_the_others_after_them() {
     let explorer = explorer("oh2005/energy_300rpm");
     let value = json!({ "seen": ["motion", "energy"], "number": 7 });
     let first = answer(&explorer, value.clone())["run"]["page"].clone();
@@ -92,7 +92,7 @@ fn what_is_seen_comes_first_and_the_rest_after_it() {
         let html = part["html"].as_str().unwrap();
         assert!(ids(part, "of").iter().filter(|id| html.contains(&format!("<section id=\"{id}\""))).count() > 1);
     }
-    // Without a word on what is seen all is in one answer, and a run that is no longer wanted gives nothing.
+    // If the request names no visible sections, one answer has all of them. A cancelled run gives no answer.
     assert_eq!(ids(&answer(&explorer, json!({}))["run"]["page"], "of"), ids(&rest, "order")[1..]);
     assert!(explorer.rest(&choice(json!({ "seen": ["motion"] })), &|| false).is_none());
 }
@@ -268,7 +268,7 @@ fn the_server_answers_its_own_page_alone() {
 }
 
 #[test]
-fn a_page_of_a_hostile_name_escapes_it() {
+fn the_page_escapes_markup_in_the_name_of_a_scene() {
     let mut bytes = vec![];
     crate::page::explore::write("</h1><script>alert(1)</script>", &mut bytes).unwrap();
     let page = String::from_utf8_lossy(&bytes);

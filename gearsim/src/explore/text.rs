@@ -55,7 +55,7 @@ impl Text {
         leaves
     }
 
-    /// What stands at a path of tables.
+    /// The item at a path of tables.
     pub fn at(&self, path: &[&str]) -> Option<&Item> {
         path.iter().try_fold(self.0.as_item(), |item, key| item.get(key))
     }
@@ -71,7 +71,7 @@ impl Text {
         self.put(&[key], Value::from_iter(names.iter().copied()));
     }
 
-    /// Writes a number with the unit that stands there. Nothing is changed where the same number stands already.
+    /// Writes a number with the unit that the text has at its place. If the number is the same, nothing is changed.
     pub fn set(&mut self, leaf: &Leaf, number: f64) {
         if leaf.number != number {
             let path: Vec<_> = leaf.path.iter().map(String::as_str).collect();
@@ -79,7 +79,7 @@ impl Text {
         }
     }
 
-    /// Writes a value at a path. Tables are made where they are missing; what is on the way must be a table or a place in an array.
+    /// Writes a value at a path. Missing tables are created; existing items along the path must be tables or entries of arrays.
     pub fn put(&mut self, path: &[&str], mut value: Value) {
         if let Some(slot) = find(self.0.as_item_mut(), path) {
             *value.decor_mut() = slot.decor().clone();

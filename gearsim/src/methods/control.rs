@@ -43,7 +43,7 @@ impl Control {
         Control { steps, reached, h, rejected: false, rate }
     }
 
-    /// Widens the scale of what is at rest: `speeds` are the largest speeds that the energy reached so far allows (N).
+    /// Widens the scale of components at rest: `speeds` are the largest speeds that the energy reached so far allows (N).
     pub fn allow(&mut self, speeds: &Vector) {
         let v = speeds * SMALLEST_SPEED;
         let q = &v * (1.0 / self.rate);

@@ -1,7 +1,8 @@
-//! The right-hand side that methods integrate, smooth within a mode: q'' = P F(q, q', k(s), dk/ds, t), and what damping takes.
+//! The right-hand side that methods integrate, smooth within a mode: q'' = P F(q, q', k(s), dk/ds, t), and the power that damping
+//! dissipates.
 //!
-//! P = M⁻¹, or what held phases leave of it; where M depends on q, so does P. The modes of switches do not change within a step: it may
-//! go beyond the end of its mode, and the forces go on smoothly there.
+//! P = M⁻¹, or the mobility of the remaining motions if phases are held. Where M depends on q, so does P. The modes of switches do not
+//! change within a step: a step may go beyond the end of its mode, and the forces continue smoothly there.
 
 use std::sync::Arc;
 
@@ -124,8 +125,8 @@ impl<'a> Field<'a> {
         force
     }
 
-    /// The power that damping takes at `y`, the time `t` after the step began \[W\]; without the forces of switches, where their loss follows
-    /// from the displacement ([`Hybrid::lost_by_switches`]).
+    /// The power that damping dissipates at `y`, the time `t` after the step began \[W\]; without the forces of switches if their loss is
+    /// computed from the displacement ([`Hybrid::lost_by_switches`]).
     pub fn lost(&mut self, t: f64, y: &Flow) -> f64 {
         self.set(t, y);
         self.loss(y)
@@ -149,7 +150,7 @@ impl<'a> Field<'a> {
         rayleigh + Guards::of(self.equations, &self.switches, &y.q, &self.k).power(&y.q, &y.v, &self.k)
     }
 
-    /// The power of each torque, as far as it is not constant, at `y`, the time `t` after the step began \[W\].
+    /// The power of the varying part of each torque at `y`, the time `t` after the step began \[W\].
     pub fn power(&mut self, t: f64, y: &Flow, torques: usize) -> Vec<f64> {
         self.set(t, y);
         let varying = self.forcing.as_ref().map(|forcing| forcing.power(self.begins + t, &y.v));
@@ -176,7 +177,7 @@ impl<'a> Field<'a> {
         accelerated(&mobility, [by_q, by_v])
     }
 
-    /// What is left until `guard` is met at `side`, at `y`, the time `t` after the step began; positive before that.
+    /// The value of `guard` at `side` and at `y`, the time `t` after the step began; positive before it is met.
     pub fn left(&mut self, guard: Guard, side: Side, t: f64, y: &Flow) -> f64 {
         match guard {
             Guard::Phase(i) => side.sign() * (self.laws[i].boundary(side) - y.q[self.laws[i].phase]),

@@ -1,4 +1,4 @@
-//! The vector that methods integrate: coordinates, speeds, and the energy that damping has taken.
+//! The vector that methods integrate: coordinates, speeds, and the dissipated energy.
 
 use crate::engine::vector::Vector;
 
@@ -9,7 +9,7 @@ pub struct Flow {
     pub q: Vector,
     /// Speeds (N).
     pub v: Vector,
-    /// Energy lost to damping \[J\]: a quadrature beside the motion, on which nothing depends.
+    /// Energy dissipated by damping \[J\]. The motion does not depend on it.
     pub lost: f64,
 }
 
@@ -50,29 +50,29 @@ impl Flow {
     }
 }
 
-/// What an error of each component is measured by: never zero.
+/// The unit of the error of each component; never zero.
 #[derive(Debug, Clone)]
 pub struct Scale {
-    /// Of the coordinates (N).
+    /// Scale of each coordinate (N).
     pub q: Vector,
-    /// Of the speeds (N).
+    /// Scale of each speed (N).
     pub v: Vector,
 }
 
 impl Scale {
-    /// The largest component of the motion in `flow`, each in units of its scale. The quadrature has none.
+    /// The largest component of the motion in `flow`, each in units of its scale. The dissipated energy does not count.
     #[inline]
     pub fn norm(&self, flow: &Flow) -> f64 {
         let mut norm = 0.0f64;
         for i in 0..flow.q.len() {
             let x = (flow.q[i] / self.q[i]).abs().max((flow.v[i] / self.v[i]).abs());
-            // Not `max`, which would pass over NaN.
+            // `max` would ignore NaN.
             norm = if x > norm || x.is_nan() { x } else { norm };
         }
         norm
     }
 
-    /// Widens the scale to what `flow` has reached.
+    /// Enlarges the scale to the values in `flow`.
     #[inline]
     pub fn reach(&mut self, flow: &Flow) {
         for i in 0..flow.q.len() {

@@ -1,8 +1,7 @@
 //! The solver by steps: a numerical method, the control of its steps, and its dense output.
 //!
-//! A step goes as far as its error allows. Its dense output tells for certain which guard it meets first
-//! ([`crate::engine::root`]). The step is then taken again, as long as to there, so that states at events are as accurate as
-//! steps, not as their interpolation.
+//! A step is as long as its error allows. Its dense output shows with certainty which guard it meets first ([`crate::engine::root`]). The
+//! step is then repeated so that it ends at the guard: states at events have the accuracy of steps, not that of the interpolation.
 
 use std::sync::Arc;
 
@@ -32,7 +31,7 @@ use motion::Step;
 pub enum Events {
     /// Where they happen.
     Located,
-    /// After the step in which they happened, as programs do that know of none: for comparison.
+    /// After the step in which they happened, as in programs that do not locate events; for comparison.
     AfterStep,
 }
 
@@ -73,7 +72,7 @@ impl<'a> BySteps<'a> {
         let y = Flow { q: now.state.q.clone(), v: now.state.q_dot.clone(), lost: 0.0 };
         let mut field = Field::new(now);
         let rate = field.rate(0.0, &y);
-        // Speeds that the energy at the start allows, or the forces soon give; the fastest of the motion.
+        // The scale of the speeds: those that the energy at the start allows, or that the forces soon cause.
         let energy = equations.kinetic(&y.q, &y.v) + equations.potential(&y.q, &now.k);
         let [by_q, by_v] = field.jacobian(0.0, &y);
         let sum = |a: &Matrix| a.row_iter().map(|row| row.iter().map(|x| x.abs()).sum()).fold(0.0, f64::max);
@@ -86,8 +85,8 @@ impl<'a> BySteps<'a> {
         BySteps { field, method, settings, control, fastest, energy, last: Some((y, rate)), stiff: 0, effort }
     }
 
-    /// Measures what is at rest by the energy that the motion has reached at `y`, once it is much more than before: a train that torques
-    /// start has none at first but that of rounding errors.
+    /// Updates the scale of the speeds from the energy at `y` once it has grown much. A train that torques start from rest has at first
+    /// only the energy of rounding errors.
     fn follow_energy(&mut self, y: &Flow) {
         let kinetic = self.field.equations.kinetic(&y.q, &y.v);
         if kinetic > ENERGY_GROWN * self.energy && kinetic.is_finite() {
@@ -96,8 +95,7 @@ impl<'a> BySteps<'a> {
         }
     }
 
-    /// A step from `y`, where the rate is `rate`, of at most `horizon` \[s\], whose error is small enough: how long, and where it
-    /// leads.
+    /// A step from `y`, where the rate is `rate`, of at most `horizon` \[s\], whose error is small enough: its length and its end.
     fn attempt(&mut self, now: &Hybrid<'_>, y: &Flow, rate: &Flow, horizon: f64) -> Result<(f64, Trial), Stop> {
         let exponent = self.method.exponent();
         if horizon <= 0.0 {
@@ -114,7 +112,7 @@ impl<'a> BySteps<'a> {
                 return Err(Stop::Steps { t, steps, state, cell });
             }
             let trial = self.method.attempt(&mut self.field, y, rate, h, &self.control.allowed());
-            // A step that leads nowhere is as bad as one whose error is not a number.
+            // A step that fails is treated like one whose error is not a number.
             let usable = trial.filter(|trial| trial.end.is_finite() && trial.rate.is_finite());
             let error = usable.as_ref().map_or(f64::NAN, |trial| trial.error);
             if self.control.accepts(h, error, exponent) {
@@ -158,7 +156,7 @@ impl Solver for BySteps<'_> {
     fn solve<'s>(&'s mut self, now: &'s Hybrid<'_>, horizon: f64) -> Result<Box<dyn Motion + 's>, Stop> {
         let y = Flow { q: now.state.q.clone(), v: now.state.q_dot.clone(), lost: 0.0 };
         self.field.begins = now.clock.now();
-        // What is at rest has no error that would limit a step, but the reaction follows torques that vary.
+        // While motions are held, no error limits the step, but the reaction follows torques that vary.
         let swings = now.contact.as_ref().and(now.forcing.as_ref()).map_or(0.0, |forcing| Forcing::fastest(forcing));
         let horizon = if swings > 0.0 { horizon.min(HELD_STEP / swings) } else { horizon };
         let rate = match self.last.take() {

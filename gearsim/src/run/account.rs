@@ -1,4 +1,4 @@
-//! The energy account of a run: T + V - W + dissipated is what it was at the start, or the result is wrong.
+//! The energy account of a run: T + V - W + dissipated energy keeps its value of the start, or the result is wrong.
 
 use std::fmt;
 
@@ -9,16 +9,16 @@ use crate::scene::Scene;
 use crate::scene::solver::Method;
 use crate::tolerance::methods;
 
-/// What the account says at the row at which it is furthest off.
+/// The account at the row with the largest residual.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Account {
     /// Energy unaccounted for \[J\].
     pub residual: f64,
     /// The largest part of the account in the run: T, V, the energy dissipated, or the work of a torque \[J\].
     pub largest: f64,
-    /// What the residual may be of it.
+    /// Allowed ratio of the residual to `largest`.
     pub allowed: f64,
-    /// Energy that the rounding errors of the coordinates amount to \[J\]: a train at rest has no more.
+    /// Strain energy of the rounding errors of the coordinates \[J\]: a train at rest has no other energy.
     pub rounding: f64,
 }
 
@@ -37,7 +37,7 @@ impl Account {
         Some(Account { residual, largest: trajectory.largest_energy(), allowed, rounding })
     }
 
-    /// Whether more is unaccounted for than the method allows.
+    /// Whether the residual is larger than the method allows.
     pub fn refutes(&self) -> bool {
         self.residual.is_nan() || self.residual.abs() > self.allowed * self.largest + self.rounding
     }
@@ -64,8 +64,8 @@ pub fn rounding(equations: &dyn Equations, q: &[f64], k: &[f64]) -> f64 {
     (0..q.len()).map(|i| 0.5 * off[i] * row(i)).sum()
 }
 
-/// Whether the account must close: not where the scene leaves out the jump terms or lets time move a phase, for then energy comes
-/// from nowhere by the scene's own choice.
+/// Whether the account must close. It need not if the scene leaves out the jump terms or moves a phase by time, because these equations do
+/// not conserve energy.
 pub fn closes(laws: &[LawState]) -> bool {
     laws.iter().all(|law| matches!(law.switching, Switching::WithJump | Switching::Never))
 }

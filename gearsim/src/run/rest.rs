@@ -1,4 +1,4 @@
-//! The outputs of a scene at rest: what its drivetrain carries without vibration.
+//! The outputs of a scene in static equilibrium, without vibration.
 
 use super::Entry;
 use crate::engine::error::Refusal;
@@ -9,7 +9,7 @@ use crate::scene::Scene;
 
 impl Entry {
     /// The value of each output of the model \[SI\] in the static equilibrium of a scene, at the torques, phases and speeds of its start.
-    /// Coordinates that are static by default are so here too where the scene states a value for them.
+    /// Coordinates that are static by default are static here even if the scene states a value for them.
     ///
     /// # Errors
     /// Where the forces do not determine the equilibrium, or the scene's effects contradict one another.

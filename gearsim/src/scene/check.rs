@@ -65,7 +65,7 @@ pub(super) fn scene(root: &Node, end: &Place, models: &[&'static Model], report:
     let (t_end, solver) = output::read_run(entries, &mut absent, report);
     let effects = of_model.as_ref().and_then(|of_model| of_model.0);
     let output = output::read(entries, (model, effects), t_end, report);
-    // Modes and multipliers need no run, and a run refuses a scene without one. Beside other mistakes it is one of them.
+    // Analyses without a run do not need `[run]`, and a run refuses a scene without it. Report it here only together with other mistakes.
     if !report.is_empty() || absent.iter().any(|(name, _)| *name != output::RUN) {
         keys::missing(&absent, "the scene", end, report);
     }

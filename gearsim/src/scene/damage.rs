@@ -1,8 +1,8 @@
 //! The key `damage` of a stiffness: cracked or spalled teeth, whose pairs carry less. `damage = [{ tooth = 5, of = 24, loss = 0.3 }]`
 //!
-//! A tooth pair that carries the share k/n of the stiffness k of n pairs loses the part `loss` of it while the damaged tooth is in mesh:
-//! once in `of` pitches, from where its pair enters contact until it leaves. Compare Z. Chen, Y. Shao, Eng. Fail. Anal. 18 (2011), where
-//! the loss follows from the length of a crack.
+//! Each of n tooth pairs in contact has the stiffness k/n. The pair of the damaged tooth loses the part `loss` of this: once in `of`
+//! pitches, from where it enters contact until it leaves. Compare Z. Chen, Y. Shao, Eng. Fail. Anal. 18 (2011), where the loss follows from
+//! the length of a crack.
 
 use super::document::{Node, Place};
 use super::keys::{Key, Kind, REQUIRED, key};

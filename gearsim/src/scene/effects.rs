@@ -22,7 +22,7 @@ impl Effects {
         self.of(model).any(|effect| effect.name == name || effect.of == Some(name))
     }
 
-    /// Whether what needs the effect `with` is active; what needs none always is.
+    /// Whether a term that needs the effect `with` is active; a term without effect always is.
     pub fn activate(self, with: Option<&str>, model: &Model) -> bool {
         with.is_none_or(|effect| self.has(effect, model))
     }

@@ -1,8 +1,8 @@
 //! The data of gears in a scene, checked against one another: parameters that are numbers of teeth, base radii and pressure angles, and
 //! the teeth from which laws are computed.
 //!
-//! The description of a parameter says what it is; the name of a law, of which mesh it is: `k12` of gears 1 and 2, `k_s1` of sun and
-//! planet, `k_r1` of planet and ring, `k` of a model with two gears. What no gear can have is refused, and what is only rare gives a warning.
+//! The description of a parameter states what it is. The name of a law states its mesh: `k12` of gears 1 and 2, `k_s1` of sun and planet,
+//! `k_r1` of planet and ring, `k` of a model with two gears. Impossible values are refused, and rare ones give a warning.
 
 use super::document::{Entry, Node, Value};
 use super::mistake::Report;
@@ -57,7 +57,7 @@ struct Checker<'a> {
 }
 
 impl Checker<'_> {
-    /// The place of a parameter in the scene; `None` if its default holds.
+    /// The place of a parameter in the scene; `None` if it has its default.
     fn node(&self, parameter: &Parameter) -> Option<&Node> {
         keys::get(self.parameters, parameter.name)
     }

@@ -114,7 +114,7 @@ impl<'a> LawReader<'a> {
         LawReader { law, phase_unit: phase.map_or("rad", |coordinate| coordinate.unit), path }
     }
 
-    /// What to write if the law is missing.
+    /// The table to add if the law is missing.
     fn table(&self, model: &Model) -> String {
         let line = match self.law.role.is_friction() {
             true => friction::example(self.law, model),

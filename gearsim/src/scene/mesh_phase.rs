@@ -25,7 +25,7 @@ use super::{field, keys};
 use crate::model::Law;
 use crate::tolerance::scene::{PHASE_DENOMINATOR, PHASE_FRACTION};
 
-/// What the value may be.
+/// Kind of the value.
 pub(super) const KIND: Kind =
     Kind::Either(&[Kind::ValueIn("unit of the mesh phase, or pitches"), Kind::Table(&[PLANET])]);
 

@@ -136,7 +136,7 @@ pub struct Scene {
     pub overrides: Vec<String>,
     /// Values that were given over the square of a radius, as papers print them, and what they are: a sentence each.
     pub conversions: Vec<String>,
-    /// What is allowed, but odd: a sentence each.
+    /// Warnings of values that are allowed but unusual, a sentence each.
     pub warnings: Vec<String>,
 }
 
@@ -188,7 +188,7 @@ pub struct Output {
     pub plots: Vec<String>,
     /// The outputs of the model that are recorded, by their numbers.
     pub record: Vec<usize>,
-    /// Time from which on statistics, load spectra and transforms take the run \[s\].
+    /// Start of the time span of statistics, load spectra and transforms \[s\].
     pub from: f64,
     /// Which spectra are drawn, and their scale.
     pub spectrum: Spectrum,

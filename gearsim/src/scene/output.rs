@@ -34,7 +34,7 @@ pub(super) const KEYS: &[Key] = &[
 /// Number of samples of a run if the scene states no rate.
 const DEFAULT_SAMPLES: f64 = 1e4;
 
-/// What `absent` has of a scene without `[run]`.
+/// The entry in `absent` for a scene without `[run]`.
 pub(super) const RUN: &str = "[run]";
 
 /// Reads the end time of the run [s] and the solver. If `[run]` is missing, the lines to add go to `absent`, and the end is infinite.
@@ -130,8 +130,8 @@ pub(super) fn read(
     Some(Output { rate, events, plots, record, from, spectrum, rainflow, sound, csv, most_rows })
 }
 
-/// What is drawn if the scene does not say: the outputs and, of a model with meshes, their orders; the motion if there are no outputs;
-/// load spectra if they are `counted`.
+/// The default plots: the outputs, and their orders if the model has meshes; the motion if no outputs are recorded; load spectra if they
+/// are `counted`.
 fn default_plots(model: Option<&Model>, record: Option<&[usize]>, counted: bool) -> Vec<usize> {
     let recorded = record.is_some_and(|record| !record.is_empty());
     let meshes = model.is_some_and(|model| !model.laws.is_empty());

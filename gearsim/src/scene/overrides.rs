@@ -9,9 +9,9 @@ const MAX_DEPTH: usize = 16;
 /// Where overrides come from, as messages show them.
 #[derive(Clone, Copy)]
 pub(super) struct Setting {
-    /// What messages call the text.
+    /// Name of the text in messages.
     source: &'static str,
-    /// What stands before it.
+    /// The option before the value; empty if there is none.
     option: &'static str,
 }
 

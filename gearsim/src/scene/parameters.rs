@@ -23,15 +23,15 @@ pub(super) const NAMED: &[Named] = &[each(
 pub(super) struct Given {
     /// Values at t = 0 [SI], in the order of the model.
     pub values: Vec<f64>,
-    /// By index, the parameters that vary in time.
+    /// The parameters that vary in time, with their indices.
     pub varying: Vec<(usize, TimeHistory)>,
     /// The values that were given over the square of a radius, a sentence each.
     pub conversions: Vec<String>,
 }
 
 /// Reads `[parameters]`, in the order of the model. If the table is missing, the lines to add go to `absent`. A parameter without a
-/// default whose effect is not among `effects` may be left out; its value is then NaN. `radii` has those to which values per squared radius
-/// refer.
+/// default whose effect is not among `effects` may be left out; its value is then NaN. `radii` has the radii to which values per squared
+/// radius refer.
 pub(super) fn read(
     entries: &[Entry],
     (model, radii): (&Model, &dyn Radii),

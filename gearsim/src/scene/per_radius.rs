@@ -34,7 +34,8 @@ const UNITS: [(&str, &str); 3] = [("kg*m^2", "kg"), ("N*m/rad", "N/m"), ("N*m*s/
 
 /// The radii of the parameters of a scene.
 pub(super) trait Radii {
-    /// The radius that refers to this parameter [m], or a text that says what is missing. `value` gives the value of another parameter.
+    /// The radius to which values of this parameter refer [m], or a text that says what is missing. `value` gives the value of another
+    /// parameter.
     fn radius(&self, parameter: &Parameter, value: &dyn Fn(&str) -> Option<f64>) -> Result<f64, String>;
 }
 
@@ -62,7 +63,7 @@ pub(super) struct PerRadius<'a> {
 }
 
 impl<'a> PerRadius<'a> {
-    /// The value of `parameter`, if it is one per squared radius; `Some(None)` if that has a mistake.
+    /// The value of `parameter` if it is one per squared radius; `Some(None)` if it has a mistake.
     pub(super) fn read(parameter: &'a Parameter, node: &'a Node, report: &mut Report) -> Option<Option<PerRadius<'a>>> {
         let (_, unit) = UNITS.iter().find(|(full, _)| *full == parameter.unit)?;
         let path = format!("parameters.{}", parameter.name);

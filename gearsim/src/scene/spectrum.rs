@@ -73,7 +73,7 @@ pub struct Reference {
     pub dimension: Dimension,
 }
 
-/// References of signals for which the scene states none; of other units it is one of the SI unit.
+/// Default references of signals, by unit. For other units the reference is 1 in the SI unit.
 const USUAL: [(&str, &str, f64); 2] = [("m", "1 um", 1e-6), ("rad", "1 urad", 1e-6)];
 
 impl Spectrum {
@@ -140,7 +140,7 @@ pub(super) fn read(
     Some(Spectrum { of, shaft, kind: KINDS[kind].1, decibels, references, from })
 }
 
-/// What a run of the model has columns of: recorded outputs, then coordinates.
+/// The signals of a run, one column each: recorded outputs, then coordinates.
 pub(super) fn signals(model: &'static Model, record: &[usize]) -> Vec<&'static str> {
     let outputs = record.iter().map(|&i| model.outputs[i].name);
     outputs.chain(model.coordinates.iter().map(|c| c.name)).collect()

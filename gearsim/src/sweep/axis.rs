@@ -67,7 +67,7 @@ impl Axis {
         }
     }
 
-    /// Value `i` of a list or a range, written as in a scene file. Of a random axis, its first trial.
+    /// Value `i` of a list or a range, or the first trial of a random axis, written as in a scene file.
     pub fn value(&self, i: usize) -> String {
         match &self.values {
             Values::List(values) => values[i].clone(),
@@ -78,7 +78,7 @@ impl Axis {
         }
     }
 
-    /// The value of a random axis for a random number in [0, 1), written as in a scene file. Of another axis, its first value.
+    /// The value of a random axis for a random number in [0, 1), or the first value of another axis, written as in a scene file.
     pub fn drawn(&self, fraction: f64) -> String {
         match &self.values {
             Values::Random(distribution) => self.written(distribution.quantile(fraction)),

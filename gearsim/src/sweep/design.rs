@@ -157,8 +157,8 @@ impl Sampler {
     }
 }
 
-/// Where `i` of 0..n goes under the permutation number `p`. Source: A. Kensler, "Correlated multi-jittered sampling", Pixar Technical
-/// Memo 13-01 (2013): a bijection of the next power of two, applied until the result is below n.
+/// The image of `i` in 0..n under permutation number `p`. Source: A. Kensler, "Correlated multi-jittered sampling", Pixar Technical Memo
+/// 13-01 (2013): a bijection of the next power of two, applied until the result is below n.
 fn permute(i: u32, n: u32, p: u32) -> u32 {
     let mask = n.next_power_of_two().wrapping_sub(1);
     let mut i = i;

@@ -35,7 +35,7 @@ impl Distribution {
         match *self {
             Distribution::Uniform { low, high, spacing } => spacing.between(low, high, p),
             Distribution::Normal { mean, deviation, within: None } => {
-                // A random number is 0 once in 2^53 times. It stands for the interval of that width, and its middle is taken.
+                // A random number is 0 once in 2^53 times. It stands for an interval of that width; use the middle of the interval.
                 let p = p.max(0.25 * f64::EPSILON);
                 Spacing::rounded(mean + deviation * standard(p, (f64::NEG_INFINITY, f64::INFINITY)))
             }
@@ -47,7 +47,7 @@ impl Distribution {
     }
 
     /// Values to try before any point runs: the ends of an interval. The values of a distribution without ends are tried at its mean
-    /// and at three standard deviations from it; a value beyond that the scene does not admit makes a row that says so.
+    /// and at three standard deviations from it; a value further out that the scene does not admit gives a row with the reason.
     pub fn trials(&self) -> Vec<f64> {
         match *self {
             Distribution::Uniform { low, high, .. } | Distribution::Normal { within: Some((low, high)), .. } => {
@@ -60,8 +60,8 @@ impl Distribution {
     }
 }
 
-/// The quantile of the standard normal distribution between two ends. An interval that is mostly above the mean is mirrored, because
-/// shares near 1 have no digits left for what is beyond them.
+/// The quantile of the standard normal distribution between two ends. An interval that is mostly above the mean is mirrored, because the
+/// distance of a share near 1 from 1 has few digits.
 fn standard(p: f64, (low, high): (f64, f64)) -> f64 {
     if low + high > 0.0 {
         return -standard(1.0 - p, (-high, -low));
@@ -124,7 +124,7 @@ mod tests {
 
     /// Ends far out in one tail, where 1 - Phi has no digits left in double precision.
     #[test]
-    fn a_far_tail_keeps_its_digits() {
+    fn quantiles_far_in_a_tail_are_accurate() {
         let cut = Distribution::Normal { mean: 0.0, deviation: 1.0, within: Some((9.0, 10.0)) };
         let median = cut.quantile(0.5);
         let tail = |z: f64| lower(-z);

@@ -118,7 +118,7 @@ pub fn begin(path: &Path) -> Result<(), OutputError> {
     marker::mark(path, UNFINISHED)
 }
 
-/// Says no longer that the folder at `path` is incomplete: its rows are written and evaluated.
+/// Removes the note that the folder at `path` is incomplete: its rows are written and evaluated.
 ///
 /// # Errors
 /// [`OutputError::Write`].

@@ -24,7 +24,7 @@ use motion::Motion;
 use span::Excitations;
 pub use span::Span;
 
-/// Most runs of a point in search of what holds its speed; each of Newton's steps takes one.
+/// Most runs of a point in the search for the parameter value that holds its speed; each step of Newton's method takes one.
 const RUNS: usize = 6;
 
 /// The points of a response curve.
@@ -148,8 +148,8 @@ impl Sweep {
         Ok((Some(found), says))
     }
 
-    /// Runs a point until its speed is held. `more` is what its parameter has beyond the value of the scene, from point to point. Returns how
-    /// the motion went, if it came to its end.
+    /// Runs a point until its speed is held. `more` is added to the scene's value of the parameter, and kept for the next point. Returns
+    /// the run if it came to its end.
     fn settled(
         &self,
         at: &At<'_>,
@@ -175,7 +175,7 @@ impl Sweep {
             }
             let outcome = self.entry.run(&scene, watch);
             let Some(run) = point.judged(outcome) else { return Ok(None) };
-            // The equations are those that have just run: they exist.
+            // The scene has just run, so its equations exist.
             let Ok(equations) = self.entry.equations(&scene) else { return Ok(None) };
             let span = Excitations::of(&scene, &*equations).span(&run, self.from);
             point.observe(&run, span);
@@ -253,8 +253,8 @@ impl Point {
 
 impl Response {
     /// The points as a table: `way`, the varied key, `mean_speed`, `speed_drift` over the measured time, the parameter that holds the
-    /// speed, `measured_time`, `periods` and of what (`period_of`), `status`, `reason`, and of each output the mean, the root mean square
-    /// about the mean, and the peak-to-peak value.
+    /// speed, `measured_time`, `periods` and their kind (`period_of`), `status`, `reason`, and for each output the mean, the root mean
+    /// square about the mean, and the peak-to-peak value.
     ///
     /// # Errors
     /// [`OutputError::Ragged`] never happens: all columns have one entry a point.

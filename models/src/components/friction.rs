@@ -19,11 +19,11 @@
 //! the unit of delta is far below any deflection of interest. F is the force of the mesh spring without that of the damper.
 //! Friction acts on the coast flank as on the drive flank.
 //!
-//! There is no stiction. Turning gears have none: the sliding speed tau' + xi psi' follows from the rotation and passes zero at an
-//! instant. Gears that stand under load would stick, psi' = 0, while the moment of the other forces along psi is at most mu |F| arm; here
-//! they creep with psi' = w_mix x/(1 - x²)^(1/2), x the moment over mu |F| arm. A switch of psi that holds cannot state this limit: guards of
-//! switches may not contain friction laws such as arm, and the force that a switch takes is linear in its own deflection, while |F| is that
-//! of the mesh; its sign would have to be proved from the guards of the mode, with those of the flank in contact.
+//! There is no stiction. Turning gears do not stick: the sliding speed tau' + xi psi' follows from the rotation and passes zero at an
+//! instant. Gears at rest under load would stick, psi' = 0, while the moment of the other forces along psi is at most mu |F| arm. Here they
+//! creep with psi' = w_mix x/(1 - x²)^(1/2), where x is this moment over mu |F| arm. A switch of psi cannot state this limit. Its guards
+//! may not contain friction laws such as arm, and its force is linear in its own deflection, while |F| is the force of the mesh. The sign
+//! of its power would have to be proved from its guards and those of the flank in contact.
 
 use std::f64::consts::TAU;
 

@@ -46,7 +46,8 @@ pub fn mesh_with_play(
     Mesh { stiffness: k * gap.touch, delta: gap.over }
 }
 
-/// A mesh as [`mesh_with_play`] whose gears' centres move: `bend` is what that subtracts from `delta`, and how far it opens the play.
+/// A mesh as [`mesh_with_play`] whose gears' centres move. `bend` has the part of `delta` that the motion of the centres subtracts, and the
+/// opening of the play.
 pub fn mesh_on_centres(
     m: &mut Model,
     part: &str,

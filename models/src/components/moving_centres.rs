@@ -24,9 +24,9 @@ use super::{Direction, named};
 /// What moving centres subtract from the linear deflection of a mesh [m]; zero without the effect.
 #[derive(Clone, Copy)]
 pub struct Bend {
-    /// Of both flanks: the line of action turns.
+    /// For both flanks: the line of action turns.
     pub turn: Expr,
-    /// Of the drive flanks; of the coast flanks it is added. Half the opening of the play.
+    /// For the drive flanks; it is added for the coast flanks. Half the opening of the play.
     pub open: Expr,
 }
 

@@ -7,8 +7,8 @@ pub fn of_part(quantity: &str, part: &str) -> String {
     if part.is_empty() { quantity.into() } else { format!("{quantity}_{part}") }
 }
 
-/// Force and loss of a mesh with the deflection `x` [m] in contact, its deflection [m], its dynamic transmission error `dte` [m]: the
-/// relative displacement of the flanks' ideal positions along the line of action, all coordinates in it. The deflection is that less the
+/// Force and loss of a mesh with the deflection `x` [m] in contact, its deflection [m], and its dynamic transmission error `dte` [m]: the
+/// relative displacement of the flanks' ideal positions along the line of action, from all coordinates. The deflection is that less the
 /// transmission error `error` [m]. `driving` [m] is the displacement of the first gear's flank along the line of action: the power that
 /// this gear gives to the mesh is the force times its speed. A train has no `driving`: it forms the power from its rotors.
 pub fn mesh(m: &mut Model, part: &str, what: &str, x: Expr, [dte, error]: [Expr; 2], driving: Option<Expr>) {

@@ -24,7 +24,7 @@ pub struct Play {
     pub touch: Expr,
     /// 1 while the damper of the contact acts, 0 while its force is clipped and inside the band.
     pub damp: Expr,
-    /// 0; 1 while the force of the damper is clipped at that of the spring, -1 while it is clipped at the same pull.
+    /// 1 while the force of the damper is clipped at that of the spring, -1 while it is clipped at the negative of that, else 0.
     pub clip: Expr,
 }
 
@@ -36,7 +36,7 @@ pub fn play(m: &mut Model, part: &str, what: &str, unit: &str, delta: Expr) -> P
     play_of(m, part, what, unit, delta, None)
 }
 
-/// The same of a mesh whose centres move: play that opens with their distance. Declares the names `flank`, `drive` and `coast` too.
+/// The same for a mesh whose centres move: the play opens with their distance. Declares the names `flank`, `drive` and `coast` too.
 pub fn play_on_centres(m: &mut Model, part: &str, what: &str, delta: Expr, bend: Bend) -> Play {
     play_of(m, part, what, "m", delta, Some(bend))
 }
@@ -49,10 +49,10 @@ fn play_of(m: &mut Model, part: &str, what: &str, unit: &str, delta: Expr, bend:
         size = m.parameter(&named("b", part), unit, None, Range::Positive, &doc);
     });
     let gap = band(m, part, unit, (delta, bend), half(size), [&effect, &format!("play of the {what}")]);
-    // 1 in contact, 0 within the play, and 0 too while the damper takes all of the spring's force (`loose`, clip = -1).
+    // 1 in contact, 0 within the play. Also 0 while the damper cancels the spring's force (`loose`, clip = -1).
     let clip = gap.clip;
     let pressed = gap.touch * (1 + half(clip * (1 - clip)));
-    // Some say in what units after a comma.
+    // Some descriptions state units after a comma: they are left out.
     let short = what.split(',').next().unwrap_or(what);
     let doc = format!("1 while no force passes the {short}, else 0: its mean is the share of time without contact");
     m.output_with(&effect, &observed::of_part("contact_loss", part), "1", 1 - pressed, &doc);
@@ -73,7 +73,7 @@ fn band(
     [effect, doc]: [&str; 2],
 ) -> Play {
     let name = |what: &str| format!("{what}{part}");
-    // The deflections of both flanks without play: the distances to contact are between them and the edges.
+    // The deflections of both flanks without play. Contact begins where they reach the edges.
     let turned = delta - bend.map_or(0.into(), |bend| bend.turn);
     let sides = bend.map(|bend| {
         [("drive", turned - bend.open), ("coast", turned + bend.open)].map(|(side, x)| m.deflection(&name(side), x))
@@ -84,7 +84,7 @@ fn band(
     let damp = gap.factor(&name("damp"), 1);
     let clip = gap.factor(&name("clip"), 0);
     gap.damped(&name("touch"), &name("damp"));
-    // The side of the opening: with neither flank in contact, neither; without play the drive flanks are in contact.
+    // The flanks in contact decide the sign of the opening: 1 drive, -1 coast, 0 none. Without play the drive flanks are in contact.
     if let Some(bend) = bend {
         let flank = gap.factor(&name("flank"), 1);
         gap.bend(flank * bend.open);

@@ -16,7 +16,7 @@ pub fn shaft(m: &mut Model, part: &str, what: &str, twist: Expr, first: impl Int
 
 /// A torsional spring between the ground and a body with the rotation `theta` [rad], in the effect `torsional_support`: it holds a body
 /// that turns without the effect, such as the carrier of a stage whose ring turns. Declares its torsional stiffness `k`. A phase that
-/// follows this body rolls in scenes without the effect only; the derivation finds that.
+/// follows this body rolls only in scenes without the effect; the derivation finds this.
 pub fn torsional_support(m: &mut Model, part: &str, what: &str, theta: Expr) {
     m.part_effect("torsional_support", part, "a torsional spring to the ground: it holds what else turns", |m| {
         ground(m, part, what, theta);

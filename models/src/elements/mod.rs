@@ -4,8 +4,8 @@
 //! values x = R q of its coordinates, so its forces are the sum of R^T f. The functions here call the components of models and add
 //! nothing to them. Every element has the part name `x` and the description `{}`; a train replaces both by the name of the part.
 //!
-//! The derivation proves M positive definite, and an element such as a spring has no inertia. It has a test inertia `J` in place of that of
-//! the bodies at its ends. In trains J is zero: the inertia is that of the rotors.
+//! The derivation proves that M is positive definite, but an element such as a spring has no inertia. It therefore has a test inertia `J`
+//! in place of the bodies at its ends. In trains J is zero, because the rotors have the inertia.
 
 mod bodies;
 mod springs;

@@ -16,7 +16,7 @@
  * compensation of rounding errors.
  *
  * Source: Oh, Grosh & Barber, "Energy Conserving Equations of Motion for Gear Systems", J. Vib. Acoust. 127(2), 2005,
- * doi:10.1115/1.1891815. Inertias are 10^3 times the printed kg mm^2 (a slip of the paper).
+ * doi:10.1115/1.1891815. Inertias are 10^3 times the printed kg mm^2 (a misprint in the paper).
  */
 #define _GNU_SOURCE
 #include <float.h>

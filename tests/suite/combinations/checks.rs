@@ -1,4 +1,4 @@
-//! What has to hold of every scene.
+//! Checks that every scene must pass.
 
 use gearsim::__private::error;
 use gearsim::run::Outcome;
@@ -8,7 +8,7 @@ use gearsim::{Error, Results, Scene};
 use crate::compare;
 use crate::draw::Case;
 
-/// What a check found.
+/// The result of a check.
 #[derive(Clone)]
 pub enum Checked {
     /// It holds.
@@ -28,15 +28,15 @@ pub const CHECKS: [Check; 4] = [("run", run), ("sweep", sweep), ("halves", halve
 
 /// Share of the scenes that are run by another method: it takes longer than all other checks.
 const METHODS: u64 = 4;
-/// Rounding errors allowed between a run and its halves, before the growth of errors in the motion; smallest difference allowed, since
-/// the start of the second half is rounded, and a vibration of that size has the speed of that size times its frequency.
+/// Rounding errors allowed between a run and its halves, without their growth in the motion; and the smallest allowed difference. The start
+/// of the second half is rounded, and the speed of a vibration of this size is larger by its frequency.
 const ROUNDINGS: (f64, f64) = (1e4, 1e-8);
 
-/// Values below this are zero [SI units]: what rounding errors of double-double numbers leave of a coordinate at rest, up to those of a
-/// metre and of 1e6 m/s.
+/// Values below this count as zero [SI units]: rounding errors of double-double numbers of the size of a metre or of 1e6 m/s, for
+/// coordinates at rest.
 const AT_REST: f64 = 1e-25;
 
-/// The run of the scene, or why there is nothing to check. All checks have the same one.
+/// The run of the scene, or why there is nothing to check. All checks share one run.
 fn ran(case: &Case) -> Result<&Results, &Checked> {
     let run = || {
         let scene = case.scene.as_ref().map_err(|error| Left(format!("not read, {}", words(error))))?;
@@ -62,7 +62,7 @@ fn run(case: &Case) -> Checked {
     if !finite(&run.q) || !finite(&run.q_dot) || !run.residual.iter().all(|x| x.is_finite()) {
         return Wrong("a number is not finite".into());
     }
-    // Steps of a fixed size and no jump terms lose energy, and the account says so.
+    // Fixed steps and equations without jump terms do not conserve energy, and the account reports this.
     let honest = outcome.solver.method == "rk4" || drops_terms(case);
     match outcome.refuted {
         Some(_) if honest => Left("the account says that the result is wrong".into()),

@@ -18,9 +18,9 @@ const FACTOR: f64 = 2.0;
 pub struct Case {
     /// The committed scene that it is made of.
     pub base: Scene,
-    /// What is set in it.
+    /// The overrides of the scene.
     pub sets: Vec<String>,
-    /// The scene, or what is wrong with it.
+    /// The scene, or its mistakes.
     pub scene: Result<Scene, String>,
     /// Its run, once a check has asked for it.
     pub run: OnceCell<Result<Results, Checked>>,
@@ -41,8 +41,8 @@ pub fn bases() -> Vec<Scene> {
     effects::models().iter().flat_map(|(model, _)| effects::committed(model, T_END)).collect()
 }
 
-/// Random scene `number`. Its base is the one of highest rank among all: a scene that is added later takes only its share of the numbers,
-/// and all others keep their meaning.
+/// Random scene `number`. Its base is the scene with the highest rank for this number. A scene that is added later is then the base of its
+/// share of the numbers only, and all other numbers keep their scene.
 #[allow(dead_code)] // the fuzz target draws by bytes
 pub fn case(bases: &[Scene], number: u64) -> Case {
     let seed = number.wrapping_mul(0x9e37_79b9_7f4a_7c15);
@@ -64,7 +64,7 @@ pub fn drawn(base: &Scene, mut draw: Random) -> Case {
     let names = set(base.model, &mut draw);
     let mut sets = effects::overrides(&base, &names);
     sets.extend(method(&mut draw));
-    // With its own numbers first: what the reader refuses then, it would refuse with others too.
+    // First with its own numbers: a scene that is refused with these would be refused with other numbers too.
     let read = |sets: &[String]| Scene::from_toml_with(&base.name, &base.text, sets).map_err(|error| error.to_string());
     let mut scene = read(&sets);
     if let Ok(plain) = &scene {
@@ -80,7 +80,7 @@ pub fn drawn(base: &Scene, mut draw: Random) -> Case {
     Case { base, sets, scene, run: OnceCell::new(), choice: draw.next() }
 }
 
-/// A set of effects without contradictions. A part of an effect is taken only where the whole is not.
+/// A set of effects without contradictions. The effect of one part is drawn only if the effect of all parts is not.
 fn set(model: &'static Model, draw: &mut Random) -> Vec<&'static str> {
     let share = [0.2, 0.5, 0.9][draw.below(3)];
     let mut all: Vec<_> = model.effects.iter().collect();

@@ -1,4 +1,5 @@
-//! Scenes of a model with chosen effects: a committed scene, the effects and those that they need, with values for what these require.
+//! Scenes of a model with chosen effects: a committed scene with these effects, the effects that they need, and values of their required
+//! parameters.
 
 #![allow(dead_code)] // each test binary uses only some of these
 
@@ -29,8 +30,8 @@ pub fn models() -> Vec<(String, &'static str)> {
     all.map(|model| (model.name.to_string(), model.title)).collect()
 }
 
-/// Each effect of a model and a scene with it; the error is why there is none. An effect of parts is there at all of them, and where there
-/// are several, at the first alone.
+/// Each effect of a model and a scene with it; the error is why there is none. An effect of parts is listed for all parts and, if there are
+/// several, for the first part alone.
 pub fn of(model: &str) -> Vec<(&'static str, Result<Scene, String>)> {
     let base = base(model);
     let mut names: Vec<&'static str> = vec![];
@@ -69,7 +70,7 @@ pub fn committed(model: &str, t_end: f64) -> Vec<Scene> {
         files.iter().filter(|file| std::fs::read_to_string(file).unwrap().contains(&format!("model = \"{model}\"")));
     let cut = |file: &PathBuf| {
         let scene = Scene::load(file).unwrap_or_else(|e| panic!("{e}"));
-        // What runs is chosen by the commands, and so are method and tolerance.
+        // The commands choose method, step, tolerance and rate.
         let chosen = ["method =", "tolerance =", "step =", "rate ="];
         let own = |line: &&str| !chosen.iter().any(|key| line.trim_start().starts_with(key));
         let text: String = scene.text.lines().filter(own).map(|line| format!("{line}\n")).collect();
@@ -81,11 +82,11 @@ pub fn committed(model: &str, t_end: f64) -> Vec<Scene> {
     scenes
 }
 
-/// `base` with an effect, with what this needs, and with values for what it requires.
+/// `base` with an effect, the effects that it needs, and values of its required parameters.
 fn scene(base: &Scene, effect: &'static str) -> Result<Scene, String> {
     let model = base.model;
     let mut names = needed(model, effect);
-    // The effect at one part alone is not that at all of them, which the scene may have.
+    // The effect of one part replaces the effect of all parts, which the scene may have.
     let all = model.effects.iter().find(|e| e.name == effect).and_then(|e| e.of);
     for name in base.effects.names(model).into_iter().filter(|name| Some(*name) != all) {
         if !names.contains(&name) && !names.iter().any(|other| exclude(model, name, other)) {

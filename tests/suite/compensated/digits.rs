@@ -58,7 +58,7 @@ pub fn apart(a: &Digits, b: &Digits, size: f64) -> f64 {
     (a.clone() - b.clone()).approx().abs() / size
 }
 
-/// Plain numbers keep their sixteen digits, compensated ones thirty but for a factor `lost`.
+/// Plain precision keeps sixteen digits, compensated precision thirty, except for a factor `lost`.
 pub fn judge(what: &str, [plain, compensated]: [f64; 2], lost: f64) {
     println!("{what}: plain {plain:.1e}, compensated {compensated:.1e}");
     assert!(plain < 1e-14 * lost, "{what}: plain {plain:.1e}");

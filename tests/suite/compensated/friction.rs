@@ -29,7 +29,7 @@ fn vibration(phi: f64, rise: f64, t: f64) -> [Digits; 2] {
 }
 
 #[test]
-fn the_vibration_of_den_hartog_has_all_digits() {
+fn the_vibration_of_den_hartog_is_accurate_to_double_double() {
     for t in [0.1, 0.2, 0.45, 0.7, 2.0] {
         let scene = scene(
             "friction_oscillator",
@@ -45,9 +45,10 @@ fn the_vibration_of_den_hartog_has_all_digits() {
 }
 
 /// The torque rises by `slope` until it overcomes spring and breakaway torque. From there on the rotor slips: phi - phi_0 =
-/// rise T_c/k (1 - cos) + slope/k (tau - sin/omega). Where the spring pulls from the start, plain numbers release 1e-9 of its torque late.
+/// rise T_c/k (1 - cos) + slope/k (tau - sin/omega). If the spring pulls from the start, plain precision releases the rotor late, by 1e-9
+/// of the torque.
 #[test]
-fn a_release_by_a_rising_torque_has_all_digits() {
+fn a_release_by_a_rising_torque_is_accurate_to_double_double() {
     for (rise, phi) in [(0.0, 0.0), (0.25, 0.0), (0.0, 0.005), (0.25, 0.005)] {
         let (slope, t) = (16.0, 0.5);
         let scene = scene(

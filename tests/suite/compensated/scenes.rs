@@ -1,4 +1,5 @@
-//! All scenes whose cells are linear: both precisions have the same events, and the same end but for plain rounding.
+//! All scenes whose cells are linear: both precisions have the same events, and ends that differ only by rounding errors of plain
+//! precision.
 
 use gearsim::__private::{Hybrid, Inside};
 use gearsim::scene::Precision;
@@ -14,7 +15,7 @@ const CONTACTS: [(&str, f64); 5] = [
     ("oh2005/stall_300rpm", 1.0),
 ];
 
-/// What must be the same, and the coordinates and speeds at the end.
+/// The counts of events, which must be equal, and the coordinates and speeds at the end.
 fn end(now: &Hybrid<'_>) -> ([u64; 5], Vec<f64>) {
     let c = &now.counts;
     let state = now.state.q.iter().chain(now.state.q_dot.iter()).copied().collect();
@@ -32,7 +33,7 @@ fn scenes_with_linear_cells_run_in_both_precisions() {
             let Some(name) = name.strip_suffix(".toml") else { continue };
             let name = format!("{folder}{name}");
             let mut scene = scene(&name, &[]);
-            // The first part of each: errors of plain numbers do not yet grow beyond what is asked for.
+            // Only the first part of each, in which the errors of plain precision are still below the tolerance.
             scene.t_end *= CONTACTS.iter().find(|(contact, _)| *contact == name).map_or(0.02, |(_, part)| *part);
             let entry = model(scene.model.name);
             if entry.check(&scene).unwrap().method != "exact" {

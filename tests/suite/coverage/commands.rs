@@ -1,9 +1,9 @@
-//! The commands, each as what it asks of the library.
+//! The commands, each as a call of the library.
 
 use gearsim::__private;
 use gearsim::{Error, Scene};
 
-/// What a command does with a scene; the error is why it cannot.
+/// Runs a command on a scene; the error is the reason why it cannot.
 type Command = fn(&Scene) -> Result<(), String>;
 
 /// The columns of the table. A run that stops early or is refuted is an error too.
@@ -61,7 +61,7 @@ fn reference(scene: &Scene) -> Result<(), String> {
     __private::reference(scene, &|scene: &Scene| entry.run(scene, &mut |_| {})).map(drop)
 }
 
-/// The text of an error without what differs from scene to scene: the name of the scene, and times.
+/// The text of an error without the parts that differ between scenes: the name of the scene, and times.
 fn reason(error: Error) -> String {
     let text = match error {
         Error::Refused { refusal, .. } => refusal.to_string(),

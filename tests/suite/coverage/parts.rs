@@ -1,4 +1,4 @@
-//! Scenes of trains, one for each kind of part and effect that it may have. What a part has besides the effect is constant.
+//! Scenes of trains, one for each kind of part and effect that it may have. Other properties of the part are constant.
 
 use gearsim::Scene;
 use gearsim::model::Model;

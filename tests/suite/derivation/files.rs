@@ -6,10 +6,10 @@ use std::process::Command;
 use gearsim_derive::{Expr, Home, Model, Range, Start, derive};
 use gearsim_models::{ELEMENTS, MODELS};
 
-/// Environment variable that makes this program derive the gear pair, print its file and end. Its value, one of `CHILDREN`, says
-/// what to do before.
+/// Environment variable that makes this program derive the gear pair, print its file and end. Its value, one of `CHILDREN`, says what the
+/// program does before the derivation.
 const CHILD: &str = "GEARSIM_DERIVES_IN_CHILD";
-/// The line between what Symbolica prints when it starts and the file, in a child's output.
+/// The line in a child's output between the text that Symbolica prints at its start and the file.
 const HERE: &str = "=== file ===\n";
 const CHILDREN: [&str; 3] = ["at once", "at once", "after other symbols"];
 

@@ -1,11 +1,11 @@
-//! Unusual input: whatever an author writes, the derivation ends with equations or with an error (`Slip`), never with a panic.
+//! Unusual input: the derivation always ends with equations or with an error (`Slip`), never with a panic.
 
 use gearsim_derive::{Expr, Model, Range, Start, derive, half};
 use gearsim_models::components::mesh_stiffness;
 
 use crate::slips::oscillator;
 
-/// What is unusual, and the model.
+/// The unusual property, and the model.
 type Row = (&'static str, fn(&mut Model));
 
 /// Models that may be derived or refused, but must not panic.

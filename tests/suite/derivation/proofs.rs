@@ -126,7 +126,7 @@ pub fn other_dampers_are_proved() {
     }
 }
 
-/// A torque may work through a deflection with a transmission error: it feels its rate without that of the error.
+/// A torque may work through a deflection with a transmission error: its power has the rate of the deflection without that of the error.
 pub fn a_torque_through_a_deflection_is_in_the_balance() {
     let model = Model::new("train", |m| {
         let o = oscillator(m);

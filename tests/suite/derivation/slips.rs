@@ -32,7 +32,7 @@ fn steps_with(m: &mut Model, name: &str, how: Boundary) {
     }
 }
 
-/// What is wrong, the name that the message must contain, the code with the mistake.
+/// The mistake in words, the name that the message must contain, the code with the mistake.
 type Row = (&'static str, &'static str, fn(&mut Model, Oscillator));
 
 const SLIPS: &[Row] = &[

@@ -119,7 +119,7 @@ fn oscillator(overrides: &[&str]) -> Scene {
     common::scene("backlash_oscillator", &overrides.iter().map(|s| s.to_string()).collect::<Vec<_>>())
 }
 
-/// Starts at the edge of the play, and some units in the last place beside it.
+/// Starts at the edge of the play, and a few units in the last place away from it.
 fn touching(note: &mut String) -> f64 {
     let edge = 5e-4_f64;
     let starts = [0, 1, 2, 4, 8, 40]

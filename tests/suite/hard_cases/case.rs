@@ -4,7 +4,7 @@
 pub struct Case {
     /// Number of the kind of difficulty, or `random`.
     pub row: &'static str,
-    /// What the case does.
+    /// Description of the case.
     pub name: &'static str,
     /// What it proves if the number is within the tolerance.
     pub proves: &'static str,
@@ -14,7 +14,7 @@ pub struct Case {
     pub unit: &'static str,
     /// Why this tolerance is right.
     pub reason: &'static str,
-    /// Measures the number; may write a note on what it was measured on.
+    /// Measures the number; may write a note on its sample.
     pub measure: fn(&mut String) -> f64,
 }
 
@@ -23,7 +23,7 @@ pub const WRONG: &str = "wrong";
 /// The reason why such a count must be 0.
 pub const NONE: &str = "a decision or a bit is right or wrong";
 
-/// The number of a case, and a note on what it was measured on.
+/// The number of a case, and a note on its sample.
 #[derive(Debug, Clone)]
 pub struct Measured {
     pub value: f64,

@@ -85,7 +85,7 @@ pub const CASES: &[Case] = &[
     },
 ];
 
-/// Settings of a run, and what its energy account may lack, in parts of the energy.
+/// Settings of a run, and the allowed residual of its energy account, relative to the energy.
 type Method = (&'static [&'static str], f64);
 const EXACT: Method = (&[], 1e-14);
 const DOP853: Method = (&["run.method=dop853", "run.tolerance=1e-12"], 1e-10);
@@ -161,7 +161,7 @@ pub struct Freed {
 
 impl Freed {
     /// The largest error of theta, phi and their speeds at the end, in units of REST and of the speed. Infinite if the numbers of holds
-    /// and cell changes differ from `events`, or if the account lacks more than `lack` of the energy.
+    /// and cell changes differ from `events`, or if the residual of the account is more than `lack` of the energy.
     pub fn off(&self, outcome: &Outcome, events: (u64, u64), lack: f64) -> f64 {
         if (outcome.counts.holds, outcome.counts.cell_changes) != events || residual(outcome) > lack {
             return f64::INFINITY;

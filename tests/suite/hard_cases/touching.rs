@@ -16,7 +16,7 @@ pub const CASES: &[Case] = &[
         proves: "no flank parts and none is met, by exact cells and by dop853: forces that are zero have no rounding error",
         tolerance: 0.0,
         unit: WRONG,
-        reason: "the flank is at the edge in all digits, and no force acts on it",
+        reason: "the flank is exactly at the edge, and no force acts on it",
         measure: rests,
     },
     Case {
@@ -31,7 +31,7 @@ pub const CASES: &[Case] = &[
     Case {
         row: "11",
         name: "a loaded flank at rest beside gears that turn: exact cells and dop853",
-        proves: "the speed of the deflection is zero, and what is left of it are rounding errors of the long steps of dop853: its claim has them",
+        proves: "the speed of the deflection is zero except for rounding errors of the long steps of dop853, which its claimed error contains",
         tolerance: 10.0,
         unit: "of the claimed error",
         reason: "the claim is the distance to one other run; the error may be several times as large",
@@ -55,7 +55,7 @@ fn rests(note: &mut String) -> f64 {
         ];
         let methods: [&[String]; 2] = [&[], &["run.method=dop853".into()]];
         let runs = methods.map(|method| common::run(&common::scene("backlash", &[&set, method].concat())));
-        // An equilibrium a rounding beyond the edge is a spring that is pressed, and swings back.
+        // If the equilibrium is a rounding error beyond the edge, the spring is pressed, and the flank swings back.
         if runs[0].trajectory.q[1][0] > play / 2.0 {
             continue;
         }
@@ -74,7 +74,7 @@ fn starts(note: &mut String) -> f64 {
         let set = [format!("run.method={method}"), "run.t_end=0.1 ms".into()];
         let scene = common::scene("drives/start_up", &set);
         let run = common::run(&scene);
-        // Its start is some roundings beside the edge.
+        // The start of the companion is a few rounding errors away from the edge.
         let companion = common::run(&digits::companion(&scene, &run, false));
         let steps = [run, companion].map(|run| run.solver.steps + run.solver.rejected);
         *note += &format!("{method}: {} steps, {} from a start beside the edge; ", steps[0], steps[1]);

@@ -67,7 +67,7 @@ fn supports_of_sun_and_carrier() {
             let known = |f: &f64| pairs.iter().chain(planets).any(|printed| (f / printed - 1.0).abs() < 1e-4);
             found.iter().copied().filter(|f| !known(f)).collect()
         };
-        // By Courant and Fischer no frequency falls where a spring is added.
+        // By the min-max theorem (Courant and Fischer), no frequency decreases when a spring is added.
         let (free, sun, both) = (rotations, rotating(&sun), rotating(&both));
         assert!(sun.len() == 6 && both.len() == 6 && sun[0] > 100.0, "{sun:?} {both:?}");
         for i in 0..6 {
@@ -190,7 +190,8 @@ fn bearing_dampers() {
     assert!(run.summary().refuted.is_none());
 }
 
-/// Modes and multipliers need no `[run]` and no torques; a run says what it lacks. Beside other mistakes the missing table is named.
+/// Modes and multipliers need no `[run]` and no torques. A run without them is refused, and the message names the missing table along with
+/// other mistakes.
 fn modes_need_no_run() {
     let scene = Scene::from_toml("pair", PAIR).unwrap_or_else(|e| panic!("{e}"));
     assert!(scene.t_end.is_infinite() && scene.modes().is_ok());

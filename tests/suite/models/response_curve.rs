@@ -21,8 +21,8 @@
 //! an error. This adds -2 zeta e' to the right side, so that F = Fah W² sqrt(1 + (2 zeta/W)²), 0.5 % more at W = 1. The formula is evaluated
 //! with it. The transmission error x has the amplitude N a/sqrt(W⁴ + (2 zeta W)²).
 //!
-//! A third column is the same equation integrated here by Runge and Kutta's method, through the same sequence of speeds. It tells the error
-//! of the balance, which neglects all harmonics but the first, from an error of ours.
+//! A third column is the same equation integrated here by Runge and Kutta's method, through the same sequence of speeds. It separates the
+//! error of the harmonic balance, which neglects all harmonics but the first, from an error of gearsim.
 
 use std::f64::consts::{FRAC_PI_2, PI, SQRT_2, TAU};
 
@@ -38,7 +38,7 @@ const TIMES: (f64, f64) = (0.04, 0.03);
 /// An amplitude that changes by this factor from one frequency to the next has jumped.
 const JUMP: f64 = 1.2;
 
-/// A value of the curve, by the three ways.
+/// A value of the curve, found in three ways.
 pub struct Row {
     pub what: String,
     /// By the published formula.
@@ -81,7 +81,7 @@ fn ours() -> Result<Vec<Point>, String> {
     all.ok_or_else(|| format!("a point has no result: {:?}", response.points.iter().find(|p| !p.reason.is_empty())))
 }
 
-/// By Runge and Kutta's method of order 4 with 200 steps a period, as many periods as the scene runs.
+/// The curve by the Runge-Kutta method of order 4 with 200 steps a period, over the same number of periods as the scene.
 fn integrated() -> Vec<Point> {
     const STEPS: usize = 200;
     let natural = 40.0 * SCALES.0;
@@ -179,7 +179,7 @@ fn amplitude(points: &[Point], upward: bool, w: f64) -> f64 {
 /// All rows, each within what is allowed.
 ///
 /// # Errors
-/// The first that is not.
+/// The first row that is not.
 pub fn rows() -> Result<Vec<Row>, String> {
     let (ours, integrated, curve) = (ours()?, integrated(), balance());
     let turn = |better: fn(f64, f64) -> bool, range: &[(f64, f64)]| {

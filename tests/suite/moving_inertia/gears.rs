@@ -64,7 +64,7 @@ fn a_step_changes_the_speeds_by_the_inertia_at_its_place() {
     assert!(largest(&t.residual) < 1e-12 * start, "energy is not conserved: {:e} J", largest(&t.residual));
 }
 
-/// A slow pair that a torque presses against a step is turned back, and held at last; the account closes.
+/// A slow pair that a torque presses against a step is reflected, and finally held; the account closes.
 #[test]
 fn a_pair_pressed_against_a_step_is_held() {
     let overrides = [

@@ -50,7 +50,7 @@ fn double(start: &str) -> Scene {
 }
 
 /// lambda² of M lambda² + K, M = ((m1 + m2) l1², s m2 l1 l2; ., m2 l2²), K = g diag((m1 + m2) l1 s1, m2 l2 s2), where s1, s2 = 1 for a
-/// pendulum that hangs and -1 for one that stands, s = s1 s2.
+/// hanging pendulum and -1 for an inverted one, s = s1 s2.
 fn squares([m1, m2, l1, l2]: [f64; 4], [s1, s2]: [f64; 2]) -> [f64; 2] {
     let (a, b, c) = ((m1 + m2) * l1 * l1, s1 * s2 * m2 * l1 * l2, m2 * l2 * l2);
     let (k1, k2) = (G * (m1 + m2) * l1 * s1, G * m2 * l2 * s2);
@@ -140,7 +140,7 @@ fn of_multipliers(floquet: &Floquet) -> [f64; 2] {
     [all().sum::<Complex<f64>>().re, all().product::<Complex<f64>>().re]
 }
 
-/// Where a run of `scene` from (q, q') comes to in the time `t`, and its accelerations there.
+/// The end of a run of `scene` from (q, q') after the time `t`, and its accelerations there.
 fn flow(entry: &Entry, scene: &Scene, y: &[f64], t: f64) -> [Vec<f64>; 2] {
     let (mut scene, n) = (scene.clone(), y.len() / 2);
     scene.t_end = t;
@@ -247,10 +247,10 @@ impl ByHand {
     }
 }
 
-/// A shaft behind a joint shakes the mesh as Hill's equation says: unstable at one speed, not at another; and every multiplier is that of the
-/// equations by hand.
+/// A shaft behind a joint excites the mesh according to Hill's equation: it is unstable at one speed and stable at another. Every
+/// multiplier is that of the equations by hand.
 #[test]
-fn a_joint_shakes_its_drive_as_by_hand() {
+fn multipliers_behind_a_joint_are_those_of_hand_written_equations() {
     let (n1, n2, r1) = (24.0, 96.0, 0.0716);
     let by_hand = ByHand { inertia: [0.05, 0.04], behind: 0.4, angle: 0.6, radii: [r1, r1 * n2 / n1], stiffness: 3e4 };
     let mut verdicts = vec![];

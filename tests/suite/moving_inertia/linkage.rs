@@ -36,7 +36,7 @@ fn with_crank(theta: f64) -> f64 {
     I_F + M_P * ratio * ratio
 }
 
-/// That with a joint: the angle behind it from tan theta_o = tan theta/cos beta, differentiated by the angle in front of it.
+/// The inertia with a joint: the angle behind the joint, tan theta_o = tan theta/cos beta, differentiated by the angle in front of it.
 fn with_joint(theta: f64) -> f64 {
     let ratio = BETA.cos() / (theta.sin().powi(2) + (BETA.cos() * theta.cos()).powi(2));
     I_F + I_O * ratio * ratio

@@ -1,4 +1,5 @@
-//! Powers of torques and through parts, and the torques of what is held: against the work of the account and against Newton's laws.
+//! Powers of torques, powers through parts, and reactions of held parts, compared with the work in the energy account and with Newton's
+//! laws.
 
 use std::collections::BTreeMap;
 
@@ -22,8 +23,8 @@ fn slope(x: &[f64], h: f64) -> Vec<f64> {
     x.windows(5).map(|x| (x[0] - 8.0 * x[1] + 8.0 * x[3] - x[4]) / (12.0 * h)).collect()
 }
 
-/// The power of each torque, integrated between the rows, is its work in the account: of constant torques, of those that vary in time, of
-/// a governor's and of friction.
+/// The power of each torque, integrated between the rows, is its work in the account: for constant torques, torques that vary in time,
+/// governors and friction.
 #[test]
 fn the_powers_of_torques_are_the_rates_of_their_works() {
     let mut seen = BTreeMap::new();
@@ -35,7 +36,7 @@ fn the_powers_of_torques_are_the_rates_of_their_works() {
         "train_turbine",
         "crank_drive",
     ] {
-        // The trapezoidal rule has an error of (w h)²/12 of what vibrates with w, 3e-6 of the power of friction at this rate.
+        // The trapezoidal rule has a relative error of (w h)²/12 for a vibration with w, 3e-6 of the power of friction at this rate.
         let run = run(&scene(name, &["run.t_end=20 ms".into(), "output.rate=2 MHz".into()])).trajectory;
         for (i, torque) in run.model.torques.iter().enumerate() {
             let power = format!("power_{}", torque.name);
@@ -58,8 +59,8 @@ fn the_powers_of_torques_are_the_rates_of_their_works() {
     );
 }
 
-/// What the motor gives less what accelerates its rotor enters the shaft; what leaves the shaft less what accelerates the driving gear
-/// enters the mesh.
+/// The power of the motor minus the power that accelerates its rotor enters the shaft. The power that leaves the shaft minus the power that
+/// accelerates the driving gear enters the mesh.
 #[test]
 fn power_passes_from_part_to_part() {
     for (name, mesh, radius) in [("gear_pair_shafts", "12", "r1"), ("two_stage", "12", "r1")] {
@@ -87,8 +88,8 @@ fn power_passes_from_part_to_part() {
     }
 }
 
-/// A train forms the powers through its parts from the speeds of its rotors. Sums over a body less what it stores are zero; here the powers
-/// themselves are compared with force times speed.
+/// A train forms the powers through its parts from the speeds of its rotors. The sum of the powers at a body minus its change of energy is
+/// zero; here each power is compared with force times speed.
 #[test]
 fn a_train_has_the_powers_of_its_parts() {
     let scene = scene("train_turbine", &["run.t_end=5 ms".into()]);
@@ -111,7 +112,8 @@ fn a_train_has_the_powers_of_its_parts() {
             assert!((power[row] - expected).abs() < 1e-9 * size(&power), "{rotor}: {} {expected}", power[row]);
         }
     }
-    // The sun drives the middle shaft: what it gives to its meshes is what it takes from the shaft, but for its acceleration.
+    // The sun drives the middle shaft: the power that it gives to its meshes is the power that it takes from the shaft, except for its
+    // acceleration.
     let given: f64 = ["p_s1", "p_s2", "p_s3"].map(|mesh| of(&format!("mesh_power_{mesh}"))[0]).iter().sum();
     assert!(given < 0.0 && of("shaft_power_middle")[0] > 0.0, "{given}");
 }
@@ -140,7 +142,7 @@ fn dry_friction_at_rest_has_the_torque_that_it_resists() {
     assert!((size(&phi) - 2e-3).abs() < 1e-15, "it has moved");
 }
 
-/// The torque of a clutch in every mode is what the motor gives less what accelerates its rotor.
+/// In every mode the torque of a clutch is the torque of the motor minus the torque that accelerates its rotor.
 #[test]
 fn a_clutch_has_its_torque_locked_and_open() {
     let sets = ["run.t_end=0.21 s", "output.rate=200 kHz", "output.events=false"].map(String::from);

@@ -1,5 +1,5 @@
-//! Gears that stand under load: friction of the flanks does not hold them, they creep. While the moment Q of the torques along psi is less than
-//! mu |F| arm, psi' = w_mix x/sqrt(1 - x²) with x = Q/(mu |F| arm). Beyond it they run away, as with sticking.
+//! Gears at rest under load: friction of the flanks does not hold them, and they creep. While the moment Q of the torques along psi is less
+//! than mu |F| arm, psi' = w_mix x/sqrt(1 - x²) with x = Q/(mu |F| arm). At a larger moment they accelerate, as with sticking.
 
 use gearsim::Scene;
 
@@ -8,8 +8,8 @@ const ARM: f64 = 4e-3;
 const W_MIX: f64 = 0.1;
 const DRIVE: f64 = 1.0;
 
-/// The speeds of both gears at the end, in the direction of the drive \[rad/s\], of equal gears that begin to turn at 1 rad/s. `excess` is what the
-/// load has more than the drive \[N m\].
+/// The speeds of both gears at the end, in the direction of the drive \[rad/s\], of equal gears that begin to turn at 1 rad/s. `excess` is
+/// the torque of the load minus that of the drive \[N m\].
 fn speeds(excess: f64) -> [f64; 2] {
     let text = format!(
         "model = \"train\"\neffects = [\"stiffness_step\", \"sliding_friction\", \"torques\", \"viscous_friction\"]\n\
@@ -32,7 +32,7 @@ fn speeds(excess: f64) -> [f64; 2] {
 fn a_loaded_pair_creeps_below_the_breakaway_moment_and_turns_back_beyond_it() {
     for excess in [2e-3, 8e-3] {
         let speeds = speeds(excess);
-        // At the end both torques press on the mesh, equal but for the friction: F = (T1 + T2)/(2 r).
+        // At the end both torques press on the mesh. They differ only by the friction: F = (T1 + T2)/(2 r).
         let force = (2.0 * DRIVE + excess) / 2.0 / 0.056;
         let x = -excess / 2.0 / (MU * force * ARM);
         let expected = W_MIX * x / (1.0 - x * x).sqrt();

@@ -101,7 +101,8 @@ fn thrust_against_newton() {
     }
 }
 
-/// On a middle shaft with two gears of one hand the axial forces oppose each other. That of a gear follows from F_t tan(beta) at its radius.
+/// On a middle shaft with two gears of the same hand the axial forces oppose each other. The axial force of a gear is F_t tan(beta) at its
+/// radius.
 #[test]
 fn two_gears_on_one_shaft() {
     let text = r#"

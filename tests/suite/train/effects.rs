@@ -41,7 +41,7 @@ fn losses_sum_to_the_account() {
     assert!((sum - account).abs() < 1e-3 * account, "losses {sum} J, account {account} J");
 }
 
-/// A set of effects has 64 bits: of more parts the effects are those of the train.
+/// A set of effects has 64 bits: with more parts, they share the effects of the train.
 #[test]
 fn seventy_bearings_share_their_effect() {
     let mut text = String::from("model = \"train\"\neffects = [\"viscous_friction\"]\n[start]\nspeed = \"100 rpm\"\n");

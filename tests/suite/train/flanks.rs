@@ -9,8 +9,8 @@ const MU: f64 = 0.06;
 /// A mesh: its name, the distance of its force from the pitch point [m], and the rotors that slide on each other.
 type Mesh = (&'static str, f64, [&'static str; 2]);
 
-/// Runs a train with constant stiffnesses and arms and without damping. Returns what friction takes by the account, and by the forces of
-/// the meshes and the speeds of the rotors alone. The flanks slide with the sum of the speeds of both rotors times `turns`.
+/// Runs a train with constant stiffnesses and arms and without damping. Returns the friction loss of the account, and that computed from
+/// the forces of the meshes and the speeds of the rotors alone. The flanks slide with the sum of the speeds of both rotors times `turns`.
 fn losses(tables: &str, meshes: &[Mesh], turns: [f64; 2]) -> [f64; 2] {
     let mut text = format!(
         "model = \"train\"\neffects = [\"stiffness_step\", \"torques\", \"sliding_friction\"]\n{tables}\n\
@@ -79,7 +79,7 @@ fn internal_gears_lose_the_work_of_the_difference_of_their_speeds() {
     assert_equal(losses(&tables, &[("12", 3e-3, ["a", "b"])], [1.0, -1.0]));
 }
 
-/// All meshes of a planet set: sun and planet, planet and ring, of which the carrier turns too.
+/// All meshes of a planet set, sun and planet, planet and ring, with a carrier that turns.
 #[test]
 fn planets_lose_the_work_of_all_their_meshes() {
     let tables = "

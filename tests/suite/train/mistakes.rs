@@ -15,7 +15,7 @@ fn refused(tables: &str) -> String {
 }
 
 #[test]
-fn each_is_named_with_its_place() {
+fn each_mistake_is_reported_with_its_place() {
     let shaft = "[shafts.s]\nbetween = [\"a\", \"b\"]\nstiffness = \"1 kN*m/rad\"\n";
     for (tables, said) in [
         ("".to_string(), "lacks `[rotors]`"),

@@ -60,13 +60,13 @@ impl Compared for Pair<'_> {
     }
 }
 
-/// What was counted.
+/// The counts of events.
 fn events(run: &Outcome) -> [u64; 5] {
     let counts = &run.counts;
     [counts.cell_changes, counts.reflections, counts.holds, counts.impacts, counts.sticks]
 }
 
-/// Energies and outputs of a run, but for losses, which are near zero.
+/// Energies and outputs of a run, except losses, which are near zero.
 fn columns(run: &Outcome) -> Vec<(&'static str, Vec<f64>)> {
     let outputs = run.trajectory.outputs.iter().map(|(output, values)| (output.name, values.clone()));
     let energies = [("kinetic", &run.trajectory.kinetic), ("strain", &run.trajectory.strain)];
@@ -153,6 +153,6 @@ fn planets_with_supports_of_sun_and_carrier() {
 }
 
 #[test]
-fn twice_the_digits() {
+fn compensated_precision() {
     assert!(SHAFTS.compare(&["run.t_end=\"20 ms\"", "run.precision=\"compensated\""]) < 1e-12);
 }

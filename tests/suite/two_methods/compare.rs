@@ -61,8 +61,8 @@ fn claimed(scene: &Scene, outcome: &Outcome, run: Runner<'_>) -> f64 {
     noted.digits.map_or(0.0, |left| 10f64.powf(-left.at_end))
 }
 
-/// Two runs of a scene. `claim` is the error that the second claims: what is at rest is measured by a share of what moves, so that the
-/// rounding errors of a method, whose steps are long, may exceed those of the exact motion, which `left` knows.
+/// Two runs of a scene. `claim` is the error that the second run claims. Errors of coordinates at rest are relative to a share of those
+/// that move, so that the rounding errors of a method with long steps may exceed those of the exact motion, from which `left` follows.
 fn compared(first: &Outcome, second: &Outcome, left: Digits, claim: &dyn Fn() -> f64) -> Result<String, String> {
     for run in [first, second] {
         if let Some(stop) = &run.stopped_by {

@@ -11,7 +11,7 @@ use crate::compare;
 /// Number of variants of each scene.
 const VARIANTS: u64 = 4;
 
-/// Variants that show open faults, with what is wrong. They are left out, so that new ones are found.
+/// Variants with known open faults, each with the fault in words. They are skipped, so that new faults are found.
 const OPEN: [(&str, u64, &str); 0] = [];
 
 /// Compares the variants of a scene.

@@ -43,7 +43,7 @@ pub fn balance(name: &str) -> Result<String, String> {
                 *x = (i as f64 * 0.618_033_988_75 + j as f64 * 0.41) * TAU;
             }
         }
-        match left_over(&scene, &is_static)? {
+        match residual(&scene, &is_static)? {
             Some(left) => worst = worst.max(left),
             None => boundaries += 1,
         }
@@ -58,7 +58,7 @@ pub fn balance(name: &str) -> Result<String, String> {
 
 /// The largest residual in a static row, relative to the largest force in that row. `None` if a static phase is on a boundary, which
 /// holds it.
-fn left_over(scene: &Scene, is_static: &[bool]) -> Result<Option<f64>, String> {
+fn residual(scene: &Scene, is_static: &[bool]) -> Result<Option<f64>, String> {
     let entry = common::model(scene.model.name);
     let outcome = entry.run(scene, &mut |_| {}).map_err(|e| e.to_string())?;
     let at = |columns: &[Vec<f64>]| columns.iter().map(|column| column[0]).collect::<Vec<_>>();

@@ -1,4 +1,4 @@
-//! A chapter, with what its commands print and plot.
+//! A chapter, with the output and the plots of its commands.
 //!
 //! | in a chapter | what becomes of it |
 //! | --- | --- |
@@ -42,7 +42,7 @@ struct Chapter<'a> {
     book: &'a Book,
     /// Path in the folder of the chapters, without the ending.
     name: &'a Path,
-    /// Who runs the commands.
+    /// Runs the commands.
     reader: Reader,
     /// What is written so far.
     text: String,

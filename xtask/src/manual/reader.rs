@@ -13,7 +13,7 @@ use crate::{chore, shell};
 /// The scenes that commands name, from the root of the repository.
 const SCENES: &str = "models/scenes";
 
-/// Who runs the commands of a chapter.
+/// Runs the commands of a chapter in a folder of its own.
 pub struct Reader {
     /// The folder in which the commands run.
     pub folder: PathBuf,

@@ -20,7 +20,7 @@ pub fn cells(m: &Model) -> Vec<Cold> {
         let (positions, body) = (positions(m, &cold.body), cold.body);
         Cold { takes: &[Takes::Coordinates("q")], body: quote!(#positions #body), ..cold }
     };
-    // What depends on the values of laws and switches.
+    // A function of the values of laws and switches.
     let of_values = |cold: Cold| {
         let body = with_lets(m, cold.body);
         Cold { takes: &[Takes::Laws("k")], body, ..cold }

@@ -15,7 +15,7 @@ use crate::equations::scope::speed;
 use crate::equations::sums::{block, body, by_index, position};
 use crate::equations::switches;
 
-/// A function of `Numbers` with `met` as its first argument, and without it a function of `Equations`.
+/// A function that is generated twice: for `Numbers`, with `met` as its first argument, and for `Equations`, without it.
 pub struct Cold {
     pub name: &'static str,
     pub takes: &'static [Takes],
@@ -29,19 +29,19 @@ pub enum Takes {
     Coordinates(&'static str),
     /// Values of the laws.
     Laws(&'static str),
-    /// Which of several.
+    /// An index.
     Index(&'static str),
     /// A number.
     Number(&'static str),
-    /// What the engine alone knows.
+    /// Quantities that only the engine knows.
     Known(&'static str),
 }
 
 /// A result.
 pub enum Returns {
-    /// Of this type, inside and out.
+    /// A value of this type, in both functions.
     Plain(TokenStream),
-    /// Of a type that depends on that of the numbers, inside and out.
+    /// A value of a type that depends on the type of the numbers, in both functions.
     In(fn(&TokenStream) -> TokenStream),
     /// n numbers.
     Vector,

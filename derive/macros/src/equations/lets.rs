@@ -15,8 +15,8 @@ use crate::equations::gated::{Gated, gated};
 use crate::equations::model::{Assignment, Function, Model, Row};
 use crate::equations::sums::block;
 
-/// `let over = ..;` for each variable that `code` names, after those in which it is written itself; without those that
-/// [`lets`] defines for the code `before`.
+/// `let over = ..;` for each variable that `code` names, after the variables that its own value names. Those that [`lets`] defines for the
+/// code `before` are left out.
 pub fn lets(m: &Model, code: &TokenStream, before: &TokenStream) -> TokenStream {
     let known = used(m, before);
     let known: BTreeSet<_> = known.iter().map(Variable::name).collect();
@@ -148,7 +148,7 @@ impl Variable<'_> {
     fn written(&self) -> TokenStream {
         match self {
             Variable::Gated(_) => quote!(),
-            // Without offsets: the deflection itself sees to them.
+            // The offsets are left out: the statements of the deflection add them.
             Variable::Linear(_) => quote!(),
             Variable::Bent(bent) => bent.value.to_token_stream(),
             Variable::Function(function) => function.value.to_token_stream(),

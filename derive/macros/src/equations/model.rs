@@ -117,7 +117,7 @@ pub struct Motion {
 /// `backlash_12 of backlash requires(a, b) excludes(c) "doc";`
 pub struct Effect {
     pub name: Ident,
-    /// The effect of which it is the one of a part.
+    /// For an effect of one part: the effect of all parts.
     pub of: Option<Ident>,
     pub requires: Vec<Ident>,
     pub excludes: Vec<Ident>,
@@ -170,13 +170,13 @@ pub struct Assignment {
 pub struct Switch {
     pub over: Ident,
     pub unit: LitStr,
-    /// What is constant in each mode, with its value without the effect.
+    /// Symbols that are constant in each mode, with their values without the effect.
     pub symbols: Vec<(Ident, f64)>,
     /// Without this effect there is no switch.
     pub effect: Ident,
     pub doc: LitStr,
     pub modes: Vec<Mode>,
-    /// The force against the deflection whose work is lost, as a linear form.
+    /// The dissipative force against the deflection, as a linear form.
     pub loss: Vec<Row>,
 }
 

@@ -13,7 +13,7 @@ use crate::equations::lets::{is_bent, names, with_lets};
 use crate::equations::model::{Exit, Function, Model, Row, Switch};
 use crate::equations::sums::block;
 
-/// The rows of a linear form that are no deflection and no rate.
+/// The rows of a linear form that are neither a deflection nor a rate.
 pub const CONSTANT: &str = "one";
 pub const REACTION: &str = "reaction";
 

@@ -13,7 +13,7 @@ use crate::equations::sums::position;
 
 /// The terms of a sum or of a vector of sums.
 pub struct Terms {
-    /// By condition, in an order in which those of each sum are in the file; first those that are always present.
+    /// Blocks by condition; terms that are always present come first. The terms of each sum keep their order in the file.
     blocks: Vec<(Option<Ident>, Vec<Addend>)>,
 }
 
@@ -21,14 +21,14 @@ pub struct Terms {
 type Addend = (usize, Expr);
 
 impl Terms {
-    /// Those of the generalised forces.
+    /// The terms of the generalised forces.
     pub fn of_force(m: &Model) -> Self {
         let rows = m.force.iter().flatten();
         let index = |name| position(m, name).index as usize;
         Self::of(rows.map(|row| (index(&row.name), &row.sum)))
     }
 
-    /// Those of Rayleigh's dissipation function.
+    /// The terms of Rayleigh's dissipation function.
     pub fn of_dissipation(m: &Model) -> Self {
         Self::of([(0, &m.dissipation)])
     }

@@ -1,4 +1,4 @@
-"""How results look in notebooks; summaries and advice as dictionaries."""
+"""Results in notebooks; summaries and advice as dictionaries."""
 
 from __future__ import annotations
 
@@ -67,14 +67,14 @@ def _summary(self: Results) -> dict[str, Any]:
 def _advise(self: Scene, progress: Callable[[float], object] | None = None) -> dict[str, Any]:
     """Which effects the scene needs: estimated, and checked by runs with and without each. A dictionary.
 
-    progress: called now and then with the time [s] that the present run has reached.
+    progress: called from time to time with the time [s] that the present run has reached.
     """
     advice: dict[str, Any] = json.loads(self._advise(progress))
     return advice
 
 
 def install() -> None:
-    """Add what is easier to say in Python to the classes of the extension module."""
+    """Add the methods that are simpler in Python to the classes of the extension module."""
     added: dict[type, dict[str, object]] = {
         Results: {"summary": property(_summary), "_repr_html_": _results},
         Scene: {"advise": _advise, "_repr_html_": _scene},

@@ -1,4 +1,4 @@
-"""The extension module: the classes and functions that `gearsim` shows. `mypy.stubtest` compares this file with it."""
+"""The extension module: the classes and functions that `gearsim` exports. `mypy.stubtest` compares this file with it."""
 
 import os
 from collections.abc import Callable, Mapping, Sequence
@@ -29,14 +29,14 @@ __all__ = [
 __version__: str
 
 class GearsimError(Exception):
-    """What gearsim was asked for is not possible."""
+    """gearsim cannot do what was requested."""
 
 class SceneError(GearsimError):
     """A scene has mistakes: the text shows each with its line."""
 
 @final
 class Table:
-    """Columns with units; as a whole an Arrow stream."""
+    """Columns with units; the table is an Arrow stream."""
 
     @property
     def columns(self) -> list[str]: ...
@@ -59,7 +59,7 @@ class Figure:
 
 @final
 class Results:
-    """What a run came to."""
+    """The results of a run."""
 
     @property
     def table(self) -> Table: ...
@@ -79,7 +79,7 @@ class Results:
 
 @final
 class Gathering:
-    """The folder of a sweep under way."""
+    """The folder of a running sweep."""
 
     def finish(self) -> Table: ...
     def close(self) -> None: ...

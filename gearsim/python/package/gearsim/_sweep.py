@@ -13,11 +13,11 @@ from gearsim._gearsim import Gathering, GearsimError, Job, Scene, Table
 if TYPE_CHECKING:
     from gearsim._gearsim import _Design
 
-#: How often a range of points is tried, if its worker is lost.
+#: How often a range of points is tried if its worker is lost.
 TRIES = 3
 
 
-#: The numbers of the first point of a part, and of the one behind its last.
+#: The numbers of the first point of a part, and of the point after its last.
 _Part = tuple[int, int]
 
 
@@ -45,12 +45,12 @@ def sweep(
     scene: a Scene.
     axes: as for the option `--vary`, e.g. "start.speed=100 rpm:6000 rpm:200", "parameters.b=normal:100 um:10 um".
     record: groups of quantities, e.g. ["outputs"].
-    start: begin of the time over which extremes and means are taken [s].
+    start: start of the time over which extremes and means are taken [s].
     samples, seed: number of samples for random axes.
     design: how samples are chosen: "random", "latin-hypercube", "sobol", or "saltelli" for `sensitivity`.
     out: folder for the results. Finished points in it do not run again; its file `sweep.parquet` has the bytes of `gearsim sweep`.
     executor: any concurrent.futures.Executor, for example of processes, Dask or MPI; without it, the threads of this machine.
-    points_per_task: at most so many points go to a worker at once, and are kept together. Small tasks are mostly overhead.
+    points_per_task: the largest number of points that a worker gets at once; they are stored together. Small tasks are mostly overhead.
     threads_per_task: threads of a worker; None for all cores of its machine.
     progress: called with the number of finished points.
     """
@@ -124,12 +124,12 @@ def _run(
                 _gather(submit, job, gathering, missing, done, progress)
             return gathering.finish()
         finally:
-            # An exception may live on, and with it this frame; the folder must be free.
+            # A stored exception keeps this frame, and would keep the folder in use.
             gathering.close()
 
 
 def _after(done: int, progress: Callable[[int], object] | None) -> Callable[[float], object] | None:
-    """What is told of a part, to be told of the sweep, of which `done` points were there before."""
+    """The progress function for one part: adds the `done` points that the sweep had before."""
     return None if progress is None else lambda count: progress(done + int(count))
 
 
@@ -146,13 +146,13 @@ def _gather(
     try:
         while running:
             finished, _ = wait(running, return_when=FIRST_COMPLETED)
-            # `finished` is a set; in the order of the points the same parts end a sweep each time.
+            # `finished` is a set. Sorted by points, the same part ends a sweep each time.
             for future in sorted(finished, key=lambda future: running[future]):
                 part, tries = running.pop(future)
                 try:
                     rows = future.result()
                 except Exception as error:
-                    # What is wrong with the scene was found before; this worker was lost, or its machine has a fault.
+                    # Mistakes of the scene were found before the sweep, so that the worker was lost or its machine has a fault.
                     running[_again(submit, part, tries, error)] = (part, tries + 1)
                     continue
                 job.keep(gathering, rows)
@@ -167,7 +167,7 @@ def _gather(
 def _again(
     submit: Callable[[_Part], Future[bytes]], part: _Part, tries: int, error: Exception
 ) -> Future[bytes]:
-    """Submit a range of points once more, and return its future. Raise an error if it was tried often, or nothing can be submitted."""
+    """Submit a range of points once more, and return its future. Raise an error if all tries are used or the executor refuses it."""
     try:
         if tries < TRIES:
             return submit(part)

@@ -74,7 +74,7 @@ pub(crate) fn candidates(base: &Scene) -> Vec<Candidate> {
         candidates.push(Candidate { without, how, scene: with(base, &names), way });
         candidates.extend(parts(base, &present, name));
     }
-    // Effects that bend deflections need nothing more in the scene: what they would change is estimated too.
+    // Effects that bend deflections need no further values in the scene, so the deviation that they would cause is estimated too.
     for name in Effects(u64::MAX).names(model).into_iter().filter(|name| !present.contains(name) && bends(base, name)) {
         let names: Vec<_> = present.iter().copied().chain([name]).collect();
         let scene = with(base, &names);
@@ -86,7 +86,7 @@ pub(crate) fn candidates(base: &Scene) -> Vec<Candidate> {
     candidates
 }
 
-/// The scene without the effect `name` of all parts at each of its parts alone; none where the effect is not one of several parts.
+/// The scenes without the effect `name` at one part, one scene for each part; none if the effect does not belong to several parts.
 fn parts(base: &Scene, present: &[&'static str], name: &str) -> Vec<Candidate> {
     let parts: Vec<_> = base.model.effects.iter().filter(|e| e.of == Some(name)).map(|e| e.name).collect();
     if parts.len() < 2 {

@@ -28,7 +28,7 @@ pub struct Expected {
 /// assumed to be settled at every speed.
 ///
 /// # Errors
-/// [`Unknown`] if a cell has no modes or a settled motion does not exist.
+/// [`Unknown`] if the modes of a cell cannot be computed or a settled motion does not exist.
 pub(crate) fn expected(
     scene: &Scene,
     steady: &Steady<'_>,

@@ -38,7 +38,7 @@ impl Groups {
     /// The groups of a scene.
     ///
     /// # Errors
-    /// [`Refusal`] if the scene has no modes.
+    /// [`Refusal`] if the modes of the scene cannot be computed.
     pub fn of(scene: &Scene, system: &System) -> Result<Groups, Refusal> {
         let model = scene.model;
         let courses = steady::courses(scene, system)?;

@@ -22,8 +22,8 @@ pub struct Bands {
 pub struct Measures {
     /// Root mean square of each elastic coordinate about its mean [SI].
     pub rms: Vec<f64>,
-    /// Largest deviation of each elastic coordinate from its mean [SI]. The mean itself is no measure: it holds the place of a flank, half
-    /// the backlash, which causes no force.
+    /// Largest deviation of each elastic coordinate from its mean [SI]. The mean itself is not compared: it contains half the backlash,
+    /// which causes no force.
     pub peak: Vec<f64>,
     /// Largest absolute value of each elastic coordinate [SI]: the scale of its rounding errors.
     pub size: Vec<f64>,

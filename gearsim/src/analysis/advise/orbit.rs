@@ -165,7 +165,7 @@ impl<'a> Steady<'a> {
     /// The settled motion at `factor` times the scene's speed, with the impulses of the steps if `jumps`.
     ///
     /// # Errors
-    /// [`Unknown`] if a cell has no modes, or if 1 - A is singular.
+    /// [`Unknown`] if the modes of a cell cannot be computed, or if 1 - A is singular.
     pub fn orbit(&self, factor: f64, jumps: bool) -> Result<Orbit, Unknown> {
         let legs = self.legs(factor)?;
         let size = 2 * self.shapes.ncols();

@@ -158,9 +158,9 @@ fn deviations_are_of_the_worst() {
     }
 }
 
-/// Play of two meshes is judged for both, and for each by itself, with the other one kept; that of one mesh alone only once.
+/// The play of two meshes is judged for both together, and for each with the other one kept. If only one mesh has play, it is judged once.
 #[test]
-fn effects_of_parts_are_judged_each_by_itself() {
+fn effects_of_parts_are_judged_together_and_separately() {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../models/scenes/two_stage.toml");
     let models: Vec<_> = MODELS.iter().map(|entry| entry.model).collect();
     let of = |effects: &str| {

@@ -1,4 +1,4 @@
-//! Tests of the gears of meshes: whose rotation and lead are those of the run, and whose pairs leave contact where the stiffness falls.
+//! Tests of the gears of meshes: their rotation and lead are those of the run, and pairs of teeth leave contact where the stiffness falls.
 
 use std::f64::consts::TAU;
 use std::path::Path;
@@ -47,8 +47,8 @@ fn a_gear_pair_turns_by_its_coordinates() {
     assert!(mesh.force.unwrap().1.iter().any(|x| *x > 0.0) && mesh.play.is_none());
 }
 
-/// Where the recorded stiffness falls, a pair is at the end of the path of contact; where it rises, one is at its beginning: of laws from
-/// teeth, and of given steps that have the contact ratio of the drawn teeth.
+/// Where the recorded stiffness falls, a pair is at the end of the path of contact; where it rises, a pair is at the beginning. This holds
+/// for laws from teeth, and for given steps with the contact ratio of the drawn teeth.
 #[test]
 fn pairs_enter_and_leave_where_the_stiffness_steps() {
     for (scene, tolerance) in [("gear_pair_teeth.toml", 1e-6), ("oh2005/energy_300rpm.toml", 2e-3)] {

@@ -1,8 +1,8 @@
 //! Propagators of small disturbances of a steady motion, z' = A(t) z with z = (e, e'/omega) and the motions e that are not rigid.
 //!
-//! Forces that are not linear give A their derivatives at the steady motion. Laws of friction follow curves within a stretch, so that A
-//! varies there: steps of the fourth order in h, exp(h (A1 + A2)/2 + sqrt(3) h² (A2 A1 - A1 A2)/12), with A at the two points of
-//! Gauss (S. Blanes et al., Phys. Rep. 470, 2009, Magnus expansion).
+//! For forces that are not linear, A has their derivatives at the steady motion. Laws of friction follow curves within a stretch, so that A
+//! varies there. It is integrated in steps of the fourth order in h, exp(h (A1 + A2)/2 + sqrt(3) h² (A2 A1 - A1 A2)/12), with A at the two
+//! Gauss points (S. Blanes et al., Phys. Rep. 470, 2009, Magnus expansion).
 
 use nalgebra::DMatrix;
 

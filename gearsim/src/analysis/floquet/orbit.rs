@@ -1,14 +1,14 @@
 //! Stability of a motion along which M and F change: a crank, a universal joint, a moving line of action.
 //!
-//! There is no steady motion. The reference is the motion that repeats after a turn ([`Turn`]) in the time that the turn takes at the speeds of
-//! the scene: all coordinates move on by the turn, all speeds return, but for that of the reference coordinate. Its change in a turn is
-//! [`Orbit::drift`]: torques that are not in balance, and losses. The motion is found by shooting: Newton's method on the state at the start,
-//! with the exact derivatives of the flow ([`variational`]), from the state that is static in the mean.
+//! There is no steady motion. The reference is the motion that repeats after a turn ([`Turn`]) at the speeds of the scene. After the turn
+//! all coordinates have moved by the turn, and all speeds have their first values again except the speed of the reference coordinate. Its
+//! change in a turn is [`Orbit::drift`], caused by unbalanced torques and by losses. The motion is found by shooting: Newton's method on
+//! the state at the start, with the exact derivatives of the flow ([`variational`]), from the state that is static in the mean.
 //!
 //! The multipliers are the eigenvalues of the derivative of the map from turn to turn, P = (1 - f grad g/(grad g . f)) Phi on the section
 //! g = const of the reference coordinate (F. Verhulst, Nonlinear Differential Equations and Dynamical Systems, 1996, Ch. 4): a shift along the
 //! motion itself is left out exactly. One of the others belongs to the speed of the rotation, as a rigid motion does in a linear system. It is
-//! the one whose speeds are most like the rotation, by kinetic energy. It is told apart, and the verdict is on the other motions.
+//! the one whose speeds are most like the rotation, by kinetic energy. It is reported separately, and the verdict is on the other motions.
 
 mod saltation;
 mod variational;
@@ -55,7 +55,7 @@ pub struct Orbit {
     pub speed: Complex<f64>,
 }
 
-/// A shot: where a run over about a turn comes to.
+/// A shot: the end of a run over about a turn.
 struct Shot {
     q: Vector,
     v: Vector,
@@ -108,7 +108,7 @@ struct Shooting<'a> {
 type Place = (Vector, Vector);
 
 impl Shooting<'_> {
-    /// The motion that repeats: its start, and where its turn comes to.
+    /// The motion that repeats: its start, and the end of its turn.
     fn close(&self, about: &Steady) -> Result<(Place, Shot), FloquetError> {
         let n = about.q.len();
         let mut place = (self.aside(about)?, about.q_dot.clone());
@@ -118,7 +118,7 @@ impl Shooting<'_> {
             if gap <= ORBIT_CLOSED {
                 break;
             }
-            // Far away, a turn by itself comes closer if vibrations decay.
+            // Far from the solution, the end of a turn is closer to it if vibrations decay.
             if gap > ORBIT_NEAR {
                 let next = self.onwards(&place, &shot);
                 let tried = self.shoot(&next).ok().map(|shot| (self.gap(&next, &shot), shot));
@@ -128,7 +128,7 @@ impl Shooting<'_> {
                 }
             }
             let step = self.newton(&place, &shot).ok_or(FloquetError::NoOrbit)?;
-            // A step too far leaves the range in which the flow is nearly linear.
+            // A step that is too long leaves the range in which the flow is nearly linear.
             let mut part = 1.0;
             loop {
                 let moved = |x: &Vector, from: usize| Vector::from_fn(n, |i| x[i] + part * step[from + i]);
@@ -140,7 +140,7 @@ impl Shooting<'_> {
                         (place, shot, gap) = (next, tried, next_gap);
                         break;
                     }
-                    // Rounding errors do not fall.
+                    // Rounding errors keep the gap from falling further.
                     Some(_) if gap <= ORBIT_ACCEPTED => break 'rounds,
                     None if part < 1e-3 => return Err(FloquetError::NoOrbit),
                     _ => part *= 0.5,
@@ -154,14 +154,15 @@ impl Shooting<'_> {
         }
     }
 
-    /// Where a turn from `place` came to, as the start of another: with the same reference coordinate, and the speed with which it moves on by
-    /// the turn, by a step of Newton's method on this speed alone.
+    /// The end of a turn from `place` as the start of the next one. The reference coordinate is set back. Its speed is that with which it
+    /// moves on by the turn, from one step of Newton's method on this speed alone.
     fn onwards(&self, (q, v): &Place, shot: &Shot) -> Place {
         let (n, reference) = (q.len(), self.turn.reference);
         let mut next = (&shot.q - &self.turn.shift, shot.v.clone());
         let by_speed = shot.phi[(reference, n + reference)];
         let newton = (q[reference] - next.0[reference]) / by_speed;
-        // Far away, or where the place at the end hardly depends on the speed at the start, a longer way needs a speed in proportion.
+        // Far from the solution, or if the end hardly depends on the speed at the start, scale the speed by the ratio of the turn to the
+        // distance covered.
         let moved = (shot.q[reference] - q[reference]) / self.turn.shift[reference];
         let is_near = by_speed > 0.0 && newton.abs() <= ORBIT_SPEED_STEP * v[reference].abs();
         let speed = if is_near { v[reference] + newton } else { v[reference] / moved };
@@ -222,8 +223,8 @@ impl Shooting<'_> {
         Ok(Shot { q, v, acceleration, phi, trouble: *trouble })
     }
 
-    /// How far a turn is from closing: speeds but for that of the reference, and elastic coordinates by the fastest rate, relative to the
-    /// rotation by kinetic energy; the reference coordinate relative to the turn.
+    /// How far a turn is from closing. Speeds except that of the reference, and elastic coordinates times the fastest rate, are compared
+    /// with the rotation by kinetic energy; the reference coordinate with the turn.
     fn gap(&self, (q, v): &Place, shot: &Shot) -> f64 {
         let ((rate, units), n, reference) = (self.units(), q.len(), self.turn.reference);
         let open = self.open((q, v), shot);
@@ -233,7 +234,7 @@ impl Shooting<'_> {
         speeds.max(places) / energy(&|i| v[i]) + (open[reference] / self.turn.shift[reference]).abs()
     }
 
-    /// What is left after a turn: coordinates less the turn, and speeds (2n).
+    /// The residual of a turn: changes of the coordinates less the turn, and changes of the speeds (2n).
     fn open(&self, (q, v): (&Vector, &Vector), shot: &Shot) -> DVector<f64> {
         let n = q.len();
         DVector::from_fn(
@@ -274,7 +275,7 @@ impl Shooting<'_> {
             (shot.phi[at] - f64::from(u8::from(at.0 == at.1))) * units[at.1] / units[at.0]
         });
         let right = DVector::from_fn(rows.len(), |r, _| -open[rows[r]] / units[rows[r]]);
-        // Unknowns of like effect: the rotation moves far, deflections do not.
+        // Scale the unknowns to effects of similar size: the rotation is large, deflections are small.
         let sizes: Vec<f64> = matrix.column_iter().map(|column| column.norm().max(f64::MIN_POSITIVE)).collect();
         let scaled = DMatrix::from_fn(matrix.nrows(), matrix.ncols(), |i, j| matrix[(i, j)] / sizes[j]);
         let svd = scaled.svd(true, true);
@@ -316,7 +317,7 @@ impl Shooting<'_> {
                 .flat_map(|i| (0..n).map(move |j| (i, j)))
                 .map(|(i, j)| speeds[i].conj() * speeds[j] * mass[(i, j)])
                 .sum();
-            // An eigenvector is a place and a speed: one without speeds is no rotation.
+            // An eigenvector has coordinates and speeds. One without speeds is not the rotation.
             let places: f64 = rest.iter().zip(last.iter()).filter(|(r, _)| **r < n).map(|(_, x)| x.norm_sqr()).sum();
             onto.norm_sqr() / (2.0 * rolling * (of.re + places)).max(f64::MIN_POSITIVE)
         };

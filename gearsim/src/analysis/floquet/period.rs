@@ -129,7 +129,7 @@ mod tests {
     }
 
     #[test]
-    fn others_have_none() {
+    fn incommensurate_periods_have_no_common_period() {
         let wrong = stretches(&[course("a", 1.0, 0.0), course("b", 2f64.sqrt(), 0.0)]).unwrap_err();
         assert!(matches!(wrong, Aperiodic::Incommensurate { first: "a", second: "b", .. }), "{wrong}");
     }

@@ -40,7 +40,7 @@ fn pairs(m: &Matrices) -> Vec<(Complex<f64>, Complex<f64>)> {
     companion.view_mut((n, n), (n, n)).copy_from(&(&dampers * (-1.0 / rate)));
     let mut values: Vec<Complex<f64>> = companion.complex_eigenvalues().iter().map(|z| z * rate).collect();
     values.sort_by(|a, b| a.norm().total_cmp(&b.norm()));
-    // Of each direction without a spring one eigenvalue is zero, and the other is that of its damper, or zero too.
+    // Each direction without a spring has one eigenvalue 0. Its other eigenvalue is that of its damper, or also 0.
     let singular = springs.singular_values();
     let rigid = singular.iter().filter(|s| **s <= RIGID * singular.amax()).count();
     let fastest = values.last().map_or(0.0, |z| z.norm());

@@ -7,11 +7,11 @@ use crate::engine::Refusal;
 use crate::scene::Scene;
 use crate::tolerance::analysis::{LINEAR_STIFFNESS, STIFFNESS_ROUNDING};
 
-/// What `of` gives for `scene` with 1, 2 and 3 times a parameter; `None` if a multiple gives no valid equations, so that the parameter is
+/// The values of `of` for `scene` with 1, 2 and 3 times a parameter. `None` if a multiple gives no valid equations: the parameter is then
 /// neither a stiffness nor an inertia.
 ///
 /// # Errors
-/// That of the scene itself.
+/// The error of the unchanged scene.
 pub(super) fn multiples<T>(
     scene: &Scene,
     parameter: usize,

@@ -1,8 +1,8 @@
 //! The inertias of a scene: the moments of inertia and the masses among its parameters. M is linear in each of them.
 //!
-//! T is the sum of the energies of the parts, each its inertia times half a square of speeds. So the part of M that comes from an inertia
-//! is positive semidefinite, and its share of the kinetic energy is between 0 and 1. (A coordinate has no such share: where inertia
-//! couples coordinates, Re(conj(phi_i) (M phi)_i) may be negative, and others more than the whole.)
+//! T is the sum of the energies of the parts; the energy of a part is its inertia times half a square of speeds. The part of M that comes
+//! from an inertia is therefore positive semidefinite, and its share of the kinetic energy is between 0 and 1. (Coordinates have no such
+//! shares: where inertia couples coordinates, Re(conj(phi_i) (M phi)_i) may be negative, and for other coordinates larger than the sum.)
 
 use nalgebra::{DMatrix, DVector};
 
@@ -23,8 +23,8 @@ pub struct Mass {
     pub name: &'static str,
     /// Its part of M (n x n).
     pub inertia: DMatrix<f64>,
-    /// Its momentum in a motion by unit of each coordinate (n), counted along its motion in the first rigid motion; if that leaves it at
-    /// rest, along its largest component. Its product with a mode shape has the sign of the part's motion.
+    /// Its momentum in the first rigid motion (n). If the part is at rest there, its momentum in a motion of the coordinate with its
+    /// largest inertia. The product with a mode shape has the sign of the part's motion.
     pub sense: DVector<f64>,
 }
 

@@ -1,5 +1,5 @@
-//! The springs of a scene other than its meshes: parameters in which K is linear and on which M does not depend.
-//! (the forces are linear in each). K is evaluated with every law at zero.
+//! The springs of a scene other than its meshes: parameters in which K is linear and on which M does not depend. K is evaluated with every
+//! law at zero.
 
 use nalgebra::DMatrix;
 

@@ -19,8 +19,8 @@ use super::{Mesh, Turning};
 const HARMONICS: usize = 5;
 /// Sidebands on either side of a mesh order that are listed.
 pub const SIDEBANDS: i32 = 3;
-/// Revolutions of a rotor in a record, and so lines between its sidebands, from which on they are apart: the main lobe of the Hann window
-/// is 4 lines wide.
+/// Least number of revolutions of a rotor in a record, and so of lines between its sidebands, that separates them: the main lobe of the
+/// Hann window is 4 lines wide.
 pub const APART: f64 = 4.0;
 /// Samples in a period of the highest line that is listed: above half the sampling rate there are none.
 const SAMPLES: f64 = 2.5;
@@ -37,9 +37,9 @@ pub struct Line {
     pub harmonic: usize,
     /// The rotor whose orders separate the sideband from the multiple; `None`: the multiple itself.
     pub rotor: Option<&'static str>,
-    /// So many orders of the rotor above the multiple; 0: the multiple itself.
+    /// Distance from the multiple in orders of the rotor; 0: the multiple itself.
     pub sideband: i32,
-    /// Its order of the shaft by which the record is turned.
+    /// Its order, relative to the shaft of the record.
     pub order: f64,
     /// Its frequency at the mean speed \[Hz\].
     pub frequency: f64,

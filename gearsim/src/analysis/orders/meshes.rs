@@ -8,8 +8,8 @@ use crate::trajectory::Trajectory;
 const STEADY: f64 = 0.02;
 /// Parts of a run whose mean speeds are compared. Vibrations average out in them.
 const PARTS: usize = 8;
-/// Mesh and rotor frequencies are in the ratio of a whole number of teeth if they are so within this [teeth]: shafts twist while a
-/// run lasts.
+/// The ratio of mesh and rotor frequency is a number of teeth if it is whole within this tolerance [teeth], because shafts twist during a
+/// run.
 const WHOLE: f64 = 0.02;
 /// Numbers of teeth.
 const TEETH: std::ops::RangeInclusive<f64> = 5.0..=1000.0;
@@ -25,8 +25,8 @@ pub struct Mesh {
     pub steady: bool,
     /// The output that is its force, or its torque in models that have no base radii.
     pub force: Option<&'static str>,
-    /// The rotors of its gears, as far as their speeds are recorded: those of whose frequency the mesh frequency is a whole multiple,
-    /// the number of teeth. Of rotors of equal speed the first.
+    /// The rotors of its gears whose speeds are recorded. The mesh frequency is a whole multiple of the rotor frequency, the number of
+    /// teeth. If rotors have equal speeds, only the first is listed.
     pub rotors: Vec<Rotor>,
 }
 

@@ -48,7 +48,7 @@ fn what_does_not_vary_has_no_cycles() {
 }
 
 #[test]
-fn the_equivalent_range_weighs_by_the_slope() {
+fn the_equivalent_range_is_a_power_mean() {
     let cycle = |range, count| Cycle { range, mean: 0.0, count };
     let cycles = [cycle(1.0, 1.0), cycle(2.0, 1.0)];
     // ((1 + 2^3)/2)^(1/3)

@@ -23,7 +23,7 @@ pub struct Reference {
 /// How a reference is computed: the most accurate way that the scene allows.
 #[derive(Debug, Clone, PartialEq)]
 pub enum By {
-    /// Exact cells in twice the digits.
+    /// Exact cells in double-double precision.
     Compensated,
     /// Two numerical methods at the tightest tolerance. The text says why there are no exact cells.
     Steps(String),
@@ -39,9 +39,9 @@ impl Reference {
 /// Number of samples along the path: enough to resolve every oscillation of a short scene, few enough to keep in memory.
 pub const SAMPLES: f64 = 2000.0;
 
-/// The reference for `scene`: the run of the exact engine in twice the digits, whose error is the rounding of the recorded values
-/// (`tests/suite/engine.rs` compares it with another engine in 50 digits). If the scene has no exact
-/// cells, two numerical methods of different kinds.
+/// The reference for `scene`: the run of the exact engine in double-double precision, whose error is the rounding of the recorded values
+/// (`tests/suite/engine.rs` compares it with another engine in 50 digits). If the scene has no exact cells, two numerical methods of
+/// different kinds.
 ///
 /// # Errors
 /// Why no reference runs to its end, in words.

@@ -32,7 +32,7 @@ fn curve(label: &'static str, kind: Kind, points: &[(f64, f64, bool)]) -> Curve 
 
 /// Between an error of 1e-4 at 1 ms and 1e-8 at 100 ms, an error of 1e-6 takes 10 ms.
 #[test]
-fn prices_are_interpolated_in_logarithms() {
+fn times_at_an_error_are_interpolated_logarithmically() {
     let c = curve("m", Kind::Method, &[(1e-4, 1e-3, true), (1e-8, 0.1, true)]);
     let Price::Seconds(seconds) = c.price(1e-6, 1e-13) else { panic!("a price") };
     assert!((seconds - 0.01).abs() < 1e-12);

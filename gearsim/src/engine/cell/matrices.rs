@@ -33,8 +33,8 @@ pub fn matrices(equations: &dyn Equations, switches: &[Switch], k: &[f64]) -> Re
     })
 }
 
-/// K without what is left, of rounding errors alone, where the forces of switches cancel those of springs: a coordinate without a spring would
-/// become one with a very soft spring, whose mode shape is a rounding error.
+/// K without the rounding errors that remain where forces of switches cancel those of springs. With them, a coordinate without a spring
+/// would have a very soft spring, and its mode shape would be a rounding error.
 fn without_roundings(mut stiffness: Matrix, equations: &dyn Equations, switches: &[Switch], k: &[f64]) -> Matrix {
     let cancelling: Vec<(f64, &Vector)> = switches
         .iter()

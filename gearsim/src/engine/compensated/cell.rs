@@ -2,7 +2,7 @@
 //!
 //! The plain shapes X have an error of 1e-16. Two steps X (1 - E/2 + 3 E²/8), E = XᵀMX - 1, make them orthonormal to 1e-32. XᵀKX
 //! is then nearly diagonal, and Jacobi rotations diagonalise it. Where motions are held, M, C, K and f are projected onto the
-//! motions that are left, q' = Z u, as for the plain cell.
+//! remaining motions, q' = Z u, as for the plain cell.
 
 use nalgebra::{DMatrix, DVector};
 use xprec::Df64;
@@ -68,7 +68,7 @@ impl Cell {
         Cell { rate: plain.rate, matrices, shapes, momentum, springs, load, omega2, damping, modes }
     }
 
-    /// M⁻¹, or what holds leave of it: X Xᵀ.
+    /// X Xᵀ: M⁻¹, or the mobility of the remaining motions if motions are held.
     pub fn mobility(&self) -> DMatrix<Df64> {
         &self.shapes * self.shapes.transpose()
     }
@@ -92,7 +92,7 @@ fn orthonormal(mass: &DMatrix<Df64>, x: &DMatrix<Df64>) -> DMatrix<Df64> {
 }
 
 /// The diagonal of a nearly diagonal symmetric matrix after Jacobi rotations. They are applied to the columns of `x` too. Rigid modes are
-/// not rotated among one another: between them the matrix is zero but for rounding.
+/// not rotated among one another: between them the matrix is zero except for rounding errors.
 fn diagonal(mut a: DMatrix<Df64>, x: &mut DMatrix<Df64>, is_rigid: impl Fn(usize) -> bool) -> Vec<Df64> {
     let n = a.nrows();
     let one = Df64::from(1.0);

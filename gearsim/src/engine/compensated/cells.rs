@@ -21,17 +21,17 @@ use crate::engine::switch::Switch;
 
 /// The cells.
 pub struct Cells {
-    /// By their numbers.
+    /// The cells met so far, by number.
     met: HashMap<usize, Arc<Cell>>,
-    /// Those in which motions are held.
+    /// The cells in which motions are held.
     held: HashMap<Place, Arc<Held>>,
     /// Steps from one cell to another one.
     steps: HashMap<(usize, usize), Step>,
     /// Geometry of the steps of each law.
     surfaces: Vec<Surface>,
-    /// The present one.
+    /// The present cell.
     here: Arc<Cell>,
-    /// The present one with what is held in it.
+    /// The present cell with its holds, if it has any.
     present: Option<Arc<Held>>,
 }
 
@@ -50,7 +50,7 @@ impl Cells {
     /// The present cell of `now`.
     ///
     /// # Errors
-    /// If it has no modes.
+    /// If its modes cannot be computed.
     pub fn new(exact: &dyn ExactCells, now: &Hybrid<'_>) -> Result<Self, Refusal> {
         let here = Arc::new(cell(exact, now, (&now.switches, &now.k))?);
         let mobility = here.mobility();
@@ -67,7 +67,7 @@ impl Cells {
     /// Makes the mode of `now` the present one.
     ///
     /// # Errors
-    /// If its cell has no modes.
+    /// If the modes of its cell cannot be computed.
     pub fn meet(&mut self, exact: &dyn ExactCells, now: &Hybrid<'_>) -> Result<(), Refusal> {
         self.here = self.cell(exact, now, now.cell(), (&now.switches, &now.k))?;
         self.present = match &now.contact {
@@ -108,12 +108,12 @@ impl Cells {
         Ok(held)
     }
 
-    /// The present cell, with what is held in it.
+    /// The present cell. If motions are held, the cell of the remaining motion.
     pub fn here(&self) -> &Cell {
         self.present.as_ref().map_or(&self.here, |held| &held.cell)
     }
 
-    /// What is held in the present cell.
+    /// The holds in the present cell.
     pub fn held(&self) -> Option<&Held> {
         self.present.as_deref()
     }
@@ -123,7 +123,7 @@ impl Cells {
         &self.surfaces[law]
     }
 
-    /// The step of V where `law` meets `side` of its cell; `None` if the cell beyond has no modes.
+    /// The step of V where `law` meets `side` of its cell; `None` if the modes of the cell beyond cannot be computed.
     pub fn step(&mut self, exact: &dyn ExactCells, now: &Hybrid<'_>, law: usize, side: Side) -> Option<&Step> {
         let stand = (&now.laws[..], &now.switches[..], &now.k[..]);
         let switches = law::switches_beyond(now.equations, stand, law, side, &now.state);
@@ -147,7 +147,7 @@ fn cell(exact: &dyn ExactCells, now: &Hybrid<'_>, (switches, k): (&[Switch], &[f
     Ok(Cell::new(matrices, &Linear::new(now.equations, switches, k)?, None))
 }
 
-/// The law values in all digits: the levels of the laws as the scene has them, and the values of the modes of switches.
+/// The law values in double-double precision: the levels of the laws as given in the scene, and the values of the modes of switches.
 pub fn values(exact: &dyn ExactCells, switches: &[Switch], k: &[f64]) -> Vec<Df64> {
     let mut wide: Vec<Df64> = k.iter().copied().map(Df64::from).collect();
     for switch in switches {

@@ -19,9 +19,9 @@ pub struct Flight<'a> {
 
 /// How the modes move.
 enum Course<'a> {
-    /// Each by itself, in closed form: modal speeds and forces at the start.
+    /// Uncoupled modes in closed form: modal speeds and forces at the start.
     Closed([DVector<Df64>; 2]),
-    /// By power series.
+    /// Coupled or forced modes, by power series.
     Series(Box<Series<'a>>),
 }
 

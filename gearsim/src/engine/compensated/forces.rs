@@ -7,7 +7,7 @@ use super::series::TERMS;
 use crate::engine::forcing::{Forcing, TURN};
 use crate::scene::TimeHistory;
 
-/// What varies: each with its generalised forces of a unit (N), its time history, the piece in which it is, and its value at the start.
+/// The parameters that vary. Each has its generalised forces per unit (N), its time history, its present piece, and its value at the start.
 #[derive(Debug, Clone)]
 pub struct Forces<'a>(Vec<Force<'a>>);
 
@@ -20,13 +20,13 @@ struct Force<'a> {
 }
 
 impl<'a> Forces<'a> {
-    /// Those of `forcing` in their present pieces; `loads` are the generalised forces of a unit of each.
+    /// The parameters of `forcing` in their present pieces; `loads` are the generalised forces per unit of each.
     pub fn of(forcing: Option<&'a Forcing>, loads: &'a [DVector<Df64>]) -> Self {
         let all = forcing.into_iter().flat_map(Forcing::histories).zip(loads);
         Forces(all.map(|((history, piece, at_start), load)| Force { load, history, piece, at_start }).collect())
     }
 
-    /// The generalised forces of a unit of each.
+    /// The generalised forces per unit of each.
     pub fn loads(&self) -> impl Iterator<Item = &DVector<Df64>> {
         self.0.iter().map(|force| force.load)
     }
@@ -38,7 +38,7 @@ impl<'a> Forces<'a> {
 }
 
 impl Force<'_> {
-    /// The slope of the present piece, in all digits where it is the quotient of two differences.
+    /// The slope of the present piece. A quotient of two differences is computed in double-double precision.
     fn slope(&self) -> Df64 {
         let piece = self.history.pieces[self.piece];
         let Some(next) = self.history.pieces.get(self.piece + 1) else { return piece.slope.into() };

@@ -6,10 +6,10 @@ use xprec::Df64;
 use super::State;
 use crate::engine::equations::Affine;
 
-/// Its value and its slopes.
+/// The function: a constant and slopes.
 #[derive(Debug, Clone)]
 pub struct Guard {
-    /// Value in the state zero, without forces that vary.
+    /// Value at the state zero, without forces that vary.
     pub constant: Df64,
     /// Slopes along the coordinates (N).
     pub on_q: DVector<Df64>,

@@ -1,8 +1,7 @@
 //! Holds in double-double precision: what is held, its reactions, and the functions that end it.
 //!
-//! A hold ends in plain numbers when its reaction pulls by a margin, [`RELEASE`](crate::tolerance::events::RELEASE) of the forces, a little
-//! late. The reaction's own zero is then found before that time, and the motion that is free from there on is taken from there
-//! ([`Late`]).
+//! The plain solver ends a hold a little late: when the reaction pulls by a margin, [`RELEASE`](crate::tolerance::events::RELEASE) of the
+//! forces. The zero of the reaction is then found before that time, and the free motion starts there ([`Late`]).
 
 use nalgebra::{DMatrix, DVector};
 use xprec::Df64;
@@ -21,7 +20,7 @@ use crate::tolerance::events::DOUBLE_ZERO;
 /// A cell in which motions are held.
 #[derive(Debug)]
 pub struct Held {
-    /// The modes that are left.
+    /// The modes of the remaining motions.
     pub cell: Cell,
     /// R per F, one row for each hold, in the order of [`Contact`].
     to_reactions: DMatrix<Df64>,
@@ -58,7 +57,7 @@ impl Held {
         Some(Held { cell: held, to_reactions, steps })
     }
 
-    /// The state with the held speeds at rest.
+    /// Sets the held speeds of a state to zero.
     pub fn rest(&self, state: &mut State) {
         state.q_dot = &self.cell.shapes * (&self.cell.momentum * &state.q_dot);
     }
@@ -119,8 +118,9 @@ fn solve(mut a: DMatrix<Df64>, mut b: DMatrix<Df64>) -> Option<DMatrix<Df64>> {
 }
 
 impl Step {
-    /// The linear function of the coordinates that vanishes where this step does, as far as the state is near its zero: the step of a
-    /// transmission error itself; of the stiffness of one deflection, that deflection less the nearer of its zeros.
+    /// A linear function of the coordinates that is zero where this step is, near the given state. The step of a transmission error is
+    /// itself linear. The step of the stiffness of one deflection is zero at two values of the deflection: the function is the deflection
+    /// minus the nearer value.
     fn zero(&self, near: &State) -> Option<Guard> {
         let Step { stiffness, load, at_zero } = self;
         let n = load.len();

@@ -1,13 +1,12 @@
 //! The compensated mode: states, times and the constants of cells as double-double numbers, 32 digits.
 //!
-//! What limits a run in plain numbers is the rounding of its state at each event, amplified from there on, and that of the
-//! cells' constants, which makes energy drift. The plain engine goes on deciding which guard is met first, and on which
-//! side; when it is met, the state there and the jump are then worked out anew in twice the digits. The numbers of the
-//! scene are taken as they are read: the constants follow from them by the derived equations in the same arithmetic
-//! (Dekker, Numer. Math. 18, 1971; Hida, Li & Bailey, ARITH-15, 2001).
+//! Two rounding errors limit a run in plain precision: that of the state at each event, which the motion amplifies, and that of the
+//! constants of the cells, which makes the energy drift. The plain engine still decides which guard is met first, and on which side. The
+//! state there and the jump are then computed again in double-double precision. The numbers of the scene are taken as they are read, and
+//! the derived equations give the constants in the same arithmetic (Dekker, Numer. Math. 18, 1971; Hida, Li & Bailey, ARITH-15, 2001).
 //!
-//! Cells whose modes move by themselves under constant loads are solved in closed form (`mode.rs`), others by power series
-//! (`series.rs`). What the policies of the engine leave out stays left out: the energy of bounces that are not followed to their ends.
+//! Cells with uncoupled modes and constant loads are solved in closed form (`mode.rs`), others by power series (`series.rs`). The energy of
+//! bounces that the plain engine neglects is neglected here too.
 
 mod cell;
 mod cells;
@@ -42,24 +41,24 @@ use motion::Refined;
 pub struct Given<'a> {
     /// Their matrices, and the modes of switches.
     pub cells: Box<dyn ExactCells + 'a>,
-    /// Generalised forces of a unit of each torque that varies, in the order of [`Forcing`](crate::engine::forcing::Forcing) (n each).
+    /// Generalised forces per unit of each torque that varies, in the order of [`Forcing`](crate::engine::forcing::Forcing) (n each).
     pub loads: Vec<DVector<Df64>>,
 }
 
-/// A solver in plain numbers, whose results it works out anew in twice the digits.
+/// A solver in plain precision, whose results are computed again in double-double precision.
 pub struct Compensated<'a> {
     plain: Box<dyn Solver + 'a>,
     given: Given<'a>,
     cells: Cells,
-    /// The hold that ended last, if the motion after it is still to be followed.
+    /// The hold that ended last, if the motion after it is not computed yet.
     late: Option<Late>,
 }
 
 impl<'a> Compensated<'a> {
-    /// Continues the cells of the solver `plain` and the state `now` from their digits.
+    /// Compensates the solver `plain`, from the state `now`.
     ///
     /// # Errors
-    /// If a cell has no modes.
+    /// If the modes of a cell cannot be computed.
     pub fn new(given: Given<'a>, plain: Box<dyn Solver + 'a>, now: &mut Hybrid<'_>) -> Result<Self, Refusal> {
         now.state.low = Vector::zeros(now.state.q.len());
         let cells = Cells::new(&*given.cells, now)?;
@@ -76,7 +75,7 @@ impl Solver for Compensated<'_> {
         if let Some(held) = self.cells.held() {
             State::of(&now.state).at_rest(held).write(&mut now.state);
         }
-        // A hold ended a little earlier: from there on the motion is the one of this mode.
+        // A hold ended a little earlier: since then the motion is that of this mode.
         if let Some(Late { state, by }) = self.late.take() {
             let state = match self.cells.held() {
                 Some(held) => state.at_rest(held),
@@ -160,7 +159,7 @@ impl State {
         self
     }
 
-    /// Writes it to a state of a run: the rounded numbers, and what these lack.
+    /// Writes the state to the state of a run: high and low parts of its numbers.
     fn write(&self, state: &mut record::State) {
         for i in 0..self.q.len() {
             (state.q[i], state.low[i]) = (self.q[i].hi(), self.q[i].lo());

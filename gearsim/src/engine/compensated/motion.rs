@@ -1,4 +1,4 @@
-//! A plain motion whose end is worked out anew in twice the digits.
+//! A plain motion whose end is computed again in double-double precision.
 
 use xprec::Df64;
 
@@ -14,11 +14,11 @@ use crate::engine::motion::{self, End, Motion, Reached};
 
 /// The motion.
 pub struct Refined<'s> {
-    /// In plain numbers.
+    /// In plain precision.
     pub plain: Box<dyn Motion + 's>,
     /// Where it begins.
     pub now: &'s Hybrid<'s>,
-    /// In twice the digits.
+    /// In double-double precision.
     pub flight: Flight<'s>,
     /// The modes of switches.
     pub exact: &'s dyn ExactCells,
@@ -57,7 +57,7 @@ impl Motion for Refined<'_> {
             }
             (None, End::Hold(..) | End::Loose(..)) => {
                 let ended = self.guard(end, &reached).and_then(|guard| self.flight.meet(&guard, t));
-                // Plain numbers end a hold with a margin, late; without one, they may be early by their rounding.
+                // The plain solver ends a hold late if it has a margin; without a margin it may be early by a rounding error.
                 let is_late =
                     ended.as_ref().is_some_and(|(ended, _)| ended.hi() >= 0.0 && (Df64::from(t) - *ended).hi() > 0.0);
                 match ended {

@@ -22,9 +22,9 @@ pub struct Series<'a> {
     start: [DVector<Df64>; 2],
     /// Start of the present window, since the start of the flight, and its length \[s\].
     window: (Df64, f64),
-    /// Displacements and speeds of the modes gained until then.
+    /// Increments of the displacements and speeds of the modes until the start of the window.
     before: [DVector<Df64>; 2],
-    /// Coefficients of the displacements since then, in parts of the window.
+    /// Coefficients of the displacements since then, as a series in the fraction of the window.
     terms: Vec<DVector<Df64>>,
 }
 
@@ -66,7 +66,7 @@ impl<'a> Series<'a> {
         self.terms = terms;
     }
 
-    /// The motion at the time `t` \[s\], which is at least that of the call before, up to corrections of an event.
+    /// The motion at the time `t` \[s\]. It must not be earlier than in the call before, except for the corrections of an event.
     pub fn at(&mut self, t: Df64) -> Instant {
         loop {
             let (begin, width) = self.window;
@@ -81,7 +81,7 @@ impl<'a> Series<'a> {
         }
     }
 
-    /// The motion at the part `x` of the window.
+    /// The motion at the fraction `x` of the window.
     fn within(&self, x: Df64) -> Instant {
         let m = self.start[0].len();
         let zero = || DVector::from_element(m, Df64::from(0.0));

@@ -1,4 +1,5 @@
-//! The step of V at a boundary of a law, in double-double precision; for a phase that is held there, as a form in the coordinates.
+//! The step of V at a boundary of a law, in double-double precision. For a phase that is held there, it is a quadratic form in the
+//! coordinates.
 
 use nalgebra::{DMatrix, DVector};
 use xprec::Df64;
@@ -14,7 +15,7 @@ use crate::engine::law;
 pub struct Step {
     /// dK (n x n).
     pub stiffness: DMatrix<Df64>,
-    /// df (n): of what does not depend on the cell, nothing is left.
+    /// df (n). Loads that do not depend on the cell cancel.
     pub load: DVector<Df64>,
     /// h.
     pub at_zero: Df64,

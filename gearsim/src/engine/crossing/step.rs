@@ -8,10 +8,10 @@
 //! f - r h - B2 h²/2        f - r h - a h²/2 - B3 h³/6        f - r h - a h²/2 - j h³/6 - B4 h⁴/24
 //! ```
 //!
-//! The first root of the first polynomial has a closed form. So has that of the second if the phase leaves the boundary (f = r =
-//! 0, a < 0). The third is proved to be positive by its Bernstein coefficients ([`Bernstein`]), over up to [`REACH`] times the
-//! step of the other two. It gives long steps where the acceleration is far below its bound. Its coefficients are lowered by the
-//! rounding errors of r, a and j. The proof then holds for the phase, to one rounding error of s.
+//! The first root of the first polynomial has a closed form, and that of the second too if the phase leaves the boundary (f = r = 0, a <
+//! 0). The third is proved to be positive by its Bernstein coefficients ([`Bernstein`]), over up to [`REACH`] times the step of the other
+//! two. It gives long steps where the acceleration is far below its bound. Its coefficients are lowered by the rounding errors of r, a and
+//! j. The proof then holds for the phase, to one rounding error of s.
 
 use super::super::signal::Rounding;
 use super::bernstein::{Bernstein, First};

@@ -218,7 +218,7 @@ fn sets_of_effects() {
 
 #[test]
 #[should_panic(expected = "no torque number 4")]
-fn no_fifth_torque() {
+fn a_torque_index_out_of_range_panics() {
     gear_pair(0).torque_work(4, &Q);
 }
 

@@ -19,7 +19,7 @@ pub struct InFlight<'s> {
     /// The functions that end the holds.
     held: &'s [Watch],
     flight: Flight<'s>,
-    /// How late the phase was in this cell before, where there is a single law.
+    /// The delay of the phase at its last passage of this cell, if there is a single law.
     lateness: Option<&'s mut Delay>,
     /// The event that was found last.
     found: Option<Point>,

@@ -23,12 +23,12 @@ pub struct InWindow<'s> {
     /// The exits of the switches, and the functions that end the holds.
     exits: &'s [SmallVec<[Watch; 2]>],
     held: &'s [Watch],
-    /// The event that was found last: its time \[s\], and its part of the window.
+    /// The event that was found last: its time \[s\], and its fraction of the window.
     found: Option<(f64, f64)>,
 }
 
 impl<'s> InWindow<'s> {
-    /// From the state of `now`, for at most the time `longest` \[s\].
+    /// The window from the state of `now`, at most `longest` \[s\] long.
     pub fn begin(
         now: &'s Hybrid<'s>,
         forcing: &'s Forcing,
@@ -42,11 +42,11 @@ impl<'s> InWindow<'s> {
         InWindow { now, forcing, window, exits, held, found: None }
     }
 
-    /// The part of the window at which a phase first meets a boundary of its cell, and which.
+    /// The fraction of the window at which a phase first meets a boundary of its cell, and the boundary.
     fn first_boundary(&self, law: usize, cost: &mut Cost) -> Option<(f64, Side)> {
         let (law, State { q, q_dot, .. }) = (&self.now.laws[law], &self.now.state);
         let mut course = self.window.along(&law.surface.normal);
-        // The rate as the state has it: the sum over the modes is known to roundings of these only.
+        // The rate comes from the state, because the sum over the modes has the rounding errors of its terms.
         course[1] = law.surface.normal.dot(q_dot) * self.window.width;
         let mut first: Option<(f64, Side)> = None;
         for side in [Side::Upper, Side::Lower] {
@@ -65,7 +65,7 @@ impl<'s> InWindow<'s> {
         if self.window.width > 0.0 { (t / self.window.width).clamp(0.0, 1.0) } else { 0.0 }
     }
 
-    /// The state after the part `x`.
+    /// The state after the fraction `x` of the window.
     fn reached(&self, x: f64, state: impl FnOnce(&State, &Vector, &Vector) -> State) -> Reached {
         let (dq, dv) = self.window.increments(x);
         let gains = self.window.gains(self.forcing, x);
@@ -110,7 +110,7 @@ impl Motion for InWindow<'_> {
     }
 }
 
-/// Shortens a window in which a phase would go far beyond its cell: its polynomial keeps its digits.
+/// Shortens a window in which a phase would go far beyond its cell, so that its polynomial keeps its digits.
 fn shorten(window: &mut Window<'_>, now: &Hybrid<'_>) {
     for law in &now.laws {
         let (lower, upper) = law.bounds();

@@ -1,4 +1,4 @@
-//! A linear cell in its undamped modes, with whatever damping between them: xi'' + G xi' + omega² xi = Xᵀ f(t).
+//! A linear cell in its undamped modes, with any damping between them: xi'' + G xi' + omega² xi = Xᵀ f(t).
 
 use crate::engine::cell;
 use crate::engine::equations::Equations;
@@ -38,14 +38,14 @@ impl Linear {
         Ok(Self::seen(&modal, &modal.shapes, &modal.momentum, &modal.springs))
     }
 
-    /// That of the given modes; `shapes` and the like are those in all coordinates.
+    /// The cell with the given modes; `shapes`, `momentum` and `springs` refer to all coordinates.
     pub fn seen(modal: &Modal, shapes: &Matrix, momentum: &Matrix, springs: &Matrix) -> Self {
         let (m, modes) = (modal.modes.len(), &modal.modes);
         let damping = match &modal.coupled {
             Some(coupled) => coupled.damping.clone(),
             None => Matrix::from_fn(m, m, |i, j| if i == j { 2.0 * modes[i].sigma } else { 0.0 }),
         };
-        // Of a symmetric matrix, the largest sum of a row bounds the eigenvalues.
+        // The largest sum of a row bounds the eigenvalues of a symmetric matrix.
         let strongest = damping.row_iter().map(|row| row.abs().sum()).fold(0.0, f64::max);
         let fastest = modes.iter().map(|mode| mode.omega2.sqrt()).fold(0.0, f64::max);
         Linear {

@@ -1,6 +1,6 @@
 //! The motion of a linear cell under torques that vary in time, over a window short enough for its power series.
 //!
-//! xi(t_0 + W x) - xi(t_0) = sum c_n xⁿ, 0 <= x <= 1, with the load g_n xⁿ of straight and harmonic torques:
+//! xi(t_0 + W x) - xi(t_0) = sum c_n xⁿ, 0 <= x <= 1, with the load g_n xⁿ of linear and harmonic torques:
 //!
 //! ```text
 //! c_1 = W xi'    (n+2)(n+1) c_(n+2) = W² (g_n - omega² c_n) - W (n+1) G c_(n+1)
@@ -8,8 +8,8 @@
 //!
 //! The motion is an entire function of t, whatever the damping, on resonance and off it, for rigid modes as for elastic
 //! ones. A window lasts no longer than `WINDOW_SPAN` divided by the fastest rate of cell and load: then [`TERMS`] terms leave a
-//! remainder of 2²⁸/28! < 1e-21 of the motion, far below its rounding, and lose less than a digit to cancellation. So the first
-//! crossing is found, for certain, as the first root of a polynomial ([`root`](crate::engine::root)).
+//! remainder of 2²⁸/28! < 1e-21 of the motion, far below its rounding, and lose less than a digit to cancellation. The first crossing is
+//! therefore the first root of a polynomial, which is found with certainty ([`root`](crate::engine::root)).
 
 use super::Forcing;
 use super::linear::Linear;
@@ -25,17 +25,17 @@ pub const TERMS: usize = 28;
 #[derive(Debug, Clone)]
 pub struct Window<'a> {
     linear: &'a Linear,
-    /// Generalised forces of a unit of each that varies.
+    /// Generalised forces per unit of each parameter that varies.
     units: Vec<Vector>,
     /// Its length W \[s\].
     pub width: f64,
     /// c_n, in modes.
     terms: Vec<Vector>,
-    /// Series of what varies.
+    /// Power series of the parameters that vary.
     loads: Vec<[f64; TERMS]>,
 }
 
-/// What the account gains over a part of a window.
+/// Terms of the energy account over a part of a window.
 #[derive(Debug, Clone)]
 pub struct Gains {
     /// Energy lost to damping \[J\].
@@ -45,7 +45,7 @@ pub struct Gains {
 }
 
 impl<'a> Window<'a> {
-    /// From the state (q, q') at the clock's time on, at most for the time `longest` \[s\].
+    /// The window from the state (q, q') at the clock's time, at most `longest` \[s\] long.
     pub fn begin(
         linear: &'a Linear,
         forcing: &Forcing,
@@ -67,7 +67,7 @@ impl<'a> Window<'a> {
             };
             push.iter().zip(&loads).for_each(|(push, load)| force.add_times(load[n], push));
             if n == 0 {
-                // Forces that balance leave none: their rounding must not part flanks that just touch.
+                // Forces in balance must sum to exactly zero: a rounding error would separate flanks that just touch.
                 let mut sizes = linear.load.abs() + &(&linear.springs.abs() * &q.abs());
                 push.iter().zip(&loads).for_each(|(push, load)| sizes.add_times(load[n].abs(), &push.abs()));
                 force = force.zip_map(&sizes, beyond_rounding);
@@ -94,8 +94,8 @@ impl<'a> Window<'a> {
         }
     }
 
-    /// Coefficients of on_q.q, less its value at the start, in x. What is left of modes that cancel is zero: a torque that
-    /// does not yet act on a phase at rest must not push it by its rounding.
+    /// Coefficients in x of on_q.q minus its value at the start. Terms of modes that cancel to rounding errors are set to zero: a torque
+    /// that does not yet act on a phase at rest must not move it by a rounding error.
     pub fn along(&self, on_q: &Vector) -> [f64; TERMS] {
         let modal = transposed(&self.linear.shapes, on_q);
         std::array::from_fn(|n| {
@@ -104,7 +104,7 @@ impl<'a> Window<'a> {
         })
     }
 
-    /// The same of on_q.q + on_speed.q' + on_load.f; those of n = 0 are not less the start's, and mean nothing.
+    /// The same for on_q.q + on_speed.q' + on_load.f. The value at the start is not subtracted; the coefficient n = 0 has no meaning.
     pub fn course(&self, on_q: &Vector, on_speed: &Vector, on_load: &Vector) -> [f64; TERMS] {
         let [place, speed] = [on_q, on_speed].map(|on| transposed(&self.linear.shapes, on));
         std::array::from_fn(|n| {
@@ -119,7 +119,7 @@ impl<'a> Window<'a> {
         })
     }
 
-    /// Increments of q and q' at the part `x` of the window.
+    /// Increments of q and q' at the fraction `x` of the window.
     pub fn increments(&self, x: f64) -> (Vector, Vector) {
         let (n, m) = self.linear.shapes.shape();
         if self.width == 0.0 {
@@ -145,8 +145,8 @@ impl<'a> Window<'a> {
         })
     }
 
-    /// What the account gains until the part `x`, by integration of the speeds: Gauss-Legendre, exact to rounding over so
-    /// short a time.
+    /// Terms of the energy account until the fraction `x`: integrals over the speeds by Gauss-Legendre quadrature, exact to rounding over
+    /// so short a time.
     pub fn gains(&self, forcing: &Forcing, x: f64) -> Gains {
         let mut lost = 0.0;
         let mut swept = vec![Vector::zeros(self.linear.omega2.len()); self.loads.len()];
@@ -165,12 +165,12 @@ impl<'a> Window<'a> {
             let swept = &self.linear.shapes * &swept * (0.5 * x);
             work.iter_mut().zip(&drive.power).for_each(|(sum, row)| *sum += row.dot(&swept));
         }
-        // The speeds are those by x: once for the square, and none for the work.
+        // The speeds are derivatives by x = t/W: the square needs one division by W, the work none.
         Gains { lost: if self.width > 0.0 { lost * 0.5 * x / self.width } else { 0.0 }, work }
     }
 }
 
-/// A sum of parts that have this size together; nothing where they cancel to their rounding.
+/// `sum`, or zero if its terms, whose absolute values sum to `size`, cancel to rounding errors.
 fn beyond_rounding(sum: f64, size: f64) -> f64 {
     if sum.abs() <= WINDOW_ROUNDING * size { 0.0 } else { sum }
 }

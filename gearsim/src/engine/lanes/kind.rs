@@ -21,9 +21,9 @@ pub struct Kind {
 }
 
 impl Kind {
-    /// The kind of a simulation; `None` if it cannot run in a lane: the processor lacks the vector instructions, the simulation has too
-    /// many coordinates, its events are never plain, or a mode is rigid in some cells only, is damped too strongly to oscillate, or is
-    /// coupled to others by damping.
+    /// The kind of a simulation; `None` if it cannot run in a lane. The reasons are: the processor lacks the vector instructions; the
+    /// simulation has too many coordinates; its events are never plain; a mode is rigid in some cells only, is damped too strongly to
+    /// oscillate, or is coupled to others by damping.
     pub fn of(simulation: &Simulation<'_>) -> Option<Self> {
         let vectors = Vectors::of_processor()?;
         let law =

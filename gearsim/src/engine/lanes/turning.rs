@@ -1,10 +1,11 @@
 //! The first crossing of a phase that may turn back, where a single vibration takes part in it: s(t) = d t + c (y(t) - y(0)), with the
 //! steady speed d and y'' + 2 sigma y' + omega² y = 0.
 //!
-//! Between two zeros of s'' the phase bends one way. There, a boundary on the side to which it does not bend away is passed at most once on
-//! the way to it, and Newton's method from before never passes the root; the boundary on the other side is passed at most once on the way back, and
-//! Newton's method from the end never does. So the first crossing is found for certain, interval by interval. What rounding errors
-//! could decide is left to the general loop, as are phases with several vibrations.
+//! Between two zeros of s'' the sign of s'' is constant. There the phase crosses the boundary from which it bends away at most once, on the
+//! way to it; Newton's method from the beginning of the interval does not overshoot this root. It crosses the other boundary at most once,
+//! on the way back; Newton's method from the end of the interval does not overshoot that root. The first crossing is therefore found with
+//! certainty, interval by interval. Cases that rounding errors could decide, and phases with several vibrations, are left to the general
+//! loop.
 
 use crate::engine::lanes::cells::Cells;
 use crate::engine::lanes::elementary::{exp_m1, sin_cos};
@@ -17,7 +18,7 @@ use crate::tolerance::modes::KERNEL_ANGLE;
 #[cfg(test)]
 mod tests;
 
-/// Most intervals, and most steps of Newton's method in one. What needs more is left to the general loop.
+/// Most intervals, and most steps of Newton's method in one. Phases that need more are left to the general loop.
 const MOST: (u32, u32) = (16, 16);
 
 /// The phase from the start of a flight on.
@@ -97,8 +98,8 @@ impl<const N: usize, const L: usize> Lanes<N, L> {
 }
 
 impl Phase {
-    /// The boundary that is crossed first, whether the upper one, and about when \[s\]; `gaps` are the distances of the lower and of the
-    /// upper boundary, `fastest` bounds the rates, and the run ends after the time `left` \[s\].
+    /// The boundary that is crossed first (whether it is the upper one), and the approximate time of the crossing \[s\]. `gaps` are the
+    /// distances of the lower and of the upper boundary, `fastest` bounds the rates, and the run ends after the time `left` \[s\].
     #[inline(never)]
     fn first(&self, gaps: [f64; 2], fastest: f64, left: f64) -> Option<(bool, f64)> {
         let size = (self.a[0] * self.a[0] + self.a[1] * self.a[1]).sqrt();
@@ -129,9 +130,8 @@ impl Phase {
         None
     }
 
-    /// The crossing within an interval in which the phase bends away from the upper boundary (`up`), or from the lower one, by at most
-    /// `bend`.
-    /// `None` if rounding errors could decide it.
+    /// The crossing within an interval in which the phase bends away from the upper boundary (`up`) or from the lower one, with |s''| <=
+    /// `bend`. `None` if rounding errors could decide it.
     #[inline(always)]
     fn within(
         &self,
@@ -149,7 +149,8 @@ impl Phase {
             return None;
         }
         if rate > 0.0 {
-            // Towards the edge. It is passed for certain if the end lies beyond it; else it is if Newton's method does not turn.
+            // Towards the edge, from which the phase bends away. The phase crosses it if the interval ends beyond it, or if Newton's method
+            // finds a root.
             let mut place = from;
             for i in 0.. {
                 let speed = mirror * place.rate;
@@ -158,7 +159,7 @@ impl Phase {
                     break;
                 }
                 let step = gap / speed;
-                // Bent by at most `bend`, it rises by speed²/(2 bend) yet.
+                // With |s''| <= `bend` the phase still rises by speed²/(2 bend) or more.
                 if step.abs() * fastest <= TURN_STEP && (end > edge || speed * speed >= 4.0 * gap * bend) {
                     return Some(Some((up, place.t + step)));
                 }
@@ -169,7 +170,7 @@ impl Phase {
             }
         }
         if end > -other {
-            // On the edge's side it ends within; a phase beyond the edge was found above.
+            // The interval ends before the other boundary. A crossing of the edge was found above.
             return if end > edge { None } else { Some(None) };
         }
         let mut place = to;

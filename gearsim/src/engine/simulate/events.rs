@@ -15,13 +15,13 @@ use crate::trajectory::Moment;
 use super::{Recording, Simulation};
 
 impl Simulation<'_> {
-    /// Meets the steps that a phase has just come to as the run ends, so that a run split there equals the whole.
+    /// Passes the steps that a phase reaches just at the end of the run, so that a run split at this time equals the whole run.
     pub(super) fn meet_at_the_end(&mut self, recording: &mut Option<Recording<'_, '_>>) -> Result<(), Stop> {
         for i in 0..self.now.laws.len() {
             let (law, state) = (&self.now.laws[i], &self.now.state);
             let v = law.surface.normal.dot(&state.q_dot);
             let side = if v > 0.0 { Side::Upper } else { Side::Lower };
-            // A time of an event, as a number, is half a unit of its last place off; so far the phase goes in it.
+            // The time of an event has a rounding error of half a unit in the last place. In this time the phase moves by `slack`.
             let slack = v.abs() * 0.5 * (self.now.t_end.next_up() - self.now.t_end) + END_OF_RUN * law.rounding();
             if v != 0.0 && !self.now.holds(i) && law.is_at(side, state, slack) {
                 self.pass(End::Step(i, side), recording)?;
@@ -31,7 +31,7 @@ impl Simulation<'_> {
         Ok(())
     }
 
-    /// An event, its left and right limits noted.
+    /// Handles an event, and records its left and right limits.
     #[inline]
     pub(super) fn pass(&mut self, end: End, recording: &mut Option<Recording<'_, '_>>) -> Result<(), Stop> {
         let mut seen = end != End::Breakpoint;
@@ -40,7 +40,7 @@ impl Simulation<'_> {
             if self.solver.locates() {
                 law.snap(side, &mut self.now.state);
             }
-            // A kink is a boundary of a curve, and no event to people.
+            // A kink of a curve is a boundary of a cell, but it is not reported as an event.
             seen = !is_kink(law, side);
         }
         let recorder = recording.as_mut().filter(|_| seen).and_then(Recording::of_events);
@@ -62,7 +62,7 @@ impl Simulation<'_> {
                     let ambiguous = order::matters(equations, self.stand(), state, law, side);
                     self.now.counts.ambiguous += u64::from(ambiguous);
                 }
-                // An impulse ends what is held, which bounces or leaves.
+                // An impulse ends all holds: held phases bounce or leave.
                 self.now.contact = None;
                 self.jump(law, side)
             }
@@ -92,7 +92,7 @@ impl Simulation<'_> {
                     self.now.clock.set(t);
                     forcing.enter(t);
                 }
-                // What is held may be pulled off by the new torque.
+                // The new torque may end the holds.
                 let held = self.now.contact.take().map_or(vec![], |contact| contact.laws);
                 self.resume(held)
             }
@@ -141,7 +141,7 @@ impl Simulation<'_> {
         let now = &mut self.now;
         let t = now.clock.now();
         now.rattle = (t, if now.has_not_moved(t - now.rattle.0) { now.rattle.1 + 1 } else { 0 });
-        // What is held now presses otherwise, or against nothing.
+        // The contact forces have changed: test every held contact again.
         let held = now.contact.take().map_or(vec![], |contact| contact.laws);
         let void = |held: &(usize, Side)| contact::is_void(self.now.equations, self.stand(), *held, &self.now.state);
         let (void, held): (Vec<_>, Vec<_>) = held.into_iter().partition(void);
@@ -177,7 +177,7 @@ impl Simulation<'_> {
         self.hold(vec![(law, side)])
     }
 
-    /// Holds phases at their steps and the deflections of switches, those of them whose reactions are as they must be.
+    /// Holds the phases of `held` and the deflections of switches if their reactions admit it.
     pub(super) fn hold(&mut self, held: Vec<(usize, Side)>) -> Result<(), Stop> {
         self.entered = true;
         let begun = self.now.hold(held).and_then(|()| self.solver.enter(&mut self.now));

@@ -1,4 +1,4 @@
-//! Events taken after the step in which they happened, as programs do that locate none: for comparison.
+//! Events handled after the step in which they happened, as in programs that do not locate events; for comparison.
 
 use crate::engine::crossing::Side;
 use crate::engine::error::Stop;

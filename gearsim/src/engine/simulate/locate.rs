@@ -1,4 +1,4 @@
-//! How a motion ends: the first guard that becomes zero, or what is due at a known time.
+//! How a motion ends: at the first guard that becomes zero, or at a known time.
 
 use crate::engine::crossing::Cost;
 use crate::engine::equations::Switching;
@@ -6,8 +6,8 @@ use crate::engine::error::Stop;
 use crate::engine::hybrid::Hybrid;
 use crate::engine::motion::{End, Guard, Motion};
 
-/// What is due at a known time, and in how long \[s\]: the end of the run, a breakpoint of a torque, or the step of a
-/// law that switches by time.
+/// Time until the next known end of the motion \[s\], and its kind: the end of the run, a breakpoint of a torque, or the step of a law that
+/// switches by time.
 pub fn horizon(now: &Hybrid<'_>) -> (f64, End) {
     let mut first = (now.clock.until_about(now.t_end), End::Run);
     if let Some(forcing) = &now.forcing {
@@ -27,7 +27,7 @@ pub fn horizon(now: &Hybrid<'_>) -> (f64, End) {
     first
 }
 
-/// How a motion ends that ends at the `horizon` at the latest, and when \[s\].
+/// How and when \[s\] a motion ends. It ends at the `horizon` at the latest.
 ///
 /// # Errors
 /// Where a search does not end, or leaves the range of numbers.

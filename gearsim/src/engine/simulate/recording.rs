@@ -1,4 +1,4 @@
-//! What is written down of a run.
+//! The rows that are recorded during a run.
 
 use crate::engine::error::Stop;
 use crate::engine::hybrid::Hybrid;
@@ -33,8 +33,8 @@ impl<'r, 'e> Recording<'r, 'e> {
         self.next as f64 / self.rate
     }
 
-    /// Adds the samples that are due within the time `t` \[s\] of a motion from `now`. The end of the run is noted by itself. A sample at
-    /// an event belongs to the motion that ends there.
+    /// Adds the samples that are due within the time `t` \[s\] of a motion from `now`, except at the end of the run, which has its own row.
+    /// A sample at an event belongs to the motion that ends there.
     pub fn samples(&mut self, now: &Hybrid<'_>, motion: &mut dyn Motion, t: f64) {
         let mut end = now.clock;
         end.advance(t);
@@ -47,7 +47,7 @@ impl<'r, 'e> Recording<'r, 'e> {
             let reached = motion.at(tau.max(0.0));
             self.recorder.beyond = now.work.iter().zip(reached.work).map(|(work, more)| work + more).collect();
             let lost = (now.dissipated + reached.dissipated, now.ignored);
-            // A sample a rounding before the event that ends the motion is not noted after it.
+            // A sample just before the event that ends the motion must not be recorded with a later time.
             let at = at.min(end.now());
             let k = now.levels_at(&reached.state, at);
             self.recorder.row(now, (at, Moment::Sample), &reached.state, &k, lost);

@@ -1,8 +1,8 @@
 //! Static equilibrium: the coordinates at which the generalised forces on them vanish.
 //!
 //! Newton's method on F(q, q'; k(s)) = 0, for the free coordinates. Its matrix is the exact derivative of the forces,
-//! [`Equations::jacobian`]. A law whose phase is free is followed from cell to cell: a step of the iteration ends at the first
-//! boundary on its way, the law enters the next cell there, and the iteration continues with its stiffness. If the forces of both
+//! [`Equations::jacobian`]. A law whose phase is free is followed from cell to cell. A step of the iteration ends at the first boundary
+//! that it meets; the law enters the next cell there, and the iteration continues with the stiffness of this cell. If the forces of both
 //! cells push a phase towards the boundary between them, the phase is in equilibrium on that boundary.
 
 use std::f64::consts::PI;
@@ -173,7 +173,7 @@ impl Equilibrium<'_> {
                     [0.5, 1.0, -0.5, -1.0].map(|half_turns| half_turns * PI).into()
                 }
                 None => {
-                    // The mirrored place, and places of any size: the unit does not show the scale.
+                    // The mirrored place, and places of many sizes, because the unit does not show the scale.
                     let sizes =
                         [1.0, 2.0, 4.0].map(|x| x * at[i].abs()).into_iter().chain((-6..2).map(|n| 10f64.powi(n)));
                     sizes.flat_map(|size| [size - at[i], -size - at[i]]).collect()

@@ -4,7 +4,7 @@
 //! | --- | --- | --- |
 //! | [`Motion::Equilibrium`] | nothing turns, and F(q, 0) = 0 | constant |
 //! | [`Motion::Steady`] | M and F do not change as the coordinates move on at the speeds of the start | constant |
-//! | [`Motion::Place`] | else: a crank turns, or is not at rest where it stands | those of one instant |
+//! | [`Motion::Place`] | otherwise, e.g. a crank turns, or is released from a place that is no equilibrium | those of one instant |
 
 use crate::engine::equations::{Equations, Known};
 use crate::engine::error::Refusal;
@@ -42,7 +42,7 @@ pub struct Steady {
     pub terms: String,
     /// The outputs of the model that are forces, torques or powers: name, unit and value.
     pub outputs: Vec<(&'static str, &'static str, f64)>,
-    /// Why the motion meets both flanks of a mesh, in words: friction of the flanks, linearised, is that of one; `None` if it meets one.
+    /// Why the motion meets both flanks of a mesh, in words; `None` if it meets one. Linearised friction is that of one flank.
     pub both_flanks: Option<String>,
 }
 
@@ -60,7 +60,7 @@ impl Steady {
         let k = begun.levels(scene);
         let is_force = |unit: &str| ["N", "N*m", "W"].contains(&unit);
         let outputs = model.outputs.iter().enumerate();
-        // What a run alone knows, reactions and powers of torques, has no value here.
+        // Reactions and powers of torques are known only in a run and have no value here.
         let outputs = outputs
             .filter(|(_, output)| is_force(output.unit) && scene.effects.activate(output.with, model) && !output.known);
         let value = |i: usize| equations.output(i, &q, &q_dot, &k, &Known::default());
@@ -114,7 +114,7 @@ fn is_balanced(equations: &dyn Equations, q: &[f64], (k, flat): (&[f64], &[f64])
 
 /// Whether M or F change as the coordinates move on from `q` at the speeds `q_dot`, at fixed values and slopes of the laws.
 fn changes(equations: &dyn Equations, q: &Vector, q_dot: &Vector, laws: (&[f64], &[f64])) -> bool {
-    // No whole number of turns, teeth or radians.
+    // Distances that are no whole numbers of turns, teeth or radians.
     const PLACES: [f64; 3] = [0.618_033_988_7, 1.732_050_807_5, 41.303_162_87];
     let fastest = q_dot.amax();
     PLACES.iter().any(|x| !are_same(equations, [q, &(q + &(q_dot * (x / fastest)))], q_dot, laws))

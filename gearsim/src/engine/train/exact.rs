@@ -21,7 +21,7 @@ pub(super) struct Cells<'a> {
 }
 
 impl<'a> Cells<'a> {
-    /// Those of a scene with these values of its parameters and mid values of its laws.
+    /// The cells of a scene with these values of its parameters and mid values of its laws.
     pub fn new(elements: &Elements, scene: &'a Scene, parameters: Vec<Df64>, mids: Vec<Df64>) -> Self {
         let zero = Df64::from(0.0);
         let Some(train) = scene.train.as_ref() else { unreachable!("the scene of a train lists its parts") };
@@ -50,7 +50,7 @@ impl<'a> Cells<'a> {
         &self.parts[part].1 * DVector::from_column_slice(q)
     }
 
-    /// A gradient by the coordinates of a part as one by those of the train.
+    /// Converts a gradient from the coordinates of a part to those of the train.
     fn spread(&self, part: usize, gradient: &DVector<Df64>) -> DVector<Df64> {
         self.parts[part].1.transpose() * gradient
     }

@@ -1,7 +1,8 @@
 //! The kinematics of a train: R of each part, and its rigid motions.
 //!
-//! With the rotations theta of the rotors, the coordinates are q = B theta, and the coordinates of a part x = D theta, so that R = D B⁻¹. Two
-//! numbers that cancel but for rounding are zero: a deflection that does not depend on a phase keeps its digits however large the phase is.
+//! With the rotations theta of the rotors, the coordinates are q = B theta, and the coordinates of a part x = D theta, so that R = D B⁻¹.
+//! Numbers that cancel to rounding errors are set to zero: a deflection that does not depend on a phase then keeps its digits however large
+//! the phase is.
 
 use nalgebra::DMatrix;
 

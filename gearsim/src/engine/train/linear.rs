@@ -44,7 +44,7 @@ struct Spring {
     damping: f64,
 }
 
-/// All of them.
+/// The springs and dampers of all these parts.
 #[derive(Debug)]
 pub(super) struct Linear {
     springs: Vec<Spring>,
@@ -52,7 +52,8 @@ pub(super) struct Linear {
 }
 
 impl Linear {
-    /// Those of `parts`, each with one coordinate, in a train with `n` coordinates. The factors are those of the derived cells.
+    /// The springs and dampers of `parts`, each with one coordinate, in a train with `n` coordinates. The factors are those of the derived
+    /// cells.
     pub fn of<'a>(n: usize, parts: impl Iterator<Item = (&'a dyn Equations, &'a [Sparse])>) -> Linear {
         let (mut springs, mut load): (Vec<Spring>, _) = (vec![], Vector::zeros(n));
         for (equations, rows) in parts {

@@ -108,7 +108,7 @@ impl Placed {
         Sparse::of(self.spread(&gradient, n).iter().copied())
     }
 
-    /// A gradient by its coordinates as one by those of the train.
+    /// Converts a gradient from its coordinates to those of the train.
     pub fn spread(&self, gradient: &Vector, n: usize) -> Vector {
         let mut sum = Vector::zeros(n);
         self.rows.iter().zip(gradient.iter()).for_each(|(row, x)| row.add_to(*x, &mut sum));

@@ -13,10 +13,10 @@ use crate::tolerance::events::GRAZE_DEPTH;
 
 use super::motion::Step;
 
-/// Values by which a guard that is not linear in the state is interpolated: as many as a dense output has coefficients at most.
+/// Number of values that interpolate a guard that is not linear in the state: the largest number of coefficients of a dense output.
 const NODES: usize = 8;
 
-/// Where they are taken: Chebyshev's points of the interval \[0, 1\], its ends among them.
+/// The places of these values: the Chebyshev points of the interval \[0, 1\], including its ends.
 fn node(i: usize) -> f64 {
     0.5 * (1.0 - (std::f64::consts::PI * i as f64 / (NODES - 1) as f64).cos())
 }
@@ -28,7 +28,7 @@ static THROUGH: LazyLock<Matrix> = LazyLock::new(|| {
 });
 
 impl Step<'_, '_> {
-    /// Where a guard is met in the step: sides, and parts of the step.
+    /// Where a guard is met in the step: sides, and fractions of the step.
     pub(super) fn crossings(&mut self, guard: Guard, cost: &mut Cost) -> SmallVec<[(Side, f64); 2]> {
         let mut crossings = SmallVec::new();
         let mut note = |side, found: Found| {
@@ -65,7 +65,7 @@ impl Step<'_, '_> {
         crossings
     }
 
-    /// What is left until a guard is met at a side, `left` at the start of the step, as a polynomial in the part of the step.
+    /// The value of a guard at a side as a polynomial in the fraction of the step; `left` is the value at the start of the step.
     fn interpolated(&mut self, guard: Guard, side: Side, left: f64) -> Polynomial {
         let mut values = [left; NODES];
         for (i, value) in values.iter_mut().enumerate() {

@@ -1,4 +1,4 @@
-//! Landing: the step that meets a guard is taken again, as long as to there.
+//! Landing: the step that meets a guard is repeated so that it ends at the guard.
 
 use crate::engine::motion::Guard;
 use crate::methods::Trial;
@@ -11,7 +11,7 @@ use super::motion::{Found, Step};
 const MOST_TRIALS: usize = 8;
 
 impl Step<'_, '_> {
-    /// The step that ends at an event: how long \[s\], and where it leads.
+    /// The step that ends at an event: its length \[s\] and its end.
     pub(super) fn land(&mut self, found: Found) -> (f64, Trial) {
         let Found { guard, side, x, t } = found;
         if x == 0.0 {
@@ -29,11 +29,11 @@ impl Step<'_, '_> {
             }
             let slope = self.slope(found, taken, left, &trial);
             let dt = -left / slope;
-            // It turns there, or is not met there at all: the dense output decides.
+            // The guard does not reach zero, or its slope changes sign before: use the root of the dense output.
             if !(slope < 0.0 && taken + dt > 0.0 && dt.abs() <= 0.5 * self.h) {
                 break;
             }
-            // So near that two terms of Taylor's series do.
+            // At this distance two terms of the Taylor series are enough.
             if dt.abs() * self.solver.fastest < LANDING {
                 trial.end = moved_on(&trial, dt);
                 trial.rate = self.solver.field.rate(taken + dt, &trial.end);
@@ -46,8 +46,8 @@ impl Step<'_, '_> {
         (t, Trial { end, rate, error: 0.0, stiffness: 0.0 })
     }
 
-    /// How fast what is `left` until an event changes at the end of a trial that took the time `t` \[per s\]: for a phase its speed, else
-    /// by a difference along the motion.
+    /// The rate of the guard at the end of a trial that took the time `t`; its value there is `left` [unit of the guard/s]. For a phase it
+    /// is the speed, otherwise a difference quotient along the motion.
     fn slope(&mut self, found: Found, t: f64, left: f64, trial: &Trial) -> f64 {
         if let Guard::Phase(law) = found.guard {
             return -found.side.sign() * self.now.laws[law].surface.normal.dot(&trial.end.v);
@@ -57,7 +57,7 @@ impl Step<'_, '_> {
         (self.solver.field.left(found.guard, found.side, t + dt, &later) - left) / dt
     }
 
-    /// What a guard is known to.
+    /// The rounding error of a guard.
     fn rounding(&self, guard: Guard) -> f64 {
         match guard {
             Guard::Phase(law) => self.now.laws[law].rounding(),
@@ -67,7 +67,7 @@ impl Step<'_, '_> {
     }
 }
 
-/// Where the motion is the short time `dt` \[s\] after a trial, or before its end.
+/// The motion a short time `dt` \[s\] after the end of a trial, or before it.
 fn moved_on(trial: &Trial, dt: f64) -> Flow {
     let (Flow { v, .. }, Flow { v: a, lost, .. }) = (&trial.end, &trial.rate);
     let mut moved = trial.end.clone();

@@ -33,7 +33,7 @@ pub struct Step<'s, 'f> {
 pub struct Found {
     pub guard: Guard,
     pub side: Side,
-    /// Part of the step, and time \[s\].
+    /// Fraction of the step, and time \[s\].
     pub x: f64,
     pub t: f64,
 }
@@ -49,7 +49,7 @@ impl Step<'_, '_> {
         Reached { state: State { turns: self.now.state.turns.clone(), ..State::new(y.q, y.v) }, dissipated, work }
     }
 
-    /// The work of each torque, as far as it is not constant, until the time `t` \[s\], by integration of its power \[J\].
+    /// The work of the varying part of each torque until the time `t` \[s\], the integral of its power \[J\].
     fn work(&mut self, t: f64) -> Vec<f64> {
         let mut work = vec![0.0; self.now.work.len()];
         if work.is_empty() || t <= 0.0 {

@@ -43,7 +43,7 @@ fn run(method: &str, pull: f64, start: &str, t_end: f64) -> Outcome {
 /// Its period at the amplitude a is 4 K(a²/(2 + 2 a²))/sqrt(1 + a²), with K computed by the arithmetic-geometric mean (Abramowitz
 /// & Stegun 17.6). After three periods it is at its start again, without loss of energy, with every method.
 #[test]
-fn it_returns_to_its_start_after_a_period() {
+fn the_oscillator_returns_to_its_start_after_a_period() {
     for a in [0.1f64, 1.0, 3.0] {
         let m = a * a / (2.0 + 2.0 * a * a);
         let (mut x, mut y) = (1.0f64, (1.0 - m).sqrt());
@@ -65,7 +65,7 @@ fn it_returns_to_its_start_after_a_period() {
 
 /// Static equilibrium under a force of 2 N: x + x³ = 2 at x = 1. It stays there, and the summary names the nonlinear term.
 #[test]
-fn it_rests_in_static_equilibrium() {
+fn the_oscillator_rests_in_static_equilibrium() {
     let outcome = run("", 2.0, "", 1.0);
     let t = &outcome.trajectory;
     assert!((t.q[0][0] - 1.0).abs() < 1e-14 && (t.q[0][t.len() - 1] - 1.0).abs() < 1e-12);

@@ -7,18 +7,18 @@
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Key {
     pub name: &'static str,
-    /// What its value may be.
+    /// Kind of its value.
     pub kind: Kind,
-    /// What holds without it; [`REQUIRED`] if it must be there.
+    /// Its default; [`REQUIRED`] if it has none.
     pub default: &'static str,
-    /// What it means.
+    /// Its meaning.
     pub doc: &'static str,
 }
 
 /// The default of a key that a table must always have.
 pub(crate) const REQUIRED: &str = "required";
 
-/// What a value may be.
+/// Kind of a value.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum Kind {
     /// Any text.
@@ -48,14 +48,14 @@ pub(crate) enum Kind {
 /// The keys of a table that the model or the scene names.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Named {
-    /// What stands for the name in the reference, e.g. `COORDINATE_dot`.
+    /// Placeholder of the name in the reference, e.g. `COORDINATE_dot`.
     pub name: &'static str,
     pub kind: Kind,
     pub default: &'static str,
     pub doc: &'static str,
 }
 
-/// A key; `default` says what holds without it.
+/// A key, with its `default`.
 pub(in crate::scene) const fn key(name: &'static str, kind: Kind, default: &'static str, doc: &'static str) -> Key {
     Key { name, kind, default, doc }
 }

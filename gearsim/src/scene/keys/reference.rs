@@ -26,7 +26,7 @@ struct Reference {
     written: Vec<(String, Vec<Key>)>,
 }
 
-/// A row: name, value, what holds without it, meaning.
+/// A row: name, value, default, meaning.
 type Row = (&'static str, Kind, &'static str, &'static str);
 
 impl Reference {

@@ -6,7 +6,7 @@ use super::key::{Key, Kind, REQUIRED};
 use crate::model::{Model, Parameter, Role};
 use crate::scene::{PLOTS, check, effects, laws, time_history, train};
 
-/// The schema of scenes of these models. The reader checks more: units, ranges, what goes with what.
+/// The schema of scenes of these models. The reader checks more: units, ranges, and combinations of keys.
 pub(crate) fn schema(models: &[&Model]) -> Value {
     let mut all = table(&[check::KEYS, train::KEYS]);
     let names: Vec<_> = models.iter().map(|model| model.name).collect();

@@ -16,7 +16,7 @@ fn scene_with_friction() -> String {
     text.replace("\"damping\",", "\"sliding_friction\",")
 }
 
-/// That scene with the tables `laws`; the messages if it has mistakes.
+/// The scene with friction and the tables `laws`; the messages if it has mistakes.
 fn with(laws: &str, overrides: &[&str]) -> Result<Scene, String> {
     parse(&format!("{}\n{laws}", scene_with_friction()), overrides).map_err(|errors| errors.render(100, false))
 }

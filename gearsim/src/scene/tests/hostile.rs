@@ -44,7 +44,7 @@ fn control_characters_never_reach_the_terminal() {
 
 #[test]
 #[cfg(unix)]
-fn only_files_of_a_sane_size_are_read() {
+fn pipes_folders_and_large_files_are_refused() {
     let root = tempfile::tempdir().unwrap();
     let fifo = root.path().join("fifo.toml");
     assert!(std::process::Command::new("mkfifo").arg(&fifo).status().unwrap().success());

@@ -1,10 +1,10 @@
 //! Axial motion of rotors on thrust bearings, and the axial forces of helical gears.
 //!
 //! With the hand h of a gear (1 right, -1 left) and the base helix angle beta_b, its flank in a transverse plane advances by
-//! r_b dphi - h tan(beta_b) dz, as the gear turns by dphi about its axis and moves by dz along it. So the deflection along the line of
-//! action, which lies in the transverse plane as the stiffness does, has the derivatives d delta/dz = -h tan(beta_b) (d delta/dphi)/r_b,
-//! and the axial force is the mesh force times tan(beta_b): F_a = F_t tan(beta). Source: ISO 21771-1:2024; G. Niemann, H. Winter,
-//! Maschinenelemente II. The deflection stays linear, and cells exact.
+//! r_b dphi - h tan(beta_b) dz, as the gear turns by dphi about its axis and moves by dz along it. Deflection and stiffness are along the
+//! line of action in the transverse plane. The deflection has the derivatives d delta/dz = -h tan(beta_b) (d delta/dphi)/r_b, and the axial
+//! force is the mesh force times tan(beta_b): F_a = F_t tan(beta). Source: ISO 21771-1:2024; G. Niemann, H. Winter, Maschinenelemente II.
+//! The deflection stays linear, and cells exact.
 //!
 //! All axes have the same positive direction. The first rotor of the train, when it turns at positive speed, turns about this direction by the
 //! right-hand rule.

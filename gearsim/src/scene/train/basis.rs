@@ -107,7 +107,7 @@ pub(super) fn choose(draft: &Draft, values: &HashMap<String, f64>) -> Result<Bas
             });
         }
     }
-    // Springs determine all but the rigid motions. Of the coordinates, one for each rigid motion has a place of its own at the start.
+    // Springs determine all coordinates at the start except one for each rigid motion, which starts at zero.
     let mut held = Span::default();
     let independent: Vec<Terms> =
         elastic.into_iter().filter(|(_, vector)| held.add(vector)).map(|(form, _)| form).collect();
@@ -170,7 +170,7 @@ pub(super) fn resolve(draft: &Draft, form: &Terms) -> Terms {
     form.iter().map(resolve).collect()
 }
 
-/// Of each rotor, whether shafts and meshes join it to a gear with an elastic mesh.
+/// For each rotor, whether shafts and meshes join it to a gear with an elastic mesh.
 fn with_gears(draft: &Draft) -> Vec<bool> {
     let mut geared = vec![false; draft.rotors.len()];
     let mut open: Vec<usize> = draft.groups.iter().flat_map(|g| &g.gears).filter_map(|gear| gear.rotor).collect();

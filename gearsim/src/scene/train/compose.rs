@@ -226,7 +226,7 @@ pub(super) fn own(name: &str, part: &str) -> String {
     }
 }
 
-/// What a description says of a part.
+/// A description with the name of a part in place of `{}`.
 pub(super) fn said(doc: &str, part: &DraftPart) -> &'static str {
     leak(doc.replace("{}", &part.name))
 }

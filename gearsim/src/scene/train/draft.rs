@@ -1,4 +1,4 @@
-//! What the tables of a train say, by names.
+//! The content of the tables of a train, by names.
 
 use crate::scene::document::{Node, Place};
 
@@ -75,7 +75,7 @@ pub(super) struct Group {
     pub radius: String,
     /// Pairs of gears that mesh.
     pub meshes: Vec<[usize; 2]>,
-    /// Sign of the pitch count of the second gear relative to the first.
+    /// Indices of its meshes among the parts.
     pub parts: Vec<usize>,
 }
 
@@ -100,7 +100,7 @@ pub(super) struct Joint {
     pub part: String,
 }
 
-/// What the tables say.
+/// The content of the tables.
 #[derive(Default)]
 pub(super) struct Draft {
     pub rotors: Vec<Rotor>,

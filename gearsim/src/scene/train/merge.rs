@@ -17,7 +17,7 @@ fn torque_name(torque: &str, part: &DraftPart) -> String {
     if torque == "x" { part.name.clone() } else { own(torque, &part.name) }
 }
 
-/// The forces whose powers are outputs of a train: the output of the force, that of its power, and what it is.
+/// The forces whose powers are outputs of a train: the output of the force, that of its power, and the doc of the power.
 const POWERS: [(&str, &str, &str); 2] = [
     (
         "shaft_torque_x",
@@ -32,7 +32,7 @@ const POWERS: [(&str, &str, &str); 2] = [
 ];
 
 impl Composer<'_> {
-    /// Adds what the element of a part has to the train.
+    /// Adds the declarations of a part's element to the train.
     pub(super) fn part(&mut self, i: usize, symbols: &mut usize, report: &mut Report) -> Part {
         let part = &self.draft.parts[i];
         let (element, model) = element(self.bare, part);

@@ -34,7 +34,8 @@ use std::sync::Arc;
 use radii::OfTrain;
 
 /// Reads the train that a scene lists; `bare` has the elements. The values in its tables are moved to `[parameters]` and `[laws]` of
-/// `entries`. With it come the radii to which values per squared radius refer. The places are those of the scene's begin, and of its end, where tables would be added. `None` if a mistake was reported.
+/// `entries`. Also returns the radii to which values per squared radius refer. The places are the beginning of the scene and its end, where
+/// tables would be added. `None` if a mistake was reported.
 pub(super) fn read(
     bare: &'static Model,
     entries: &mut Vec<Entry>,

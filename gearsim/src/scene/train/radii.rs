@@ -8,7 +8,7 @@ use crate::model::Parameter;
 use crate::scene::per_radius::Radii;
 use crate::tolerance::scene::SAME_RADIUS;
 
-/// The radius that refers to each parameter [m], or a text that says what is missing.
+/// The radius to which values of each parameter refer [m], or a text that says what is missing.
 #[derive(Default)]
 pub(in crate::scene) struct OfTrain(HashMap<String, Result<f64, String>>);
 

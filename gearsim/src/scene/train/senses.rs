@@ -1,4 +1,5 @@
-//! What joins the rotors of a train: each is joined to something, and along every loop of shafts and meshes the directions of rotation agree.
+//! Checks how the rotors of a train are joined: a part acts on each rotor, and along every loop of shafts and meshes the directions of
+//! rotation agree.
 
 use super::draft::{Draft, DraftPart};
 use crate::scene::mistake::Report;

@@ -1,7 +1,7 @@
 //! Limits, and how probable it is that they are broken: `mesh_force_12_max <= 5 kN`.
 //!
 //! The interval of 95 % is exact for independent points (C. J. Clopper, E. S. Pearson, Biometrika 26 (1934), 404-413). For the points of
-//! the designs `latin-hypercube` and `sobol` it is usually wider than it need be.
+//! the designs `latin-hypercube` and `sobol` it is usually wider than necessary.
 
 use std::borrow::Cow;
 

@@ -1,5 +1,5 @@
-//! What a finished sweep with random axes says: statistics of each quantity, probabilities that limits are broken, and indices of
-//! sensitivity. Each is worked out for every point of the grid of the other axes, from the table of the points alone.
+//! Results of a finished sweep with random axes: statistics of each quantity, probabilities that limits are broken, and indices of
+//! sensitivity. Each is computed at every point of the grid of the other axes, from the table of the points alone.
 
 pub mod limit;
 pub mod sensitivity;

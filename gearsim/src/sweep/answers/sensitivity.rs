@@ -150,11 +150,11 @@ mod tests {
                 inside += usize::from((total.value - t).abs() <= total.bound);
             }
         }
-        // 95 % of 120 is 114; points of a Sobol' sequence are better than independent ones, for which the bounds are.
+        // 95 % of 120 is 114. The bounds are for independent points; those of a Sobol' sequence are better.
         assert!(inside >= 112, "{inside} of 120");
     }
 
-    /// Of independent samples the intervals hold the true indices 95 times in 100.
+    /// For independent samples 95 of 100 intervals contain the true index.
     #[test]
     fn bounds_hold_as_often_as_they_say_for_independent_samples() {
         let (n, trials) = (400, 500);

@@ -75,7 +75,7 @@ fn a_grid_is_one_block() {
 }
 
 /// Only the axis that sets the end of a run changes the time it reaches: its indices are 1, those of the other are 0. The answers are
-/// worked out for each point of the grid.
+/// computed at each point of the grid.
 #[test]
 fn indices_name_the_axis_that_matters_at_each_point_of_the_grid() {
     let vary = ["parameters.zeta=uniform:0.05:0.2", "start.speed=100 rpm,300 rpm", "run.t_end=uniform:1 ms:3 ms"];

@@ -8,8 +8,8 @@
 //! b = d(z.F)/dP        of the parameter P, in which forces are linear
 //! ```
 //!
-//! At the speed v the force would be r - c (v - u), which P + (c (v - u) - r)/b makes zero: Newton's method, one step a run. The mean
-//! speed u differs from v further by what the force has done until the middle of the measured time; the start is shifted by the rest.
+//! At the speed v the force would be r - c (v - u). The parameter P + (c (v - u) - r)/b makes it zero: Newton's method, one step a run. A
+//! part of v - u is the effect of the force until the middle of the measured time; the speed at the start is shifted by the rest.
 
 use super::motion::Motion;
 use super::span::Span;
@@ -21,16 +21,16 @@ use crate::scene::Scene;
 use crate::tolerance::analysis::{HELD_SPEED, HELD_STEADY};
 use crate::trajectory::{Trajectory, place};
 
-/// By what a response curve holds the speed.
+/// How a response curve holds the speed.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub enum Hold {
-    /// If a speed is varied, by the set point of a governor. Without a governor, by a torque that drives; without such a torque, by another
-    /// torque. If no speed is varied, by nothing.
+    /// If a speed is varied: by the set point of a governor, else by a driving torque, else by another torque. If no speed is varied, the
+    /// speed is not held.
     #[default]
     Own,
     /// By this parameter.
     By(String),
-    /// By nothing: torques are those of the scene.
+    /// The speed is not held: torques are those of the scene.
     Nothing,
 }
 
@@ -39,11 +39,11 @@ pub enum Hold {
 pub(super) struct Handle {
     /// Its index.
     pub parameter: usize,
-    /// Force on the motion of a unit, b.
+    /// Force on the motion per unit of the parameter, b.
     unit: f64,
 }
 
-/// The speed of a run, and what changes it.
+/// The mean speed of a run, and the force that changes it.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Speed {
     /// Mean over the measured time, u.
@@ -92,7 +92,7 @@ impl Handle {
     pub(super) fn step(&self, speed: &Speed, wanted: f64) -> [f64; 2] {
         let Speed { mean, force, inertia, drag, times: [_, middle] } = *speed;
         let imbalance = force - drag * (wanted - mean);
-        // What the imbalance has done until the middle of the measured time.
+        // The effect of the imbalance until the middle of the measured time.
         let relaxed = drag * middle / inertia;
         let done = if relaxed.abs() < 1e-6 { middle / inertia } else { -(-relaxed).exp_m1() / drag };
         // A shift at the start that fades away is of no use.
@@ -102,7 +102,7 @@ impl Handle {
 }
 
 impl Speed {
-    /// That of a run over the measured time.
+    /// The speed of a run over the measured time.
     pub(super) fn of(scene: &Scene, equations: &dyn Equations, motion: &Motion, run: &Trajectory, span: &Span) -> Self {
         let last = run.len() - 1;
         let state = |row: usize| -> [Vector; 2] {

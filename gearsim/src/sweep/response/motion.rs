@@ -1,4 +1,4 @@
-//! The rigid motion whose speed a response curve varies, or keeps.
+//! The rigid motion whose speed a response curve varies or keeps constant.
 
 use super::super::{Error, Sweep};
 use super::span::Span;
@@ -44,7 +44,7 @@ impl Motion {
         (place[place.len() - 1] - value_at(&run.t, place, span.begin)) / span.time() / self.unit[self.by]
     }
 
-    /// The generalised force on it at the speed `speed`, nothing being deflected.
+    /// The generalised force on it at the speed `speed`, with all deflections zero.
     pub(super) fn force(&self, scene: &Scene, equations: &dyn Equations, speed: f64) -> f64 {
         let still = Vector::zeros(self.unit.len());
         let q_dot = &self.unit * speed;

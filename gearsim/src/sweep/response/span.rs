@@ -1,8 +1,8 @@
 //! The time over which a point of a response curve is measured: whole periods of the slowest excitation, so that a root mean square does
 //! not depend on where in a period the run ends.
 //!
-//! An excitation is a law that changes along its phase, with the period of the law in the recorded phase (a pitch; with damaged teeth or
-//! pitch errors, a revolution), or a harmonic of a torque, with its period in time.
+//! An excitation is a law that changes along its phase, or a harmonic of a torque. The period of a law is counted in the recorded phase: a
+//! pitch or, with damaged teeth or pitch errors, a revolution. The period of a harmonic is a time.
 
 use std::f64::consts::TAU;
 
@@ -10,7 +10,7 @@ use crate::engine::equations::{Equations, Switching};
 use crate::scene::Scene;
 use crate::trajectory::Trajectory;
 
-/// What repeats.
+/// The quantity by which periods are counted.
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum Clock {
     /// A coordinate, by its number, after this way \[unit of the coordinate\].
@@ -36,7 +36,7 @@ pub struct Span {
 }
 
 impl Excitations {
-    /// Those of a scene with its `equations`.
+    /// The excitations of a scene with its `equations`.
     pub(super) fn of(scene: &Scene, equations: &dyn Equations) -> Self {
         let varies = |i: usize, steps: usize, curves: usize| {
             equations.switching(i) != Switching::Never && (steps > 1 || curves > 0)
@@ -59,7 +59,7 @@ impl Excitations {
         let end = run.t[last];
         let all = Span { begin: run.t[first], end, periods: 0, of: "" };
         let time = end - all.begin;
-        // Periods in the measured time; an excitation that stands still is none.
+        // Periods in the measured time. A phase that does not move has none.
         let passed = |clock: &Clock| match *clock {
             Clock::Phase(i, period) => (run.q[i][last] - run.q[i][first]).abs() / period,
             Clock::Time(period) => time / period,

@@ -76,8 +76,8 @@ fn contact_loss_gives_two_motions_at_one_speed() {
     assert!((up.0 / down.0 - 1.0).abs() < 1e-3, "{up:?}, {down:?}");
 }
 
-/// With another load than the motor has, the motor's torque is found that holds the speed: that of the load and of the dampers. Held by
-/// nothing, the train slows down.
+/// The load differs from the motor torque. The torque that holds the speed is found: that of the load and of the dampers. Without a hold,
+/// the train slows down.
 #[test]
 fn a_torque_holds_the_speed() {
     let sets = ["output.record=[\"dte_12\"]", "parameters.T_load=120 N*m", "run.t_end=60 ms"];
@@ -109,7 +109,7 @@ fn the_set_point_of_a_governor_holds_the_speed() {
 }
 
 #[test]
-fn the_values_of_a_response_rise() {
+fn a_response_needs_ascending_values() {
     let request = |over: &str| Request { vary: vec![over.into()], ..Request::default() };
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../models/scenes/response.toml");
     for over in ["start.speed=300 rpm,200 rpm", "start.speed=300 rpm"] {

@@ -34,7 +34,8 @@ impl<const N: usize> Drawn<N> {
         let busiest = modes.iter().filter(|(sigma, w2)| sigma * sigma < 0.1 * w2).map(|(_, w2)| w2.sqrt());
         let rate = busiest.fold(0.0, f64::max);
         let horizon = if rate > 0.0 { noise.power(0.0, 2.0) / rate } else { noise.power(-1.0, 2.0) / unit };
-        // The reference bounds rounding errors by sigma t, so modes that do not oscillate get at most a hundred decay times.
+        // The reference bounds rounding errors by sigma t. Searches over modes that do not oscillate therefore last at most a hundred decay
+        // times.
         let strongest = modes.iter().filter(|(sigma, w2)| sigma * sigma > 0.1 * w2).map(|(sigma, _)| *sigma);
         let horizon = strongest.fold(horizon, |t, sigma| t.min(100.0 / sigma));
         let each = |(sigma, w2): (f64, f64), noise: &mut Noise| {

@@ -40,7 +40,7 @@ struct Reference {
 }
 
 impl Reference {
-    /// The phase minus the level, and its first two derivatives, at `t`, computed in all digits and then rounded.
+    /// The phase minus the level, and its first two derivatives, at `t`, computed in multiple precision and then rounded.
     fn at(&self, t: f64) -> [f64; 3] {
         let mut sum = [-Digits::exact(self.level), Digits::exact(0.0), Digits::exact(0.0)];
         for m in &self.modes {

@@ -28,7 +28,7 @@ pub fn incidences(seed: u64) -> impl Iterator<Item = Incidence> {
     })
 }
 
-/// theta'+² in all digits.
+/// theta'+² in multiple precision.
 pub fn square(i: &Incidence) -> Digits {
     let (p, real) = (GearPair::paper(0.0, 0.0), Digits::exact);
     let part = |n: f64, inertia: f64| real(n) * real(n) / real(inertia);

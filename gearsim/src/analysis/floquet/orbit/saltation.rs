@@ -1,4 +1,4 @@
-//! Saltation matrices: what an event makes of a small disturbance z = (dq, dq').
+//! Saltation matrices: the effect of an event on a small disturbance z = (dq, dq').
 //!
 //! At an event the state x changes by a map R, x+ = R(x-), where the guard g(x) is zero. With the rates f- and f+ of x on both sides
 //!
@@ -32,11 +32,11 @@ pub struct Event {
 }
 
 impl Event {
-    /// The event at the end of a motion, in the state (q, v, a) = `before` with these values and slopes of laws; `None` if the state and its rate
-    /// do not change there, or it happens at a given time.
+    /// The event at the end of a motion, in the state (q, v, a) = `before` with these values and slopes of laws. `None` if the state and
+    /// its rate do not change at the event, or if the event is at a given time.
     ///
     /// # Errors
-    /// What holds or releases a phase or a deflection, in words.
+    /// If it holds or releases a phase or a deflection, in words.
     pub fn at(
         now: &Hybrid<'_>,
         end: End,
@@ -127,8 +127,7 @@ impl Event {
     }
 }
 
-/// The forces that have a potential at `q` (n): those at rest, without the laws of friction and without the forces of switches whose work is
-/// lost.
+/// The forces that have a potential at `q` (n): those at rest, without the laws of friction and without dissipative forces of switches.
 fn potential_force(now: &Hybrid<'_>, q: &Vector, (k, slopes): (&[f64], &[f64]), frictions: &[usize]) -> Vector {
     let equations = now.equations;
     let (mut k, at_rest) = (k.to_vec(), Vector::zeros(q.len()));

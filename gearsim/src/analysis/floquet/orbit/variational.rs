@@ -1,8 +1,8 @@
 //! A solver by steps that carries small disturbances along: Phi' = A(t) Phi, with A = [[0, 1], [dq''/dq, dq''/dq']] along the motion.
 //!
-//! Within a step A follows the dense output of the motion. Phi advances by steps of the sixth order of Magnus' expansion, with A at the three
-//! points of Gauss (S. Blanes et al., Phys. Rep. 470, 2009, Sec. 5.4): exact where A is constant, however fast the vibrations are. At events
-//! Phi takes the saltation matrix ([`super::saltation`]).
+//! Within a step A follows the dense output of the motion. Phi advances in steps of the sixth order of the Magnus expansion, with A at the
+//! three Gauss points (S. Blanes et al., Phys. Rep. 470, 2009, Sec. 5.4): exact where A is constant, however fast the vibrations are. At
+//! events Phi takes the saltation matrix ([`super::saltation`]).
 
 use std::cell::RefCell;
 use std::rc::Rc;
@@ -25,21 +25,21 @@ use crate::tolerance::analysis::{MAGNUS_ERROR, MAGNUS_STEPS};
 /// Most terms of a series: it is shorter for exponents up to size ten.
 const MOST_TERMS: u32 = 60;
 
-/// What a solver has carried along.
+/// The disturbances that a solver carries along.
 #[derive(Debug)]
 pub struct Carried {
     /// Phi (2n x 2n) in the units below.
     pub phi: DMatrix<f64>,
     /// Units of a disturbance (2n): of coordinates with the kinetic energy, of speeds by the fastest rate.
     pub units: DVector<f64>,
-    /// Why the result is none, in words.
+    /// Why there is no result, in words.
     pub trouble: Option<&'static str>,
     /// The event that the last motion has come to.
     event: Option<Event>,
 }
 
 impl Carried {
-    /// Nothing carried yet, at the start `now` of a run.
+    /// Phi = 1, at the start `now` of a run.
     pub fn new(now: &Hybrid<'_>, rate: f64) -> Rc<RefCell<Self>> {
         let mass = now.equations.mass(&now.state.q);
         let n = mass.nrows();

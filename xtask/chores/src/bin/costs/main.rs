@@ -1,7 +1,7 @@
 //! Measures how run time, memory and compile time grow with the number of coordinates; `cargo xtask costs` starts it.
 //!
-//! It writes one of the two parts of tests/costs.md and keeps the other: time and memory of a cell change and what a second
-//! core gains, or, with `--compile`, compile times of the models, of gearsim and of its dependencies.
+//! It writes one of the two parts of tests/costs.md and keeps the other. Without options it measures time and memory of a cell change and
+//! the gain by a second core; with `--compile`, the compile times of the models, of gearsim and of its dependencies.
 
 mod build;
 mod compile_table;

@@ -7,11 +7,11 @@ use anyhow::{Context, bail};
 
 use crate::{many_effects, processor_time};
 
-/// A model and what rustc needed for it.
+/// A model and the cost of compiling it.
 pub struct Compiled {
     /// Name of the model.
     pub model: String,
-    /// What the table compares: its number of coordinates, or of effects.
+    /// The number that the table compares: coordinates or effects.
     pub n: usize,
     /// Size of the file [bytes].
     pub source: u64,

@@ -27,7 +27,7 @@ pub enum Group {
     Planetary,
 }
 
-/// What was measured of one system.
+/// Measured values of one system.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Row {
     /// Number of coordinates.

@@ -53,7 +53,7 @@ fn main() -> anyhow::Result<()> {
     Ok(())
 }
 
-/// Runs what is counted. Not inlined, because callgrind finds this function by its name.
+/// Runs the job whose instructions are counted. Not inlined, because callgrind finds this function by its name.
 #[inline(never)]
 fn measured(job: &mut dyn FnMut() -> u64) -> u64 {
     job()

@@ -7,10 +7,10 @@ mod energy;
 mod figures;
 mod long;
 mod measure;
+mod misprints;
 mod paper;
 mod printed;
 mod scan;
-mod slips;
 mod spectra;
 mod text;
 
@@ -67,10 +67,10 @@ fn parts() -> anyhow::Result<Vec<Part>> {
     let long = long::run()?;
     let undamped = long::undamped()?;
     let [exact, _] = energies.committed().context("no energy balance at the T0 of the scenes")?;
-    let known = slips::Known { exact, long: &long, undamped: &undamped };
+    let known = misprints::Known { exact, long: &long, undamped: &undamped };
     Ok(vec![
         claims(&energies, &slow, &fast, &scan),
-        slips::slips(&known),
+        misprints::misprints(&known),
         energies.table(),
         slow.table("600 rpm"),
         fast.table("4500 rpm"),

@@ -66,8 +66,8 @@ impl Bands {
         self.power(PEAK) / other.power(PEAK)
     }
 
-    /// Largest ratio of the densities at the same frequency in the band of the peak. If the lines lie at different frequencies,
-    /// it compares a line with the gap between two lines.
+    /// Largest ratio of the densities at the same frequency in the band of the peak. If the lines lie at different frequencies, this
+    /// compares a line with the gap between two lines.
     pub fn ratio_at_one_frequency(&self, other: &Bands) -> f64 {
         let densities = self.frequency().into_iter().zip(self.spectrum.density.iter().zip(&other.spectrum.density));
         densities.filter(|(w, _)| (PEAK.0..=PEAK.1).contains(w)).map(|(_, (a, b))| a / b).fold(0.0, f64::max)

@@ -30,7 +30,7 @@ t_end = "1 s"
 
 /// Number of samples of the energy in a run, evenly spaced except at its beginning.
 const SAMPLES: u64 = 4096;
-/// After so many intervals without an event, the gear is taken to be caught between two steps for good.
+/// Number of intervals without an event after which the gear is considered to be trapped between two steps.
 const QUIET: u32 = 1000;
 
 /// The energy error of a run after increasing numbers of events.

@@ -24,7 +24,7 @@ fn contact_ratio(r1: f64, r2: f64, module: f64, angle: f64) -> f64 {
 }
 
 /// The table.
-pub fn slips(known: &Known<'_>) -> Part {
+pub fn misprints(known: &Known<'_>) -> Part {
     let row = |printed: &str, holds: &str, evidence: String| vec![printed.into(), holds.into(), evidence];
     let p = paper::pair(0.05, T0);
     let (m2, lever) = (p.m2(), (0.0762 / p.n1).powi(2));
@@ -87,7 +87,7 @@ pub fn slips(known: &Known<'_>) -> Part {
             "zeta = (c/2) (r1/N1)^2 sqrt(M2/k0)",
             format!(
                 "the printed zeta has the unit of c/sqrt(k0 M2), kg. The two differ by the factor (r1/N1)^2 M2 = {} 1/kg, \
-                 which happens to be near 1 in SI units, so that the paper's numbers do not show the slip",
+                 which happens to be near 1 in SI units, so that the paper's numbers do not show the misprint",
                 number(lever * m2, 4)
             ),
         ),
@@ -132,5 +132,5 @@ pub fn slips(known: &Known<'_>) -> Part {
             ),
         ),
     ];
-    ("slips", table(&["the paper", "what holds", "evidence"], &rows))
+    ("misprints", table(&["the paper", "what holds", "evidence"], &rows))
 }
