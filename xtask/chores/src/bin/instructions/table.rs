@@ -58,8 +58,7 @@ impl Table {
         for (path, now) in PATHS.iter().zip(&self.counts) {
             let (Some(other), Some(most)) = (path.compared_with, path.at_most) else { continue };
             let ratio = self.ratio(*now, other);
-            // NaN is too large as well.
-            if !(ratio <= most) {
+            if ratio.is_nan() || ratio > most {
                 faults.push(format!(
                     "`{}` takes {ratio:.3} times the instructions of `{other}`, at most {most} allowed",
                     path.name
