@@ -32,6 +32,13 @@ const SET: &[Key] = &[
 ];
 const ROTOR_OR_GROUND: Kind = Kind::Name("a rotor or \"ground\"");
 
+/// What to write in place of a model `planetary_N` that there is not; `None` for any other name.
+pub(crate) fn in_place_of(model: &str) -> Option<String> {
+    let planets: u32 = model.strip_prefix("planetary_")?.parse().ok()?;
+    let said = || format!("planets in torsion: `model = \"train\"` and `[planets.NAME]` with `count = {planets}`");
+    (1.0..=PLANETS).contains(&planets.into()).then(said)
+}
+
 impl Reader<'_> {
     /// Adds the planets of a set, and their meshes.
     pub(super) fn planets(&mut self, item: &Item<'_>) {
