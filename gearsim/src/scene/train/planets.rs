@@ -95,7 +95,9 @@ impl Reader<'_> {
         );
         let angle = self.transverse_angle(item);
         self.value(named("alpha", set), angle.as_ref());
-        let renamed = vec![("Zs_x", z_s.clone()), ("Zr_x", z_r.clone()), ("rs_x", r_s.clone())];
+        // The meshes of the set have the same angle, if it states one.
+        let mut renamed = vec![("Zs_x", z_s.clone()), ("Zr_x", z_r.clone()), ("rs_x", r_s.clone())];
+        renamed.push(("alpha_x", named("alpha", set)));
         let rows = vec![vec![Term::new(carrier, 1.0, &[])]];
         let (name, place, called) = (set.to_string(), item.place.clone(), String::new());
         self.draft.parts.push(DraftPart {
