@@ -6,11 +6,11 @@ use gearsim::scene::Scene;
 use crate::common;
 
 /// A derived model's scene, and the tables that list the same parts.
-struct Pair<'a> {
-    scene: &'static str,
-    tables: &'a str,
+pub(crate) struct Pair<'a> {
+    pub scene: &'static str,
+    pub tables: &'a str,
     /// Names that differ: in the derived model, in the train.
-    renamed: &'a [(&'static str, &'static str)],
+    pub renamed: &'a [(&'static str, &'static str)],
 }
 
 const CHAIN: Pair<'static> = Pair {
@@ -43,7 +43,7 @@ const TWO_STAGE: Pair<'static> = Pair {
     renamed: &[],
 };
 
-const PLANETARY: Pair<'static> = Pair {
+pub(crate) const PLANETARY: Pair<'static> = Pair {
     scene: "planetary_3",
     tables: "[rotors]\ns={}\nc={}\nr={}\n[planets.p]\nsun='s'\ncarrier='c'\nring='r'\ncount=3\nteeth=[27,99]\n\
              [supports]\nr={rotor='r'}\n[drives]\nmotor={rotor='s'}\n[loads]\nload={rotor='c'}\n",
@@ -70,7 +70,7 @@ impl Pair<'_> {
     }
 
     /// Both scenes, each with its overrides.
-    fn scenes_of(&self, overrides: [&[&str]; 2]) -> [Scene; 2] {
+    pub fn scenes_of(&self, overrides: [&[&str]; 2]) -> [Scene; 2] {
         let path = common::root().join(format!("models/scenes/{}.toml", self.scene));
         let text = std::fs::read_to_string(path).expect("a scene");
         let mut listed = text.replace(&format!("model = {:?}", self.scene), "model = \"train\"");
@@ -115,7 +115,7 @@ impl Pair<'_> {
 }
 
 /// What was counted.
-fn events(run: &Outcome) -> [u64; 5] {
+pub(crate) fn events(run: &Outcome) -> [u64; 5] {
     let counts = &run.counts;
     [counts.cell_changes, counts.reflections, counts.holds, counts.impacts, counts.sticks]
 }
