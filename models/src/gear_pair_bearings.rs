@@ -3,8 +3,8 @@
 use gearsim_derive::{Model, Range, Start};
 
 use crate::components::{
-    Direction, Gear, Sliding, bearing, damping, drive, external, load, mesh_on_centres, moving_centres, pair,
-    planar_rotor, sliding_friction,
+    Direction, Gear, Sliding, bearing, damping, drive, external, external_sliding, load, mesh_on_centres,
+    moving_centres, pair, planar_rotor, sliding_friction,
 };
 
 /// The line of centres, from the driving to the driven gear, is the x axis. The driving gear turns counterclockwise.
@@ -36,7 +36,7 @@ pub fn gear_pair_bearings(m: &mut Model) {
     let driving = one.across(line) + gears.u1;
     let mesh = mesh_on_centres(m, "12", "mesh", gears.theta, (external(one, line, two, line), bend), driving);
     // The flanks slide when the gears turn relative to each other, and when their centres move across the line of action.
-    let tau = alpha.sin / alpha.cos * gears.s - one.along(line) + two.along(line);
+    let tau = external_sliding(one, line, two, line, alpha.sin / alpha.cos);
     let psi = gears.theta1 + gears.theta2;
     sliding_friction(m, "12", "mesh", "m", mesh, Sliding { phase: gears.theta, tau, psi });
     drive(m, "motor", "driving gear", gears.theta1);

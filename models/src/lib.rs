@@ -9,8 +9,8 @@
 //!      `+ - * /`, `.sq()`, `.sqrt()`, `.sin()`, `.cos()`, and `.dot()` for the time derivative. Numbers are integers: write a half
 //!      as `half(...)`, any other number as a parameter with a default.
 //!    - [`components`] add bodies and their connections, with their parameters: `rotor`, `planar_rotor`, `shaft`, `ground`, `torsional_support`,
-//!      `bearing`, `dry_friction`, `viscous`, `overrunning_clutch`, `mesh` (with transmission errors; with backlash too:
-//!      `mesh_with_play`), `sliding_friction`, `pair` (two gears), `geared` (rigidly), `stage` (planets), `drive`, `load`, `governor`, `dc_motor`, `induction_motor`, `fan`, and last `damping`. The
+//!      `bearing`, `dry_friction`, `viscous`, `overrunning_clutch`, `mesh_with_play` (with transmission errors
+//!      and backlash), `sliding_friction`, `pair` (two gears), `geared` (rigidly), `stage` (planets), `drive`, `load`, `governor`, `dc_motor`, `induction_motor`, `fan`, and last `damping`. The
 //!      names of parameters end in the name of the part: `rotor(m, "1", ...)` declares `I1`, `rotor(m, "t", ...)` declares `I_t`.
 //!      Components take rotations and displacements as expressions, so that you choose the coordinates. Best are small elastic
 //!      ones (twists, deflections), and one phase, which grows, for each mesh or group of meshes that roll together.
@@ -22,7 +22,7 @@
 //!      like this one and switches are the only piecewise functions, since the jump rule is derived from them. An `if`, `abs` or
 //!      `max` on symbols is refused: its derivative would lose energy without any message.
 //!    - `transmission_error(m, [name, part], unit, phase, pitch, doc)`, a component: the deviation of the flanks from their ideal position, given by
-//!      the scene. Subtract it from a deflection, as the component `mesh` does.
+//!      the scene. Subtract it from a deflection, as the component `mesh_with_play` does.
 //!    - Laws in general, periodic functions of a phase that the scene gives: `m.stiffness_law`; inside an effect `m.offset_law`, which is
 //!      subtracted from deflections, and `m.factor_law`, a factor of torques. Only with such a factor may a torque depend on deflections and
 //!      stiffnesses, as that of the component `sliding_friction` does. `m.boundaries(effect, how)` says which effect makes laws switch, and
@@ -98,10 +98,6 @@ pub const MODELS: &[Entry] = &[
     ("crank_drive", crank_drive::crank_drive),
     ("cardan_drive", cardan_drive::cardan_drive),
     ("planetary_3", |m| planetary::planetary(m, 3)),
-    ("planetary_4", |m| planetary::planetary(m, 4)),
-    ("planetary_5", |m| planetary::planetary(m, 5)),
-    ("planetary_6", |m| planetary::planetary(m, 6)),
-    ("planetary_7", |m| planetary::planetary(m, 7)),
     ("planar_planetary_3", |m| planar_planetary::planar_planetary(m, 3)),
     ("planar_planetary_4", |m| planar_planetary::planar_planetary(m, 4)),
     ("planar_planetary_5", |m| planar_planetary::planar_planetary(m, 5)),

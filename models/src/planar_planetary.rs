@@ -25,7 +25,7 @@ pub fn planar_planetary(m: &mut Model, n: usize) {
     torsional_support(m, "c", "carrier's torsional support", stage.theta_c);
     let gear = |[x, y]: [_; 2], u| Gear { x, y, u };
     let (sun, ring) = (gear(sun, stage.r_s * stage.theta_s), gear(ring, stage.r_r * theta_r));
-    stage.planets_on_bearings(m, n, sun, ring, gear(carrier, stage.a * stage.theta_c));
+    stage.planets_on_bearings(m, n, sun, (ring, theta_r), gear(carrier, stage.a * stage.theta_c));
     drive(m, "motor", "sun", stage.theta_s);
     load(m, "load", "carrier", stage.theta_c);
     damping(m);

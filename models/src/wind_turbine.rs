@@ -2,7 +2,7 @@
 
 use gearsim_derive::{Model, Start};
 
-use crate::components::{damping, drive, load, mesh_with_play, pair, rotor, shaft, stage};
+use crate::components::{damping, drive, load, pair, pressure_tangent_of, rotor, shaft, stage};
 
 /// Coordinates: the phases of both stages, the rotations in excess of rigid rolling, and the twists of the low-speed and the
 /// high-speed shaft.
@@ -25,7 +25,9 @@ pub fn wind_turbine(m: &mut Model) {
     shaft(m, "i", "intermediate shaft", planetary.theta_s - gears.theta1, planetary.theta_s);
     shaft(m, "h", "high-speed shaft", psi_h, gears.theta2);
     planetary.planets(m, 3, 0.into());
-    mesh_with_play(m, "12", "mesh of the parallel stage", gears.theta, gears.s, gears.u1);
+    let what = "mesh of the parallel stage";
+    let tangent = pressure_tangent_of(m, "12", what);
+    gears.mesh(m, "12", what, tangent);
     drive(m, "wind", "rotor", theta_b);
     load(m, "generator", "generator", theta_g);
     damping(m);

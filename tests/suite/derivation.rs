@@ -58,6 +58,7 @@ fn main() -> ExitCode {
         ("constant_offsets_do_no_work", blocks::constant_offsets_do_no_work),
         ("a_model_without_constants_has_no_constants_block", blocks::a_model_without_constants_has_no_constants_block),
         ("a_wrong_formula_is_refused_by_its_proof", proofs::a_wrong_formula_is_refused),
+        ("a_wrong_step_of_a_later_law_is_refused", proofs::a_wrong_step_of_a_later_law_is_refused),
         ("a_model_that_feeds_energy_is_refused", proofs::a_model_that_feeds_energy_is_refused),
         ("dampers_of_other_forms_are_proved", proofs::other_dampers_are_proved),
         ("a_torque_through_a_deflection_is_in_the_balance", proofs::a_torque_through_a_deflection_is_in_the_balance),

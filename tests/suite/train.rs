@@ -17,5 +17,8 @@ mod flanks;
 #[path = "train/axial.rs"]
 mod axial;
 
+#[path = "train/planets.rs"]
+mod planets;
+
 #[path = "train/effects.rs"]
 mod effects;

@@ -9,7 +9,7 @@ use super::failure::Failure;
 use super::terminal;
 use super::{Verb, known};
 use crate::model::Model;
-use crate::scene::{Effects, Scene, did_you_mean, list};
+use crate::scene::{Effects, Scene, did_you_mean, in_place_of, list};
 
 /// List the models, or describe one in full
 #[derive(Parser)]
@@ -70,7 +70,8 @@ fn of_scene(path: &str) -> Result<&'static Model, Failure> {
 pub(super) fn find(name: &str) -> Result<&'static Model, Failure> {
     let names: Vec<_> = known::models().iter().map(|entry| entry.model.name).collect();
     let unknown = || {
-        let meant = did_you_mean(name, names.iter().copied()).map(|meant| format!("did you mean `{meant}`? "));
+        let meant = || Some(format!("did you mean `{}`? ", did_you_mean(name, names.iter().copied())?));
+        let meant = in_place_of(name).map(|help| help + "; ").or_else(meant);
         let help = format!("{}the models are {}", meant.unwrap_or_default(), list(&names));
         Failure::Impossible { what: format!("there is no model `{name}`"), help }
     };

@@ -444,7 +444,9 @@ pub fn no_such(what: &str, i: usize) -> ! {
     panic!("the model has no {what} number {i}")
 }
 
+mod exits;
 mod numbers;
+pub use exits::{On, exits, gradient};
 pub use numbers::numbers;
 
 #[cfg(test)]

@@ -60,10 +60,60 @@ equations! {
         I_p "kg*m^2" required, open 0.0 to inf, "moment of inertia of a planet";
         kb_p "N/m" required, from 0.0 to inf, "radial stiffness of a planet's bearing";
         psi1 "rad" default 0.0, open -inf to inf, "angular position of planet 1";
+        b_s1 "m" required with backlash_s1, open 0.0 to inf,
+            "backlash of the mesh of sun and planet 1: no contact within b/2 to either side";
+        mu_s1 "1" required with sliding_friction_s1, from 0.0 to inf, "coefficient of friction of the mesh of sun and planet 1";
+        w_mix_s1 "rad/s" default 0.1, open 0.0 to inf,
+            "rolling speed omega1 + omega2 of the mesh of sun and planet 1 below which friction decreases to zero (mixed film)";
+        b_r1 "m" required with backlash_r1, open 0.0 to inf,
+            "backlash of the mesh of ring and planet 1: no contact within b/2 to either side";
+        mu_r1 "1" required with sliding_friction_r1, from 0.0 to inf, "coefficient of friction of the mesh of ring and planet 1";
+        w_mix_r1 "rad/s" default 0.1, open 0.0 to inf,
+            "rolling speed omega1 + omega2 of the mesh of ring and planet 1 below which friction decreases to zero (mixed film)";
         psi2 "rad" default 1.2566370614359172, open -inf to inf, "angular position of planet 2";
+        b_s2 "m" required with backlash_s2, open 0.0 to inf,
+            "backlash of the mesh of sun and planet 2: no contact within b/2 to either side";
+        mu_s2 "1" required with sliding_friction_s2, from 0.0 to inf, "coefficient of friction of the mesh of sun and planet 2";
+        w_mix_s2 "rad/s" default 0.1, open 0.0 to inf,
+            "rolling speed omega1 + omega2 of the mesh of sun and planet 2 below which friction decreases to zero (mixed film)";
+        b_r2 "m" required with backlash_r2, open 0.0 to inf,
+            "backlash of the mesh of ring and planet 2: no contact within b/2 to either side";
+        mu_r2 "1" required with sliding_friction_r2, from 0.0 to inf, "coefficient of friction of the mesh of ring and planet 2";
+        w_mix_r2 "rad/s" default 0.1, open 0.0 to inf,
+            "rolling speed omega1 + omega2 of the mesh of ring and planet 2 below which friction decreases to zero (mixed film)";
         psi3 "rad" default 2.5132741228718345, open -inf to inf, "angular position of planet 3";
+        b_s3 "m" required with backlash_s3, open 0.0 to inf,
+            "backlash of the mesh of sun and planet 3: no contact within b/2 to either side";
+        mu_s3 "1" required with sliding_friction_s3, from 0.0 to inf, "coefficient of friction of the mesh of sun and planet 3";
+        w_mix_s3 "rad/s" default 0.1, open 0.0 to inf,
+            "rolling speed omega1 + omega2 of the mesh of sun and planet 3 below which friction decreases to zero (mixed film)";
+        b_r3 "m" required with backlash_r3, open 0.0 to inf,
+            "backlash of the mesh of ring and planet 3: no contact within b/2 to either side";
+        mu_r3 "1" required with sliding_friction_r3, from 0.0 to inf, "coefficient of friction of the mesh of ring and planet 3";
+        w_mix_r3 "rad/s" default 0.1, open 0.0 to inf,
+            "rolling speed omega1 + omega2 of the mesh of ring and planet 3 below which friction decreases to zero (mixed film)";
         psi4 "rad" default 3.7699111843077517, open -inf to inf, "angular position of planet 4";
+        b_s4 "m" required with backlash_s4, open 0.0 to inf,
+            "backlash of the mesh of sun and planet 4: no contact within b/2 to either side";
+        mu_s4 "1" required with sliding_friction_s4, from 0.0 to inf, "coefficient of friction of the mesh of sun and planet 4";
+        w_mix_s4 "rad/s" default 0.1, open 0.0 to inf,
+            "rolling speed omega1 + omega2 of the mesh of sun and planet 4 below which friction decreases to zero (mixed film)";
+        b_r4 "m" required with backlash_r4, open 0.0 to inf,
+            "backlash of the mesh of ring and planet 4: no contact within b/2 to either side";
+        mu_r4 "1" required with sliding_friction_r4, from 0.0 to inf, "coefficient of friction of the mesh of ring and planet 4";
+        w_mix_r4 "rad/s" default 0.1, open 0.0 to inf,
+            "rolling speed omega1 + omega2 of the mesh of ring and planet 4 below which friction decreases to zero (mixed film)";
         psi5 "rad" default 5.026548245743669, open -inf to inf, "angular position of planet 5";
+        b_s5 "m" required with backlash_s5, open 0.0 to inf,
+            "backlash of the mesh of sun and planet 5: no contact within b/2 to either side";
+        mu_s5 "1" required with sliding_friction_s5, from 0.0 to inf, "coefficient of friction of the mesh of sun and planet 5";
+        w_mix_s5 "rad/s" default 0.1, open 0.0 to inf,
+            "rolling speed omega1 + omega2 of the mesh of sun and planet 5 below which friction decreases to zero (mixed film)";
+        b_r5 "m" required with backlash_r5, open 0.0 to inf,
+            "backlash of the mesh of ring and planet 5: no contact within b/2 to either side";
+        mu_r5 "1" required with sliding_friction_r5, from 0.0 to inf, "coefficient of friction of the mesh of ring and planet 5";
+        w_mix_r5 "rad/s" default 0.1, open 0.0 to inf,
+            "rolling speed omega1 + omega2 of the mesh of ring and planet 5 below which friction decreases to zero (mixed film)";
         cb_p "N*s/m" required with viscous_friction_p, from 0.0 to inf, "radial damping of the bearing of a planet: force per speed";
         T_motor "N*m" required with torques, open -inf to inf, "driving torque of the sun";
         T_load "N*m" required with torques, open -inf to inf, "load torque of the carrier, against its rotation";
@@ -111,6 +161,46 @@ equations! {
             "transmission error of the mesh of sun and planet 5 along the line of action";
         e_r5 "m" phase theta period 6.283185307179586 rolling unless(torsional_support) with transmission_error_r5,
             "transmission error of the mesh of ring and planet 5 along the line of action";
+        side_s1 "1" phase theta period 6.283185307179586 rolling unless(torsional_support) with sliding_friction_s1 as side,
+            "share of the force of the mesh of sun and planet 1 on tooth pairs beyond the pitch point, minus that on pairs before it";
+        arm_s1 "m" phase theta period 6.283185307179586 rolling unless(torsional_support) with sliding_friction_s1 as arm,
+            "mean distance of the force of the mesh of sun and planet 1 from the pitch point along the line of action";
+        side_r1 "1" phase theta period 6.283185307179586 rolling unless(torsional_support) with sliding_friction_r1 as side,
+            "share of the force of the mesh of ring and planet 1 on tooth pairs beyond the pitch point, minus that on pairs before it";
+        arm_r1 "m" phase theta period 6.283185307179586 rolling unless(torsional_support) with sliding_friction_r1 as arm,
+            "mean distance of the force of the mesh of ring and planet 1 from the pitch point along the line of action";
+        side_s2 "1" phase theta period 6.283185307179586 rolling unless(torsional_support) with sliding_friction_s2 as side,
+            "share of the force of the mesh of sun and planet 2 on tooth pairs beyond the pitch point, minus that on pairs before it";
+        arm_s2 "m" phase theta period 6.283185307179586 rolling unless(torsional_support) with sliding_friction_s2 as arm,
+            "mean distance of the force of the mesh of sun and planet 2 from the pitch point along the line of action";
+        side_r2 "1" phase theta period 6.283185307179586 rolling unless(torsional_support) with sliding_friction_r2 as side,
+            "share of the force of the mesh of ring and planet 2 on tooth pairs beyond the pitch point, minus that on pairs before it";
+        arm_r2 "m" phase theta period 6.283185307179586 rolling unless(torsional_support) with sliding_friction_r2 as arm,
+            "mean distance of the force of the mesh of ring and planet 2 from the pitch point along the line of action";
+        side_s3 "1" phase theta period 6.283185307179586 rolling unless(torsional_support) with sliding_friction_s3 as side,
+            "share of the force of the mesh of sun and planet 3 on tooth pairs beyond the pitch point, minus that on pairs before it";
+        arm_s3 "m" phase theta period 6.283185307179586 rolling unless(torsional_support) with sliding_friction_s3 as arm,
+            "mean distance of the force of the mesh of sun and planet 3 from the pitch point along the line of action";
+        side_r3 "1" phase theta period 6.283185307179586 rolling unless(torsional_support) with sliding_friction_r3 as side,
+            "share of the force of the mesh of ring and planet 3 on tooth pairs beyond the pitch point, minus that on pairs before it";
+        arm_r3 "m" phase theta period 6.283185307179586 rolling unless(torsional_support) with sliding_friction_r3 as arm,
+            "mean distance of the force of the mesh of ring and planet 3 from the pitch point along the line of action";
+        side_s4 "1" phase theta period 6.283185307179586 rolling unless(torsional_support) with sliding_friction_s4 as side,
+            "share of the force of the mesh of sun and planet 4 on tooth pairs beyond the pitch point, minus that on pairs before it";
+        arm_s4 "m" phase theta period 6.283185307179586 rolling unless(torsional_support) with sliding_friction_s4 as arm,
+            "mean distance of the force of the mesh of sun and planet 4 from the pitch point along the line of action";
+        side_r4 "1" phase theta period 6.283185307179586 rolling unless(torsional_support) with sliding_friction_r4 as side,
+            "share of the force of the mesh of ring and planet 4 on tooth pairs beyond the pitch point, minus that on pairs before it";
+        arm_r4 "m" phase theta period 6.283185307179586 rolling unless(torsional_support) with sliding_friction_r4 as arm,
+            "mean distance of the force of the mesh of ring and planet 4 from the pitch point along the line of action";
+        side_s5 "1" phase theta period 6.283185307179586 rolling unless(torsional_support) with sliding_friction_s5 as side,
+            "share of the force of the mesh of sun and planet 5 on tooth pairs beyond the pitch point, minus that on pairs before it";
+        arm_s5 "m" phase theta period 6.283185307179586 rolling unless(torsional_support) with sliding_friction_s5 as arm,
+            "mean distance of the force of the mesh of sun and planet 5 from the pitch point along the line of action";
+        side_r5 "1" phase theta period 6.283185307179586 rolling unless(torsional_support) with sliding_friction_r5 as side,
+            "share of the force of the mesh of ring and planet 5 on tooth pairs beyond the pitch point, minus that on pairs before it";
+        arm_r5 "m" phase theta period 6.283185307179586 rolling unless(torsional_support) with sliding_friction_r5 as arm,
+            "mean distance of the force of the mesh of ring and planet 5 from the pitch point along the line of action";
     }
     motions { speed "rad/s" { theta_dot = Z_r*Z_s/(Z_r + Z_s); }, "rotational speed of the sun, ring at rest"; }
     effects {
@@ -127,24 +217,54 @@ equations! {
             "steps at the times of a steady rotation, k(Omega0 t) instead of k(theta): the classical equations";
         transmission_error_s1 of transmission_error requires(stiffness_step)
             "flanks deviate from their ideal position: V = k (delta - e)^2/2, with the jump terms of e where it steps";
+        backlash_s1 of backlash "play between the flanks: contact on the drive or coast flank, free motion between";
+        sliding_friction_s1 of sliding_friction requires(stiffness_step)
+            "Coulomb friction between the flanks, against their sliding, which turns as a tooth pair passes the pitch point";
         transmission_error_r1 of transmission_error requires(stiffness_step)
             "flanks deviate from their ideal position: V = k (delta - e)^2/2, with the jump terms of e where it steps";
+        backlash_r1 of backlash "play between the flanks: contact on the drive or coast flank, free motion between";
+        sliding_friction_r1 of sliding_friction requires(stiffness_step)
+            "Coulomb friction between the flanks, against their sliding, which turns as a tooth pair passes the pitch point";
         transmission_error_s2 of transmission_error requires(stiffness_step)
             "flanks deviate from their ideal position: V = k (delta - e)^2/2, with the jump terms of e where it steps";
+        backlash_s2 of backlash "play between the flanks: contact on the drive or coast flank, free motion between";
+        sliding_friction_s2 of sliding_friction requires(stiffness_step)
+            "Coulomb friction between the flanks, against their sliding, which turns as a tooth pair passes the pitch point";
         transmission_error_r2 of transmission_error requires(stiffness_step)
             "flanks deviate from their ideal position: V = k (delta - e)^2/2, with the jump terms of e where it steps";
+        backlash_r2 of backlash "play between the flanks: contact on the drive or coast flank, free motion between";
+        sliding_friction_r2 of sliding_friction requires(stiffness_step)
+            "Coulomb friction between the flanks, against their sliding, which turns as a tooth pair passes the pitch point";
         transmission_error_s3 of transmission_error requires(stiffness_step)
             "flanks deviate from their ideal position: V = k (delta - e)^2/2, with the jump terms of e where it steps";
+        backlash_s3 of backlash "play between the flanks: contact on the drive or coast flank, free motion between";
+        sliding_friction_s3 of sliding_friction requires(stiffness_step)
+            "Coulomb friction between the flanks, against their sliding, which turns as a tooth pair passes the pitch point";
         transmission_error_r3 of transmission_error requires(stiffness_step)
             "flanks deviate from their ideal position: V = k (delta - e)^2/2, with the jump terms of e where it steps";
+        backlash_r3 of backlash "play between the flanks: contact on the drive or coast flank, free motion between";
+        sliding_friction_r3 of sliding_friction requires(stiffness_step)
+            "Coulomb friction between the flanks, against their sliding, which turns as a tooth pair passes the pitch point";
         transmission_error_s4 of transmission_error requires(stiffness_step)
             "flanks deviate from their ideal position: V = k (delta - e)^2/2, with the jump terms of e where it steps";
+        backlash_s4 of backlash "play between the flanks: contact on the drive or coast flank, free motion between";
+        sliding_friction_s4 of sliding_friction requires(stiffness_step)
+            "Coulomb friction between the flanks, against their sliding, which turns as a tooth pair passes the pitch point";
         transmission_error_r4 of transmission_error requires(stiffness_step)
             "flanks deviate from their ideal position: V = k (delta - e)^2/2, with the jump terms of e where it steps";
+        backlash_r4 of backlash "play between the flanks: contact on the drive or coast flank, free motion between";
+        sliding_friction_r4 of sliding_friction requires(stiffness_step)
+            "Coulomb friction between the flanks, against their sliding, which turns as a tooth pair passes the pitch point";
         transmission_error_s5 of transmission_error requires(stiffness_step)
             "flanks deviate from their ideal position: V = k (delta - e)^2/2, with the jump terms of e where it steps";
+        backlash_s5 of backlash "play between the flanks: contact on the drive or coast flank, free motion between";
+        sliding_friction_s5 of sliding_friction requires(stiffness_step)
+            "Coulomb friction between the flanks, against their sliding, which turns as a tooth pair passes the pitch point";
         transmission_error_r5 of transmission_error requires(stiffness_step)
             "flanks deviate from their ideal position: V = k (delta - e)^2/2, with the jump terms of e where it steps";
+        backlash_r5 of backlash "play between the flanks: contact on the drive or coast flank, free motion between";
+        sliding_friction_r5 of sliding_friction requires(stiffness_step)
+            "Coulomb friction between the flanks, against their sliding, which turns as a tooth pair passes the pitch point";
         viscous_friction_p of viscous_friction "friction proportional to speed";
         torques "constant torques of motor and load";
         damping "Rayleigh damping, C = alpha_M M + beta_K K at the mid stiffness";
@@ -169,16 +289,66 @@ equations! {
         transmission_error_r4_and_jump_terms = transmission_error_r4, stiffness_step, !rigid_kinematics, !frozen_phase;
         transmission_error_s5_and_jump_terms = transmission_error_s5, stiffness_step, !rigid_kinematics, !frozen_phase;
         transmission_error_r5_and_jump_terms = transmission_error_r5, stiffness_step, !rigid_kinematics, !frozen_phase;
+        transmission_error_s1_and_sliding_friction_s1_and_moving_phase = transmission_error_s1, sliding_friction_s1, stiffness_step,
+            !frozen_phase;
+        sliding_friction_s1_and_moving_phase = sliding_friction_s1, stiffness_step, !frozen_phase;
+        transmission_error_r1_and_sliding_friction_r1_and_moving_phase = transmission_error_r1, sliding_friction_r1, stiffness_step,
+            !frozen_phase;
+        sliding_friction_r1_and_moving_phase = sliding_friction_r1, stiffness_step, !frozen_phase;
+        transmission_error_s2_and_sliding_friction_s2_and_moving_phase = transmission_error_s2, sliding_friction_s2, stiffness_step,
+            !frozen_phase;
+        sliding_friction_s2_and_moving_phase = sliding_friction_s2, stiffness_step, !frozen_phase;
+        transmission_error_r2_and_sliding_friction_r2_and_moving_phase = transmission_error_r2, sliding_friction_r2, stiffness_step,
+            !frozen_phase;
+        sliding_friction_r2_and_moving_phase = sliding_friction_r2, stiffness_step, !frozen_phase;
+        transmission_error_s3_and_sliding_friction_s3_and_moving_phase = transmission_error_s3, sliding_friction_s3, stiffness_step,
+            !frozen_phase;
+        sliding_friction_s3_and_moving_phase = sliding_friction_s3, stiffness_step, !frozen_phase;
+        transmission_error_r3_and_sliding_friction_r3_and_moving_phase = transmission_error_r3, sliding_friction_r3, stiffness_step,
+            !frozen_phase;
+        sliding_friction_r3_and_moving_phase = sliding_friction_r3, stiffness_step, !frozen_phase;
+        transmission_error_s4_and_sliding_friction_s4_and_moving_phase = transmission_error_s4, sliding_friction_s4, stiffness_step,
+            !frozen_phase;
+        sliding_friction_s4_and_moving_phase = sliding_friction_s4, stiffness_step, !frozen_phase;
+        transmission_error_r4_and_sliding_friction_r4_and_moving_phase = transmission_error_r4, sliding_friction_r4, stiffness_step,
+            !frozen_phase;
+        sliding_friction_r4_and_moving_phase = sliding_friction_r4, stiffness_step, !frozen_phase;
+        transmission_error_s5_and_sliding_friction_s5_and_moving_phase = transmission_error_s5, sliding_friction_s5, stiffness_step,
+            !frozen_phase;
+        sliding_friction_s5_and_moving_phase = sliding_friction_s5, stiffness_step, !frozen_phase;
+        transmission_error_r5_and_sliding_friction_r5_and_moving_phase = transmission_error_r5, sliding_friction_r5, stiffness_step,
+            !frozen_phase;
+        sliding_friction_r5_and_moving_phase = sliding_friction_r5, stiffness_step, !frozen_phase;
+        transmission_error_r1_and_backlash_r1_and_moving_phase = transmission_error_r1, backlash_r1, stiffness_step, !frozen_phase;
         transmission_error_r1_and_moving_phase = transmission_error_r1, stiffness_step, !frozen_phase;
+        backlash_r1_and_moving_phase = backlash_r1, stiffness_step, !frozen_phase;
+        transmission_error_r2_and_backlash_r2_and_moving_phase = transmission_error_r2, backlash_r2, stiffness_step, !frozen_phase;
         transmission_error_r2_and_moving_phase = transmission_error_r2, stiffness_step, !frozen_phase;
+        backlash_r2_and_moving_phase = backlash_r2, stiffness_step, !frozen_phase;
+        transmission_error_r3_and_backlash_r3_and_moving_phase = transmission_error_r3, backlash_r3, stiffness_step, !frozen_phase;
         transmission_error_r3_and_moving_phase = transmission_error_r3, stiffness_step, !frozen_phase;
+        backlash_r3_and_moving_phase = backlash_r3, stiffness_step, !frozen_phase;
+        transmission_error_r4_and_backlash_r4_and_moving_phase = transmission_error_r4, backlash_r4, stiffness_step, !frozen_phase;
         transmission_error_r4_and_moving_phase = transmission_error_r4, stiffness_step, !frozen_phase;
+        backlash_r4_and_moving_phase = backlash_r4, stiffness_step, !frozen_phase;
+        transmission_error_r5_and_backlash_r5_and_moving_phase = transmission_error_r5, backlash_r5, stiffness_step, !frozen_phase;
         transmission_error_r5_and_moving_phase = transmission_error_r5, stiffness_step, !frozen_phase;
+        backlash_r5_and_moving_phase = backlash_r5, stiffness_step, !frozen_phase;
+        transmission_error_s1_and_backlash_s1_and_moving_phase = transmission_error_s1, backlash_s1, stiffness_step, !frozen_phase;
         transmission_error_s1_and_moving_phase = transmission_error_s1, stiffness_step, !frozen_phase;
+        backlash_s1_and_moving_phase = backlash_s1, stiffness_step, !frozen_phase;
+        transmission_error_s2_and_backlash_s2_and_moving_phase = transmission_error_s2, backlash_s2, stiffness_step, !frozen_phase;
         transmission_error_s2_and_moving_phase = transmission_error_s2, stiffness_step, !frozen_phase;
+        backlash_s2_and_moving_phase = backlash_s2, stiffness_step, !frozen_phase;
+        transmission_error_s3_and_backlash_s3_and_moving_phase = transmission_error_s3, backlash_s3, stiffness_step, !frozen_phase;
         transmission_error_s3_and_moving_phase = transmission_error_s3, stiffness_step, !frozen_phase;
+        backlash_s3_and_moving_phase = backlash_s3, stiffness_step, !frozen_phase;
+        transmission_error_s4_and_backlash_s4_and_moving_phase = transmission_error_s4, backlash_s4, stiffness_step, !frozen_phase;
         transmission_error_s4_and_moving_phase = transmission_error_s4, stiffness_step, !frozen_phase;
+        backlash_s4_and_moving_phase = backlash_s4, stiffness_step, !frozen_phase;
+        transmission_error_s5_and_backlash_s5_and_moving_phase = transmission_error_s5, backlash_s5, stiffness_step, !frozen_phase;
         transmission_error_s5_and_moving_phase = transmission_error_s5, stiffness_step, !frozen_phase;
+        backlash_s5_and_moving_phase = backlash_s5, stiffness_step, !frozen_phase;
     }
 
     constants {
@@ -187,36 +357,48 @@ equations! {
         h = r_s/Z_s;
         r_p = (h*Z_r - h*Z_s)/2.0;
         a = (h*Z_r/cos_a + h*Z_s/cos_a)/2.0;
+        roll_s = 1.0/Z_s + h/r_p;
+        roll_r = h/r_p - 1.0/Z_r;
         cos_c1 = psi1.cos();
         sin_c1 = psi1.sin();
         cos_s1 = (psi1 - alpha).cos();
         sin_s1 = (psi1 - alpha).sin();
         cos_r1 = (alpha + psi1).cos();
         sin_r1 = (alpha + psi1).sin();
+        tiny_s1 = 1.0/1000000000000.0;
+        tiny_r1 = 1.0/1000000000000.0;
         cos_c2 = psi2.cos();
         sin_c2 = psi2.sin();
         cos_s2 = (psi2 - alpha).cos();
         sin_s2 = (psi2 - alpha).sin();
         cos_r2 = (alpha + psi2).cos();
         sin_r2 = (alpha + psi2).sin();
+        tiny_s2 = 1.0/1000000000000.0;
+        tiny_r2 = 1.0/1000000000000.0;
         cos_c3 = psi3.cos();
         sin_c3 = psi3.sin();
         cos_s3 = (psi3 - alpha).cos();
         sin_s3 = (psi3 - alpha).sin();
         cos_r3 = (alpha + psi3).cos();
         sin_r3 = (alpha + psi3).sin();
+        tiny_s3 = 1.0/1000000000000.0;
+        tiny_r3 = 1.0/1000000000000.0;
         cos_c4 = psi4.cos();
         sin_c4 = psi4.sin();
         cos_s4 = (psi4 - alpha).cos();
         sin_s4 = (psi4 - alpha).sin();
         cos_r4 = (alpha + psi4).cos();
         sin_r4 = (alpha + psi4).sin();
+        tiny_s4 = 1.0/1000000000000.0;
+        tiny_r4 = 1.0/1000000000000.0;
         cos_c5 = psi5.cos();
         sin_c5 = psi5.sin();
         cos_s5 = (psi5 - alpha).cos();
         sin_s5 = (psi5 - alpha).sin();
         cos_r5 = (alpha + psi5).cos();
         sin_r5 = (alpha + psi5).sin();
+        tiny_s5 = 1.0/1000000000000.0;
+        tiny_r5 = 1.0/1000000000000.0;
     }
     deflections {
         bx_s = x_s;
@@ -230,24 +412,865 @@ equations! {
         twist_c = theta_c + theta/Z_r;
         radial1 = cos_c1*x_c - zeta1 + sin_c1*y_c;
         tangential1 = cos_c1*y_c - eta1 - sin_c1*x_c;
-        delta_s1 = u1 - e_s1 - cos_a*eta1 + cos_s1*y_s - sin_a*zeta1 - sin_s1*x_s;
-        delta_r1 = cos_r1*y_r - u1 - e_r1 - cos_a*eta1 - h*Z_r*theta_c + h*Z_r*theta_r + sin_a*zeta1 - sin_r1*x_r;
+        overs1 = u1 - edges1 - e_s1 - cos_a*eta1 + cos_s1*y_s - sin_a*zeta1 - sin_s1*x_s;
+        tau_s1 = cos_a*zeta1 - cos_s1*x_s - sin_a*eta1 - sin_s1*y_s + sin_a*u1/cos_a;
+        psi_s1 = roll_s*theta - u1/r_p;
+        overr1 = cos_r1*y_r - u1 - edger1 - e_r1 - cos_a*eta1 - h*Z_r*theta_c + h*Z_r*theta_r + sin_a*zeta1 - sin_r1*x_r;
+        tau_r1 = cos_r1*x_r - cos_a*zeta1 - sin_a*eta1 + sin_r1*y_r - h*sin_a*Z_r*theta_c/cos_a + h*sin_a*Z_r*theta_r/cos_a
+            - sin_a*u1/cos_a;
+        psi_r1 = theta_r - theta_c + roll_r*theta - u1/r_p;
         radial2 = cos_c2*x_c - zeta2 + sin_c2*y_c;
         tangential2 = cos_c2*y_c - eta2 - sin_c2*x_c;
-        delta_s2 = u2 - e_s2 - cos_a*eta2 + cos_s2*y_s - sin_a*zeta2 - sin_s2*x_s;
-        delta_r2 = cos_r2*y_r - u2 - e_r2 - cos_a*eta2 - h*Z_r*theta_c + h*Z_r*theta_r + sin_a*zeta2 - sin_r2*x_r;
+        overs2 = u2 - edges2 - e_s2 - cos_a*eta2 + cos_s2*y_s - sin_a*zeta2 - sin_s2*x_s;
+        tau_s2 = cos_a*zeta2 - cos_s2*x_s - sin_a*eta2 - sin_s2*y_s + sin_a*u2/cos_a;
+        psi_s2 = roll_s*theta - u2/r_p;
+        overr2 = cos_r2*y_r - u2 - edger2 - e_r2 - cos_a*eta2 - h*Z_r*theta_c + h*Z_r*theta_r + sin_a*zeta2 - sin_r2*x_r;
+        tau_r2 = cos_r2*x_r - cos_a*zeta2 - sin_a*eta2 + sin_r2*y_r - h*sin_a*Z_r*theta_c/cos_a + h*sin_a*Z_r*theta_r/cos_a
+            - sin_a*u2/cos_a;
+        psi_r2 = theta_r - theta_c + roll_r*theta - u2/r_p;
         radial3 = cos_c3*x_c - zeta3 + sin_c3*y_c;
         tangential3 = cos_c3*y_c - eta3 - sin_c3*x_c;
-        delta_s3 = u3 - e_s3 - cos_a*eta3 + cos_s3*y_s - sin_a*zeta3 - sin_s3*x_s;
-        delta_r3 = cos_r3*y_r - u3 - e_r3 - cos_a*eta3 - h*Z_r*theta_c + h*Z_r*theta_r + sin_a*zeta3 - sin_r3*x_r;
+        overs3 = u3 - edges3 - e_s3 - cos_a*eta3 + cos_s3*y_s - sin_a*zeta3 - sin_s3*x_s;
+        tau_s3 = cos_a*zeta3 - cos_s3*x_s - sin_a*eta3 - sin_s3*y_s + sin_a*u3/cos_a;
+        psi_s3 = roll_s*theta - u3/r_p;
+        overr3 = cos_r3*y_r - u3 - edger3 - e_r3 - cos_a*eta3 - h*Z_r*theta_c + h*Z_r*theta_r + sin_a*zeta3 - sin_r3*x_r;
+        tau_r3 = cos_r3*x_r - cos_a*zeta3 - sin_a*eta3 + sin_r3*y_r - h*sin_a*Z_r*theta_c/cos_a + h*sin_a*Z_r*theta_r/cos_a
+            - sin_a*u3/cos_a;
+        psi_r3 = theta_r - theta_c + roll_r*theta - u3/r_p;
         radial4 = cos_c4*x_c - zeta4 + sin_c4*y_c;
         tangential4 = cos_c4*y_c - eta4 - sin_c4*x_c;
-        delta_s4 = u4 - e_s4 - cos_a*eta4 + cos_s4*y_s - sin_a*zeta4 - sin_s4*x_s;
-        delta_r4 = cos_r4*y_r - u4 - e_r4 - cos_a*eta4 - h*Z_r*theta_c + h*Z_r*theta_r + sin_a*zeta4 - sin_r4*x_r;
+        overs4 = u4 - edges4 - e_s4 - cos_a*eta4 + cos_s4*y_s - sin_a*zeta4 - sin_s4*x_s;
+        tau_s4 = cos_a*zeta4 - cos_s4*x_s - sin_a*eta4 - sin_s4*y_s + sin_a*u4/cos_a;
+        psi_s4 = roll_s*theta - u4/r_p;
+        overr4 = cos_r4*y_r - u4 - edger4 - e_r4 - cos_a*eta4 - h*Z_r*theta_c + h*Z_r*theta_r + sin_a*zeta4 - sin_r4*x_r;
+        tau_r4 = cos_r4*x_r - cos_a*zeta4 - sin_a*eta4 + sin_r4*y_r - h*sin_a*Z_r*theta_c/cos_a + h*sin_a*Z_r*theta_r/cos_a
+            - sin_a*u4/cos_a;
+        psi_r4 = theta_r - theta_c + roll_r*theta - u4/r_p;
         radial5 = cos_c5*x_c - zeta5 + sin_c5*y_c;
         tangential5 = cos_c5*y_c - eta5 - sin_c5*x_c;
-        delta_s5 = u5 - e_s5 - cos_a*eta5 + cos_s5*y_s - sin_a*zeta5 - sin_s5*x_s;
-        delta_r5 = cos_r5*y_r - u5 - e_r5 - cos_a*eta5 - h*Z_r*theta_c + h*Z_r*theta_r + sin_a*zeta5 - sin_r5*x_r;
+        overs5 = u5 - edges5 - e_s5 - cos_a*eta5 + cos_s5*y_s - sin_a*zeta5 - sin_s5*x_s;
+        tau_s5 = cos_a*zeta5 - cos_s5*x_s - sin_a*eta5 - sin_s5*y_s + sin_a*u5/cos_a;
+        psi_s5 = roll_s*theta - u5/r_p;
+        overr5 = cos_r5*y_r - u5 - edger5 - e_r5 - cos_a*eta5 - h*Z_r*theta_c + h*Z_r*theta_r + sin_a*zeta5 - sin_r5*x_r;
+        tau_r5 = cos_r5*x_r - cos_a*zeta5 - sin_a*eta5 + sin_r5*y_r - h*sin_a*Z_r*theta_c/cos_a + h*sin_a*Z_r*theta_r/cos_a
+            - sin_a*u5/cos_a;
+        psi_r5 = theta_r - theta_c + roll_r*theta - u5/r_p;
+    }
+    forces {
+        F_mu_s1 {
+            sliding_friction_s1 => mu_s1*k_s1*touchs1*psi_s1_dot*(tiny_s1.powi(2) + overs1.powi(2)).sqrt()
+                /(w_mix_s1.powi(2) + psi_s1_dot.powi(2)).sqrt();
+        }
+        F_mu_r1 {
+            sliding_friction_r1 => mu_r1*k_r1*touchr1*psi_r1_dot*(tiny_r1.powi(2) + overr1.powi(2)).sqrt()
+                /(w_mix_r1.powi(2) + psi_r1_dot.powi(2)).sqrt();
+        }
+        F_mu_s2 {
+            sliding_friction_s2 => mu_s2*k_s2*touchs2*psi_s2_dot*(tiny_s2.powi(2) + overs2.powi(2)).sqrt()
+                /(w_mix_s2.powi(2) + psi_s2_dot.powi(2)).sqrt();
+        }
+        F_mu_r2 {
+            sliding_friction_r2 => mu_r2*k_r2*touchr2*psi_r2_dot*(tiny_r2.powi(2) + overr2.powi(2)).sqrt()
+                /(w_mix_r2.powi(2) + psi_r2_dot.powi(2)).sqrt();
+        }
+        F_mu_s3 {
+            sliding_friction_s3 => mu_s3*k_s3*touchs3*psi_s3_dot*(tiny_s3.powi(2) + overs3.powi(2)).sqrt()
+                /(w_mix_s3.powi(2) + psi_s3_dot.powi(2)).sqrt();
+        }
+        F_mu_r3 {
+            sliding_friction_r3 => mu_r3*k_r3*touchr3*psi_r3_dot*(tiny_r3.powi(2) + overr3.powi(2)).sqrt()
+                /(w_mix_r3.powi(2) + psi_r3_dot.powi(2)).sqrt();
+        }
+        F_mu_s4 {
+            sliding_friction_s4 => mu_s4*k_s4*touchs4*psi_s4_dot*(tiny_s4.powi(2) + overs4.powi(2)).sqrt()
+                /(w_mix_s4.powi(2) + psi_s4_dot.powi(2)).sqrt();
+        }
+        F_mu_r4 {
+            sliding_friction_r4 => mu_r4*k_r4*touchr4*psi_r4_dot*(tiny_r4.powi(2) + overr4.powi(2)).sqrt()
+                /(w_mix_r4.powi(2) + psi_r4_dot.powi(2)).sqrt();
+        }
+        F_mu_s5 {
+            sliding_friction_s5 => mu_s5*k_s5*touchs5*psi_s5_dot*(tiny_s5.powi(2) + overs5.powi(2)).sqrt()
+                /(w_mix_s5.powi(2) + psi_s5_dot.powi(2)).sqrt();
+        }
+        F_mu_r5 {
+            sliding_friction_r5 => mu_r5*k_r5*touchr5*psi_r5_dot*(tiny_r5.powi(2) + overr5.powi(2)).sqrt()
+                /(w_mix_r5.powi(2) + psi_r5_dot.powi(2)).sqrt();
+        }
+    }
+    partials {
+        F_mu_s1_by_overs1 {
+            sliding_friction_s1 => mu_s1*k_s1*touchs1*overs1*psi_s1_dot
+                /((tiny_s1.powi(2) + overs1.powi(2)).sqrt()*(w_mix_s1.powi(2) + psi_s1_dot.powi(2)).sqrt());
+        }
+        F_mu_s1_by_psi_s1_dot {
+            sliding_friction_s1 => mu_s1*k_s1*touchs1*(tiny_s1.powi(2) + overs1.powi(2)).sqrt()
+                /(w_mix_s1.powi(2) + psi_s1_dot.powi(2)).sqrt()
+                - mu_s1*k_s1*touchs1*psi_s1_dot.powi(2)*(tiny_s1.powi(2) + overs1.powi(2)).sqrt()
+                /(w_mix_s1.powi(2) + psi_s1_dot.powi(2)).powf(3.0/2.0);
+        }
+        F_mu_s1_by_k_s1 {
+            sliding_friction_s1 => mu_s1*touchs1*psi_s1_dot*(tiny_s1.powi(2) + overs1.powi(2)).sqrt()
+                /(w_mix_s1.powi(2) + psi_s1_dot.powi(2)).sqrt();
+        }
+        F_mu_r1_by_overr1 {
+            sliding_friction_r1 => mu_r1*k_r1*touchr1*overr1*psi_r1_dot
+                /((tiny_r1.powi(2) + overr1.powi(2)).sqrt()*(w_mix_r1.powi(2) + psi_r1_dot.powi(2)).sqrt());
+        }
+        F_mu_r1_by_psi_r1_dot {
+            sliding_friction_r1 => mu_r1*k_r1*touchr1*(tiny_r1.powi(2) + overr1.powi(2)).sqrt()
+                /(w_mix_r1.powi(2) + psi_r1_dot.powi(2)).sqrt()
+                - mu_r1*k_r1*touchr1*psi_r1_dot.powi(2)*(tiny_r1.powi(2) + overr1.powi(2)).sqrt()
+                /(w_mix_r1.powi(2) + psi_r1_dot.powi(2)).powf(3.0/2.0);
+        }
+        F_mu_r1_by_k_r1 {
+            sliding_friction_r1 => mu_r1*touchr1*psi_r1_dot*(tiny_r1.powi(2) + overr1.powi(2)).sqrt()
+                /(w_mix_r1.powi(2) + psi_r1_dot.powi(2)).sqrt();
+        }
+        F_mu_s2_by_overs2 {
+            sliding_friction_s2 => mu_s2*k_s2*touchs2*overs2*psi_s2_dot
+                /((tiny_s2.powi(2) + overs2.powi(2)).sqrt()*(w_mix_s2.powi(2) + psi_s2_dot.powi(2)).sqrt());
+        }
+        F_mu_s2_by_psi_s2_dot {
+            sliding_friction_s2 => mu_s2*k_s2*touchs2*(tiny_s2.powi(2) + overs2.powi(2)).sqrt()
+                /(w_mix_s2.powi(2) + psi_s2_dot.powi(2)).sqrt()
+                - mu_s2*k_s2*touchs2*psi_s2_dot.powi(2)*(tiny_s2.powi(2) + overs2.powi(2)).sqrt()
+                /(w_mix_s2.powi(2) + psi_s2_dot.powi(2)).powf(3.0/2.0);
+        }
+        F_mu_s2_by_k_s2 {
+            sliding_friction_s2 => mu_s2*touchs2*psi_s2_dot*(tiny_s2.powi(2) + overs2.powi(2)).sqrt()
+                /(w_mix_s2.powi(2) + psi_s2_dot.powi(2)).sqrt();
+        }
+        F_mu_r2_by_overr2 {
+            sliding_friction_r2 => mu_r2*k_r2*touchr2*overr2*psi_r2_dot
+                /((tiny_r2.powi(2) + overr2.powi(2)).sqrt()*(w_mix_r2.powi(2) + psi_r2_dot.powi(2)).sqrt());
+        }
+        F_mu_r2_by_psi_r2_dot {
+            sliding_friction_r2 => mu_r2*k_r2*touchr2*(tiny_r2.powi(2) + overr2.powi(2)).sqrt()
+                /(w_mix_r2.powi(2) + psi_r2_dot.powi(2)).sqrt()
+                - mu_r2*k_r2*touchr2*psi_r2_dot.powi(2)*(tiny_r2.powi(2) + overr2.powi(2)).sqrt()
+                /(w_mix_r2.powi(2) + psi_r2_dot.powi(2)).powf(3.0/2.0);
+        }
+        F_mu_r2_by_k_r2 {
+            sliding_friction_r2 => mu_r2*touchr2*psi_r2_dot*(tiny_r2.powi(2) + overr2.powi(2)).sqrt()
+                /(w_mix_r2.powi(2) + psi_r2_dot.powi(2)).sqrt();
+        }
+        F_mu_s3_by_overs3 {
+            sliding_friction_s3 => mu_s3*k_s3*touchs3*overs3*psi_s3_dot
+                /((tiny_s3.powi(2) + overs3.powi(2)).sqrt()*(w_mix_s3.powi(2) + psi_s3_dot.powi(2)).sqrt());
+        }
+        F_mu_s3_by_psi_s3_dot {
+            sliding_friction_s3 => mu_s3*k_s3*touchs3*(tiny_s3.powi(2) + overs3.powi(2)).sqrt()
+                /(w_mix_s3.powi(2) + psi_s3_dot.powi(2)).sqrt()
+                - mu_s3*k_s3*touchs3*psi_s3_dot.powi(2)*(tiny_s3.powi(2) + overs3.powi(2)).sqrt()
+                /(w_mix_s3.powi(2) + psi_s3_dot.powi(2)).powf(3.0/2.0);
+        }
+        F_mu_s3_by_k_s3 {
+            sliding_friction_s3 => mu_s3*touchs3*psi_s3_dot*(tiny_s3.powi(2) + overs3.powi(2)).sqrt()
+                /(w_mix_s3.powi(2) + psi_s3_dot.powi(2)).sqrt();
+        }
+        F_mu_r3_by_overr3 {
+            sliding_friction_r3 => mu_r3*k_r3*touchr3*overr3*psi_r3_dot
+                /((tiny_r3.powi(2) + overr3.powi(2)).sqrt()*(w_mix_r3.powi(2) + psi_r3_dot.powi(2)).sqrt());
+        }
+        F_mu_r3_by_psi_r3_dot {
+            sliding_friction_r3 => mu_r3*k_r3*touchr3*(tiny_r3.powi(2) + overr3.powi(2)).sqrt()
+                /(w_mix_r3.powi(2) + psi_r3_dot.powi(2)).sqrt()
+                - mu_r3*k_r3*touchr3*psi_r3_dot.powi(2)*(tiny_r3.powi(2) + overr3.powi(2)).sqrt()
+                /(w_mix_r3.powi(2) + psi_r3_dot.powi(2)).powf(3.0/2.0);
+        }
+        F_mu_r3_by_k_r3 {
+            sliding_friction_r3 => mu_r3*touchr3*psi_r3_dot*(tiny_r3.powi(2) + overr3.powi(2)).sqrt()
+                /(w_mix_r3.powi(2) + psi_r3_dot.powi(2)).sqrt();
+        }
+        F_mu_s4_by_overs4 {
+            sliding_friction_s4 => mu_s4*k_s4*touchs4*overs4*psi_s4_dot
+                /((tiny_s4.powi(2) + overs4.powi(2)).sqrt()*(w_mix_s4.powi(2) + psi_s4_dot.powi(2)).sqrt());
+        }
+        F_mu_s4_by_psi_s4_dot {
+            sliding_friction_s4 => mu_s4*k_s4*touchs4*(tiny_s4.powi(2) + overs4.powi(2)).sqrt()
+                /(w_mix_s4.powi(2) + psi_s4_dot.powi(2)).sqrt()
+                - mu_s4*k_s4*touchs4*psi_s4_dot.powi(2)*(tiny_s4.powi(2) + overs4.powi(2)).sqrt()
+                /(w_mix_s4.powi(2) + psi_s4_dot.powi(2)).powf(3.0/2.0);
+        }
+        F_mu_s4_by_k_s4 {
+            sliding_friction_s4 => mu_s4*touchs4*psi_s4_dot*(tiny_s4.powi(2) + overs4.powi(2)).sqrt()
+                /(w_mix_s4.powi(2) + psi_s4_dot.powi(2)).sqrt();
+        }
+        F_mu_r4_by_overr4 {
+            sliding_friction_r4 => mu_r4*k_r4*touchr4*overr4*psi_r4_dot
+                /((tiny_r4.powi(2) + overr4.powi(2)).sqrt()*(w_mix_r4.powi(2) + psi_r4_dot.powi(2)).sqrt());
+        }
+        F_mu_r4_by_psi_r4_dot {
+            sliding_friction_r4 => mu_r4*k_r4*touchr4*(tiny_r4.powi(2) + overr4.powi(2)).sqrt()
+                /(w_mix_r4.powi(2) + psi_r4_dot.powi(2)).sqrt()
+                - mu_r4*k_r4*touchr4*psi_r4_dot.powi(2)*(tiny_r4.powi(2) + overr4.powi(2)).sqrt()
+                /(w_mix_r4.powi(2) + psi_r4_dot.powi(2)).powf(3.0/2.0);
+        }
+        F_mu_r4_by_k_r4 {
+            sliding_friction_r4 => mu_r4*touchr4*psi_r4_dot*(tiny_r4.powi(2) + overr4.powi(2)).sqrt()
+                /(w_mix_r4.powi(2) + psi_r4_dot.powi(2)).sqrt();
+        }
+        F_mu_s5_by_overs5 {
+            sliding_friction_s5 => mu_s5*k_s5*touchs5*overs5*psi_s5_dot
+                /((tiny_s5.powi(2) + overs5.powi(2)).sqrt()*(w_mix_s5.powi(2) + psi_s5_dot.powi(2)).sqrt());
+        }
+        F_mu_s5_by_psi_s5_dot {
+            sliding_friction_s5 => mu_s5*k_s5*touchs5*(tiny_s5.powi(2) + overs5.powi(2)).sqrt()
+                /(w_mix_s5.powi(2) + psi_s5_dot.powi(2)).sqrt()
+                - mu_s5*k_s5*touchs5*psi_s5_dot.powi(2)*(tiny_s5.powi(2) + overs5.powi(2)).sqrt()
+                /(w_mix_s5.powi(2) + psi_s5_dot.powi(2)).powf(3.0/2.0);
+        }
+        F_mu_s5_by_k_s5 {
+            sliding_friction_s5 => mu_s5*touchs5*psi_s5_dot*(tiny_s5.powi(2) + overs5.powi(2)).sqrt()
+                /(w_mix_s5.powi(2) + psi_s5_dot.powi(2)).sqrt();
+        }
+        F_mu_r5_by_overr5 {
+            sliding_friction_r5 => mu_r5*k_r5*touchr5*overr5*psi_r5_dot
+                /((tiny_r5.powi(2) + overr5.powi(2)).sqrt()*(w_mix_r5.powi(2) + psi_r5_dot.powi(2)).sqrt());
+        }
+        F_mu_r5_by_psi_r5_dot {
+            sliding_friction_r5 => mu_r5*k_r5*touchr5*(tiny_r5.powi(2) + overr5.powi(2)).sqrt()
+                /(w_mix_r5.powi(2) + psi_r5_dot.powi(2)).sqrt()
+                - mu_r5*k_r5*touchr5*psi_r5_dot.powi(2)*(tiny_r5.powi(2) + overr5.powi(2)).sqrt()
+                /(w_mix_r5.powi(2) + psi_r5_dot.powi(2)).powf(3.0/2.0);
+        }
+        F_mu_r5_by_k_r5 {
+            sliding_friction_r5 => mu_r5*touchr5*psi_r5_dot*(tiny_r5.powi(2) + overr5.powi(2)).sqrt()
+                /(w_mix_r5.powi(2) + psi_r5_dot.powi(2)).sqrt();
+        }
+    }
+    switches {
+        overs1 "m" (touchs1 1.0, edges1 0.0, damps1 1.0, clips1 0.0) with backlash_s1, "play of the mesh of sun and planet 1" {
+            upper (1.0, b_s1/2.0, 1.0, 0.0) rests counts "flanks met" {
+                unless free { overs1 { _ => 1.0; } }
+                until upper_loose {
+                    overs1 { _ => k_s1; }
+                    overs1_dot { damping => beta_K*k_s1_mid; }
+                }
+                until upper_hit {
+                    overs1 { _ => k_s1; }
+                    overs1_dot { damping => -beta_K*k_s1_mid; }
+                }
+            }
+            lower (1.0, -b_s1/2.0, 1.0, 0.0) rests counts "flanks met" {
+                unless free { overs1 { _ => -1.0; } }
+                until lower_loose {
+                    overs1 { _ => -k_s1; }
+                    overs1_dot { damping => -beta_K*k_s1_mid; }
+                }
+                until lower_hit {
+                    overs1 { _ => -k_s1; }
+                    overs1_dot { damping => beta_K*k_s1_mid; }
+                }
+            }
+            free (0.0, 0.0, 0.0, 0.0) rests {
+                until upper {
+                    overs1 { _ => -1.0; }
+                    one { _ => b_s1/2.0; }
+                }
+                until lower {
+                    overs1 { _ => 1.0; }
+                    one { _ => b_s1/2.0; }
+                }
+            }
+            upper_hit (1.0, b_s1/2.0, 0.0, 1.0) counts "flanks met" {
+                unless free { overs1 { _ => 1.0; } }
+                until upper {
+                    overs1 { _ => -k_s1; }
+                    overs1_dot { damping => beta_K*k_s1_mid; }
+                }
+            }
+            lower_hit (1.0, -b_s1/2.0, 0.0, 1.0) counts "flanks met" {
+                unless free { overs1 { _ => -1.0; } }
+                until lower {
+                    overs1 { _ => k_s1; }
+                    overs1_dot { damping => -beta_K*k_s1_mid; }
+                }
+            }
+            upper_loose (1.0, b_s1/2.0, 0.0, -1.0) counts "flanks met" {
+                until free { overs1 { _ => 1.0; } }
+                until upper {
+                    overs1 { _ => -k_s1; }
+                    overs1_dot { damping => -beta_K*k_s1_mid; }
+                }
+            }
+            lower_loose (1.0, -b_s1/2.0, 0.0, -1.0) counts "flanks met" {
+                until free { overs1 { _ => -1.0; } }
+                until lower {
+                    overs1 { _ => k_s1; }
+                    overs1_dot { damping => beta_K*k_s1_mid; }
+                }
+            }
+            loss { overs1 { _ => k_s1*clips1*touchs1; } }
+        }
+        overr1 "m" (touchr1 1.0, edger1 0.0, dampr1 1.0, clipr1 0.0) with backlash_r1, "play of the mesh of ring and planet 1" {
+            upper (1.0, b_r1/2.0, 1.0, 0.0) rests counts "flanks met" {
+                unless free { overr1 { _ => 1.0; } }
+                until upper_loose {
+                    overr1 { _ => k_r1; }
+                    overr1_dot { damping => beta_K*k_r1_mid; }
+                }
+                until upper_hit {
+                    overr1 { _ => k_r1; }
+                    overr1_dot { damping => -beta_K*k_r1_mid; }
+                }
+            }
+            lower (1.0, -b_r1/2.0, 1.0, 0.0) rests counts "flanks met" {
+                unless free { overr1 { _ => -1.0; } }
+                until lower_loose {
+                    overr1 { _ => -k_r1; }
+                    overr1_dot { damping => -beta_K*k_r1_mid; }
+                }
+                until lower_hit {
+                    overr1 { _ => -k_r1; }
+                    overr1_dot { damping => beta_K*k_r1_mid; }
+                }
+            }
+            free (0.0, 0.0, 0.0, 0.0) rests {
+                until upper {
+                    overr1 { _ => -1.0; }
+                    one { _ => b_r1/2.0; }
+                }
+                until lower {
+                    overr1 { _ => 1.0; }
+                    one { _ => b_r1/2.0; }
+                }
+            }
+            upper_hit (1.0, b_r1/2.0, 0.0, 1.0) counts "flanks met" {
+                unless free { overr1 { _ => 1.0; } }
+                until upper {
+                    overr1 { _ => -k_r1; }
+                    overr1_dot { damping => beta_K*k_r1_mid; }
+                }
+            }
+            lower_hit (1.0, -b_r1/2.0, 0.0, 1.0) counts "flanks met" {
+                unless free { overr1 { _ => -1.0; } }
+                until lower {
+                    overr1 { _ => k_r1; }
+                    overr1_dot { damping => -beta_K*k_r1_mid; }
+                }
+            }
+            upper_loose (1.0, b_r1/2.0, 0.0, -1.0) counts "flanks met" {
+                until free { overr1 { _ => 1.0; } }
+                until upper {
+                    overr1 { _ => -k_r1; }
+                    overr1_dot { damping => -beta_K*k_r1_mid; }
+                }
+            }
+            lower_loose (1.0, -b_r1/2.0, 0.0, -1.0) counts "flanks met" {
+                until free { overr1 { _ => -1.0; } }
+                until lower {
+                    overr1 { _ => k_r1; }
+                    overr1_dot { damping => beta_K*k_r1_mid; }
+                }
+            }
+            loss { overr1 { _ => k_r1*clipr1*touchr1; } }
+        }
+        overs2 "m" (touchs2 1.0, edges2 0.0, damps2 1.0, clips2 0.0) with backlash_s2, "play of the mesh of sun and planet 2" {
+            upper (1.0, b_s2/2.0, 1.0, 0.0) rests counts "flanks met" {
+                unless free { overs2 { _ => 1.0; } }
+                until upper_loose {
+                    overs2 { _ => k_s2; }
+                    overs2_dot { damping => beta_K*k_s2_mid; }
+                }
+                until upper_hit {
+                    overs2 { _ => k_s2; }
+                    overs2_dot { damping => -beta_K*k_s2_mid; }
+                }
+            }
+            lower (1.0, -b_s2/2.0, 1.0, 0.0) rests counts "flanks met" {
+                unless free { overs2 { _ => -1.0; } }
+                until lower_loose {
+                    overs2 { _ => -k_s2; }
+                    overs2_dot { damping => -beta_K*k_s2_mid; }
+                }
+                until lower_hit {
+                    overs2 { _ => -k_s2; }
+                    overs2_dot { damping => beta_K*k_s2_mid; }
+                }
+            }
+            free (0.0, 0.0, 0.0, 0.0) rests {
+                until upper {
+                    overs2 { _ => -1.0; }
+                    one { _ => b_s2/2.0; }
+                }
+                until lower {
+                    overs2 { _ => 1.0; }
+                    one { _ => b_s2/2.0; }
+                }
+            }
+            upper_hit (1.0, b_s2/2.0, 0.0, 1.0) counts "flanks met" {
+                unless free { overs2 { _ => 1.0; } }
+                until upper {
+                    overs2 { _ => -k_s2; }
+                    overs2_dot { damping => beta_K*k_s2_mid; }
+                }
+            }
+            lower_hit (1.0, -b_s2/2.0, 0.0, 1.0) counts "flanks met" {
+                unless free { overs2 { _ => -1.0; } }
+                until lower {
+                    overs2 { _ => k_s2; }
+                    overs2_dot { damping => -beta_K*k_s2_mid; }
+                }
+            }
+            upper_loose (1.0, b_s2/2.0, 0.0, -1.0) counts "flanks met" {
+                until free { overs2 { _ => 1.0; } }
+                until upper {
+                    overs2 { _ => -k_s2; }
+                    overs2_dot { damping => -beta_K*k_s2_mid; }
+                }
+            }
+            lower_loose (1.0, -b_s2/2.0, 0.0, -1.0) counts "flanks met" {
+                until free { overs2 { _ => -1.0; } }
+                until lower {
+                    overs2 { _ => k_s2; }
+                    overs2_dot { damping => beta_K*k_s2_mid; }
+                }
+            }
+            loss { overs2 { _ => k_s2*clips2*touchs2; } }
+        }
+        overr2 "m" (touchr2 1.0, edger2 0.0, dampr2 1.0, clipr2 0.0) with backlash_r2, "play of the mesh of ring and planet 2" {
+            upper (1.0, b_r2/2.0, 1.0, 0.0) rests counts "flanks met" {
+                unless free { overr2 { _ => 1.0; } }
+                until upper_loose {
+                    overr2 { _ => k_r2; }
+                    overr2_dot { damping => beta_K*k_r2_mid; }
+                }
+                until upper_hit {
+                    overr2 { _ => k_r2; }
+                    overr2_dot { damping => -beta_K*k_r2_mid; }
+                }
+            }
+            lower (1.0, -b_r2/2.0, 1.0, 0.0) rests counts "flanks met" {
+                unless free { overr2 { _ => -1.0; } }
+                until lower_loose {
+                    overr2 { _ => -k_r2; }
+                    overr2_dot { damping => -beta_K*k_r2_mid; }
+                }
+                until lower_hit {
+                    overr2 { _ => -k_r2; }
+                    overr2_dot { damping => beta_K*k_r2_mid; }
+                }
+            }
+            free (0.0, 0.0, 0.0, 0.0) rests {
+                until upper {
+                    overr2 { _ => -1.0; }
+                    one { _ => b_r2/2.0; }
+                }
+                until lower {
+                    overr2 { _ => 1.0; }
+                    one { _ => b_r2/2.0; }
+                }
+            }
+            upper_hit (1.0, b_r2/2.0, 0.0, 1.0) counts "flanks met" {
+                unless free { overr2 { _ => 1.0; } }
+                until upper {
+                    overr2 { _ => -k_r2; }
+                    overr2_dot { damping => beta_K*k_r2_mid; }
+                }
+            }
+            lower_hit (1.0, -b_r2/2.0, 0.0, 1.0) counts "flanks met" {
+                unless free { overr2 { _ => -1.0; } }
+                until lower {
+                    overr2 { _ => k_r2; }
+                    overr2_dot { damping => -beta_K*k_r2_mid; }
+                }
+            }
+            upper_loose (1.0, b_r2/2.0, 0.0, -1.0) counts "flanks met" {
+                until free { overr2 { _ => 1.0; } }
+                until upper {
+                    overr2 { _ => -k_r2; }
+                    overr2_dot { damping => -beta_K*k_r2_mid; }
+                }
+            }
+            lower_loose (1.0, -b_r2/2.0, 0.0, -1.0) counts "flanks met" {
+                until free { overr2 { _ => -1.0; } }
+                until lower {
+                    overr2 { _ => k_r2; }
+                    overr2_dot { damping => beta_K*k_r2_mid; }
+                }
+            }
+            loss { overr2 { _ => k_r2*clipr2*touchr2; } }
+        }
+        overs3 "m" (touchs3 1.0, edges3 0.0, damps3 1.0, clips3 0.0) with backlash_s3, "play of the mesh of sun and planet 3" {
+            upper (1.0, b_s3/2.0, 1.0, 0.0) rests counts "flanks met" {
+                unless free { overs3 { _ => 1.0; } }
+                until upper_loose {
+                    overs3 { _ => k_s3; }
+                    overs3_dot { damping => beta_K*k_s3_mid; }
+                }
+                until upper_hit {
+                    overs3 { _ => k_s3; }
+                    overs3_dot { damping => -beta_K*k_s3_mid; }
+                }
+            }
+            lower (1.0, -b_s3/2.0, 1.0, 0.0) rests counts "flanks met" {
+                unless free { overs3 { _ => -1.0; } }
+                until lower_loose {
+                    overs3 { _ => -k_s3; }
+                    overs3_dot { damping => -beta_K*k_s3_mid; }
+                }
+                until lower_hit {
+                    overs3 { _ => -k_s3; }
+                    overs3_dot { damping => beta_K*k_s3_mid; }
+                }
+            }
+            free (0.0, 0.0, 0.0, 0.0) rests {
+                until upper {
+                    overs3 { _ => -1.0; }
+                    one { _ => b_s3/2.0; }
+                }
+                until lower {
+                    overs3 { _ => 1.0; }
+                    one { _ => b_s3/2.0; }
+                }
+            }
+            upper_hit (1.0, b_s3/2.0, 0.0, 1.0) counts "flanks met" {
+                unless free { overs3 { _ => 1.0; } }
+                until upper {
+                    overs3 { _ => -k_s3; }
+                    overs3_dot { damping => beta_K*k_s3_mid; }
+                }
+            }
+            lower_hit (1.0, -b_s3/2.0, 0.0, 1.0) counts "flanks met" {
+                unless free { overs3 { _ => -1.0; } }
+                until lower {
+                    overs3 { _ => k_s3; }
+                    overs3_dot { damping => -beta_K*k_s3_mid; }
+                }
+            }
+            upper_loose (1.0, b_s3/2.0, 0.0, -1.0) counts "flanks met" {
+                until free { overs3 { _ => 1.0; } }
+                until upper {
+                    overs3 { _ => -k_s3; }
+                    overs3_dot { damping => -beta_K*k_s3_mid; }
+                }
+            }
+            lower_loose (1.0, -b_s3/2.0, 0.0, -1.0) counts "flanks met" {
+                until free { overs3 { _ => -1.0; } }
+                until lower {
+                    overs3 { _ => k_s3; }
+                    overs3_dot { damping => beta_K*k_s3_mid; }
+                }
+            }
+            loss { overs3 { _ => k_s3*clips3*touchs3; } }
+        }
+        overr3 "m" (touchr3 1.0, edger3 0.0, dampr3 1.0, clipr3 0.0) with backlash_r3, "play of the mesh of ring and planet 3" {
+            upper (1.0, b_r3/2.0, 1.0, 0.0) rests counts "flanks met" {
+                unless free { overr3 { _ => 1.0; } }
+                until upper_loose {
+                    overr3 { _ => k_r3; }
+                    overr3_dot { damping => beta_K*k_r3_mid; }
+                }
+                until upper_hit {
+                    overr3 { _ => k_r3; }
+                    overr3_dot { damping => -beta_K*k_r3_mid; }
+                }
+            }
+            lower (1.0, -b_r3/2.0, 1.0, 0.0) rests counts "flanks met" {
+                unless free { overr3 { _ => -1.0; } }
+                until lower_loose {
+                    overr3 { _ => -k_r3; }
+                    overr3_dot { damping => -beta_K*k_r3_mid; }
+                }
+                until lower_hit {
+                    overr3 { _ => -k_r3; }
+                    overr3_dot { damping => beta_K*k_r3_mid; }
+                }
+            }
+            free (0.0, 0.0, 0.0, 0.0) rests {
+                until upper {
+                    overr3 { _ => -1.0; }
+                    one { _ => b_r3/2.0; }
+                }
+                until lower {
+                    overr3 { _ => 1.0; }
+                    one { _ => b_r3/2.0; }
+                }
+            }
+            upper_hit (1.0, b_r3/2.0, 0.0, 1.0) counts "flanks met" {
+                unless free { overr3 { _ => 1.0; } }
+                until upper {
+                    overr3 { _ => -k_r3; }
+                    overr3_dot { damping => beta_K*k_r3_mid; }
+                }
+            }
+            lower_hit (1.0, -b_r3/2.0, 0.0, 1.0) counts "flanks met" {
+                unless free { overr3 { _ => -1.0; } }
+                until lower {
+                    overr3 { _ => k_r3; }
+                    overr3_dot { damping => -beta_K*k_r3_mid; }
+                }
+            }
+            upper_loose (1.0, b_r3/2.0, 0.0, -1.0) counts "flanks met" {
+                until free { overr3 { _ => 1.0; } }
+                until upper {
+                    overr3 { _ => -k_r3; }
+                    overr3_dot { damping => -beta_K*k_r3_mid; }
+                }
+            }
+            lower_loose (1.0, -b_r3/2.0, 0.0, -1.0) counts "flanks met" {
+                until free { overr3 { _ => -1.0; } }
+                until lower {
+                    overr3 { _ => k_r3; }
+                    overr3_dot { damping => beta_K*k_r3_mid; }
+                }
+            }
+            loss { overr3 { _ => k_r3*clipr3*touchr3; } }
+        }
+        overs4 "m" (touchs4 1.0, edges4 0.0, damps4 1.0, clips4 0.0) with backlash_s4, "play of the mesh of sun and planet 4" {
+            upper (1.0, b_s4/2.0, 1.0, 0.0) rests counts "flanks met" {
+                unless free { overs4 { _ => 1.0; } }
+                until upper_loose {
+                    overs4 { _ => k_s4; }
+                    overs4_dot { damping => beta_K*k_s4_mid; }
+                }
+                until upper_hit {
+                    overs4 { _ => k_s4; }
+                    overs4_dot { damping => -beta_K*k_s4_mid; }
+                }
+            }
+            lower (1.0, -b_s4/2.0, 1.0, 0.0) rests counts "flanks met" {
+                unless free { overs4 { _ => -1.0; } }
+                until lower_loose {
+                    overs4 { _ => -k_s4; }
+                    overs4_dot { damping => -beta_K*k_s4_mid; }
+                }
+                until lower_hit {
+                    overs4 { _ => -k_s4; }
+                    overs4_dot { damping => beta_K*k_s4_mid; }
+                }
+            }
+            free (0.0, 0.0, 0.0, 0.0) rests {
+                until upper {
+                    overs4 { _ => -1.0; }
+                    one { _ => b_s4/2.0; }
+                }
+                until lower {
+                    overs4 { _ => 1.0; }
+                    one { _ => b_s4/2.0; }
+                }
+            }
+            upper_hit (1.0, b_s4/2.0, 0.0, 1.0) counts "flanks met" {
+                unless free { overs4 { _ => 1.0; } }
+                until upper {
+                    overs4 { _ => -k_s4; }
+                    overs4_dot { damping => beta_K*k_s4_mid; }
+                }
+            }
+            lower_hit (1.0, -b_s4/2.0, 0.0, 1.0) counts "flanks met" {
+                unless free { overs4 { _ => -1.0; } }
+                until lower {
+                    overs4 { _ => k_s4; }
+                    overs4_dot { damping => -beta_K*k_s4_mid; }
+                }
+            }
+            upper_loose (1.0, b_s4/2.0, 0.0, -1.0) counts "flanks met" {
+                until free { overs4 { _ => 1.0; } }
+                until upper {
+                    overs4 { _ => -k_s4; }
+                    overs4_dot { damping => -beta_K*k_s4_mid; }
+                }
+            }
+            lower_loose (1.0, -b_s4/2.0, 0.0, -1.0) counts "flanks met" {
+                until free { overs4 { _ => -1.0; } }
+                until lower {
+                    overs4 { _ => k_s4; }
+                    overs4_dot { damping => beta_K*k_s4_mid; }
+                }
+            }
+            loss { overs4 { _ => k_s4*clips4*touchs4; } }
+        }
+        overr4 "m" (touchr4 1.0, edger4 0.0, dampr4 1.0, clipr4 0.0) with backlash_r4, "play of the mesh of ring and planet 4" {
+            upper (1.0, b_r4/2.0, 1.0, 0.0) rests counts "flanks met" {
+                unless free { overr4 { _ => 1.0; } }
+                until upper_loose {
+                    overr4 { _ => k_r4; }
+                    overr4_dot { damping => beta_K*k_r4_mid; }
+                }
+                until upper_hit {
+                    overr4 { _ => k_r4; }
+                    overr4_dot { damping => -beta_K*k_r4_mid; }
+                }
+            }
+            lower (1.0, -b_r4/2.0, 1.0, 0.0) rests counts "flanks met" {
+                unless free { overr4 { _ => -1.0; } }
+                until lower_loose {
+                    overr4 { _ => -k_r4; }
+                    overr4_dot { damping => -beta_K*k_r4_mid; }
+                }
+                until lower_hit {
+                    overr4 { _ => -k_r4; }
+                    overr4_dot { damping => beta_K*k_r4_mid; }
+                }
+            }
+            free (0.0, 0.0, 0.0, 0.0) rests {
+                until upper {
+                    overr4 { _ => -1.0; }
+                    one { _ => b_r4/2.0; }
+                }
+                until lower {
+                    overr4 { _ => 1.0; }
+                    one { _ => b_r4/2.0; }
+                }
+            }
+            upper_hit (1.0, b_r4/2.0, 0.0, 1.0) counts "flanks met" {
+                unless free { overr4 { _ => 1.0; } }
+                until upper {
+                    overr4 { _ => -k_r4; }
+                    overr4_dot { damping => beta_K*k_r4_mid; }
+                }
+            }
+            lower_hit (1.0, -b_r4/2.0, 0.0, 1.0) counts "flanks met" {
+                unless free { overr4 { _ => -1.0; } }
+                until lower {
+                    overr4 { _ => k_r4; }
+                    overr4_dot { damping => -beta_K*k_r4_mid; }
+                }
+            }
+            upper_loose (1.0, b_r4/2.0, 0.0, -1.0) counts "flanks met" {
+                until free { overr4 { _ => 1.0; } }
+                until upper {
+                    overr4 { _ => -k_r4; }
+                    overr4_dot { damping => -beta_K*k_r4_mid; }
+                }
+            }
+            lower_loose (1.0, -b_r4/2.0, 0.0, -1.0) counts "flanks met" {
+                until free { overr4 { _ => -1.0; } }
+                until lower {
+                    overr4 { _ => k_r4; }
+                    overr4_dot { damping => beta_K*k_r4_mid; }
+                }
+            }
+            loss { overr4 { _ => k_r4*clipr4*touchr4; } }
+        }
+        overs5 "m" (touchs5 1.0, edges5 0.0, damps5 1.0, clips5 0.0) with backlash_s5, "play of the mesh of sun and planet 5" {
+            upper (1.0, b_s5/2.0, 1.0, 0.0) rests counts "flanks met" {
+                unless free { overs5 { _ => 1.0; } }
+                until upper_loose {
+                    overs5 { _ => k_s5; }
+                    overs5_dot { damping => beta_K*k_s5_mid; }
+                }
+                until upper_hit {
+                    overs5 { _ => k_s5; }
+                    overs5_dot { damping => -beta_K*k_s5_mid; }
+                }
+            }
+            lower (1.0, -b_s5/2.0, 1.0, 0.0) rests counts "flanks met" {
+                unless free { overs5 { _ => -1.0; } }
+                until lower_loose {
+                    overs5 { _ => -k_s5; }
+                    overs5_dot { damping => -beta_K*k_s5_mid; }
+                }
+                until lower_hit {
+                    overs5 { _ => -k_s5; }
+                    overs5_dot { damping => beta_K*k_s5_mid; }
+                }
+            }
+            free (0.0, 0.0, 0.0, 0.0) rests {
+                until upper {
+                    overs5 { _ => -1.0; }
+                    one { _ => b_s5/2.0; }
+                }
+                until lower {
+                    overs5 { _ => 1.0; }
+                    one { _ => b_s5/2.0; }
+                }
+            }
+            upper_hit (1.0, b_s5/2.0, 0.0, 1.0) counts "flanks met" {
+                unless free { overs5 { _ => 1.0; } }
+                until upper {
+                    overs5 { _ => -k_s5; }
+                    overs5_dot { damping => beta_K*k_s5_mid; }
+                }
+            }
+            lower_hit (1.0, -b_s5/2.0, 0.0, 1.0) counts "flanks met" {
+                unless free { overs5 { _ => -1.0; } }
+                until lower {
+                    overs5 { _ => k_s5; }
+                    overs5_dot { damping => -beta_K*k_s5_mid; }
+                }
+            }
+            upper_loose (1.0, b_s5/2.0, 0.0, -1.0) counts "flanks met" {
+                until free { overs5 { _ => 1.0; } }
+                until upper {
+                    overs5 { _ => -k_s5; }
+                    overs5_dot { damping => -beta_K*k_s5_mid; }
+                }
+            }
+            lower_loose (1.0, -b_s5/2.0, 0.0, -1.0) counts "flanks met" {
+                until free { overs5 { _ => -1.0; } }
+                until lower {
+                    overs5 { _ => k_s5; }
+                    overs5_dot { damping => beta_K*k_s5_mid; }
+                }
+            }
+            loss { overs5 { _ => k_s5*clips5*touchs5; } }
+        }
+        overr5 "m" (touchr5 1.0, edger5 0.0, dampr5 1.0, clipr5 0.0) with backlash_r5, "play of the mesh of ring and planet 5" {
+            upper (1.0, b_r5/2.0, 1.0, 0.0) rests counts "flanks met" {
+                unless free { overr5 { _ => 1.0; } }
+                until upper_loose {
+                    overr5 { _ => k_r5; }
+                    overr5_dot { damping => beta_K*k_r5_mid; }
+                }
+                until upper_hit {
+                    overr5 { _ => k_r5; }
+                    overr5_dot { damping => -beta_K*k_r5_mid; }
+                }
+            }
+            lower (1.0, -b_r5/2.0, 1.0, 0.0) rests counts "flanks met" {
+                unless free { overr5 { _ => -1.0; } }
+                until lower_loose {
+                    overr5 { _ => -k_r5; }
+                    overr5_dot { damping => -beta_K*k_r5_mid; }
+                }
+                until lower_hit {
+                    overr5 { _ => -k_r5; }
+                    overr5_dot { damping => beta_K*k_r5_mid; }
+                }
+            }
+            free (0.0, 0.0, 0.0, 0.0) rests {
+                until upper {
+                    overr5 { _ => -1.0; }
+                    one { _ => b_r5/2.0; }
+                }
+                until lower {
+                    overr5 { _ => 1.0; }
+                    one { _ => b_r5/2.0; }
+                }
+            }
+            upper_hit (1.0, b_r5/2.0, 0.0, 1.0) counts "flanks met" {
+                unless free { overr5 { _ => 1.0; } }
+                until upper {
+                    overr5 { _ => -k_r5; }
+                    overr5_dot { damping => beta_K*k_r5_mid; }
+                }
+            }
+            lower_hit (1.0, -b_r5/2.0, 0.0, 1.0) counts "flanks met" {
+                unless free { overr5 { _ => -1.0; } }
+                until lower {
+                    overr5 { _ => k_r5; }
+                    overr5_dot { damping => -beta_K*k_r5_mid; }
+                }
+            }
+            upper_loose (1.0, b_r5/2.0, 0.0, -1.0) counts "flanks met" {
+                until free { overr5 { _ => 1.0; } }
+                until upper {
+                    overr5 { _ => -k_r5; }
+                    overr5_dot { damping => -beta_K*k_r5_mid; }
+                }
+            }
+            lower_loose (1.0, -b_r5/2.0, 0.0, -1.0) counts "flanks met" {
+                until free { overr5 { _ => -1.0; } }
+                until lower {
+                    overr5 { _ => k_r5; }
+                    overr5_dot { damping => beta_K*k_r5_mid; }
+                }
+            }
+            loss { overr5 { _ => k_r5*clipr5*touchr5; } }
+        }
     }
     energies {
         kinetic {
@@ -267,9 +1290,10 @@ equations! {
             _ => (k_r*twist_r.powi(2) + kb_c*bx_c.powi(2) + kb_c*by_c.powi(2) + kb_p*radial1.powi(2) + kb_p*radial2.powi(2)
                 + kb_p*radial3.powi(2) + kb_p*radial4.powi(2) + kb_p*radial5.powi(2) + kb_p*tangential1.powi(2) + kb_p*tangential2.powi(2)
                 + kb_p*tangential3.powi(2) + kb_p*tangential4.powi(2) + kb_p*tangential5.powi(2) + kb_r*bx_r.powi(2) + kb_r*by_r.powi(2)
-                + kb_s*bx_s.powi(2) + kb_s*by_s.powi(2) + k_r1*delta_r1.powi(2) + k_r2*delta_r2.powi(2) + k_r3*delta_r3.powi(2)
-                + k_r4*delta_r4.powi(2) + k_r5*delta_r5.powi(2) + k_s1*delta_s1.powi(2) + k_s2*delta_s2.powi(2) + k_s3*delta_s3.powi(2)
-                + k_s4*delta_s4.powi(2) + k_s5*delta_s5.powi(2))/2.0;
+                + kb_s*bx_s.powi(2) + kb_s*by_s.powi(2) + k_r1*touchr1*overr1.powi(2) + k_r2*touchr2*overr2.powi(2)
+                + k_r3*touchr3*overr3.powi(2) + k_r4*touchr4*overr4.powi(2) + k_r5*touchr5*overr5.powi(2) + k_s1*touchs1*overs1.powi(2)
+                + k_s2*touchs2*overs2.powi(2) + k_s3*touchs3*overs3.powi(2) + k_s4*touchs4*overs4.powi(2)
+                + k_s5*touchs5*overs5.powi(2))/2.0;
             torsional_support_s => k_s*twist_s.powi(2)/2.0;
             torsional_support_c => k_c*twist_c.powi(2)/2.0;
         }
@@ -302,13 +1326,54 @@ equations! {
                 + beta_K*kb_p*radial5_dot.powi(2) + beta_K*kb_p*tangential1_dot.powi(2) + beta_K*kb_p*tangential2_dot.powi(2)
                 + beta_K*kb_p*tangential3_dot.powi(2) + beta_K*kb_p*tangential4_dot.powi(2) + beta_K*kb_p*tangential5_dot.powi(2)
                 + beta_K*kb_r*bx_r_dot.powi(2) + beta_K*kb_r*by_r_dot.powi(2) + beta_K*kb_s*bx_s_dot.powi(2)
-                + beta_K*kb_s*by_s_dot.powi(2) + beta_K*k_r1_mid*delta_r1_dot.powi(2) + beta_K*k_r2_mid*delta_r2_dot.powi(2)
-                + beta_K*k_r3_mid*delta_r3_dot.powi(2) + beta_K*k_r4_mid*delta_r4_dot.powi(2) + beta_K*k_r5_mid*delta_r5_dot.powi(2)
-                + beta_K*k_s1_mid*delta_s1_dot.powi(2) + beta_K*k_s2_mid*delta_s2_dot.powi(2) + beta_K*k_s3_mid*delta_s3_dot.powi(2)
-                + beta_K*k_s4_mid*delta_s4_dot.powi(2) + beta_K*k_s5_mid*delta_s5_dot.powi(2))/2.0;
+                + beta_K*kb_s*by_s_dot.powi(2) + beta_K*k_r1_mid*dampr1*overr1_dot.powi(2) + beta_K*k_r2_mid*dampr2*overr2_dot.powi(2)
+                + beta_K*k_r3_mid*dampr3*overr3_dot.powi(2) + beta_K*k_r4_mid*dampr4*overr4_dot.powi(2)
+                + beta_K*k_r5_mid*dampr5*overr5_dot.powi(2) + beta_K*k_s1_mid*damps1*overs1_dot.powi(2)
+                + beta_K*k_s2_mid*damps2*overs2_dot.powi(2) + beta_K*k_s3_mid*damps3*overs3_dot.powi(2)
+                + beta_K*k_s4_mid*damps4*overs4_dot.powi(2) + beta_K*k_s5_mid*damps5*overs5_dot.powi(2))/2.0;
         }
     }
     torques {
+        slide_s1 "friction of the mesh of sun and planet 1, through the sliding of the flanks at the pitch point" {}
+        power { sliding_friction_s1 => -side_s1*F_mu_s1*tau_s1_dot; }
+        roll_s1 "friction of the mesh of sun and planet 1, through the rolling of the gears" {}
+        power { sliding_friction_s1 => -arm_s1*F_mu_s1*psi_s1_dot; }
+        slide_r1 "friction of the mesh of ring and planet 1, through the sliding of the flanks at the pitch point" {}
+        power { sliding_friction_r1 => -side_r1*F_mu_r1*tau_r1_dot; }
+        roll_r1 "friction of the mesh of ring and planet 1, through the rolling of the gears" {}
+        power { sliding_friction_r1 => -arm_r1*F_mu_r1*psi_r1_dot; }
+        slide_s2 "friction of the mesh of sun and planet 2, through the sliding of the flanks at the pitch point" {}
+        power { sliding_friction_s2 => -side_s2*F_mu_s2*tau_s2_dot; }
+        roll_s2 "friction of the mesh of sun and planet 2, through the rolling of the gears" {}
+        power { sliding_friction_s2 => -arm_s2*F_mu_s2*psi_s2_dot; }
+        slide_r2 "friction of the mesh of ring and planet 2, through the sliding of the flanks at the pitch point" {}
+        power { sliding_friction_r2 => -side_r2*F_mu_r2*tau_r2_dot; }
+        roll_r2 "friction of the mesh of ring and planet 2, through the rolling of the gears" {}
+        power { sliding_friction_r2 => -arm_r2*F_mu_r2*psi_r2_dot; }
+        slide_s3 "friction of the mesh of sun and planet 3, through the sliding of the flanks at the pitch point" {}
+        power { sliding_friction_s3 => -side_s3*F_mu_s3*tau_s3_dot; }
+        roll_s3 "friction of the mesh of sun and planet 3, through the rolling of the gears" {}
+        power { sliding_friction_s3 => -arm_s3*F_mu_s3*psi_s3_dot; }
+        slide_r3 "friction of the mesh of ring and planet 3, through the sliding of the flanks at the pitch point" {}
+        power { sliding_friction_r3 => -side_r3*F_mu_r3*tau_r3_dot; }
+        roll_r3 "friction of the mesh of ring and planet 3, through the rolling of the gears" {}
+        power { sliding_friction_r3 => -arm_r3*F_mu_r3*psi_r3_dot; }
+        slide_s4 "friction of the mesh of sun and planet 4, through the sliding of the flanks at the pitch point" {}
+        power { sliding_friction_s4 => -side_s4*F_mu_s4*tau_s4_dot; }
+        roll_s4 "friction of the mesh of sun and planet 4, through the rolling of the gears" {}
+        power { sliding_friction_s4 => -arm_s4*F_mu_s4*psi_s4_dot; }
+        slide_r4 "friction of the mesh of ring and planet 4, through the sliding of the flanks at the pitch point" {}
+        power { sliding_friction_r4 => -side_r4*F_mu_r4*tau_r4_dot; }
+        roll_r4 "friction of the mesh of ring and planet 4, through the rolling of the gears" {}
+        power { sliding_friction_r4 => -arm_r4*F_mu_r4*psi_r4_dot; }
+        slide_s5 "friction of the mesh of sun and planet 5, through the sliding of the flanks at the pitch point" {}
+        power { sliding_friction_s5 => -side_s5*F_mu_s5*tau_s5_dot; }
+        roll_s5 "friction of the mesh of sun and planet 5, through the rolling of the gears" {}
+        power { sliding_friction_s5 => -arm_s5*F_mu_s5*psi_s5_dot; }
+        slide_r5 "friction of the mesh of ring and planet 5, through the sliding of the flanks at the pitch point" {}
+        power { sliding_friction_r5 => -side_r5*F_mu_r5*tau_r5_dot; }
+        roll_r5 "friction of the mesh of ring and planet 5, through the rolling of the gears" {}
+        power { sliding_friction_r5 => -arm_r5*F_mu_r5*psi_r5_dot; }
         motor "driving torque of the sun" { torques => T_motor*(theta_c + theta*(1.0/Z_r + 1.0/Z_s)); }
         load "load torque of the carrier, against its rotation" { torques => T_load*(-theta_c - theta/Z_r); }
     }
@@ -372,16 +1437,26 @@ equations! {
             torsional_support_s_and_damping => -beta_K*k_s*twist_s_dot/Z_r - beta_K*k_s*twist_s_dot/Z_s;
             torsional_support_c => -k_c*twist_c/Z_r;
             torsional_support_c_and_damping => -beta_K*k_c*twist_c_dot/Z_r;
-            transmission_error_s1_and_jump_terms => k_s1*de_s1*delta_s1;
-            transmission_error_r1_and_jump_terms => k_r1*de_r1*delta_r1;
-            transmission_error_s2_and_jump_terms => k_s2*de_s2*delta_s2;
-            transmission_error_r2_and_jump_terms => k_r2*de_r2*delta_r2;
-            transmission_error_s3_and_jump_terms => k_s3*de_s3*delta_s3;
-            transmission_error_r3_and_jump_terms => k_r3*de_r3*delta_r3;
-            transmission_error_s4_and_jump_terms => k_s4*de_s4*delta_s4;
-            transmission_error_r4_and_jump_terms => k_r4*de_r4*delta_r4;
-            transmission_error_s5_and_jump_terms => k_s5*de_s5*delta_s5;
-            transmission_error_r5_and_jump_terms => k_r5*de_r5*delta_r5;
+            transmission_error_s1_and_jump_terms => k_s1*de_s1*touchs1*overs1;
+            sliding_friction_s1 => -roll_s*arm_s1*F_mu_s1;
+            transmission_error_r1_and_jump_terms => k_r1*de_r1*touchr1*overr1;
+            sliding_friction_r1 => -roll_r*arm_r1*F_mu_r1;
+            transmission_error_s2_and_jump_terms => k_s2*de_s2*touchs2*overs2;
+            sliding_friction_s2 => -roll_s*arm_s2*F_mu_s2;
+            transmission_error_r2_and_jump_terms => k_r2*de_r2*touchr2*overr2;
+            sliding_friction_r2 => -roll_r*arm_r2*F_mu_r2;
+            transmission_error_s3_and_jump_terms => k_s3*de_s3*touchs3*overs3;
+            sliding_friction_s3 => -roll_s*arm_s3*F_mu_s3;
+            transmission_error_r3_and_jump_terms => k_r3*de_r3*touchr3*overr3;
+            sliding_friction_r3 => -roll_r*arm_r3*F_mu_r3;
+            transmission_error_s4_and_jump_terms => k_s4*de_s4*touchs4*overs4;
+            sliding_friction_s4 => -roll_s*arm_s4*F_mu_s4;
+            transmission_error_r4_and_jump_terms => k_r4*de_r4*touchr4*overr4;
+            sliding_friction_r4 => -roll_r*arm_r4*F_mu_r4;
+            transmission_error_s5_and_jump_terms => k_s5*de_s5*touchs5*overs5;
+            sliding_friction_s5 => -roll_s*arm_s5*F_mu_s5;
+            transmission_error_r5_and_jump_terms => k_r5*de_r5*touchr5*overr5;
+            sliding_friction_r5 => -roll_r*arm_r5*F_mu_r5;
             torques => T_motor/Z_r - T_load/Z_r + T_motor/Z_s;
             damping => h*I_p*alpha_M*u1_dot/r_p.powi(2) - a*alpha_M*m_p*eta1_dot/Z_r - a*alpha_M*m_p*eta2_dot/Z_r
                 - a*alpha_M*m_p*eta3_dot/Z_r - a*alpha_M*m_p*eta4_dot/Z_r - a*alpha_M*m_p*eta5_dot/Z_r + h*I_p*alpha_M*u2_dot/r_p.powi(2)
@@ -393,44 +1468,90 @@ equations! {
                 - 5.0*a.powi(2)*alpha_M*m_p*theta_c_dot/Z_r - 5.0*h.powi(2)*I_p*alpha_M*theta_dot/r_p.powi(2)
                 - I_p*alpha_M*u1_dot/(r_p*Z_r) - I_p*alpha_M*u2_dot/(r_p*Z_r) - I_p*alpha_M*u3_dot/(r_p*Z_r)
                 - I_p*alpha_M*u4_dot/(r_p*Z_r) - I_p*alpha_M*u5_dot/(r_p*Z_r);
-            jump_terms => (-dk_r1*delta_r1.powi(2) - dk_r2*delta_r2.powi(2) - dk_r3*delta_r3.powi(2) - dk_r4*delta_r4.powi(2)
-                - dk_r5*delta_r5.powi(2) - dk_s1*delta_s1.powi(2) - dk_s2*delta_s2.powi(2) - dk_s3*delta_s3.powi(2)
-                - dk_s4*delta_s4.powi(2) - dk_s5*delta_s5.powi(2))/2.0;
+            jump_terms => (-dk_r1*touchr1*overr1.powi(2) - dk_r2*touchr2*overr2.powi(2) - dk_r3*touchr3*overr3.powi(2)
+                - dk_r4*touchr4*overr4.powi(2) - dk_r5*touchr5*overr5.powi(2) - dk_s1*touchs1*overs1.powi(2)
+                - dk_s2*touchs2*overs2.powi(2) - dk_s3*touchs3*overs3.powi(2) - dk_s4*touchs4*overs4.powi(2)
+                - dk_s5*touchs5*overs5.powi(2))/2.0;
         }
         theta_c {
-            _ => h*Z_r*k_r1*delta_r1 + h*Z_r*k_r2*delta_r2 + h*Z_r*k_r3*delta_r3 + h*Z_r*k_r4*delta_r4 + h*Z_r*k_r5*delta_r5;
+            _ => h*Z_r*k_r1*touchr1*overr1 + h*Z_r*k_r2*touchr2*overr2 + h*Z_r*k_r3*touchr3*overr3 + h*Z_r*k_r4*touchr4*overr4
+                + h*Z_r*k_r5*touchr5*overr5;
             torsional_support_s => -k_s*twist_s;
             torsional_support_s_and_damping => -beta_K*k_s*twist_s_dot;
             torsional_support_c => -k_c*twist_c;
             torsional_support_c_and_damping => -beta_K*k_c*twist_c_dot;
+            backlash_r1 => h*Z_r*k_r1*clipr1*touchr1*overr1;
+            sliding_friction_r1 => arm_r1*F_mu_r1 + h*sin_a*Z_r*side_r1*F_mu_r1/cos_a;
+            backlash_r2 => h*Z_r*k_r2*clipr2*touchr2*overr2;
+            sliding_friction_r2 => arm_r2*F_mu_r2 + h*sin_a*Z_r*side_r2*F_mu_r2/cos_a;
+            backlash_r3 => h*Z_r*k_r3*clipr3*touchr3*overr3;
+            sliding_friction_r3 => arm_r3*F_mu_r3 + h*sin_a*Z_r*side_r3*F_mu_r3/cos_a;
+            backlash_r4 => h*Z_r*k_r4*clipr4*touchr4*overr4;
+            sliding_friction_r4 => arm_r4*F_mu_r4 + h*sin_a*Z_r*side_r4*F_mu_r4/cos_a;
+            backlash_r5 => h*Z_r*k_r5*clipr5*touchr5*overr5;
+            sliding_friction_r5 => arm_r5*F_mu_r5 + h*sin_a*Z_r*side_r5*F_mu_r5/cos_a;
             torques => T_motor - T_load;
-            damping => h*Z_r*beta_K*k_r1_mid*delta_r1_dot - a*alpha_M*m_p*eta1_dot - a*alpha_M*m_p*eta2_dot - a*alpha_M*m_p*eta3_dot
-                - a*alpha_M*m_p*eta4_dot - a*alpha_M*m_p*eta5_dot + h*Z_r*beta_K*k_r2_mid*delta_r2_dot
-                + h*Z_r*beta_K*k_r3_mid*delta_r3_dot + h*Z_r*beta_K*k_r4_mid*delta_r4_dot + h*Z_r*beta_K*k_r5_mid*delta_r5_dot
-                + 5.0*h*I_p*alpha_M*theta_dot/r_p - I_c*alpha_M*theta_c_dot - I_c*alpha_M*theta_dot/Z_r - 5.0*I_p*alpha_M*theta_c_dot
-                - 5.0*I_p*alpha_M*theta_dot/Z_r - I_s*alpha_M*theta_c_dot - I_s*alpha_M*theta_dot/Z_r - I_s*alpha_M*theta_dot/Z_s
-                - 5.0*a.powi(2)*alpha_M*m_p*theta_c_dot - 5.0*a.powi(2)*alpha_M*m_p*theta_dot/Z_r - I_p*alpha_M*u1_dot/r_p
-                - I_p*alpha_M*u2_dot/r_p - I_p*alpha_M*u3_dot/r_p - I_p*alpha_M*u4_dot/r_p - I_p*alpha_M*u5_dot/r_p;
+            damping => h*Z_r*beta_K*k_r1_mid*dampr1*overr1_dot - a*alpha_M*m_p*eta1_dot - a*alpha_M*m_p*eta2_dot - a*alpha_M*m_p*eta3_dot
+                - a*alpha_M*m_p*eta4_dot - a*alpha_M*m_p*eta5_dot + h*Z_r*beta_K*k_r2_mid*dampr2*overr2_dot
+                + h*Z_r*beta_K*k_r3_mid*dampr3*overr3_dot + h*Z_r*beta_K*k_r4_mid*dampr4*overr4_dot
+                + h*Z_r*beta_K*k_r5_mid*dampr5*overr5_dot + 5.0*h*I_p*alpha_M*theta_dot/r_p - I_c*alpha_M*theta_c_dot
+                - I_c*alpha_M*theta_dot/Z_r - 5.0*I_p*alpha_M*theta_c_dot - 5.0*I_p*alpha_M*theta_dot/Z_r - I_s*alpha_M*theta_c_dot
+                - I_s*alpha_M*theta_dot/Z_r - I_s*alpha_M*theta_dot/Z_s - 5.0*a.powi(2)*alpha_M*m_p*theta_c_dot
+                - 5.0*a.powi(2)*alpha_M*m_p*theta_dot/Z_r - I_p*alpha_M*u1_dot/r_p - I_p*alpha_M*u2_dot/r_p - I_p*alpha_M*u3_dot/r_p
+                - I_p*alpha_M*u4_dot/r_p - I_p*alpha_M*u5_dot/r_p;
         }
         theta_r {
-            _ => -h*Z_r*k_r1*delta_r1 - h*Z_r*k_r2*delta_r2 - h*Z_r*k_r3*delta_r3 - h*Z_r*k_r4*delta_r4 - h*Z_r*k_r5*delta_r5 - k_r*twist_r;
-            damping => -h*Z_r*beta_K*k_r1_mid*delta_r1_dot - h*Z_r*beta_K*k_r2_mid*delta_r2_dot - h*Z_r*beta_K*k_r3_mid*delta_r3_dot
-                - h*Z_r*beta_K*k_r4_mid*delta_r4_dot - h*Z_r*beta_K*k_r5_mid*delta_r5_dot - I_r*alpha_M*theta_r_dot
-                - beta_K*k_r*twist_r_dot;
+            _ => -h*Z_r*k_r1*touchr1*overr1 - h*Z_r*k_r2*touchr2*overr2 - h*Z_r*k_r3*touchr3*overr3 - h*Z_r*k_r4*touchr4*overr4
+                - h*Z_r*k_r5*touchr5*overr5 - k_r*twist_r;
+            backlash_r1 => -h*Z_r*k_r1*clipr1*touchr1*overr1;
+            sliding_friction_r1 => -arm_r1*F_mu_r1 - h*sin_a*Z_r*side_r1*F_mu_r1/cos_a;
+            backlash_r2 => -h*Z_r*k_r2*clipr2*touchr2*overr2;
+            sliding_friction_r2 => -arm_r2*F_mu_r2 - h*sin_a*Z_r*side_r2*F_mu_r2/cos_a;
+            backlash_r3 => -h*Z_r*k_r3*clipr3*touchr3*overr3;
+            sliding_friction_r3 => -arm_r3*F_mu_r3 - h*sin_a*Z_r*side_r3*F_mu_r3/cos_a;
+            backlash_r4 => -h*Z_r*k_r4*clipr4*touchr4*overr4;
+            sliding_friction_r4 => -arm_r4*F_mu_r4 - h*sin_a*Z_r*side_r4*F_mu_r4/cos_a;
+            backlash_r5 => -h*Z_r*k_r5*clipr5*touchr5*overr5;
+            sliding_friction_r5 => -arm_r5*F_mu_r5 - h*sin_a*Z_r*side_r5*F_mu_r5/cos_a;
+            damping => -h*Z_r*beta_K*k_r1_mid*dampr1*overr1_dot - h*Z_r*beta_K*k_r2_mid*dampr2*overr2_dot
+                - h*Z_r*beta_K*k_r3_mid*dampr3*overr3_dot - h*Z_r*beta_K*k_r4_mid*dampr4*overr4_dot
+                - h*Z_r*beta_K*k_r5_mid*dampr5*overr5_dot - I_r*alpha_M*theta_r_dot - beta_K*k_r*twist_r_dot;
         }
         x_s {
-            _ => sin_s1*k_s1*delta_s1 + sin_s2*k_s2*delta_s2 + sin_s3*k_s3*delta_s3 + sin_s4*k_s4*delta_s4 + sin_s5*k_s5*delta_s5
-                - kb_s*bx_s;
+            _ => sin_s1*k_s1*touchs1*overs1 + sin_s2*k_s2*touchs2*overs2 + sin_s3*k_s3*touchs3*overs3 + sin_s4*k_s4*touchs4*overs4
+                + sin_s5*k_s5*touchs5*overs5 - kb_s*bx_s;
             viscous_friction_s => -cb_s*bx_s_dot;
-            damping => sin_s1*beta_K*k_s1_mid*delta_s1_dot + sin_s2*beta_K*k_s2_mid*delta_s2_dot + sin_s3*beta_K*k_s3_mid*delta_s3_dot
-                + sin_s4*beta_K*k_s4_mid*delta_s4_dot + sin_s5*beta_K*k_s5_mid*delta_s5_dot - alpha_M*m_s*x_s_dot - beta_K*kb_s*bx_s_dot;
+            backlash_s1 => sin_s1*k_s1*clips1*touchs1*overs1;
+            sliding_friction_s1 => cos_s1*side_s1*F_mu_s1;
+            backlash_s2 => sin_s2*k_s2*clips2*touchs2*overs2;
+            sliding_friction_s2 => cos_s2*side_s2*F_mu_s2;
+            backlash_s3 => sin_s3*k_s3*clips3*touchs3*overs3;
+            sliding_friction_s3 => cos_s3*side_s3*F_mu_s3;
+            backlash_s4 => sin_s4*k_s4*clips4*touchs4*overs4;
+            sliding_friction_s4 => cos_s4*side_s4*F_mu_s4;
+            backlash_s5 => sin_s5*k_s5*clips5*touchs5*overs5;
+            sliding_friction_s5 => cos_s5*side_s5*F_mu_s5;
+            damping => sin_s1*beta_K*k_s1_mid*damps1*overs1_dot + sin_s2*beta_K*k_s2_mid*damps2*overs2_dot
+                + sin_s3*beta_K*k_s3_mid*damps3*overs3_dot + sin_s4*beta_K*k_s4_mid*damps4*overs4_dot
+                + sin_s5*beta_K*k_s5_mid*damps5*overs5_dot - alpha_M*m_s*x_s_dot - beta_K*kb_s*bx_s_dot;
         }
         y_s {
-            _ => -cos_s1*k_s1*delta_s1 - cos_s2*k_s2*delta_s2 - cos_s3*k_s3*delta_s3 - cos_s4*k_s4*delta_s4 - cos_s5*k_s5*delta_s5
-                - kb_s*by_s;
+            _ => -cos_s1*k_s1*touchs1*overs1 - cos_s2*k_s2*touchs2*overs2 - cos_s3*k_s3*touchs3*overs3 - cos_s4*k_s4*touchs4*overs4
+                - cos_s5*k_s5*touchs5*overs5 - kb_s*by_s;
             viscous_friction_s => -cb_s*by_s_dot;
-            damping => -cos_s1*beta_K*k_s1_mid*delta_s1_dot - cos_s2*beta_K*k_s2_mid*delta_s2_dot - cos_s3*beta_K*k_s3_mid*delta_s3_dot
-                - cos_s4*beta_K*k_s4_mid*delta_s4_dot - cos_s5*beta_K*k_s5_mid*delta_s5_dot - alpha_M*m_s*y_s_dot - beta_K*kb_s*by_s_dot;
+            backlash_s1 => -cos_s1*k_s1*clips1*touchs1*overs1;
+            sliding_friction_s1 => sin_s1*side_s1*F_mu_s1;
+            backlash_s2 => -cos_s2*k_s2*clips2*touchs2*overs2;
+            sliding_friction_s2 => sin_s2*side_s2*F_mu_s2;
+            backlash_s3 => -cos_s3*k_s3*clips3*touchs3*overs3;
+            sliding_friction_s3 => sin_s3*side_s3*F_mu_s3;
+            backlash_s4 => -cos_s4*k_s4*clips4*touchs4*overs4;
+            sliding_friction_s4 => sin_s4*side_s4*F_mu_s4;
+            backlash_s5 => -cos_s5*k_s5*clips5*touchs5*overs5;
+            sliding_friction_s5 => sin_s5*side_s5*F_mu_s5;
+            damping => -cos_s1*beta_K*k_s1_mid*damps1*overs1_dot - cos_s2*beta_K*k_s2_mid*damps2*overs2_dot
+                - cos_s3*beta_K*k_s3_mid*damps3*overs3_dot - cos_s4*beta_K*k_s4_mid*damps4*overs4_dot
+                - cos_s5*beta_K*k_s5_mid*damps5*overs5_dot - alpha_M*m_s*y_s_dot - beta_K*kb_s*by_s_dot;
         }
         x_c {
             _ => sin_c1*kb_p*tangential1 - cos_c1*kb_p*radial1 - cos_c2*kb_p*radial2 - cos_c3*kb_p*radial3 - cos_c4*kb_p*radial4
@@ -459,102 +1580,184 @@ equations! {
                 - sin_c5*beta_K*kb_p*radial5_dot - alpha_M*m_c*y_c_dot - beta_K*kb_c*by_c_dot;
         }
         x_r {
-            _ => sin_r1*k_r1*delta_r1 + sin_r2*k_r2*delta_r2 + sin_r3*k_r3*delta_r3 + sin_r4*k_r4*delta_r4 + sin_r5*k_r5*delta_r5
-                - kb_r*bx_r;
+            _ => sin_r1*k_r1*touchr1*overr1 + sin_r2*k_r2*touchr2*overr2 + sin_r3*k_r3*touchr3*overr3 + sin_r4*k_r4*touchr4*overr4
+                + sin_r5*k_r5*touchr5*overr5 - kb_r*bx_r;
             viscous_friction_r => -cb_r*bx_r_dot;
-            damping => sin_r1*beta_K*k_r1_mid*delta_r1_dot + sin_r2*beta_K*k_r2_mid*delta_r2_dot + sin_r3*beta_K*k_r3_mid*delta_r3_dot
-                + sin_r4*beta_K*k_r4_mid*delta_r4_dot + sin_r5*beta_K*k_r5_mid*delta_r5_dot - alpha_M*m_r*x_r_dot - beta_K*kb_r*bx_r_dot;
+            backlash_r1 => sin_r1*k_r1*clipr1*touchr1*overr1;
+            sliding_friction_r1 => -cos_r1*side_r1*F_mu_r1;
+            backlash_r2 => sin_r2*k_r2*clipr2*touchr2*overr2;
+            sliding_friction_r2 => -cos_r2*side_r2*F_mu_r2;
+            backlash_r3 => sin_r3*k_r3*clipr3*touchr3*overr3;
+            sliding_friction_r3 => -cos_r3*side_r3*F_mu_r3;
+            backlash_r4 => sin_r4*k_r4*clipr4*touchr4*overr4;
+            sliding_friction_r4 => -cos_r4*side_r4*F_mu_r4;
+            backlash_r5 => sin_r5*k_r5*clipr5*touchr5*overr5;
+            sliding_friction_r5 => -cos_r5*side_r5*F_mu_r5;
+            damping => sin_r1*beta_K*k_r1_mid*dampr1*overr1_dot + sin_r2*beta_K*k_r2_mid*dampr2*overr2_dot
+                + sin_r3*beta_K*k_r3_mid*dampr3*overr3_dot + sin_r4*beta_K*k_r4_mid*dampr4*overr4_dot
+                + sin_r5*beta_K*k_r5_mid*dampr5*overr5_dot - alpha_M*m_r*x_r_dot - beta_K*kb_r*bx_r_dot;
         }
         y_r {
-            _ => -cos_r1*k_r1*delta_r1 - cos_r2*k_r2*delta_r2 - cos_r3*k_r3*delta_r3 - cos_r4*k_r4*delta_r4 - cos_r5*k_r5*delta_r5
-                - kb_r*by_r;
+            _ => -cos_r1*k_r1*touchr1*overr1 - cos_r2*k_r2*touchr2*overr2 - cos_r3*k_r3*touchr3*overr3 - cos_r4*k_r4*touchr4*overr4
+                - cos_r5*k_r5*touchr5*overr5 - kb_r*by_r;
             viscous_friction_r => -cb_r*by_r_dot;
-            damping => -cos_r1*beta_K*k_r1_mid*delta_r1_dot - cos_r2*beta_K*k_r2_mid*delta_r2_dot - cos_r3*beta_K*k_r3_mid*delta_r3_dot
-                - cos_r4*beta_K*k_r4_mid*delta_r4_dot - cos_r5*beta_K*k_r5_mid*delta_r5_dot - alpha_M*m_r*y_r_dot - beta_K*kb_r*by_r_dot;
+            backlash_r1 => -cos_r1*k_r1*clipr1*touchr1*overr1;
+            sliding_friction_r1 => -sin_r1*side_r1*F_mu_r1;
+            backlash_r2 => -cos_r2*k_r2*clipr2*touchr2*overr2;
+            sliding_friction_r2 => -sin_r2*side_r2*F_mu_r2;
+            backlash_r3 => -cos_r3*k_r3*clipr3*touchr3*overr3;
+            sliding_friction_r3 => -sin_r3*side_r3*F_mu_r3;
+            backlash_r4 => -cos_r4*k_r4*clipr4*touchr4*overr4;
+            sliding_friction_r4 => -sin_r4*side_r4*F_mu_r4;
+            backlash_r5 => -cos_r5*k_r5*clipr5*touchr5*overr5;
+            sliding_friction_r5 => -sin_r5*side_r5*F_mu_r5;
+            damping => -cos_r1*beta_K*k_r1_mid*dampr1*overr1_dot - cos_r2*beta_K*k_r2_mid*dampr2*overr2_dot
+                - cos_r3*beta_K*k_r3_mid*dampr3*overr3_dot - cos_r4*beta_K*k_r4_mid*dampr4*overr4_dot
+                - cos_r5*beta_K*k_r5_mid*dampr5*overr5_dot - alpha_M*m_r*y_r_dot - beta_K*kb_r*by_r_dot;
         }
         zeta1 {
-            _ => sin_a*k_s1*delta_s1 - sin_a*k_r1*delta_r1 + kb_p*radial1;
+            _ => sin_a*k_s1*touchs1*overs1 - sin_a*k_r1*touchr1*overr1 + kb_p*radial1;
+            backlash_s1 => sin_a*k_s1*clips1*touchs1*overs1;
+            sliding_friction_s1 => -cos_a*side_s1*F_mu_s1;
+            backlash_r1 => -sin_a*k_r1*clipr1*touchr1*overr1;
+            sliding_friction_r1 => cos_a*side_r1*F_mu_r1;
             viscous_friction_p => cb_p*radial1_dot;
-            damping => sin_a*beta_K*k_s1_mid*delta_s1_dot - sin_a*beta_K*k_r1_mid*delta_r1_dot - alpha_M*m_p*zeta1_dot
+            damping => sin_a*beta_K*k_s1_mid*damps1*overs1_dot - sin_a*beta_K*k_r1_mid*dampr1*overr1_dot - alpha_M*m_p*zeta1_dot
                 + beta_K*kb_p*radial1_dot;
         }
         eta1 {
-            _ => cos_a*k_r1*delta_r1 + cos_a*k_s1*delta_s1 + kb_p*tangential1;
+            _ => cos_a*k_r1*touchr1*overr1 + cos_a*k_s1*touchs1*overs1 + kb_p*tangential1;
+            backlash_s1 => cos_a*k_s1*clips1*touchs1*overs1;
+            sliding_friction_s1 => sin_a*side_s1*F_mu_s1;
+            backlash_r1 => cos_a*k_r1*clipr1*touchr1*overr1;
+            sliding_friction_r1 => sin_a*side_r1*F_mu_r1;
             viscous_friction_p => cb_p*tangential1_dot;
-            damping => cos_a*beta_K*k_r1_mid*delta_r1_dot - a*alpha_M*m_p*theta_c_dot - a*alpha_M*m_p*theta_dot/Z_r
-                + cos_a*beta_K*k_s1_mid*delta_s1_dot - alpha_M*m_p*eta1_dot + beta_K*kb_p*tangential1_dot;
+            damping => cos_a*beta_K*k_r1_mid*dampr1*overr1_dot - a*alpha_M*m_p*theta_c_dot - a*alpha_M*m_p*theta_dot/Z_r
+                + cos_a*beta_K*k_s1_mid*damps1*overs1_dot - alpha_M*m_p*eta1_dot + beta_K*kb_p*tangential1_dot;
         }
         u1 {
-            _ => k_r1*delta_r1 - k_s1*delta_s1;
-            damping => h*I_p*alpha_M*theta_dot/r_p.powi(2) + beta_K*k_r1_mid*delta_r1_dot - beta_K*k_s1_mid*delta_s1_dot
+            _ => k_r1*touchr1*overr1 - k_s1*touchs1*overs1;
+            backlash_s1 => -k_s1*clips1*touchs1*overs1;
+            sliding_friction_s1 => arm_s1*F_mu_s1/r_p - sin_a*side_s1*F_mu_s1/cos_a;
+            backlash_r1 => k_r1*clipr1*touchr1*overr1;
+            sliding_friction_r1 => sin_a*side_r1*F_mu_r1/cos_a + arm_r1*F_mu_r1/r_p;
+            damping => h*I_p*alpha_M*theta_dot/r_p.powi(2) + beta_K*k_r1_mid*dampr1*overr1_dot - beta_K*k_s1_mid*damps1*overs1_dot
                 - I_p*alpha_M*u1_dot/r_p.powi(2) - I_p*alpha_M*theta_c_dot/r_p - I_p*alpha_M*theta_dot/(r_p*Z_r);
         }
         zeta2 {
-            _ => sin_a*k_s2*delta_s2 - sin_a*k_r2*delta_r2 + kb_p*radial2;
+            _ => sin_a*k_s2*touchs2*overs2 - sin_a*k_r2*touchr2*overr2 + kb_p*radial2;
+            backlash_s2 => sin_a*k_s2*clips2*touchs2*overs2;
+            sliding_friction_s2 => -cos_a*side_s2*F_mu_s2;
+            backlash_r2 => -sin_a*k_r2*clipr2*touchr2*overr2;
+            sliding_friction_r2 => cos_a*side_r2*F_mu_r2;
             viscous_friction_p => cb_p*radial2_dot;
-            damping => sin_a*beta_K*k_s2_mid*delta_s2_dot - sin_a*beta_K*k_r2_mid*delta_r2_dot - alpha_M*m_p*zeta2_dot
+            damping => sin_a*beta_K*k_s2_mid*damps2*overs2_dot - sin_a*beta_K*k_r2_mid*dampr2*overr2_dot - alpha_M*m_p*zeta2_dot
                 + beta_K*kb_p*radial2_dot;
         }
         eta2 {
-            _ => cos_a*k_r2*delta_r2 + cos_a*k_s2*delta_s2 + kb_p*tangential2;
+            _ => cos_a*k_r2*touchr2*overr2 + cos_a*k_s2*touchs2*overs2 + kb_p*tangential2;
+            backlash_s2 => cos_a*k_s2*clips2*touchs2*overs2;
+            sliding_friction_s2 => sin_a*side_s2*F_mu_s2;
+            backlash_r2 => cos_a*k_r2*clipr2*touchr2*overr2;
+            sliding_friction_r2 => sin_a*side_r2*F_mu_r2;
             viscous_friction_p => cb_p*tangential2_dot;
-            damping => cos_a*beta_K*k_r2_mid*delta_r2_dot - a*alpha_M*m_p*theta_c_dot - a*alpha_M*m_p*theta_dot/Z_r
-                + cos_a*beta_K*k_s2_mid*delta_s2_dot - alpha_M*m_p*eta2_dot + beta_K*kb_p*tangential2_dot;
+            damping => cos_a*beta_K*k_r2_mid*dampr2*overr2_dot - a*alpha_M*m_p*theta_c_dot - a*alpha_M*m_p*theta_dot/Z_r
+                + cos_a*beta_K*k_s2_mid*damps2*overs2_dot - alpha_M*m_p*eta2_dot + beta_K*kb_p*tangential2_dot;
         }
         u2 {
-            _ => k_r2*delta_r2 - k_s2*delta_s2;
-            damping => h*I_p*alpha_M*theta_dot/r_p.powi(2) + beta_K*k_r2_mid*delta_r2_dot - beta_K*k_s2_mid*delta_s2_dot
+            _ => k_r2*touchr2*overr2 - k_s2*touchs2*overs2;
+            backlash_s2 => -k_s2*clips2*touchs2*overs2;
+            sliding_friction_s2 => arm_s2*F_mu_s2/r_p - sin_a*side_s2*F_mu_s2/cos_a;
+            backlash_r2 => k_r2*clipr2*touchr2*overr2;
+            sliding_friction_r2 => sin_a*side_r2*F_mu_r2/cos_a + arm_r2*F_mu_r2/r_p;
+            damping => h*I_p*alpha_M*theta_dot/r_p.powi(2) + beta_K*k_r2_mid*dampr2*overr2_dot - beta_K*k_s2_mid*damps2*overs2_dot
                 - I_p*alpha_M*u2_dot/r_p.powi(2) - I_p*alpha_M*theta_c_dot/r_p - I_p*alpha_M*theta_dot/(r_p*Z_r);
         }
         zeta3 {
-            _ => sin_a*k_s3*delta_s3 - sin_a*k_r3*delta_r3 + kb_p*radial3;
+            _ => sin_a*k_s3*touchs3*overs3 - sin_a*k_r3*touchr3*overr3 + kb_p*radial3;
+            backlash_s3 => sin_a*k_s3*clips3*touchs3*overs3;
+            sliding_friction_s3 => -cos_a*side_s3*F_mu_s3;
+            backlash_r3 => -sin_a*k_r3*clipr3*touchr3*overr3;
+            sliding_friction_r3 => cos_a*side_r3*F_mu_r3;
             viscous_friction_p => cb_p*radial3_dot;
-            damping => sin_a*beta_K*k_s3_mid*delta_s3_dot - sin_a*beta_K*k_r3_mid*delta_r3_dot - alpha_M*m_p*zeta3_dot
+            damping => sin_a*beta_K*k_s3_mid*damps3*overs3_dot - sin_a*beta_K*k_r3_mid*dampr3*overr3_dot - alpha_M*m_p*zeta3_dot
                 + beta_K*kb_p*radial3_dot;
         }
         eta3 {
-            _ => cos_a*k_r3*delta_r3 + cos_a*k_s3*delta_s3 + kb_p*tangential3;
+            _ => cos_a*k_r3*touchr3*overr3 + cos_a*k_s3*touchs3*overs3 + kb_p*tangential3;
+            backlash_s3 => cos_a*k_s3*clips3*touchs3*overs3;
+            sliding_friction_s3 => sin_a*side_s3*F_mu_s3;
+            backlash_r3 => cos_a*k_r3*clipr3*touchr3*overr3;
+            sliding_friction_r3 => sin_a*side_r3*F_mu_r3;
             viscous_friction_p => cb_p*tangential3_dot;
-            damping => cos_a*beta_K*k_r3_mid*delta_r3_dot - a*alpha_M*m_p*theta_c_dot - a*alpha_M*m_p*theta_dot/Z_r
-                + cos_a*beta_K*k_s3_mid*delta_s3_dot - alpha_M*m_p*eta3_dot + beta_K*kb_p*tangential3_dot;
+            damping => cos_a*beta_K*k_r3_mid*dampr3*overr3_dot - a*alpha_M*m_p*theta_c_dot - a*alpha_M*m_p*theta_dot/Z_r
+                + cos_a*beta_K*k_s3_mid*damps3*overs3_dot - alpha_M*m_p*eta3_dot + beta_K*kb_p*tangential3_dot;
         }
         u3 {
-            _ => k_r3*delta_r3 - k_s3*delta_s3;
-            damping => h*I_p*alpha_M*theta_dot/r_p.powi(2) + beta_K*k_r3_mid*delta_r3_dot - beta_K*k_s3_mid*delta_s3_dot
+            _ => k_r3*touchr3*overr3 - k_s3*touchs3*overs3;
+            backlash_s3 => -k_s3*clips3*touchs3*overs3;
+            sliding_friction_s3 => arm_s3*F_mu_s3/r_p - sin_a*side_s3*F_mu_s3/cos_a;
+            backlash_r3 => k_r3*clipr3*touchr3*overr3;
+            sliding_friction_r3 => sin_a*side_r3*F_mu_r3/cos_a + arm_r3*F_mu_r3/r_p;
+            damping => h*I_p*alpha_M*theta_dot/r_p.powi(2) + beta_K*k_r3_mid*dampr3*overr3_dot - beta_K*k_s3_mid*damps3*overs3_dot
                 - I_p*alpha_M*u3_dot/r_p.powi(2) - I_p*alpha_M*theta_c_dot/r_p - I_p*alpha_M*theta_dot/(r_p*Z_r);
         }
         zeta4 {
-            _ => sin_a*k_s4*delta_s4 - sin_a*k_r4*delta_r4 + kb_p*radial4;
+            _ => sin_a*k_s4*touchs4*overs4 - sin_a*k_r4*touchr4*overr4 + kb_p*radial4;
+            backlash_s4 => sin_a*k_s4*clips4*touchs4*overs4;
+            sliding_friction_s4 => -cos_a*side_s4*F_mu_s4;
+            backlash_r4 => -sin_a*k_r4*clipr4*touchr4*overr4;
+            sliding_friction_r4 => cos_a*side_r4*F_mu_r4;
             viscous_friction_p => cb_p*radial4_dot;
-            damping => sin_a*beta_K*k_s4_mid*delta_s4_dot - sin_a*beta_K*k_r4_mid*delta_r4_dot - alpha_M*m_p*zeta4_dot
+            damping => sin_a*beta_K*k_s4_mid*damps4*overs4_dot - sin_a*beta_K*k_r4_mid*dampr4*overr4_dot - alpha_M*m_p*zeta4_dot
                 + beta_K*kb_p*radial4_dot;
         }
         eta4 {
-            _ => cos_a*k_r4*delta_r4 + cos_a*k_s4*delta_s4 + kb_p*tangential4;
+            _ => cos_a*k_r4*touchr4*overr4 + cos_a*k_s4*touchs4*overs4 + kb_p*tangential4;
+            backlash_s4 => cos_a*k_s4*clips4*touchs4*overs4;
+            sliding_friction_s4 => sin_a*side_s4*F_mu_s4;
+            backlash_r4 => cos_a*k_r4*clipr4*touchr4*overr4;
+            sliding_friction_r4 => sin_a*side_r4*F_mu_r4;
             viscous_friction_p => cb_p*tangential4_dot;
-            damping => cos_a*beta_K*k_r4_mid*delta_r4_dot - a*alpha_M*m_p*theta_c_dot - a*alpha_M*m_p*theta_dot/Z_r
-                + cos_a*beta_K*k_s4_mid*delta_s4_dot - alpha_M*m_p*eta4_dot + beta_K*kb_p*tangential4_dot;
+            damping => cos_a*beta_K*k_r4_mid*dampr4*overr4_dot - a*alpha_M*m_p*theta_c_dot - a*alpha_M*m_p*theta_dot/Z_r
+                + cos_a*beta_K*k_s4_mid*damps4*overs4_dot - alpha_M*m_p*eta4_dot + beta_K*kb_p*tangential4_dot;
         }
         u4 {
-            _ => k_r4*delta_r4 - k_s4*delta_s4;
-            damping => h*I_p*alpha_M*theta_dot/r_p.powi(2) + beta_K*k_r4_mid*delta_r4_dot - beta_K*k_s4_mid*delta_s4_dot
+            _ => k_r4*touchr4*overr4 - k_s4*touchs4*overs4;
+            backlash_s4 => -k_s4*clips4*touchs4*overs4;
+            sliding_friction_s4 => arm_s4*F_mu_s4/r_p - sin_a*side_s4*F_mu_s4/cos_a;
+            backlash_r4 => k_r4*clipr4*touchr4*overr4;
+            sliding_friction_r4 => sin_a*side_r4*F_mu_r4/cos_a + arm_r4*F_mu_r4/r_p;
+            damping => h*I_p*alpha_M*theta_dot/r_p.powi(2) + beta_K*k_r4_mid*dampr4*overr4_dot - beta_K*k_s4_mid*damps4*overs4_dot
                 - I_p*alpha_M*u4_dot/r_p.powi(2) - I_p*alpha_M*theta_c_dot/r_p - I_p*alpha_M*theta_dot/(r_p*Z_r);
         }
         zeta5 {
-            _ => sin_a*k_s5*delta_s5 - sin_a*k_r5*delta_r5 + kb_p*radial5;
+            _ => sin_a*k_s5*touchs5*overs5 - sin_a*k_r5*touchr5*overr5 + kb_p*radial5;
+            backlash_s5 => sin_a*k_s5*clips5*touchs5*overs5;
+            sliding_friction_s5 => -cos_a*side_s5*F_mu_s5;
+            backlash_r5 => -sin_a*k_r5*clipr5*touchr5*overr5;
+            sliding_friction_r5 => cos_a*side_r5*F_mu_r5;
             viscous_friction_p => cb_p*radial5_dot;
-            damping => sin_a*beta_K*k_s5_mid*delta_s5_dot - sin_a*beta_K*k_r5_mid*delta_r5_dot - alpha_M*m_p*zeta5_dot
+            damping => sin_a*beta_K*k_s5_mid*damps5*overs5_dot - sin_a*beta_K*k_r5_mid*dampr5*overr5_dot - alpha_M*m_p*zeta5_dot
                 + beta_K*kb_p*radial5_dot;
         }
         eta5 {
-            _ => cos_a*k_r5*delta_r5 + cos_a*k_s5*delta_s5 + kb_p*tangential5;
+            _ => cos_a*k_r5*touchr5*overr5 + cos_a*k_s5*touchs5*overs5 + kb_p*tangential5;
+            backlash_s5 => cos_a*k_s5*clips5*touchs5*overs5;
+            sliding_friction_s5 => sin_a*side_s5*F_mu_s5;
+            backlash_r5 => cos_a*k_r5*clipr5*touchr5*overr5;
+            sliding_friction_r5 => sin_a*side_r5*F_mu_r5;
             viscous_friction_p => cb_p*tangential5_dot;
-            damping => cos_a*beta_K*k_r5_mid*delta_r5_dot - a*alpha_M*m_p*theta_c_dot - a*alpha_M*m_p*theta_dot/Z_r
-                + cos_a*beta_K*k_s5_mid*delta_s5_dot - alpha_M*m_p*eta5_dot + beta_K*kb_p*tangential5_dot;
+            damping => cos_a*beta_K*k_r5_mid*dampr5*overr5_dot - a*alpha_M*m_p*theta_c_dot - a*alpha_M*m_p*theta_dot/Z_r
+                + cos_a*beta_K*k_s5_mid*damps5*overs5_dot - alpha_M*m_p*eta5_dot + beta_K*kb_p*tangential5_dot;
         }
         u5 {
-            _ => k_r5*delta_r5 - k_s5*delta_s5;
-            damping => h*I_p*alpha_M*theta_dot/r_p.powi(2) + beta_K*k_r5_mid*delta_r5_dot - beta_K*k_s5_mid*delta_s5_dot
+            _ => k_r5*touchr5*overr5 - k_s5*touchs5*overs5;
+            backlash_s5 => -k_s5*clips5*touchs5*overs5;
+            sliding_friction_s5 => arm_s5*F_mu_s5/r_p - sin_a*side_s5*F_mu_s5/cos_a;
+            backlash_r5 => k_r5*clipr5*touchr5*overr5;
+            sliding_friction_r5 => sin_a*side_r5*F_mu_r5/cos_a + arm_r5*F_mu_r5/r_p;
+            damping => h*I_p*alpha_M*theta_dot/r_p.powi(2) + beta_K*k_r5_mid*dampr5*overr5_dot - beta_K*k_s5_mid*damps5*overs5_dot
                 - I_p*alpha_M*u5_dot/r_p.powi(2) - I_p*alpha_M*theta_c_dot/r_p - I_p*alpha_M*theta_dot/(r_p*Z_r);
         }
     }
@@ -562,152 +1765,255 @@ equations! {
         theta theta {
             torsional_support_s => -k_s/Z_r.powi(2) - 2.0*k_s/(Z_r*Z_s) - k_s/Z_s.powi(2);
             torsional_support_c => -k_c/Z_r.powi(2);
-            transmission_error_s1_and_jump_terms => k_s1*dde_s1*delta_s1 - k_s1*de_s1.powi(2) + 2.0*de_s1*dk_s1*delta_s1;
-            transmission_error_r1_and_jump_terms => k_r1*dde_r1*delta_r1 - k_r1*de_r1.powi(2) + 2.0*de_r1*dk_r1*delta_r1;
-            transmission_error_s2_and_jump_terms => k_s2*dde_s2*delta_s2 - k_s2*de_s2.powi(2) + 2.0*de_s2*dk_s2*delta_s2;
-            transmission_error_r2_and_jump_terms => k_r2*dde_r2*delta_r2 - k_r2*de_r2.powi(2) + 2.0*de_r2*dk_r2*delta_r2;
-            transmission_error_s3_and_jump_terms => k_s3*dde_s3*delta_s3 - k_s3*de_s3.powi(2) + 2.0*de_s3*dk_s3*delta_s3;
-            transmission_error_r3_and_jump_terms => k_r3*dde_r3*delta_r3 - k_r3*de_r3.powi(2) + 2.0*de_r3*dk_r3*delta_r3;
-            transmission_error_s4_and_jump_terms => k_s4*dde_s4*delta_s4 - k_s4*de_s4.powi(2) + 2.0*de_s4*dk_s4*delta_s4;
-            transmission_error_r4_and_jump_terms => k_r4*dde_r4*delta_r4 - k_r4*de_r4.powi(2) + 2.0*de_r4*dk_r4*delta_r4;
-            transmission_error_s5_and_jump_terms => k_s5*dde_s5*delta_s5 - k_s5*de_s5.powi(2) + 2.0*de_s5*dk_s5*delta_s5;
-            transmission_error_r5_and_jump_terms => k_r5*dde_r5*delta_r5 - k_r5*de_r5.powi(2) + 2.0*de_r5*dk_r5*delta_r5;
-            jump_terms => (-ddk_r1*delta_r1.powi(2) - ddk_r2*delta_r2.powi(2) - ddk_r3*delta_r3.powi(2) - ddk_r4*delta_r4.powi(2)
-                - ddk_r5*delta_r5.powi(2) - ddk_s1*delta_s1.powi(2) - ddk_s2*delta_s2.powi(2) - ddk_s3*delta_s3.powi(2)
-                - ddk_s4*delta_s4.powi(2) - ddk_s5*delta_s5.powi(2))/2.0;
+            transmission_error_s1_and_sliding_friction_s1_and_moving_phase => roll_s*de_s1*arm_s1*F_mu_s1_by_overs1;
+            transmission_error_s1_and_jump_terms => k_s1*dde_s1*touchs1*overs1 - k_s1*de_s1.powi(2)*touchs1
+                + 2.0*de_s1*dk_s1*touchs1*overs1;
+            sliding_friction_s1_and_moving_phase => -roll_s*darm_s1*F_mu_s1 - roll_s*dk_s1*arm_s1*F_mu_s1_by_k_s1;
+            transmission_error_r1_and_sliding_friction_r1_and_moving_phase => roll_r*de_r1*arm_r1*F_mu_r1_by_overr1;
+            transmission_error_r1_and_jump_terms => k_r1*dde_r1*touchr1*overr1 - k_r1*de_r1.powi(2)*touchr1
+                + 2.0*de_r1*dk_r1*touchr1*overr1;
+            sliding_friction_r1_and_moving_phase => -roll_r*darm_r1*F_mu_r1 - roll_r*dk_r1*arm_r1*F_mu_r1_by_k_r1;
+            transmission_error_s2_and_sliding_friction_s2_and_moving_phase => roll_s*de_s2*arm_s2*F_mu_s2_by_overs2;
+            transmission_error_s2_and_jump_terms => k_s2*dde_s2*touchs2*overs2 - k_s2*de_s2.powi(2)*touchs2
+                + 2.0*de_s2*dk_s2*touchs2*overs2;
+            sliding_friction_s2_and_moving_phase => -roll_s*darm_s2*F_mu_s2 - roll_s*dk_s2*arm_s2*F_mu_s2_by_k_s2;
+            transmission_error_r2_and_sliding_friction_r2_and_moving_phase => roll_r*de_r2*arm_r2*F_mu_r2_by_overr2;
+            transmission_error_r2_and_jump_terms => k_r2*dde_r2*touchr2*overr2 - k_r2*de_r2.powi(2)*touchr2
+                + 2.0*de_r2*dk_r2*touchr2*overr2;
+            sliding_friction_r2_and_moving_phase => -roll_r*darm_r2*F_mu_r2 - roll_r*dk_r2*arm_r2*F_mu_r2_by_k_r2;
+            transmission_error_s3_and_sliding_friction_s3_and_moving_phase => roll_s*de_s3*arm_s3*F_mu_s3_by_overs3;
+            transmission_error_s3_and_jump_terms => k_s3*dde_s3*touchs3*overs3 - k_s3*de_s3.powi(2)*touchs3
+                + 2.0*de_s3*dk_s3*touchs3*overs3;
+            sliding_friction_s3_and_moving_phase => -roll_s*darm_s3*F_mu_s3 - roll_s*dk_s3*arm_s3*F_mu_s3_by_k_s3;
+            transmission_error_r3_and_sliding_friction_r3_and_moving_phase => roll_r*de_r3*arm_r3*F_mu_r3_by_overr3;
+            transmission_error_r3_and_jump_terms => k_r3*dde_r3*touchr3*overr3 - k_r3*de_r3.powi(2)*touchr3
+                + 2.0*de_r3*dk_r3*touchr3*overr3;
+            sliding_friction_r3_and_moving_phase => -roll_r*darm_r3*F_mu_r3 - roll_r*dk_r3*arm_r3*F_mu_r3_by_k_r3;
+            transmission_error_s4_and_sliding_friction_s4_and_moving_phase => roll_s*de_s4*arm_s4*F_mu_s4_by_overs4;
+            transmission_error_s4_and_jump_terms => k_s4*dde_s4*touchs4*overs4 - k_s4*de_s4.powi(2)*touchs4
+                + 2.0*de_s4*dk_s4*touchs4*overs4;
+            sliding_friction_s4_and_moving_phase => -roll_s*darm_s4*F_mu_s4 - roll_s*dk_s4*arm_s4*F_mu_s4_by_k_s4;
+            transmission_error_r4_and_sliding_friction_r4_and_moving_phase => roll_r*de_r4*arm_r4*F_mu_r4_by_overr4;
+            transmission_error_r4_and_jump_terms => k_r4*dde_r4*touchr4*overr4 - k_r4*de_r4.powi(2)*touchr4
+                + 2.0*de_r4*dk_r4*touchr4*overr4;
+            sliding_friction_r4_and_moving_phase => -roll_r*darm_r4*F_mu_r4 - roll_r*dk_r4*arm_r4*F_mu_r4_by_k_r4;
+            transmission_error_s5_and_sliding_friction_s5_and_moving_phase => roll_s*de_s5*arm_s5*F_mu_s5_by_overs5;
+            transmission_error_s5_and_jump_terms => k_s5*dde_s5*touchs5*overs5 - k_s5*de_s5.powi(2)*touchs5
+                + 2.0*de_s5*dk_s5*touchs5*overs5;
+            sliding_friction_s5_and_moving_phase => -roll_s*darm_s5*F_mu_s5 - roll_s*dk_s5*arm_s5*F_mu_s5_by_k_s5;
+            transmission_error_r5_and_sliding_friction_r5_and_moving_phase => roll_r*de_r5*arm_r5*F_mu_r5_by_overr5;
+            transmission_error_r5_and_jump_terms => k_r5*dde_r5*touchr5*overr5 - k_r5*de_r5.powi(2)*touchr5
+                + 2.0*de_r5*dk_r5*touchr5*overr5;
+            sliding_friction_r5_and_moving_phase => -roll_r*darm_r5*F_mu_r5 - roll_r*dk_r5*arm_r5*F_mu_r5_by_k_r5;
+            jump_terms => (-ddk_r1*touchr1*overr1.powi(2) - ddk_r2*touchr2*overr2.powi(2) - ddk_r3*touchr3*overr3.powi(2)
+                - ddk_r4*touchr4*overr4.powi(2) - ddk_r5*touchr5*overr5.powi(2) - ddk_s1*touchs1*overs1.powi(2)
+                - ddk_s2*touchs2*overs2.powi(2) - ddk_s3*touchs3*overs3.powi(2) - ddk_s4*touchs4*overs4.powi(2)
+                - ddk_s5*touchs5*overs5.powi(2))/2.0;
         }
         theta theta_c {
             torsional_support_s => -k_s/Z_r - k_s/Z_s;
             torsional_support_c => -k_c/Z_r;
-            transmission_error_r1_and_jump_terms => -h*Z_r*k_r1*de_r1;
-            transmission_error_r2_and_jump_terms => -h*Z_r*k_r2*de_r2;
-            transmission_error_r3_and_jump_terms => -h*Z_r*k_r3*de_r3;
-            transmission_error_r4_and_jump_terms => -h*Z_r*k_r4*de_r4;
-            transmission_error_r5_and_jump_terms => -h*Z_r*k_r5*de_r5;
-            jump_terms => h*Z_r*dk_r1*delta_r1 + h*Z_r*dk_r2*delta_r2 + h*Z_r*dk_r3*delta_r3 + h*Z_r*dk_r4*delta_r4 + h*Z_r*dk_r5*delta_r5;
+            transmission_error_r1_and_jump_terms => -h*Z_r*k_r1*de_r1*touchr1;
+            sliding_friction_r1 => h*roll_r*Z_r*arm_r1*F_mu_r1_by_overr1;
+            transmission_error_r2_and_jump_terms => -h*Z_r*k_r2*de_r2*touchr2;
+            sliding_friction_r2 => h*roll_r*Z_r*arm_r2*F_mu_r2_by_overr2;
+            transmission_error_r3_and_jump_terms => -h*Z_r*k_r3*de_r3*touchr3;
+            sliding_friction_r3 => h*roll_r*Z_r*arm_r3*F_mu_r3_by_overr3;
+            transmission_error_r4_and_jump_terms => -h*Z_r*k_r4*de_r4*touchr4;
+            sliding_friction_r4 => h*roll_r*Z_r*arm_r4*F_mu_r4_by_overr4;
+            transmission_error_r5_and_jump_terms => -h*Z_r*k_r5*de_r5*touchr5;
+            sliding_friction_r5 => h*roll_r*Z_r*arm_r5*F_mu_r5_by_overr5;
+            jump_terms => h*Z_r*dk_r1*touchr1*overr1 + h*Z_r*dk_r2*touchr2*overr2 + h*Z_r*dk_r3*touchr3*overr3
+                + h*Z_r*dk_r4*touchr4*overr4 + h*Z_r*dk_r5*touchr5*overr5;
         }
         theta theta_r {
-            transmission_error_r1_and_jump_terms => h*Z_r*k_r1*de_r1;
-            transmission_error_r2_and_jump_terms => h*Z_r*k_r2*de_r2;
-            transmission_error_r3_and_jump_terms => h*Z_r*k_r3*de_r3;
-            transmission_error_r4_and_jump_terms => h*Z_r*k_r4*de_r4;
-            transmission_error_r5_and_jump_terms => h*Z_r*k_r5*de_r5;
-            jump_terms => -h*Z_r*dk_r1*delta_r1 - h*Z_r*dk_r2*delta_r2 - h*Z_r*dk_r3*delta_r3 - h*Z_r*dk_r4*delta_r4 - h*Z_r*dk_r5*delta_r5;
+            transmission_error_r1_and_jump_terms => h*Z_r*k_r1*de_r1*touchr1;
+            sliding_friction_r1 => -h*roll_r*Z_r*arm_r1*F_mu_r1_by_overr1;
+            transmission_error_r2_and_jump_terms => h*Z_r*k_r2*de_r2*touchr2;
+            sliding_friction_r2 => -h*roll_r*Z_r*arm_r2*F_mu_r2_by_overr2;
+            transmission_error_r3_and_jump_terms => h*Z_r*k_r3*de_r3*touchr3;
+            sliding_friction_r3 => -h*roll_r*Z_r*arm_r3*F_mu_r3_by_overr3;
+            transmission_error_r4_and_jump_terms => h*Z_r*k_r4*de_r4*touchr4;
+            sliding_friction_r4 => -h*roll_r*Z_r*arm_r4*F_mu_r4_by_overr4;
+            transmission_error_r5_and_jump_terms => h*Z_r*k_r5*de_r5*touchr5;
+            sliding_friction_r5 => -h*roll_r*Z_r*arm_r5*F_mu_r5_by_overr5;
+            jump_terms => -h*Z_r*dk_r1*touchr1*overr1 - h*Z_r*dk_r2*touchr2*overr2 - h*Z_r*dk_r3*touchr3*overr3
+                - h*Z_r*dk_r4*touchr4*overr4 - h*Z_r*dk_r5*touchr5*overr5;
         }
         theta x_s {
-            transmission_error_s1_and_jump_terms => -sin_s1*k_s1*de_s1;
-            transmission_error_s2_and_jump_terms => -sin_s2*k_s2*de_s2;
-            transmission_error_s3_and_jump_terms => -sin_s3*k_s3*de_s3;
-            transmission_error_s4_and_jump_terms => -sin_s4*k_s4*de_s4;
-            transmission_error_s5_and_jump_terms => -sin_s5*k_s5*de_s5;
-            jump_terms => sin_s1*dk_s1*delta_s1 + sin_s2*dk_s2*delta_s2 + sin_s3*dk_s3*delta_s3 + sin_s4*dk_s4*delta_s4
-                + sin_s5*dk_s5*delta_s5;
+            transmission_error_s1_and_jump_terms => -sin_s1*k_s1*de_s1*touchs1;
+            sliding_friction_s1 => roll_s*sin_s1*arm_s1*F_mu_s1_by_overs1;
+            transmission_error_s2_and_jump_terms => -sin_s2*k_s2*de_s2*touchs2;
+            sliding_friction_s2 => roll_s*sin_s2*arm_s2*F_mu_s2_by_overs2;
+            transmission_error_s3_and_jump_terms => -sin_s3*k_s3*de_s3*touchs3;
+            sliding_friction_s3 => roll_s*sin_s3*arm_s3*F_mu_s3_by_overs3;
+            transmission_error_s4_and_jump_terms => -sin_s4*k_s4*de_s4*touchs4;
+            sliding_friction_s4 => roll_s*sin_s4*arm_s4*F_mu_s4_by_overs4;
+            transmission_error_s5_and_jump_terms => -sin_s5*k_s5*de_s5*touchs5;
+            sliding_friction_s5 => roll_s*sin_s5*arm_s5*F_mu_s5_by_overs5;
+            jump_terms => sin_s1*dk_s1*touchs1*overs1 + sin_s2*dk_s2*touchs2*overs2 + sin_s3*dk_s3*touchs3*overs3
+                + sin_s4*dk_s4*touchs4*overs4 + sin_s5*dk_s5*touchs5*overs5;
         }
         theta y_s {
-            transmission_error_s1_and_jump_terms => cos_s1*k_s1*de_s1;
-            transmission_error_s2_and_jump_terms => cos_s2*k_s2*de_s2;
-            transmission_error_s3_and_jump_terms => cos_s3*k_s3*de_s3;
-            transmission_error_s4_and_jump_terms => cos_s4*k_s4*de_s4;
-            transmission_error_s5_and_jump_terms => cos_s5*k_s5*de_s5;
-            jump_terms => -cos_s1*dk_s1*delta_s1 - cos_s2*dk_s2*delta_s2 - cos_s3*dk_s3*delta_s3 - cos_s4*dk_s4*delta_s4
-                - cos_s5*dk_s5*delta_s5;
+            transmission_error_s1_and_jump_terms => cos_s1*k_s1*de_s1*touchs1;
+            sliding_friction_s1 => -cos_s1*roll_s*arm_s1*F_mu_s1_by_overs1;
+            transmission_error_s2_and_jump_terms => cos_s2*k_s2*de_s2*touchs2;
+            sliding_friction_s2 => -cos_s2*roll_s*arm_s2*F_mu_s2_by_overs2;
+            transmission_error_s3_and_jump_terms => cos_s3*k_s3*de_s3*touchs3;
+            sliding_friction_s3 => -cos_s3*roll_s*arm_s3*F_mu_s3_by_overs3;
+            transmission_error_s4_and_jump_terms => cos_s4*k_s4*de_s4*touchs4;
+            sliding_friction_s4 => -cos_s4*roll_s*arm_s4*F_mu_s4_by_overs4;
+            transmission_error_s5_and_jump_terms => cos_s5*k_s5*de_s5*touchs5;
+            sliding_friction_s5 => -cos_s5*roll_s*arm_s5*F_mu_s5_by_overs5;
+            jump_terms => -cos_s1*dk_s1*touchs1*overs1 - cos_s2*dk_s2*touchs2*overs2 - cos_s3*dk_s3*touchs3*overs3
+                - cos_s4*dk_s4*touchs4*overs4 - cos_s5*dk_s5*touchs5*overs5;
         }
         theta x_r {
-            transmission_error_r1_and_jump_terms => -sin_r1*k_r1*de_r1;
-            transmission_error_r2_and_jump_terms => -sin_r2*k_r2*de_r2;
-            transmission_error_r3_and_jump_terms => -sin_r3*k_r3*de_r3;
-            transmission_error_r4_and_jump_terms => -sin_r4*k_r4*de_r4;
-            transmission_error_r5_and_jump_terms => -sin_r5*k_r5*de_r5;
-            jump_terms => sin_r1*dk_r1*delta_r1 + sin_r2*dk_r2*delta_r2 + sin_r3*dk_r3*delta_r3 + sin_r4*dk_r4*delta_r4
-                + sin_r5*dk_r5*delta_r5;
+            transmission_error_r1_and_jump_terms => -sin_r1*k_r1*de_r1*touchr1;
+            sliding_friction_r1 => roll_r*sin_r1*arm_r1*F_mu_r1_by_overr1;
+            transmission_error_r2_and_jump_terms => -sin_r2*k_r2*de_r2*touchr2;
+            sliding_friction_r2 => roll_r*sin_r2*arm_r2*F_mu_r2_by_overr2;
+            transmission_error_r3_and_jump_terms => -sin_r3*k_r3*de_r3*touchr3;
+            sliding_friction_r3 => roll_r*sin_r3*arm_r3*F_mu_r3_by_overr3;
+            transmission_error_r4_and_jump_terms => -sin_r4*k_r4*de_r4*touchr4;
+            sliding_friction_r4 => roll_r*sin_r4*arm_r4*F_mu_r4_by_overr4;
+            transmission_error_r5_and_jump_terms => -sin_r5*k_r5*de_r5*touchr5;
+            sliding_friction_r5 => roll_r*sin_r5*arm_r5*F_mu_r5_by_overr5;
+            jump_terms => sin_r1*dk_r1*touchr1*overr1 + sin_r2*dk_r2*touchr2*overr2 + sin_r3*dk_r3*touchr3*overr3
+                + sin_r4*dk_r4*touchr4*overr4 + sin_r5*dk_r5*touchr5*overr5;
         }
         theta y_r {
-            transmission_error_r1_and_jump_terms => cos_r1*k_r1*de_r1;
-            transmission_error_r2_and_jump_terms => cos_r2*k_r2*de_r2;
-            transmission_error_r3_and_jump_terms => cos_r3*k_r3*de_r3;
-            transmission_error_r4_and_jump_terms => cos_r4*k_r4*de_r4;
-            transmission_error_r5_and_jump_terms => cos_r5*k_r5*de_r5;
-            jump_terms => -cos_r1*dk_r1*delta_r1 - cos_r2*dk_r2*delta_r2 - cos_r3*dk_r3*delta_r3 - cos_r4*dk_r4*delta_r4
-                - cos_r5*dk_r5*delta_r5;
+            transmission_error_r1_and_jump_terms => cos_r1*k_r1*de_r1*touchr1;
+            sliding_friction_r1 => -cos_r1*roll_r*arm_r1*F_mu_r1_by_overr1;
+            transmission_error_r2_and_jump_terms => cos_r2*k_r2*de_r2*touchr2;
+            sliding_friction_r2 => -cos_r2*roll_r*arm_r2*F_mu_r2_by_overr2;
+            transmission_error_r3_and_jump_terms => cos_r3*k_r3*de_r3*touchr3;
+            sliding_friction_r3 => -cos_r3*roll_r*arm_r3*F_mu_r3_by_overr3;
+            transmission_error_r4_and_jump_terms => cos_r4*k_r4*de_r4*touchr4;
+            sliding_friction_r4 => -cos_r4*roll_r*arm_r4*F_mu_r4_by_overr4;
+            transmission_error_r5_and_jump_terms => cos_r5*k_r5*de_r5*touchr5;
+            sliding_friction_r5 => -cos_r5*roll_r*arm_r5*F_mu_r5_by_overr5;
+            jump_terms => -cos_r1*dk_r1*touchr1*overr1 - cos_r2*dk_r2*touchr2*overr2 - cos_r3*dk_r3*touchr3*overr3
+                - cos_r4*dk_r4*touchr4*overr4 - cos_r5*dk_r5*touchr5*overr5;
         }
         theta zeta1 {
-            transmission_error_s1_and_jump_terms => -sin_a*k_s1*de_s1;
-            transmission_error_r1_and_jump_terms => sin_a*k_r1*de_r1;
-            jump_terms => sin_a*dk_s1*delta_s1 - sin_a*dk_r1*delta_r1;
+            transmission_error_s1_and_jump_terms => -sin_a*k_s1*de_s1*touchs1;
+            sliding_friction_s1 => roll_s*sin_a*arm_s1*F_mu_s1_by_overs1;
+            transmission_error_r1_and_jump_terms => sin_a*k_r1*de_r1*touchr1;
+            sliding_friction_r1 => -roll_r*sin_a*arm_r1*F_mu_r1_by_overr1;
+            jump_terms => sin_a*dk_s1*touchs1*overs1 - sin_a*dk_r1*touchr1*overr1;
         }
         theta eta1 {
-            transmission_error_s1_and_jump_terms => -cos_a*k_s1*de_s1;
-            transmission_error_r1_and_jump_terms => -cos_a*k_r1*de_r1;
-            jump_terms => cos_a*dk_r1*delta_r1 + cos_a*dk_s1*delta_s1;
+            transmission_error_s1_and_jump_terms => -cos_a*k_s1*de_s1*touchs1;
+            sliding_friction_s1 => cos_a*roll_s*arm_s1*F_mu_s1_by_overs1;
+            transmission_error_r1_and_jump_terms => -cos_a*k_r1*de_r1*touchr1;
+            sliding_friction_r1 => cos_a*roll_r*arm_r1*F_mu_r1_by_overr1;
+            jump_terms => cos_a*dk_r1*touchr1*overr1 + cos_a*dk_s1*touchs1*overs1;
         }
         theta u1 {
-            transmission_error_s1_and_jump_terms => k_s1*de_s1;
-            transmission_error_r1_and_jump_terms => -k_r1*de_r1;
-            jump_terms => dk_r1*delta_r1 - dk_s1*delta_s1;
+            transmission_error_s1_and_jump_terms => k_s1*de_s1*touchs1;
+            sliding_friction_s1 => -roll_s*arm_s1*F_mu_s1_by_overs1;
+            transmission_error_r1_and_jump_terms => -k_r1*de_r1*touchr1;
+            sliding_friction_r1 => roll_r*arm_r1*F_mu_r1_by_overr1;
+            jump_terms => dk_r1*touchr1*overr1 - dk_s1*touchs1*overs1;
         }
         theta zeta2 {
-            transmission_error_s2_and_jump_terms => -sin_a*k_s2*de_s2;
-            transmission_error_r2_and_jump_terms => sin_a*k_r2*de_r2;
-            jump_terms => sin_a*dk_s2*delta_s2 - sin_a*dk_r2*delta_r2;
+            transmission_error_s2_and_jump_terms => -sin_a*k_s2*de_s2*touchs2;
+            sliding_friction_s2 => roll_s*sin_a*arm_s2*F_mu_s2_by_overs2;
+            transmission_error_r2_and_jump_terms => sin_a*k_r2*de_r2*touchr2;
+            sliding_friction_r2 => -roll_r*sin_a*arm_r2*F_mu_r2_by_overr2;
+            jump_terms => sin_a*dk_s2*touchs2*overs2 - sin_a*dk_r2*touchr2*overr2;
         }
         theta eta2 {
-            transmission_error_s2_and_jump_terms => -cos_a*k_s2*de_s2;
-            transmission_error_r2_and_jump_terms => -cos_a*k_r2*de_r2;
-            jump_terms => cos_a*dk_r2*delta_r2 + cos_a*dk_s2*delta_s2;
+            transmission_error_s2_and_jump_terms => -cos_a*k_s2*de_s2*touchs2;
+            sliding_friction_s2 => cos_a*roll_s*arm_s2*F_mu_s2_by_overs2;
+            transmission_error_r2_and_jump_terms => -cos_a*k_r2*de_r2*touchr2;
+            sliding_friction_r2 => cos_a*roll_r*arm_r2*F_mu_r2_by_overr2;
+            jump_terms => cos_a*dk_r2*touchr2*overr2 + cos_a*dk_s2*touchs2*overs2;
         }
         theta u2 {
-            transmission_error_s2_and_jump_terms => k_s2*de_s2;
-            transmission_error_r2_and_jump_terms => -k_r2*de_r2;
-            jump_terms => dk_r2*delta_r2 - dk_s2*delta_s2;
+            transmission_error_s2_and_jump_terms => k_s2*de_s2*touchs2;
+            sliding_friction_s2 => -roll_s*arm_s2*F_mu_s2_by_overs2;
+            transmission_error_r2_and_jump_terms => -k_r2*de_r2*touchr2;
+            sliding_friction_r2 => roll_r*arm_r2*F_mu_r2_by_overr2;
+            jump_terms => dk_r2*touchr2*overr2 - dk_s2*touchs2*overs2;
         }
         theta zeta3 {
-            transmission_error_s3_and_jump_terms => -sin_a*k_s3*de_s3;
-            transmission_error_r3_and_jump_terms => sin_a*k_r3*de_r3;
-            jump_terms => sin_a*dk_s3*delta_s3 - sin_a*dk_r3*delta_r3;
+            transmission_error_s3_and_jump_terms => -sin_a*k_s3*de_s3*touchs3;
+            sliding_friction_s3 => roll_s*sin_a*arm_s3*F_mu_s3_by_overs3;
+            transmission_error_r3_and_jump_terms => sin_a*k_r3*de_r3*touchr3;
+            sliding_friction_r3 => -roll_r*sin_a*arm_r3*F_mu_r3_by_overr3;
+            jump_terms => sin_a*dk_s3*touchs3*overs3 - sin_a*dk_r3*touchr3*overr3;
         }
         theta eta3 {
-            transmission_error_s3_and_jump_terms => -cos_a*k_s3*de_s3;
-            transmission_error_r3_and_jump_terms => -cos_a*k_r3*de_r3;
-            jump_terms => cos_a*dk_r3*delta_r3 + cos_a*dk_s3*delta_s3;
+            transmission_error_s3_and_jump_terms => -cos_a*k_s3*de_s3*touchs3;
+            sliding_friction_s3 => cos_a*roll_s*arm_s3*F_mu_s3_by_overs3;
+            transmission_error_r3_and_jump_terms => -cos_a*k_r3*de_r3*touchr3;
+            sliding_friction_r3 => cos_a*roll_r*arm_r3*F_mu_r3_by_overr3;
+            jump_terms => cos_a*dk_r3*touchr3*overr3 + cos_a*dk_s3*touchs3*overs3;
         }
         theta u3 {
-            transmission_error_s3_and_jump_terms => k_s3*de_s3;
-            transmission_error_r3_and_jump_terms => -k_r3*de_r3;
-            jump_terms => dk_r3*delta_r3 - dk_s3*delta_s3;
+            transmission_error_s3_and_jump_terms => k_s3*de_s3*touchs3;
+            sliding_friction_s3 => -roll_s*arm_s3*F_mu_s3_by_overs3;
+            transmission_error_r3_and_jump_terms => -k_r3*de_r3*touchr3;
+            sliding_friction_r3 => roll_r*arm_r3*F_mu_r3_by_overr3;
+            jump_terms => dk_r3*touchr3*overr3 - dk_s3*touchs3*overs3;
         }
         theta zeta4 {
-            transmission_error_s4_and_jump_terms => -sin_a*k_s4*de_s4;
-            transmission_error_r4_and_jump_terms => sin_a*k_r4*de_r4;
-            jump_terms => sin_a*dk_s4*delta_s4 - sin_a*dk_r4*delta_r4;
+            transmission_error_s4_and_jump_terms => -sin_a*k_s4*de_s4*touchs4;
+            sliding_friction_s4 => roll_s*sin_a*arm_s4*F_mu_s4_by_overs4;
+            transmission_error_r4_and_jump_terms => sin_a*k_r4*de_r4*touchr4;
+            sliding_friction_r4 => -roll_r*sin_a*arm_r4*F_mu_r4_by_overr4;
+            jump_terms => sin_a*dk_s4*touchs4*overs4 - sin_a*dk_r4*touchr4*overr4;
         }
         theta eta4 {
-            transmission_error_s4_and_jump_terms => -cos_a*k_s4*de_s4;
-            transmission_error_r4_and_jump_terms => -cos_a*k_r4*de_r4;
-            jump_terms => cos_a*dk_r4*delta_r4 + cos_a*dk_s4*delta_s4;
+            transmission_error_s4_and_jump_terms => -cos_a*k_s4*de_s4*touchs4;
+            sliding_friction_s4 => cos_a*roll_s*arm_s4*F_mu_s4_by_overs4;
+            transmission_error_r4_and_jump_terms => -cos_a*k_r4*de_r4*touchr4;
+            sliding_friction_r4 => cos_a*roll_r*arm_r4*F_mu_r4_by_overr4;
+            jump_terms => cos_a*dk_r4*touchr4*overr4 + cos_a*dk_s4*touchs4*overs4;
         }
         theta u4 {
-            transmission_error_s4_and_jump_terms => k_s4*de_s4;
-            transmission_error_r4_and_jump_terms => -k_r4*de_r4;
-            jump_terms => dk_r4*delta_r4 - dk_s4*delta_s4;
+            transmission_error_s4_and_jump_terms => k_s4*de_s4*touchs4;
+            sliding_friction_s4 => -roll_s*arm_s4*F_mu_s4_by_overs4;
+            transmission_error_r4_and_jump_terms => -k_r4*de_r4*touchr4;
+            sliding_friction_r4 => roll_r*arm_r4*F_mu_r4_by_overr4;
+            jump_terms => dk_r4*touchr4*overr4 - dk_s4*touchs4*overs4;
         }
         theta zeta5 {
-            transmission_error_s5_and_jump_terms => -sin_a*k_s5*de_s5;
-            transmission_error_r5_and_jump_terms => sin_a*k_r5*de_r5;
-            jump_terms => sin_a*dk_s5*delta_s5 - sin_a*dk_r5*delta_r5;
+            transmission_error_s5_and_jump_terms => -sin_a*k_s5*de_s5*touchs5;
+            sliding_friction_s5 => roll_s*sin_a*arm_s5*F_mu_s5_by_overs5;
+            transmission_error_r5_and_jump_terms => sin_a*k_r5*de_r5*touchr5;
+            sliding_friction_r5 => -roll_r*sin_a*arm_r5*F_mu_r5_by_overr5;
+            jump_terms => sin_a*dk_s5*touchs5*overs5 - sin_a*dk_r5*touchr5*overr5;
         }
         theta eta5 {
-            transmission_error_s5_and_jump_terms => -cos_a*k_s5*de_s5;
-            transmission_error_r5_and_jump_terms => -cos_a*k_r5*de_r5;
-            jump_terms => cos_a*dk_r5*delta_r5 + cos_a*dk_s5*delta_s5;
+            transmission_error_s5_and_jump_terms => -cos_a*k_s5*de_s5*touchs5;
+            sliding_friction_s5 => cos_a*roll_s*arm_s5*F_mu_s5_by_overs5;
+            transmission_error_r5_and_jump_terms => -cos_a*k_r5*de_r5*touchr5;
+            sliding_friction_r5 => cos_a*roll_r*arm_r5*F_mu_r5_by_overr5;
+            jump_terms => cos_a*dk_r5*touchr5*overr5 + cos_a*dk_s5*touchs5*overs5;
         }
         theta u5 {
-            transmission_error_s5_and_jump_terms => k_s5*de_s5;
-            transmission_error_r5_and_jump_terms => -k_r5*de_r5;
-            jump_terms => dk_r5*delta_r5 - dk_s5*delta_s5;
+            transmission_error_s5_and_jump_terms => k_s5*de_s5*touchs5;
+            sliding_friction_s5 => -roll_s*arm_s5*F_mu_s5_by_overs5;
+            transmission_error_r5_and_jump_terms => -k_r5*de_r5*touchr5;
+            sliding_friction_r5 => roll_r*arm_r5*F_mu_r5_by_overr5;
+            jump_terms => dk_r5*touchr5*overr5 - dk_s5*touchs5*overs5;
         }
         theta theta_dot {
             torsional_support_s_and_damping => -beta_K*k_s/Z_r.powi(2) - 2.0*beta_K*k_s/(Z_r*Z_s) - beta_K*k_s/Z_s.powi(2);
             torsional_support_c_and_damping => -beta_K*k_c/Z_r.powi(2);
+            sliding_friction_s1 => -roll_s.powi(2)*arm_s1*F_mu_s1_by_psi_s1_dot;
+            sliding_friction_r1 => -roll_r.powi(2)*arm_r1*F_mu_r1_by_psi_r1_dot;
+            sliding_friction_s2 => -roll_s.powi(2)*arm_s2*F_mu_s2_by_psi_s2_dot;
+            sliding_friction_r2 => -roll_r.powi(2)*arm_r2*F_mu_r2_by_psi_r2_dot;
+            sliding_friction_s3 => -roll_s.powi(2)*arm_s3*F_mu_s3_by_psi_s3_dot;
+            sliding_friction_r3 => -roll_r.powi(2)*arm_r3*F_mu_r3_by_psi_r3_dot;
+            sliding_friction_s4 => -roll_s.powi(2)*arm_s4*F_mu_s4_by_psi_s4_dot;
+            sliding_friction_r4 => -roll_r.powi(2)*arm_r4*F_mu_r4_by_psi_r4_dot;
+            sliding_friction_s5 => -roll_s.powi(2)*arm_s5*F_mu_s5_by_psi_s5_dot;
+            sliding_friction_r5 => -roll_r.powi(2)*arm_r5*F_mu_r5_by_psi_r5_dot;
             damping => 10.0*h*I_p*alpha_M/(r_p*Z_r) - I_c*alpha_M/Z_r.powi(2) - 5.0*I_p*alpha_M/Z_r.powi(2) - I_s*alpha_M/Z_r.powi(2)
                 - 2.0*I_s*alpha_M/(Z_r*Z_s) - I_s*alpha_M/Z_s.powi(2) - 5.0*a.powi(2)*alpha_M*m_p/Z_r.powi(2)
                 - 5.0*h.powi(2)*I_p*alpha_M/r_p.powi(2);
@@ -715,266 +2021,888 @@ equations! {
         theta theta_c_dot {
             torsional_support_s_and_damping => -beta_K*k_s/Z_r - beta_K*k_s/Z_s;
             torsional_support_c_and_damping => -beta_K*k_c/Z_r;
+            sliding_friction_r1 => roll_r*arm_r1*F_mu_r1_by_psi_r1_dot;
+            sliding_friction_r2 => roll_r*arm_r2*F_mu_r2_by_psi_r2_dot;
+            sliding_friction_r3 => roll_r*arm_r3*F_mu_r3_by_psi_r3_dot;
+            sliding_friction_r4 => roll_r*arm_r4*F_mu_r4_by_psi_r4_dot;
+            sliding_friction_r5 => roll_r*arm_r5*F_mu_r5_by_psi_r5_dot;
             damping => 5.0*h*I_p*alpha_M/r_p - I_c*alpha_M/Z_r - 5.0*I_p*alpha_M/Z_r - I_s*alpha_M/Z_r - I_s*alpha_M/Z_s
                 - 5.0*a.powi(2)*alpha_M*m_p/Z_r;
         }
+        theta theta_r_dot {
+            sliding_friction_r1 => -roll_r*arm_r1*F_mu_r1_by_psi_r1_dot;
+            sliding_friction_r2 => -roll_r*arm_r2*F_mu_r2_by_psi_r2_dot;
+            sliding_friction_r3 => -roll_r*arm_r3*F_mu_r3_by_psi_r3_dot;
+            sliding_friction_r4 => -roll_r*arm_r4*F_mu_r4_by_psi_r4_dot;
+            sliding_friction_r5 => -roll_r*arm_r5*F_mu_r5_by_psi_r5_dot;
+        }
         theta eta1_dot { damping => -a*alpha_M*m_p/Z_r; }
-        theta u1_dot { damping => h*I_p*alpha_M/r_p.powi(2) - I_p*alpha_M/(r_p*Z_r); }
+        theta u1_dot {
+            sliding_friction_s1 => roll_s*arm_s1*F_mu_s1_by_psi_s1_dot/r_p;
+            sliding_friction_r1 => roll_r*arm_r1*F_mu_r1_by_psi_r1_dot/r_p;
+            damping => h*I_p*alpha_M/r_p.powi(2) - I_p*alpha_M/(r_p*Z_r);
+        }
         theta eta2_dot { damping => -a*alpha_M*m_p/Z_r; }
-        theta u2_dot { damping => h*I_p*alpha_M/r_p.powi(2) - I_p*alpha_M/(r_p*Z_r); }
+        theta u2_dot {
+            sliding_friction_s2 => roll_s*arm_s2*F_mu_s2_by_psi_s2_dot/r_p;
+            sliding_friction_r2 => roll_r*arm_r2*F_mu_r2_by_psi_r2_dot/r_p;
+            damping => h*I_p*alpha_M/r_p.powi(2) - I_p*alpha_M/(r_p*Z_r);
+        }
         theta eta3_dot { damping => -a*alpha_M*m_p/Z_r; }
-        theta u3_dot { damping => h*I_p*alpha_M/r_p.powi(2) - I_p*alpha_M/(r_p*Z_r); }
+        theta u3_dot {
+            sliding_friction_s3 => roll_s*arm_s3*F_mu_s3_by_psi_s3_dot/r_p;
+            sliding_friction_r3 => roll_r*arm_r3*F_mu_r3_by_psi_r3_dot/r_p;
+            damping => h*I_p*alpha_M/r_p.powi(2) - I_p*alpha_M/(r_p*Z_r);
+        }
         theta eta4_dot { damping => -a*alpha_M*m_p/Z_r; }
-        theta u4_dot { damping => h*I_p*alpha_M/r_p.powi(2) - I_p*alpha_M/(r_p*Z_r); }
+        theta u4_dot {
+            sliding_friction_s4 => roll_s*arm_s4*F_mu_s4_by_psi_s4_dot/r_p;
+            sliding_friction_r4 => roll_r*arm_r4*F_mu_r4_by_psi_r4_dot/r_p;
+            damping => h*I_p*alpha_M/r_p.powi(2) - I_p*alpha_M/(r_p*Z_r);
+        }
         theta eta5_dot { damping => -a*alpha_M*m_p/Z_r; }
-        theta u5_dot { damping => h*I_p*alpha_M/r_p.powi(2) - I_p*alpha_M/(r_p*Z_r); }
+        theta u5_dot {
+            sliding_friction_s5 => roll_s*arm_s5*F_mu_s5_by_psi_s5_dot/r_p;
+            sliding_friction_r5 => roll_r*arm_r5*F_mu_r5_by_psi_r5_dot/r_p;
+            damping => h*I_p*alpha_M/r_p.powi(2) - I_p*alpha_M/(r_p*Z_r);
+        }
         theta_c theta {
             torsional_support_s => -k_s/Z_r - k_s/Z_s;
             torsional_support_c => -k_c/Z_r;
-            transmission_error_r1_and_moving_phase => -h*Z_r*k_r1*de_r1;
-            transmission_error_r2_and_moving_phase => -h*Z_r*k_r2*de_r2;
-            transmission_error_r3_and_moving_phase => -h*Z_r*k_r3*de_r3;
-            transmission_error_r4_and_moving_phase => -h*Z_r*k_r4*de_r4;
-            transmission_error_r5_and_moving_phase => -h*Z_r*k_r5*de_r5;
-            moving_phase => h*Z_r*dk_r1*delta_r1 + h*Z_r*dk_r2*delta_r2 + h*Z_r*dk_r3*delta_r3 + h*Z_r*dk_r4*delta_r4
-                + h*Z_r*dk_r5*delta_r5;
+            transmission_error_r1_and_backlash_r1_and_moving_phase => -h*Z_r*k_r1*de_r1*clipr1*touchr1;
+            transmission_error_r1_and_sliding_friction_r1_and_moving_phase => -de_r1*arm_r1*F_mu_r1_by_overr1
+                - h*sin_a*Z_r*de_r1*side_r1*F_mu_r1_by_overr1/cos_a;
+            transmission_error_r1_and_moving_phase => -h*Z_r*k_r1*de_r1*touchr1;
+            backlash_r1_and_moving_phase => h*Z_r*dk_r1*clipr1*touchr1*overr1;
+            sliding_friction_r1_and_moving_phase => darm_r1*F_mu_r1 + dk_r1*arm_r1*F_mu_r1_by_k_r1
+                + h*sin_a*Z_r*dk_r1*side_r1*F_mu_r1_by_k_r1/cos_a + h*sin_a*Z_r*dside_r1*F_mu_r1/cos_a;
+            transmission_error_r2_and_backlash_r2_and_moving_phase => -h*Z_r*k_r2*de_r2*clipr2*touchr2;
+            transmission_error_r2_and_sliding_friction_r2_and_moving_phase => -de_r2*arm_r2*F_mu_r2_by_overr2
+                - h*sin_a*Z_r*de_r2*side_r2*F_mu_r2_by_overr2/cos_a;
+            transmission_error_r2_and_moving_phase => -h*Z_r*k_r2*de_r2*touchr2;
+            backlash_r2_and_moving_phase => h*Z_r*dk_r2*clipr2*touchr2*overr2;
+            sliding_friction_r2_and_moving_phase => darm_r2*F_mu_r2 + dk_r2*arm_r2*F_mu_r2_by_k_r2
+                + h*sin_a*Z_r*dk_r2*side_r2*F_mu_r2_by_k_r2/cos_a + h*sin_a*Z_r*dside_r2*F_mu_r2/cos_a;
+            transmission_error_r3_and_backlash_r3_and_moving_phase => -h*Z_r*k_r3*de_r3*clipr3*touchr3;
+            transmission_error_r3_and_sliding_friction_r3_and_moving_phase => -de_r3*arm_r3*F_mu_r3_by_overr3
+                - h*sin_a*Z_r*de_r3*side_r3*F_mu_r3_by_overr3/cos_a;
+            transmission_error_r3_and_moving_phase => -h*Z_r*k_r3*de_r3*touchr3;
+            backlash_r3_and_moving_phase => h*Z_r*dk_r3*clipr3*touchr3*overr3;
+            sliding_friction_r3_and_moving_phase => darm_r3*F_mu_r3 + dk_r3*arm_r3*F_mu_r3_by_k_r3
+                + h*sin_a*Z_r*dk_r3*side_r3*F_mu_r3_by_k_r3/cos_a + h*sin_a*Z_r*dside_r3*F_mu_r3/cos_a;
+            transmission_error_r4_and_backlash_r4_and_moving_phase => -h*Z_r*k_r4*de_r4*clipr4*touchr4;
+            transmission_error_r4_and_sliding_friction_r4_and_moving_phase => -de_r4*arm_r4*F_mu_r4_by_overr4
+                - h*sin_a*Z_r*de_r4*side_r4*F_mu_r4_by_overr4/cos_a;
+            transmission_error_r4_and_moving_phase => -h*Z_r*k_r4*de_r4*touchr4;
+            backlash_r4_and_moving_phase => h*Z_r*dk_r4*clipr4*touchr4*overr4;
+            sliding_friction_r4_and_moving_phase => darm_r4*F_mu_r4 + dk_r4*arm_r4*F_mu_r4_by_k_r4
+                + h*sin_a*Z_r*dk_r4*side_r4*F_mu_r4_by_k_r4/cos_a + h*sin_a*Z_r*dside_r4*F_mu_r4/cos_a;
+            transmission_error_r5_and_backlash_r5_and_moving_phase => -h*Z_r*k_r5*de_r5*clipr5*touchr5;
+            transmission_error_r5_and_sliding_friction_r5_and_moving_phase => -de_r5*arm_r5*F_mu_r5_by_overr5
+                - h*sin_a*Z_r*de_r5*side_r5*F_mu_r5_by_overr5/cos_a;
+            transmission_error_r5_and_moving_phase => -h*Z_r*k_r5*de_r5*touchr5;
+            backlash_r5_and_moving_phase => h*Z_r*dk_r5*clipr5*touchr5*overr5;
+            sliding_friction_r5_and_moving_phase => darm_r5*F_mu_r5 + dk_r5*arm_r5*F_mu_r5_by_k_r5
+                + h*sin_a*Z_r*dk_r5*side_r5*F_mu_r5_by_k_r5/cos_a + h*sin_a*Z_r*dside_r5*F_mu_r5/cos_a;
+            moving_phase => h*Z_r*dk_r1*touchr1*overr1 + h*Z_r*dk_r2*touchr2*overr2 + h*Z_r*dk_r3*touchr3*overr3
+                + h*Z_r*dk_r4*touchr4*overr4 + h*Z_r*dk_r5*touchr5*overr5;
         }
         theta_c theta_c {
-            _ => -h.powi(2)*Z_r.powi(2)*k_r1 - h.powi(2)*Z_r.powi(2)*k_r2 - h.powi(2)*Z_r.powi(2)*k_r3 - h.powi(2)*Z_r.powi(2)*k_r4
-                - h.powi(2)*Z_r.powi(2)*k_r5;
+            _ => -h.powi(2)*Z_r.powi(2)*k_r1*touchr1 - h.powi(2)*Z_r.powi(2)*k_r2*touchr2 - h.powi(2)*Z_r.powi(2)*k_r3*touchr3
+                - h.powi(2)*Z_r.powi(2)*k_r4*touchr4 - h.powi(2)*Z_r.powi(2)*k_r5*touchr5;
             torsional_support_s => -k_s;
             torsional_support_c => -k_c;
+            backlash_r1 => -h.powi(2)*Z_r.powi(2)*k_r1*clipr1*touchr1;
+            sliding_friction_r1 => -h*Z_r*arm_r1*F_mu_r1_by_overr1 - h.powi(2)*sin_a*Z_r.powi(2)*side_r1*F_mu_r1_by_overr1/cos_a;
+            backlash_r2 => -h.powi(2)*Z_r.powi(2)*k_r2*clipr2*touchr2;
+            sliding_friction_r2 => -h*Z_r*arm_r2*F_mu_r2_by_overr2 - h.powi(2)*sin_a*Z_r.powi(2)*side_r2*F_mu_r2_by_overr2/cos_a;
+            backlash_r3 => -h.powi(2)*Z_r.powi(2)*k_r3*clipr3*touchr3;
+            sliding_friction_r3 => -h*Z_r*arm_r3*F_mu_r3_by_overr3 - h.powi(2)*sin_a*Z_r.powi(2)*side_r3*F_mu_r3_by_overr3/cos_a;
+            backlash_r4 => -h.powi(2)*Z_r.powi(2)*k_r4*clipr4*touchr4;
+            sliding_friction_r4 => -h*Z_r*arm_r4*F_mu_r4_by_overr4 - h.powi(2)*sin_a*Z_r.powi(2)*side_r4*F_mu_r4_by_overr4/cos_a;
+            backlash_r5 => -h.powi(2)*Z_r.powi(2)*k_r5*clipr5*touchr5;
+            sliding_friction_r5 => -h*Z_r*arm_r5*F_mu_r5_by_overr5 - h.powi(2)*sin_a*Z_r.powi(2)*side_r5*F_mu_r5_by_overr5/cos_a;
         }
         theta_c theta_r {
-            _ => h.powi(2)*Z_r.powi(2)*k_r1 + h.powi(2)*Z_r.powi(2)*k_r2 + h.powi(2)*Z_r.powi(2)*k_r3 + h.powi(2)*Z_r.powi(2)*k_r4
-                + h.powi(2)*Z_r.powi(2)*k_r5;
+            _ => h.powi(2)*Z_r.powi(2)*k_r1*touchr1 + h.powi(2)*Z_r.powi(2)*k_r2*touchr2 + h.powi(2)*Z_r.powi(2)*k_r3*touchr3
+                + h.powi(2)*Z_r.powi(2)*k_r4*touchr4 + h.powi(2)*Z_r.powi(2)*k_r5*touchr5;
+            backlash_r1 => h.powi(2)*Z_r.powi(2)*k_r1*clipr1*touchr1;
+            sliding_friction_r1 => h*Z_r*arm_r1*F_mu_r1_by_overr1 + h.powi(2)*sin_a*Z_r.powi(2)*side_r1*F_mu_r1_by_overr1/cos_a;
+            backlash_r2 => h.powi(2)*Z_r.powi(2)*k_r2*clipr2*touchr2;
+            sliding_friction_r2 => h*Z_r*arm_r2*F_mu_r2_by_overr2 + h.powi(2)*sin_a*Z_r.powi(2)*side_r2*F_mu_r2_by_overr2/cos_a;
+            backlash_r3 => h.powi(2)*Z_r.powi(2)*k_r3*clipr3*touchr3;
+            sliding_friction_r3 => h*Z_r*arm_r3*F_mu_r3_by_overr3 + h.powi(2)*sin_a*Z_r.powi(2)*side_r3*F_mu_r3_by_overr3/cos_a;
+            backlash_r4 => h.powi(2)*Z_r.powi(2)*k_r4*clipr4*touchr4;
+            sliding_friction_r4 => h*Z_r*arm_r4*F_mu_r4_by_overr4 + h.powi(2)*sin_a*Z_r.powi(2)*side_r4*F_mu_r4_by_overr4/cos_a;
+            backlash_r5 => h.powi(2)*Z_r.powi(2)*k_r5*clipr5*touchr5;
+            sliding_friction_r5 => h*Z_r*arm_r5*F_mu_r5_by_overr5 + h.powi(2)*sin_a*Z_r.powi(2)*side_r5*F_mu_r5_by_overr5/cos_a;
         }
-        theta_c x_r { _ => -h*sin_r1*Z_r*k_r1 - h*sin_r2*Z_r*k_r2 - h*sin_r3*Z_r*k_r3 - h*sin_r4*Z_r*k_r4 - h*sin_r5*Z_r*k_r5; }
-        theta_c y_r { _ => cos_r1*h*Z_r*k_r1 + cos_r2*h*Z_r*k_r2 + cos_r3*h*Z_r*k_r3 + cos_r4*h*Z_r*k_r4 + cos_r5*h*Z_r*k_r5; }
-        theta_c zeta1 { _ => h*sin_a*Z_r*k_r1; }
-        theta_c eta1 { _ => -cos_a*h*Z_r*k_r1; }
-        theta_c u1 { _ => -h*Z_r*k_r1; }
-        theta_c zeta2 { _ => h*sin_a*Z_r*k_r2; }
-        theta_c eta2 { _ => -cos_a*h*Z_r*k_r2; }
-        theta_c u2 { _ => -h*Z_r*k_r2; }
-        theta_c zeta3 { _ => h*sin_a*Z_r*k_r3; }
-        theta_c eta3 { _ => -cos_a*h*Z_r*k_r3; }
-        theta_c u3 { _ => -h*Z_r*k_r3; }
-        theta_c zeta4 { _ => h*sin_a*Z_r*k_r4; }
-        theta_c eta4 { _ => -cos_a*h*Z_r*k_r4; }
-        theta_c u4 { _ => -h*Z_r*k_r4; }
-        theta_c zeta5 { _ => h*sin_a*Z_r*k_r5; }
-        theta_c eta5 { _ => -cos_a*h*Z_r*k_r5; }
-        theta_c u5 { _ => -h*Z_r*k_r5; }
+        theta_c x_r {
+            _ => -h*sin_r1*Z_r*k_r1*touchr1 - h*sin_r2*Z_r*k_r2*touchr2 - h*sin_r3*Z_r*k_r3*touchr3 - h*sin_r4*Z_r*k_r4*touchr4
+                - h*sin_r5*Z_r*k_r5*touchr5;
+            backlash_r1 => -h*sin_r1*Z_r*k_r1*clipr1*touchr1;
+            sliding_friction_r1 => -sin_r1*arm_r1*F_mu_r1_by_overr1 - h*sin_a*sin_r1*Z_r*side_r1*F_mu_r1_by_overr1/cos_a;
+            backlash_r2 => -h*sin_r2*Z_r*k_r2*clipr2*touchr2;
+            sliding_friction_r2 => -sin_r2*arm_r2*F_mu_r2_by_overr2 - h*sin_a*sin_r2*Z_r*side_r2*F_mu_r2_by_overr2/cos_a;
+            backlash_r3 => -h*sin_r3*Z_r*k_r3*clipr3*touchr3;
+            sliding_friction_r3 => -sin_r3*arm_r3*F_mu_r3_by_overr3 - h*sin_a*sin_r3*Z_r*side_r3*F_mu_r3_by_overr3/cos_a;
+            backlash_r4 => -h*sin_r4*Z_r*k_r4*clipr4*touchr4;
+            sliding_friction_r4 => -sin_r4*arm_r4*F_mu_r4_by_overr4 - h*sin_a*sin_r4*Z_r*side_r4*F_mu_r4_by_overr4/cos_a;
+            backlash_r5 => -h*sin_r5*Z_r*k_r5*clipr5*touchr5;
+            sliding_friction_r5 => -sin_r5*arm_r5*F_mu_r5_by_overr5 - h*sin_a*sin_r5*Z_r*side_r5*F_mu_r5_by_overr5/cos_a;
+        }
+        theta_c y_r {
+            _ => cos_r1*h*Z_r*k_r1*touchr1 + cos_r2*h*Z_r*k_r2*touchr2 + cos_r3*h*Z_r*k_r3*touchr3 + cos_r4*h*Z_r*k_r4*touchr4
+                + cos_r5*h*Z_r*k_r5*touchr5;
+            backlash_r1 => cos_r1*h*Z_r*k_r1*clipr1*touchr1;
+            sliding_friction_r1 => cos_r1*arm_r1*F_mu_r1_by_overr1 + cos_r1*h*sin_a*Z_r*side_r1*F_mu_r1_by_overr1/cos_a;
+            backlash_r2 => cos_r2*h*Z_r*k_r2*clipr2*touchr2;
+            sliding_friction_r2 => cos_r2*arm_r2*F_mu_r2_by_overr2 + cos_r2*h*sin_a*Z_r*side_r2*F_mu_r2_by_overr2/cos_a;
+            backlash_r3 => cos_r3*h*Z_r*k_r3*clipr3*touchr3;
+            sliding_friction_r3 => cos_r3*arm_r3*F_mu_r3_by_overr3 + cos_r3*h*sin_a*Z_r*side_r3*F_mu_r3_by_overr3/cos_a;
+            backlash_r4 => cos_r4*h*Z_r*k_r4*clipr4*touchr4;
+            sliding_friction_r4 => cos_r4*arm_r4*F_mu_r4_by_overr4 + cos_r4*h*sin_a*Z_r*side_r4*F_mu_r4_by_overr4/cos_a;
+            backlash_r5 => cos_r5*h*Z_r*k_r5*clipr5*touchr5;
+            sliding_friction_r5 => cos_r5*arm_r5*F_mu_r5_by_overr5 + cos_r5*h*sin_a*Z_r*side_r5*F_mu_r5_by_overr5/cos_a;
+        }
+        theta_c zeta1 {
+            _ => h*sin_a*Z_r*k_r1*touchr1;
+            backlash_r1 => h*sin_a*Z_r*k_r1*clipr1*touchr1;
+            sliding_friction_r1 => sin_a*arm_r1*F_mu_r1_by_overr1 + h*sin_a.powi(2)*Z_r*side_r1*F_mu_r1_by_overr1/cos_a;
+        }
+        theta_c eta1 {
+            _ => -cos_a*h*Z_r*k_r1*touchr1;
+            backlash_r1 => -cos_a*h*Z_r*k_r1*clipr1*touchr1;
+            sliding_friction_r1 => -cos_a*arm_r1*F_mu_r1_by_overr1 - h*sin_a*Z_r*side_r1*F_mu_r1_by_overr1;
+        }
+        theta_c u1 {
+            _ => -h*Z_r*k_r1*touchr1;
+            backlash_r1 => -h*Z_r*k_r1*clipr1*touchr1;
+            sliding_friction_r1 => -arm_r1*F_mu_r1_by_overr1 - h*sin_a*Z_r*side_r1*F_mu_r1_by_overr1/cos_a;
+        }
+        theta_c zeta2 {
+            _ => h*sin_a*Z_r*k_r2*touchr2;
+            backlash_r2 => h*sin_a*Z_r*k_r2*clipr2*touchr2;
+            sliding_friction_r2 => sin_a*arm_r2*F_mu_r2_by_overr2 + h*sin_a.powi(2)*Z_r*side_r2*F_mu_r2_by_overr2/cos_a;
+        }
+        theta_c eta2 {
+            _ => -cos_a*h*Z_r*k_r2*touchr2;
+            backlash_r2 => -cos_a*h*Z_r*k_r2*clipr2*touchr2;
+            sliding_friction_r2 => -cos_a*arm_r2*F_mu_r2_by_overr2 - h*sin_a*Z_r*side_r2*F_mu_r2_by_overr2;
+        }
+        theta_c u2 {
+            _ => -h*Z_r*k_r2*touchr2;
+            backlash_r2 => -h*Z_r*k_r2*clipr2*touchr2;
+            sliding_friction_r2 => -arm_r2*F_mu_r2_by_overr2 - h*sin_a*Z_r*side_r2*F_mu_r2_by_overr2/cos_a;
+        }
+        theta_c zeta3 {
+            _ => h*sin_a*Z_r*k_r3*touchr3;
+            backlash_r3 => h*sin_a*Z_r*k_r3*clipr3*touchr3;
+            sliding_friction_r3 => sin_a*arm_r3*F_mu_r3_by_overr3 + h*sin_a.powi(2)*Z_r*side_r3*F_mu_r3_by_overr3/cos_a;
+        }
+        theta_c eta3 {
+            _ => -cos_a*h*Z_r*k_r3*touchr3;
+            backlash_r3 => -cos_a*h*Z_r*k_r3*clipr3*touchr3;
+            sliding_friction_r3 => -cos_a*arm_r3*F_mu_r3_by_overr3 - h*sin_a*Z_r*side_r3*F_mu_r3_by_overr3;
+        }
+        theta_c u3 {
+            _ => -h*Z_r*k_r3*touchr3;
+            backlash_r3 => -h*Z_r*k_r3*clipr3*touchr3;
+            sliding_friction_r3 => -arm_r3*F_mu_r3_by_overr3 - h*sin_a*Z_r*side_r3*F_mu_r3_by_overr3/cos_a;
+        }
+        theta_c zeta4 {
+            _ => h*sin_a*Z_r*k_r4*touchr4;
+            backlash_r4 => h*sin_a*Z_r*k_r4*clipr4*touchr4;
+            sliding_friction_r4 => sin_a*arm_r4*F_mu_r4_by_overr4 + h*sin_a.powi(2)*Z_r*side_r4*F_mu_r4_by_overr4/cos_a;
+        }
+        theta_c eta4 {
+            _ => -cos_a*h*Z_r*k_r4*touchr4;
+            backlash_r4 => -cos_a*h*Z_r*k_r4*clipr4*touchr4;
+            sliding_friction_r4 => -cos_a*arm_r4*F_mu_r4_by_overr4 - h*sin_a*Z_r*side_r4*F_mu_r4_by_overr4;
+        }
+        theta_c u4 {
+            _ => -h*Z_r*k_r4*touchr4;
+            backlash_r4 => -h*Z_r*k_r4*clipr4*touchr4;
+            sliding_friction_r4 => -arm_r4*F_mu_r4_by_overr4 - h*sin_a*Z_r*side_r4*F_mu_r4_by_overr4/cos_a;
+        }
+        theta_c zeta5 {
+            _ => h*sin_a*Z_r*k_r5*touchr5;
+            backlash_r5 => h*sin_a*Z_r*k_r5*clipr5*touchr5;
+            sliding_friction_r5 => sin_a*arm_r5*F_mu_r5_by_overr5 + h*sin_a.powi(2)*Z_r*side_r5*F_mu_r5_by_overr5/cos_a;
+        }
+        theta_c eta5 {
+            _ => -cos_a*h*Z_r*k_r5*touchr5;
+            backlash_r5 => -cos_a*h*Z_r*k_r5*clipr5*touchr5;
+            sliding_friction_r5 => -cos_a*arm_r5*F_mu_r5_by_overr5 - h*sin_a*Z_r*side_r5*F_mu_r5_by_overr5;
+        }
+        theta_c u5 {
+            _ => -h*Z_r*k_r5*touchr5;
+            backlash_r5 => -h*Z_r*k_r5*clipr5*touchr5;
+            sliding_friction_r5 => -arm_r5*F_mu_r5_by_overr5 - h*sin_a*Z_r*side_r5*F_mu_r5_by_overr5/cos_a;
+        }
         theta_c theta_dot {
             torsional_support_s_and_damping => -beta_K*k_s/Z_r - beta_K*k_s/Z_s;
             torsional_support_c_and_damping => -beta_K*k_c/Z_r;
+            sliding_friction_r1 => roll_r*arm_r1*F_mu_r1_by_psi_r1_dot + h*roll_r*sin_a*Z_r*side_r1*F_mu_r1_by_psi_r1_dot/cos_a;
+            sliding_friction_r2 => roll_r*arm_r2*F_mu_r2_by_psi_r2_dot + h*roll_r*sin_a*Z_r*side_r2*F_mu_r2_by_psi_r2_dot/cos_a;
+            sliding_friction_r3 => roll_r*arm_r3*F_mu_r3_by_psi_r3_dot + h*roll_r*sin_a*Z_r*side_r3*F_mu_r3_by_psi_r3_dot/cos_a;
+            sliding_friction_r4 => roll_r*arm_r4*F_mu_r4_by_psi_r4_dot + h*roll_r*sin_a*Z_r*side_r4*F_mu_r4_by_psi_r4_dot/cos_a;
+            sliding_friction_r5 => roll_r*arm_r5*F_mu_r5_by_psi_r5_dot + h*roll_r*sin_a*Z_r*side_r5*F_mu_r5_by_psi_r5_dot/cos_a;
             damping => 5.0*h*I_p*alpha_M/r_p - I_c*alpha_M/Z_r - 5.0*I_p*alpha_M/Z_r - I_s*alpha_M/Z_r - I_s*alpha_M/Z_s
                 - 5.0*a.powi(2)*alpha_M*m_p/Z_r;
         }
         theta_c theta_c_dot {
             torsional_support_s_and_damping => -beta_K*k_s;
             torsional_support_c_and_damping => -beta_K*k_c;
-            damping => -I_c*alpha_M - 5.0*I_p*alpha_M - I_s*alpha_M - 5.0*a.powi(2)*alpha_M*m_p - h.powi(2)*Z_r.powi(2)*beta_K*k_r1_mid
-                - h.powi(2)*Z_r.powi(2)*beta_K*k_r2_mid - h.powi(2)*Z_r.powi(2)*beta_K*k_r3_mid - h.powi(2)*Z_r.powi(2)*beta_K*k_r4_mid
-                - h.powi(2)*Z_r.powi(2)*beta_K*k_r5_mid;
+            sliding_friction_r1 => -arm_r1*F_mu_r1_by_psi_r1_dot - h*sin_a*Z_r*side_r1*F_mu_r1_by_psi_r1_dot/cos_a;
+            sliding_friction_r2 => -arm_r2*F_mu_r2_by_psi_r2_dot - h*sin_a*Z_r*side_r2*F_mu_r2_by_psi_r2_dot/cos_a;
+            sliding_friction_r3 => -arm_r3*F_mu_r3_by_psi_r3_dot - h*sin_a*Z_r*side_r3*F_mu_r3_by_psi_r3_dot/cos_a;
+            sliding_friction_r4 => -arm_r4*F_mu_r4_by_psi_r4_dot - h*sin_a*Z_r*side_r4*F_mu_r4_by_psi_r4_dot/cos_a;
+            sliding_friction_r5 => -arm_r5*F_mu_r5_by_psi_r5_dot - h*sin_a*Z_r*side_r5*F_mu_r5_by_psi_r5_dot/cos_a;
+            damping => -I_c*alpha_M - 5.0*I_p*alpha_M - I_s*alpha_M - 5.0*a.powi(2)*alpha_M*m_p
+                - h.powi(2)*Z_r.powi(2)*beta_K*k_r1_mid*dampr1 - h.powi(2)*Z_r.powi(2)*beta_K*k_r2_mid*dampr2
+                - h.powi(2)*Z_r.powi(2)*beta_K*k_r3_mid*dampr3 - h.powi(2)*Z_r.powi(2)*beta_K*k_r4_mid*dampr4
+                - h.powi(2)*Z_r.powi(2)*beta_K*k_r5_mid*dampr5;
         }
         theta_c theta_r_dot {
-            damping => h.powi(2)*Z_r.powi(2)*beta_K*k_r1_mid + h.powi(2)*Z_r.powi(2)*beta_K*k_r2_mid
-                + h.powi(2)*Z_r.powi(2)*beta_K*k_r3_mid + h.powi(2)*Z_r.powi(2)*beta_K*k_r4_mid + h.powi(2)*Z_r.powi(2)*beta_K*k_r5_mid;
+            sliding_friction_r1 => arm_r1*F_mu_r1_by_psi_r1_dot + h*sin_a*Z_r*side_r1*F_mu_r1_by_psi_r1_dot/cos_a;
+            sliding_friction_r2 => arm_r2*F_mu_r2_by_psi_r2_dot + h*sin_a*Z_r*side_r2*F_mu_r2_by_psi_r2_dot/cos_a;
+            sliding_friction_r3 => arm_r3*F_mu_r3_by_psi_r3_dot + h*sin_a*Z_r*side_r3*F_mu_r3_by_psi_r3_dot/cos_a;
+            sliding_friction_r4 => arm_r4*F_mu_r4_by_psi_r4_dot + h*sin_a*Z_r*side_r4*F_mu_r4_by_psi_r4_dot/cos_a;
+            sliding_friction_r5 => arm_r5*F_mu_r5_by_psi_r5_dot + h*sin_a*Z_r*side_r5*F_mu_r5_by_psi_r5_dot/cos_a;
+            damping => h.powi(2)*Z_r.powi(2)*beta_K*k_r1_mid*dampr1 + h.powi(2)*Z_r.powi(2)*beta_K*k_r2_mid*dampr2
+                + h.powi(2)*Z_r.powi(2)*beta_K*k_r3_mid*dampr3 + h.powi(2)*Z_r.powi(2)*beta_K*k_r4_mid*dampr4
+                + h.powi(2)*Z_r.powi(2)*beta_K*k_r5_mid*dampr5;
         }
         theta_c x_r_dot {
-            damping => -h*sin_r1*Z_r*beta_K*k_r1_mid - h*sin_r2*Z_r*beta_K*k_r2_mid - h*sin_r3*Z_r*beta_K*k_r3_mid
-                - h*sin_r4*Z_r*beta_K*k_r4_mid - h*sin_r5*Z_r*beta_K*k_r5_mid;
+            damping => -h*sin_r1*Z_r*beta_K*k_r1_mid*dampr1 - h*sin_r2*Z_r*beta_K*k_r2_mid*dampr2 - h*sin_r3*Z_r*beta_K*k_r3_mid*dampr3
+                - h*sin_r4*Z_r*beta_K*k_r4_mid*dampr4 - h*sin_r5*Z_r*beta_K*k_r5_mid*dampr5;
         }
         theta_c y_r_dot {
-            damping => cos_r1*h*Z_r*beta_K*k_r1_mid + cos_r2*h*Z_r*beta_K*k_r2_mid + cos_r3*h*Z_r*beta_K*k_r3_mid
-                + cos_r4*h*Z_r*beta_K*k_r4_mid + cos_r5*h*Z_r*beta_K*k_r5_mid;
+            damping => cos_r1*h*Z_r*beta_K*k_r1_mid*dampr1 + cos_r2*h*Z_r*beta_K*k_r2_mid*dampr2 + cos_r3*h*Z_r*beta_K*k_r3_mid*dampr3
+                + cos_r4*h*Z_r*beta_K*k_r4_mid*dampr4 + cos_r5*h*Z_r*beta_K*k_r5_mid*dampr5;
         }
-        theta_c zeta1_dot { damping => h*sin_a*Z_r*beta_K*k_r1_mid; }
-        theta_c eta1_dot { damping => -a*alpha_M*m_p - cos_a*h*Z_r*beta_K*k_r1_mid; }
-        theta_c u1_dot { damping => -h*Z_r*beta_K*k_r1_mid - I_p*alpha_M/r_p; }
-        theta_c zeta2_dot { damping => h*sin_a*Z_r*beta_K*k_r2_mid; }
-        theta_c eta2_dot { damping => -a*alpha_M*m_p - cos_a*h*Z_r*beta_K*k_r2_mid; }
-        theta_c u2_dot { damping => -h*Z_r*beta_K*k_r2_mid - I_p*alpha_M/r_p; }
-        theta_c zeta3_dot { damping => h*sin_a*Z_r*beta_K*k_r3_mid; }
-        theta_c eta3_dot { damping => -a*alpha_M*m_p - cos_a*h*Z_r*beta_K*k_r3_mid; }
-        theta_c u3_dot { damping => -h*Z_r*beta_K*k_r3_mid - I_p*alpha_M/r_p; }
-        theta_c zeta4_dot { damping => h*sin_a*Z_r*beta_K*k_r4_mid; }
-        theta_c eta4_dot { damping => -a*alpha_M*m_p - cos_a*h*Z_r*beta_K*k_r4_mid; }
-        theta_c u4_dot { damping => -h*Z_r*beta_K*k_r4_mid - I_p*alpha_M/r_p; }
-        theta_c zeta5_dot { damping => h*sin_a*Z_r*beta_K*k_r5_mid; }
-        theta_c eta5_dot { damping => -a*alpha_M*m_p - cos_a*h*Z_r*beta_K*k_r5_mid; }
-        theta_c u5_dot { damping => -h*Z_r*beta_K*k_r5_mid - I_p*alpha_M/r_p; }
+        theta_c zeta1_dot { damping => h*sin_a*Z_r*beta_K*k_r1_mid*dampr1; }
+        theta_c eta1_dot { damping => -a*alpha_M*m_p - cos_a*h*Z_r*beta_K*k_r1_mid*dampr1; }
+        theta_c u1_dot {
+            sliding_friction_r1 => -h*sin_a*Z_r*side_r1*F_mu_r1_by_psi_r1_dot/(cos_a*r_p) - arm_r1*F_mu_r1_by_psi_r1_dot/r_p;
+            damping => -h*Z_r*beta_K*k_r1_mid*dampr1 - I_p*alpha_M/r_p;
+        }
+        theta_c zeta2_dot { damping => h*sin_a*Z_r*beta_K*k_r2_mid*dampr2; }
+        theta_c eta2_dot { damping => -a*alpha_M*m_p - cos_a*h*Z_r*beta_K*k_r2_mid*dampr2; }
+        theta_c u2_dot {
+            sliding_friction_r2 => -h*sin_a*Z_r*side_r2*F_mu_r2_by_psi_r2_dot/(cos_a*r_p) - arm_r2*F_mu_r2_by_psi_r2_dot/r_p;
+            damping => -h*Z_r*beta_K*k_r2_mid*dampr2 - I_p*alpha_M/r_p;
+        }
+        theta_c zeta3_dot { damping => h*sin_a*Z_r*beta_K*k_r3_mid*dampr3; }
+        theta_c eta3_dot { damping => -a*alpha_M*m_p - cos_a*h*Z_r*beta_K*k_r3_mid*dampr3; }
+        theta_c u3_dot {
+            sliding_friction_r3 => -h*sin_a*Z_r*side_r3*F_mu_r3_by_psi_r3_dot/(cos_a*r_p) - arm_r3*F_mu_r3_by_psi_r3_dot/r_p;
+            damping => -h*Z_r*beta_K*k_r3_mid*dampr3 - I_p*alpha_M/r_p;
+        }
+        theta_c zeta4_dot { damping => h*sin_a*Z_r*beta_K*k_r4_mid*dampr4; }
+        theta_c eta4_dot { damping => -a*alpha_M*m_p - cos_a*h*Z_r*beta_K*k_r4_mid*dampr4; }
+        theta_c u4_dot {
+            sliding_friction_r4 => -h*sin_a*Z_r*side_r4*F_mu_r4_by_psi_r4_dot/(cos_a*r_p) - arm_r4*F_mu_r4_by_psi_r4_dot/r_p;
+            damping => -h*Z_r*beta_K*k_r4_mid*dampr4 - I_p*alpha_M/r_p;
+        }
+        theta_c zeta5_dot { damping => h*sin_a*Z_r*beta_K*k_r5_mid*dampr5; }
+        theta_c eta5_dot { damping => -a*alpha_M*m_p - cos_a*h*Z_r*beta_K*k_r5_mid*dampr5; }
+        theta_c u5_dot {
+            sliding_friction_r5 => -h*sin_a*Z_r*side_r5*F_mu_r5_by_psi_r5_dot/(cos_a*r_p) - arm_r5*F_mu_r5_by_psi_r5_dot/r_p;
+            damping => -h*Z_r*beta_K*k_r5_mid*dampr5 - I_p*alpha_M/r_p;
+        }
         theta_r theta {
-            transmission_error_r1_and_moving_phase => h*Z_r*k_r1*de_r1;
-            transmission_error_r2_and_moving_phase => h*Z_r*k_r2*de_r2;
-            transmission_error_r3_and_moving_phase => h*Z_r*k_r3*de_r3;
-            transmission_error_r4_and_moving_phase => h*Z_r*k_r4*de_r4;
-            transmission_error_r5_and_moving_phase => h*Z_r*k_r5*de_r5;
-            moving_phase => -h*Z_r*dk_r1*delta_r1 - h*Z_r*dk_r2*delta_r2 - h*Z_r*dk_r3*delta_r3 - h*Z_r*dk_r4*delta_r4
-                - h*Z_r*dk_r5*delta_r5;
+            transmission_error_r1_and_backlash_r1_and_moving_phase => h*Z_r*k_r1*de_r1*clipr1*touchr1;
+            transmission_error_r1_and_sliding_friction_r1_and_moving_phase => de_r1*arm_r1*F_mu_r1_by_overr1
+                + h*sin_a*Z_r*de_r1*side_r1*F_mu_r1_by_overr1/cos_a;
+            transmission_error_r1_and_moving_phase => h*Z_r*k_r1*de_r1*touchr1;
+            backlash_r1_and_moving_phase => -h*Z_r*dk_r1*clipr1*touchr1*overr1;
+            sliding_friction_r1_and_moving_phase => -darm_r1*F_mu_r1 - dk_r1*arm_r1*F_mu_r1_by_k_r1
+                - h*sin_a*Z_r*dk_r1*side_r1*F_mu_r1_by_k_r1/cos_a - h*sin_a*Z_r*dside_r1*F_mu_r1/cos_a;
+            transmission_error_r2_and_backlash_r2_and_moving_phase => h*Z_r*k_r2*de_r2*clipr2*touchr2;
+            transmission_error_r2_and_sliding_friction_r2_and_moving_phase => de_r2*arm_r2*F_mu_r2_by_overr2
+                + h*sin_a*Z_r*de_r2*side_r2*F_mu_r2_by_overr2/cos_a;
+            transmission_error_r2_and_moving_phase => h*Z_r*k_r2*de_r2*touchr2;
+            backlash_r2_and_moving_phase => -h*Z_r*dk_r2*clipr2*touchr2*overr2;
+            sliding_friction_r2_and_moving_phase => -darm_r2*F_mu_r2 - dk_r2*arm_r2*F_mu_r2_by_k_r2
+                - h*sin_a*Z_r*dk_r2*side_r2*F_mu_r2_by_k_r2/cos_a - h*sin_a*Z_r*dside_r2*F_mu_r2/cos_a;
+            transmission_error_r3_and_backlash_r3_and_moving_phase => h*Z_r*k_r3*de_r3*clipr3*touchr3;
+            transmission_error_r3_and_sliding_friction_r3_and_moving_phase => de_r3*arm_r3*F_mu_r3_by_overr3
+                + h*sin_a*Z_r*de_r3*side_r3*F_mu_r3_by_overr3/cos_a;
+            transmission_error_r3_and_moving_phase => h*Z_r*k_r3*de_r3*touchr3;
+            backlash_r3_and_moving_phase => -h*Z_r*dk_r3*clipr3*touchr3*overr3;
+            sliding_friction_r3_and_moving_phase => -darm_r3*F_mu_r3 - dk_r3*arm_r3*F_mu_r3_by_k_r3
+                - h*sin_a*Z_r*dk_r3*side_r3*F_mu_r3_by_k_r3/cos_a - h*sin_a*Z_r*dside_r3*F_mu_r3/cos_a;
+            transmission_error_r4_and_backlash_r4_and_moving_phase => h*Z_r*k_r4*de_r4*clipr4*touchr4;
+            transmission_error_r4_and_sliding_friction_r4_and_moving_phase => de_r4*arm_r4*F_mu_r4_by_overr4
+                + h*sin_a*Z_r*de_r4*side_r4*F_mu_r4_by_overr4/cos_a;
+            transmission_error_r4_and_moving_phase => h*Z_r*k_r4*de_r4*touchr4;
+            backlash_r4_and_moving_phase => -h*Z_r*dk_r4*clipr4*touchr4*overr4;
+            sliding_friction_r4_and_moving_phase => -darm_r4*F_mu_r4 - dk_r4*arm_r4*F_mu_r4_by_k_r4
+                - h*sin_a*Z_r*dk_r4*side_r4*F_mu_r4_by_k_r4/cos_a - h*sin_a*Z_r*dside_r4*F_mu_r4/cos_a;
+            transmission_error_r5_and_backlash_r5_and_moving_phase => h*Z_r*k_r5*de_r5*clipr5*touchr5;
+            transmission_error_r5_and_sliding_friction_r5_and_moving_phase => de_r5*arm_r5*F_mu_r5_by_overr5
+                + h*sin_a*Z_r*de_r5*side_r5*F_mu_r5_by_overr5/cos_a;
+            transmission_error_r5_and_moving_phase => h*Z_r*k_r5*de_r5*touchr5;
+            backlash_r5_and_moving_phase => -h*Z_r*dk_r5*clipr5*touchr5*overr5;
+            sliding_friction_r5_and_moving_phase => -darm_r5*F_mu_r5 - dk_r5*arm_r5*F_mu_r5_by_k_r5
+                - h*sin_a*Z_r*dk_r5*side_r5*F_mu_r5_by_k_r5/cos_a - h*sin_a*Z_r*dside_r5*F_mu_r5/cos_a;
+            moving_phase => -h*Z_r*dk_r1*touchr1*overr1 - h*Z_r*dk_r2*touchr2*overr2 - h*Z_r*dk_r3*touchr3*overr3
+                - h*Z_r*dk_r4*touchr4*overr4 - h*Z_r*dk_r5*touchr5*overr5;
         }
         theta_r theta_c {
-            _ => h.powi(2)*Z_r.powi(2)*k_r1 + h.powi(2)*Z_r.powi(2)*k_r2 + h.powi(2)*Z_r.powi(2)*k_r3 + h.powi(2)*Z_r.powi(2)*k_r4
-                + h.powi(2)*Z_r.powi(2)*k_r5;
+            _ => h.powi(2)*Z_r.powi(2)*k_r1*touchr1 + h.powi(2)*Z_r.powi(2)*k_r2*touchr2 + h.powi(2)*Z_r.powi(2)*k_r3*touchr3
+                + h.powi(2)*Z_r.powi(2)*k_r4*touchr4 + h.powi(2)*Z_r.powi(2)*k_r5*touchr5;
+            backlash_r1 => h.powi(2)*Z_r.powi(2)*k_r1*clipr1*touchr1;
+            sliding_friction_r1 => h*Z_r*arm_r1*F_mu_r1_by_overr1 + h.powi(2)*sin_a*Z_r.powi(2)*side_r1*F_mu_r1_by_overr1/cos_a;
+            backlash_r2 => h.powi(2)*Z_r.powi(2)*k_r2*clipr2*touchr2;
+            sliding_friction_r2 => h*Z_r*arm_r2*F_mu_r2_by_overr2 + h.powi(2)*sin_a*Z_r.powi(2)*side_r2*F_mu_r2_by_overr2/cos_a;
+            backlash_r3 => h.powi(2)*Z_r.powi(2)*k_r3*clipr3*touchr3;
+            sliding_friction_r3 => h*Z_r*arm_r3*F_mu_r3_by_overr3 + h.powi(2)*sin_a*Z_r.powi(2)*side_r3*F_mu_r3_by_overr3/cos_a;
+            backlash_r4 => h.powi(2)*Z_r.powi(2)*k_r4*clipr4*touchr4;
+            sliding_friction_r4 => h*Z_r*arm_r4*F_mu_r4_by_overr4 + h.powi(2)*sin_a*Z_r.powi(2)*side_r4*F_mu_r4_by_overr4/cos_a;
+            backlash_r5 => h.powi(2)*Z_r.powi(2)*k_r5*clipr5*touchr5;
+            sliding_friction_r5 => h*Z_r*arm_r5*F_mu_r5_by_overr5 + h.powi(2)*sin_a*Z_r.powi(2)*side_r5*F_mu_r5_by_overr5/cos_a;
         }
         theta_r theta_r {
-            _ => -k_r - h.powi(2)*Z_r.powi(2)*k_r1 - h.powi(2)*Z_r.powi(2)*k_r2 - h.powi(2)*Z_r.powi(2)*k_r3 - h.powi(2)*Z_r.powi(2)*k_r4
-                - h.powi(2)*Z_r.powi(2)*k_r5;
+            _ => -k_r - h.powi(2)*Z_r.powi(2)*k_r1*touchr1 - h.powi(2)*Z_r.powi(2)*k_r2*touchr2 - h.powi(2)*Z_r.powi(2)*k_r3*touchr3
+                - h.powi(2)*Z_r.powi(2)*k_r4*touchr4 - h.powi(2)*Z_r.powi(2)*k_r5*touchr5;
+            backlash_r1 => -h.powi(2)*Z_r.powi(2)*k_r1*clipr1*touchr1;
+            sliding_friction_r1 => -h*Z_r*arm_r1*F_mu_r1_by_overr1 - h.powi(2)*sin_a*Z_r.powi(2)*side_r1*F_mu_r1_by_overr1/cos_a;
+            backlash_r2 => -h.powi(2)*Z_r.powi(2)*k_r2*clipr2*touchr2;
+            sliding_friction_r2 => -h*Z_r*arm_r2*F_mu_r2_by_overr2 - h.powi(2)*sin_a*Z_r.powi(2)*side_r2*F_mu_r2_by_overr2/cos_a;
+            backlash_r3 => -h.powi(2)*Z_r.powi(2)*k_r3*clipr3*touchr3;
+            sliding_friction_r3 => -h*Z_r*arm_r3*F_mu_r3_by_overr3 - h.powi(2)*sin_a*Z_r.powi(2)*side_r3*F_mu_r3_by_overr3/cos_a;
+            backlash_r4 => -h.powi(2)*Z_r.powi(2)*k_r4*clipr4*touchr4;
+            sliding_friction_r4 => -h*Z_r*arm_r4*F_mu_r4_by_overr4 - h.powi(2)*sin_a*Z_r.powi(2)*side_r4*F_mu_r4_by_overr4/cos_a;
+            backlash_r5 => -h.powi(2)*Z_r.powi(2)*k_r5*clipr5*touchr5;
+            sliding_friction_r5 => -h*Z_r*arm_r5*F_mu_r5_by_overr5 - h.powi(2)*sin_a*Z_r.powi(2)*side_r5*F_mu_r5_by_overr5/cos_a;
         }
-        theta_r x_r { _ => h*sin_r1*Z_r*k_r1 + h*sin_r2*Z_r*k_r2 + h*sin_r3*Z_r*k_r3 + h*sin_r4*Z_r*k_r4 + h*sin_r5*Z_r*k_r5; }
-        theta_r y_r { _ => -cos_r1*h*Z_r*k_r1 - cos_r2*h*Z_r*k_r2 - cos_r3*h*Z_r*k_r3 - cos_r4*h*Z_r*k_r4 - cos_r5*h*Z_r*k_r5; }
-        theta_r zeta1 { _ => -h*sin_a*Z_r*k_r1; }
-        theta_r eta1 { _ => cos_a*h*Z_r*k_r1; }
-        theta_r u1 { _ => h*Z_r*k_r1; }
-        theta_r zeta2 { _ => -h*sin_a*Z_r*k_r2; }
-        theta_r eta2 { _ => cos_a*h*Z_r*k_r2; }
-        theta_r u2 { _ => h*Z_r*k_r2; }
-        theta_r zeta3 { _ => -h*sin_a*Z_r*k_r3; }
-        theta_r eta3 { _ => cos_a*h*Z_r*k_r3; }
-        theta_r u3 { _ => h*Z_r*k_r3; }
-        theta_r zeta4 { _ => -h*sin_a*Z_r*k_r4; }
-        theta_r eta4 { _ => cos_a*h*Z_r*k_r4; }
-        theta_r u4 { _ => h*Z_r*k_r4; }
-        theta_r zeta5 { _ => -h*sin_a*Z_r*k_r5; }
-        theta_r eta5 { _ => cos_a*h*Z_r*k_r5; }
-        theta_r u5 { _ => h*Z_r*k_r5; }
+        theta_r x_r {
+            _ => h*sin_r1*Z_r*k_r1*touchr1 + h*sin_r2*Z_r*k_r2*touchr2 + h*sin_r3*Z_r*k_r3*touchr3 + h*sin_r4*Z_r*k_r4*touchr4
+                + h*sin_r5*Z_r*k_r5*touchr5;
+            backlash_r1 => h*sin_r1*Z_r*k_r1*clipr1*touchr1;
+            sliding_friction_r1 => sin_r1*arm_r1*F_mu_r1_by_overr1 + h*sin_a*sin_r1*Z_r*side_r1*F_mu_r1_by_overr1/cos_a;
+            backlash_r2 => h*sin_r2*Z_r*k_r2*clipr2*touchr2;
+            sliding_friction_r2 => sin_r2*arm_r2*F_mu_r2_by_overr2 + h*sin_a*sin_r2*Z_r*side_r2*F_mu_r2_by_overr2/cos_a;
+            backlash_r3 => h*sin_r3*Z_r*k_r3*clipr3*touchr3;
+            sliding_friction_r3 => sin_r3*arm_r3*F_mu_r3_by_overr3 + h*sin_a*sin_r3*Z_r*side_r3*F_mu_r3_by_overr3/cos_a;
+            backlash_r4 => h*sin_r4*Z_r*k_r4*clipr4*touchr4;
+            sliding_friction_r4 => sin_r4*arm_r4*F_mu_r4_by_overr4 + h*sin_a*sin_r4*Z_r*side_r4*F_mu_r4_by_overr4/cos_a;
+            backlash_r5 => h*sin_r5*Z_r*k_r5*clipr5*touchr5;
+            sliding_friction_r5 => sin_r5*arm_r5*F_mu_r5_by_overr5 + h*sin_a*sin_r5*Z_r*side_r5*F_mu_r5_by_overr5/cos_a;
+        }
+        theta_r y_r {
+            _ => -cos_r1*h*Z_r*k_r1*touchr1 - cos_r2*h*Z_r*k_r2*touchr2 - cos_r3*h*Z_r*k_r3*touchr3 - cos_r4*h*Z_r*k_r4*touchr4
+                - cos_r5*h*Z_r*k_r5*touchr5;
+            backlash_r1 => -cos_r1*h*Z_r*k_r1*clipr1*touchr1;
+            sliding_friction_r1 => -cos_r1*arm_r1*F_mu_r1_by_overr1 - cos_r1*h*sin_a*Z_r*side_r1*F_mu_r1_by_overr1/cos_a;
+            backlash_r2 => -cos_r2*h*Z_r*k_r2*clipr2*touchr2;
+            sliding_friction_r2 => -cos_r2*arm_r2*F_mu_r2_by_overr2 - cos_r2*h*sin_a*Z_r*side_r2*F_mu_r2_by_overr2/cos_a;
+            backlash_r3 => -cos_r3*h*Z_r*k_r3*clipr3*touchr3;
+            sliding_friction_r3 => -cos_r3*arm_r3*F_mu_r3_by_overr3 - cos_r3*h*sin_a*Z_r*side_r3*F_mu_r3_by_overr3/cos_a;
+            backlash_r4 => -cos_r4*h*Z_r*k_r4*clipr4*touchr4;
+            sliding_friction_r4 => -cos_r4*arm_r4*F_mu_r4_by_overr4 - cos_r4*h*sin_a*Z_r*side_r4*F_mu_r4_by_overr4/cos_a;
+            backlash_r5 => -cos_r5*h*Z_r*k_r5*clipr5*touchr5;
+            sliding_friction_r5 => -cos_r5*arm_r5*F_mu_r5_by_overr5 - cos_r5*h*sin_a*Z_r*side_r5*F_mu_r5_by_overr5/cos_a;
+        }
+        theta_r zeta1 {
+            _ => -h*sin_a*Z_r*k_r1*touchr1;
+            backlash_r1 => -h*sin_a*Z_r*k_r1*clipr1*touchr1;
+            sliding_friction_r1 => -sin_a*arm_r1*F_mu_r1_by_overr1 - h*sin_a.powi(2)*Z_r*side_r1*F_mu_r1_by_overr1/cos_a;
+        }
+        theta_r eta1 {
+            _ => cos_a*h*Z_r*k_r1*touchr1;
+            backlash_r1 => cos_a*h*Z_r*k_r1*clipr1*touchr1;
+            sliding_friction_r1 => cos_a*arm_r1*F_mu_r1_by_overr1 + h*sin_a*Z_r*side_r1*F_mu_r1_by_overr1;
+        }
+        theta_r u1 {
+            _ => h*Z_r*k_r1*touchr1;
+            backlash_r1 => h*Z_r*k_r1*clipr1*touchr1;
+            sliding_friction_r1 => arm_r1*F_mu_r1_by_overr1 + h*sin_a*Z_r*side_r1*F_mu_r1_by_overr1/cos_a;
+        }
+        theta_r zeta2 {
+            _ => -h*sin_a*Z_r*k_r2*touchr2;
+            backlash_r2 => -h*sin_a*Z_r*k_r2*clipr2*touchr2;
+            sliding_friction_r2 => -sin_a*arm_r2*F_mu_r2_by_overr2 - h*sin_a.powi(2)*Z_r*side_r2*F_mu_r2_by_overr2/cos_a;
+        }
+        theta_r eta2 {
+            _ => cos_a*h*Z_r*k_r2*touchr2;
+            backlash_r2 => cos_a*h*Z_r*k_r2*clipr2*touchr2;
+            sliding_friction_r2 => cos_a*arm_r2*F_mu_r2_by_overr2 + h*sin_a*Z_r*side_r2*F_mu_r2_by_overr2;
+        }
+        theta_r u2 {
+            _ => h*Z_r*k_r2*touchr2;
+            backlash_r2 => h*Z_r*k_r2*clipr2*touchr2;
+            sliding_friction_r2 => arm_r2*F_mu_r2_by_overr2 + h*sin_a*Z_r*side_r2*F_mu_r2_by_overr2/cos_a;
+        }
+        theta_r zeta3 {
+            _ => -h*sin_a*Z_r*k_r3*touchr3;
+            backlash_r3 => -h*sin_a*Z_r*k_r3*clipr3*touchr3;
+            sliding_friction_r3 => -sin_a*arm_r3*F_mu_r3_by_overr3 - h*sin_a.powi(2)*Z_r*side_r3*F_mu_r3_by_overr3/cos_a;
+        }
+        theta_r eta3 {
+            _ => cos_a*h*Z_r*k_r3*touchr3;
+            backlash_r3 => cos_a*h*Z_r*k_r3*clipr3*touchr3;
+            sliding_friction_r3 => cos_a*arm_r3*F_mu_r3_by_overr3 + h*sin_a*Z_r*side_r3*F_mu_r3_by_overr3;
+        }
+        theta_r u3 {
+            _ => h*Z_r*k_r3*touchr3;
+            backlash_r3 => h*Z_r*k_r3*clipr3*touchr3;
+            sliding_friction_r3 => arm_r3*F_mu_r3_by_overr3 + h*sin_a*Z_r*side_r3*F_mu_r3_by_overr3/cos_a;
+        }
+        theta_r zeta4 {
+            _ => -h*sin_a*Z_r*k_r4*touchr4;
+            backlash_r4 => -h*sin_a*Z_r*k_r4*clipr4*touchr4;
+            sliding_friction_r4 => -sin_a*arm_r4*F_mu_r4_by_overr4 - h*sin_a.powi(2)*Z_r*side_r4*F_mu_r4_by_overr4/cos_a;
+        }
+        theta_r eta4 {
+            _ => cos_a*h*Z_r*k_r4*touchr4;
+            backlash_r4 => cos_a*h*Z_r*k_r4*clipr4*touchr4;
+            sliding_friction_r4 => cos_a*arm_r4*F_mu_r4_by_overr4 + h*sin_a*Z_r*side_r4*F_mu_r4_by_overr4;
+        }
+        theta_r u4 {
+            _ => h*Z_r*k_r4*touchr4;
+            backlash_r4 => h*Z_r*k_r4*clipr4*touchr4;
+            sliding_friction_r4 => arm_r4*F_mu_r4_by_overr4 + h*sin_a*Z_r*side_r4*F_mu_r4_by_overr4/cos_a;
+        }
+        theta_r zeta5 {
+            _ => -h*sin_a*Z_r*k_r5*touchr5;
+            backlash_r5 => -h*sin_a*Z_r*k_r5*clipr5*touchr5;
+            sliding_friction_r5 => -sin_a*arm_r5*F_mu_r5_by_overr5 - h*sin_a.powi(2)*Z_r*side_r5*F_mu_r5_by_overr5/cos_a;
+        }
+        theta_r eta5 {
+            _ => cos_a*h*Z_r*k_r5*touchr5;
+            backlash_r5 => cos_a*h*Z_r*k_r5*clipr5*touchr5;
+            sliding_friction_r5 => cos_a*arm_r5*F_mu_r5_by_overr5 + h*sin_a*Z_r*side_r5*F_mu_r5_by_overr5;
+        }
+        theta_r u5 {
+            _ => h*Z_r*k_r5*touchr5;
+            backlash_r5 => h*Z_r*k_r5*clipr5*touchr5;
+            sliding_friction_r5 => arm_r5*F_mu_r5_by_overr5 + h*sin_a*Z_r*side_r5*F_mu_r5_by_overr5/cos_a;
+        }
+        theta_r theta_dot {
+            sliding_friction_r1 => -roll_r*arm_r1*F_mu_r1_by_psi_r1_dot - h*roll_r*sin_a*Z_r*side_r1*F_mu_r1_by_psi_r1_dot/cos_a;
+            sliding_friction_r2 => -roll_r*arm_r2*F_mu_r2_by_psi_r2_dot - h*roll_r*sin_a*Z_r*side_r2*F_mu_r2_by_psi_r2_dot/cos_a;
+            sliding_friction_r3 => -roll_r*arm_r3*F_mu_r3_by_psi_r3_dot - h*roll_r*sin_a*Z_r*side_r3*F_mu_r3_by_psi_r3_dot/cos_a;
+            sliding_friction_r4 => -roll_r*arm_r4*F_mu_r4_by_psi_r4_dot - h*roll_r*sin_a*Z_r*side_r4*F_mu_r4_by_psi_r4_dot/cos_a;
+            sliding_friction_r5 => -roll_r*arm_r5*F_mu_r5_by_psi_r5_dot - h*roll_r*sin_a*Z_r*side_r5*F_mu_r5_by_psi_r5_dot/cos_a;
+        }
         theta_r theta_c_dot {
-            damping => h.powi(2)*Z_r.powi(2)*beta_K*k_r1_mid + h.powi(2)*Z_r.powi(2)*beta_K*k_r2_mid
-                + h.powi(2)*Z_r.powi(2)*beta_K*k_r3_mid + h.powi(2)*Z_r.powi(2)*beta_K*k_r4_mid + h.powi(2)*Z_r.powi(2)*beta_K*k_r5_mid;
+            sliding_friction_r1 => arm_r1*F_mu_r1_by_psi_r1_dot + h*sin_a*Z_r*side_r1*F_mu_r1_by_psi_r1_dot/cos_a;
+            sliding_friction_r2 => arm_r2*F_mu_r2_by_psi_r2_dot + h*sin_a*Z_r*side_r2*F_mu_r2_by_psi_r2_dot/cos_a;
+            sliding_friction_r3 => arm_r3*F_mu_r3_by_psi_r3_dot + h*sin_a*Z_r*side_r3*F_mu_r3_by_psi_r3_dot/cos_a;
+            sliding_friction_r4 => arm_r4*F_mu_r4_by_psi_r4_dot + h*sin_a*Z_r*side_r4*F_mu_r4_by_psi_r4_dot/cos_a;
+            sliding_friction_r5 => arm_r5*F_mu_r5_by_psi_r5_dot + h*sin_a*Z_r*side_r5*F_mu_r5_by_psi_r5_dot/cos_a;
+            damping => h.powi(2)*Z_r.powi(2)*beta_K*k_r1_mid*dampr1 + h.powi(2)*Z_r.powi(2)*beta_K*k_r2_mid*dampr2
+                + h.powi(2)*Z_r.powi(2)*beta_K*k_r3_mid*dampr3 + h.powi(2)*Z_r.powi(2)*beta_K*k_r4_mid*dampr4
+                + h.powi(2)*Z_r.powi(2)*beta_K*k_r5_mid*dampr5;
         }
         theta_r theta_r_dot {
-            damping => -I_r*alpha_M - beta_K*k_r - h.powi(2)*Z_r.powi(2)*beta_K*k_r1_mid - h.powi(2)*Z_r.powi(2)*beta_K*k_r2_mid
-                - h.powi(2)*Z_r.powi(2)*beta_K*k_r3_mid - h.powi(2)*Z_r.powi(2)*beta_K*k_r4_mid - h.powi(2)*Z_r.powi(2)*beta_K*k_r5_mid;
+            sliding_friction_r1 => -arm_r1*F_mu_r1_by_psi_r1_dot - h*sin_a*Z_r*side_r1*F_mu_r1_by_psi_r1_dot/cos_a;
+            sliding_friction_r2 => -arm_r2*F_mu_r2_by_psi_r2_dot - h*sin_a*Z_r*side_r2*F_mu_r2_by_psi_r2_dot/cos_a;
+            sliding_friction_r3 => -arm_r3*F_mu_r3_by_psi_r3_dot - h*sin_a*Z_r*side_r3*F_mu_r3_by_psi_r3_dot/cos_a;
+            sliding_friction_r4 => -arm_r4*F_mu_r4_by_psi_r4_dot - h*sin_a*Z_r*side_r4*F_mu_r4_by_psi_r4_dot/cos_a;
+            sliding_friction_r5 => -arm_r5*F_mu_r5_by_psi_r5_dot - h*sin_a*Z_r*side_r5*F_mu_r5_by_psi_r5_dot/cos_a;
+            damping => -I_r*alpha_M - beta_K*k_r - h.powi(2)*Z_r.powi(2)*beta_K*k_r1_mid*dampr1
+                - h.powi(2)*Z_r.powi(2)*beta_K*k_r2_mid*dampr2 - h.powi(2)*Z_r.powi(2)*beta_K*k_r3_mid*dampr3
+                - h.powi(2)*Z_r.powi(2)*beta_K*k_r4_mid*dampr4 - h.powi(2)*Z_r.powi(2)*beta_K*k_r5_mid*dampr5;
         }
         theta_r x_r_dot {
-            damping => h*sin_r1*Z_r*beta_K*k_r1_mid + h*sin_r2*Z_r*beta_K*k_r2_mid + h*sin_r3*Z_r*beta_K*k_r3_mid
-                + h*sin_r4*Z_r*beta_K*k_r4_mid + h*sin_r5*Z_r*beta_K*k_r5_mid;
+            damping => h*sin_r1*Z_r*beta_K*k_r1_mid*dampr1 + h*sin_r2*Z_r*beta_K*k_r2_mid*dampr2 + h*sin_r3*Z_r*beta_K*k_r3_mid*dampr3
+                + h*sin_r4*Z_r*beta_K*k_r4_mid*dampr4 + h*sin_r5*Z_r*beta_K*k_r5_mid*dampr5;
         }
         theta_r y_r_dot {
-            damping => -cos_r1*h*Z_r*beta_K*k_r1_mid - cos_r2*h*Z_r*beta_K*k_r2_mid - cos_r3*h*Z_r*beta_K*k_r3_mid
-                - cos_r4*h*Z_r*beta_K*k_r4_mid - cos_r5*h*Z_r*beta_K*k_r5_mid;
+            damping => -cos_r1*h*Z_r*beta_K*k_r1_mid*dampr1 - cos_r2*h*Z_r*beta_K*k_r2_mid*dampr2 - cos_r3*h*Z_r*beta_K*k_r3_mid*dampr3
+                - cos_r4*h*Z_r*beta_K*k_r4_mid*dampr4 - cos_r5*h*Z_r*beta_K*k_r5_mid*dampr5;
         }
-        theta_r zeta1_dot { damping => -h*sin_a*Z_r*beta_K*k_r1_mid; }
-        theta_r eta1_dot { damping => cos_a*h*Z_r*beta_K*k_r1_mid; }
-        theta_r u1_dot { damping => h*Z_r*beta_K*k_r1_mid; }
-        theta_r zeta2_dot { damping => -h*sin_a*Z_r*beta_K*k_r2_mid; }
-        theta_r eta2_dot { damping => cos_a*h*Z_r*beta_K*k_r2_mid; }
-        theta_r u2_dot { damping => h*Z_r*beta_K*k_r2_mid; }
-        theta_r zeta3_dot { damping => -h*sin_a*Z_r*beta_K*k_r3_mid; }
-        theta_r eta3_dot { damping => cos_a*h*Z_r*beta_K*k_r3_mid; }
-        theta_r u3_dot { damping => h*Z_r*beta_K*k_r3_mid; }
-        theta_r zeta4_dot { damping => -h*sin_a*Z_r*beta_K*k_r4_mid; }
-        theta_r eta4_dot { damping => cos_a*h*Z_r*beta_K*k_r4_mid; }
-        theta_r u4_dot { damping => h*Z_r*beta_K*k_r4_mid; }
-        theta_r zeta5_dot { damping => -h*sin_a*Z_r*beta_K*k_r5_mid; }
-        theta_r eta5_dot { damping => cos_a*h*Z_r*beta_K*k_r5_mid; }
-        theta_r u5_dot { damping => h*Z_r*beta_K*k_r5_mid; }
+        theta_r zeta1_dot { damping => -h*sin_a*Z_r*beta_K*k_r1_mid*dampr1; }
+        theta_r eta1_dot { damping => cos_a*h*Z_r*beta_K*k_r1_mid*dampr1; }
+        theta_r u1_dot {
+            sliding_friction_r1 => h*sin_a*Z_r*side_r1*F_mu_r1_by_psi_r1_dot/(cos_a*r_p) + arm_r1*F_mu_r1_by_psi_r1_dot/r_p;
+            damping => h*Z_r*beta_K*k_r1_mid*dampr1;
+        }
+        theta_r zeta2_dot { damping => -h*sin_a*Z_r*beta_K*k_r2_mid*dampr2; }
+        theta_r eta2_dot { damping => cos_a*h*Z_r*beta_K*k_r2_mid*dampr2; }
+        theta_r u2_dot {
+            sliding_friction_r2 => h*sin_a*Z_r*side_r2*F_mu_r2_by_psi_r2_dot/(cos_a*r_p) + arm_r2*F_mu_r2_by_psi_r2_dot/r_p;
+            damping => h*Z_r*beta_K*k_r2_mid*dampr2;
+        }
+        theta_r zeta3_dot { damping => -h*sin_a*Z_r*beta_K*k_r3_mid*dampr3; }
+        theta_r eta3_dot { damping => cos_a*h*Z_r*beta_K*k_r3_mid*dampr3; }
+        theta_r u3_dot {
+            sliding_friction_r3 => h*sin_a*Z_r*side_r3*F_mu_r3_by_psi_r3_dot/(cos_a*r_p) + arm_r3*F_mu_r3_by_psi_r3_dot/r_p;
+            damping => h*Z_r*beta_K*k_r3_mid*dampr3;
+        }
+        theta_r zeta4_dot { damping => -h*sin_a*Z_r*beta_K*k_r4_mid*dampr4; }
+        theta_r eta4_dot { damping => cos_a*h*Z_r*beta_K*k_r4_mid*dampr4; }
+        theta_r u4_dot {
+            sliding_friction_r4 => h*sin_a*Z_r*side_r4*F_mu_r4_by_psi_r4_dot/(cos_a*r_p) + arm_r4*F_mu_r4_by_psi_r4_dot/r_p;
+            damping => h*Z_r*beta_K*k_r4_mid*dampr4;
+        }
+        theta_r zeta5_dot { damping => -h*sin_a*Z_r*beta_K*k_r5_mid*dampr5; }
+        theta_r eta5_dot { damping => cos_a*h*Z_r*beta_K*k_r5_mid*dampr5; }
+        theta_r u5_dot {
+            sliding_friction_r5 => h*sin_a*Z_r*side_r5*F_mu_r5_by_psi_r5_dot/(cos_a*r_p) + arm_r5*F_mu_r5_by_psi_r5_dot/r_p;
+            damping => h*Z_r*beta_K*k_r5_mid*dampr5;
+        }
         x_s theta {
-            transmission_error_s1_and_moving_phase => -sin_s1*k_s1*de_s1;
-            transmission_error_s2_and_moving_phase => -sin_s2*k_s2*de_s2;
-            transmission_error_s3_and_moving_phase => -sin_s3*k_s3*de_s3;
-            transmission_error_s4_and_moving_phase => -sin_s4*k_s4*de_s4;
-            transmission_error_s5_and_moving_phase => -sin_s5*k_s5*de_s5;
-            moving_phase => sin_s1*dk_s1*delta_s1 + sin_s2*dk_s2*delta_s2 + sin_s3*dk_s3*delta_s3 + sin_s4*dk_s4*delta_s4
-                + sin_s5*dk_s5*delta_s5;
+            transmission_error_s1_and_backlash_s1_and_moving_phase => -sin_s1*k_s1*de_s1*clips1*touchs1;
+            transmission_error_s1_and_sliding_friction_s1_and_moving_phase => -cos_s1*de_s1*side_s1*F_mu_s1_by_overs1;
+            transmission_error_s1_and_moving_phase => -sin_s1*k_s1*de_s1*touchs1;
+            backlash_s1_and_moving_phase => sin_s1*dk_s1*clips1*touchs1*overs1;
+            sliding_friction_s1_and_moving_phase => cos_s1*dk_s1*side_s1*F_mu_s1_by_k_s1 + cos_s1*dside_s1*F_mu_s1;
+            transmission_error_s2_and_backlash_s2_and_moving_phase => -sin_s2*k_s2*de_s2*clips2*touchs2;
+            transmission_error_s2_and_sliding_friction_s2_and_moving_phase => -cos_s2*de_s2*side_s2*F_mu_s2_by_overs2;
+            transmission_error_s2_and_moving_phase => -sin_s2*k_s2*de_s2*touchs2;
+            backlash_s2_and_moving_phase => sin_s2*dk_s2*clips2*touchs2*overs2;
+            sliding_friction_s2_and_moving_phase => cos_s2*dk_s2*side_s2*F_mu_s2_by_k_s2 + cos_s2*dside_s2*F_mu_s2;
+            transmission_error_s3_and_backlash_s3_and_moving_phase => -sin_s3*k_s3*de_s3*clips3*touchs3;
+            transmission_error_s3_and_sliding_friction_s3_and_moving_phase => -cos_s3*de_s3*side_s3*F_mu_s3_by_overs3;
+            transmission_error_s3_and_moving_phase => -sin_s3*k_s3*de_s3*touchs3;
+            backlash_s3_and_moving_phase => sin_s3*dk_s3*clips3*touchs3*overs3;
+            sliding_friction_s3_and_moving_phase => cos_s3*dk_s3*side_s3*F_mu_s3_by_k_s3 + cos_s3*dside_s3*F_mu_s3;
+            transmission_error_s4_and_backlash_s4_and_moving_phase => -sin_s4*k_s4*de_s4*clips4*touchs4;
+            transmission_error_s4_and_sliding_friction_s4_and_moving_phase => -cos_s4*de_s4*side_s4*F_mu_s4_by_overs4;
+            transmission_error_s4_and_moving_phase => -sin_s4*k_s4*de_s4*touchs4;
+            backlash_s4_and_moving_phase => sin_s4*dk_s4*clips4*touchs4*overs4;
+            sliding_friction_s4_and_moving_phase => cos_s4*dk_s4*side_s4*F_mu_s4_by_k_s4 + cos_s4*dside_s4*F_mu_s4;
+            transmission_error_s5_and_backlash_s5_and_moving_phase => -sin_s5*k_s5*de_s5*clips5*touchs5;
+            transmission_error_s5_and_sliding_friction_s5_and_moving_phase => -cos_s5*de_s5*side_s5*F_mu_s5_by_overs5;
+            transmission_error_s5_and_moving_phase => -sin_s5*k_s5*de_s5*touchs5;
+            backlash_s5_and_moving_phase => sin_s5*dk_s5*clips5*touchs5*overs5;
+            sliding_friction_s5_and_moving_phase => cos_s5*dk_s5*side_s5*F_mu_s5_by_k_s5 + cos_s5*dside_s5*F_mu_s5;
+            moving_phase => sin_s1*dk_s1*touchs1*overs1 + sin_s2*dk_s2*touchs2*overs2 + sin_s3*dk_s3*touchs3*overs3
+                + sin_s4*dk_s4*touchs4*overs4 + sin_s5*dk_s5*touchs5*overs5;
         }
         x_s x_s {
-            _ => -kb_s - sin_s1.powi(2)*k_s1 - sin_s2.powi(2)*k_s2 - sin_s3.powi(2)*k_s3 - sin_s4.powi(2)*k_s4 - sin_s5.powi(2)*k_s5;
+            _ => -kb_s - sin_s1.powi(2)*k_s1*touchs1 - sin_s2.powi(2)*k_s2*touchs2 - sin_s3.powi(2)*k_s3*touchs3
+                - sin_s4.powi(2)*k_s4*touchs4 - sin_s5.powi(2)*k_s5*touchs5;
+            backlash_s1 => -sin_s1.powi(2)*k_s1*clips1*touchs1;
+            sliding_friction_s1 => -cos_s1*sin_s1*side_s1*F_mu_s1_by_overs1;
+            backlash_s2 => -sin_s2.powi(2)*k_s2*clips2*touchs2;
+            sliding_friction_s2 => -cos_s2*sin_s2*side_s2*F_mu_s2_by_overs2;
+            backlash_s3 => -sin_s3.powi(2)*k_s3*clips3*touchs3;
+            sliding_friction_s3 => -cos_s3*sin_s3*side_s3*F_mu_s3_by_overs3;
+            backlash_s4 => -sin_s4.powi(2)*k_s4*clips4*touchs4;
+            sliding_friction_s4 => -cos_s4*sin_s4*side_s4*F_mu_s4_by_overs4;
+            backlash_s5 => -sin_s5.powi(2)*k_s5*clips5*touchs5;
+            sliding_friction_s5 => -cos_s5*sin_s5*side_s5*F_mu_s5_by_overs5;
         }
-        x_s y_s { _ => cos_s1*sin_s1*k_s1 + cos_s2*sin_s2*k_s2 + cos_s3*sin_s3*k_s3 + cos_s4*sin_s4*k_s4 + cos_s5*sin_s5*k_s5; }
-        x_s zeta1 { _ => -sin_a*sin_s1*k_s1; }
-        x_s eta1 { _ => -cos_a*sin_s1*k_s1; }
-        x_s u1 { _ => sin_s1*k_s1; }
-        x_s zeta2 { _ => -sin_a*sin_s2*k_s2; }
-        x_s eta2 { _ => -cos_a*sin_s2*k_s2; }
-        x_s u2 { _ => sin_s2*k_s2; }
-        x_s zeta3 { _ => -sin_a*sin_s3*k_s3; }
-        x_s eta3 { _ => -cos_a*sin_s3*k_s3; }
-        x_s u3 { _ => sin_s3*k_s3; }
-        x_s zeta4 { _ => -sin_a*sin_s4*k_s4; }
-        x_s eta4 { _ => -cos_a*sin_s4*k_s4; }
-        x_s u4 { _ => sin_s4*k_s4; }
-        x_s zeta5 { _ => -sin_a*sin_s5*k_s5; }
-        x_s eta5 { _ => -cos_a*sin_s5*k_s5; }
-        x_s u5 { _ => sin_s5*k_s5; }
+        x_s y_s {
+            _ => cos_s1*sin_s1*k_s1*touchs1 + cos_s2*sin_s2*k_s2*touchs2 + cos_s3*sin_s3*k_s3*touchs3 + cos_s4*sin_s4*k_s4*touchs4
+                + cos_s5*sin_s5*k_s5*touchs5;
+            backlash_s1 => cos_s1*sin_s1*k_s1*clips1*touchs1;
+            sliding_friction_s1 => cos_s1.powi(2)*side_s1*F_mu_s1_by_overs1;
+            backlash_s2 => cos_s2*sin_s2*k_s2*clips2*touchs2;
+            sliding_friction_s2 => cos_s2.powi(2)*side_s2*F_mu_s2_by_overs2;
+            backlash_s3 => cos_s3*sin_s3*k_s3*clips3*touchs3;
+            sliding_friction_s3 => cos_s3.powi(2)*side_s3*F_mu_s3_by_overs3;
+            backlash_s4 => cos_s4*sin_s4*k_s4*clips4*touchs4;
+            sliding_friction_s4 => cos_s4.powi(2)*side_s4*F_mu_s4_by_overs4;
+            backlash_s5 => cos_s5*sin_s5*k_s5*clips5*touchs5;
+            sliding_friction_s5 => cos_s5.powi(2)*side_s5*F_mu_s5_by_overs5;
+        }
+        x_s zeta1 {
+            _ => -sin_a*sin_s1*k_s1*touchs1;
+            backlash_s1 => -sin_a*sin_s1*k_s1*clips1*touchs1;
+            sliding_friction_s1 => -cos_s1*sin_a*side_s1*F_mu_s1_by_overs1;
+        }
+        x_s eta1 {
+            _ => -cos_a*sin_s1*k_s1*touchs1;
+            backlash_s1 => -cos_a*sin_s1*k_s1*clips1*touchs1;
+            sliding_friction_s1 => -cos_a*cos_s1*side_s1*F_mu_s1_by_overs1;
+        }
+        x_s u1 {
+            _ => sin_s1*k_s1*touchs1;
+            backlash_s1 => sin_s1*k_s1*clips1*touchs1;
+            sliding_friction_s1 => cos_s1*side_s1*F_mu_s1_by_overs1;
+        }
+        x_s zeta2 {
+            _ => -sin_a*sin_s2*k_s2*touchs2;
+            backlash_s2 => -sin_a*sin_s2*k_s2*clips2*touchs2;
+            sliding_friction_s2 => -cos_s2*sin_a*side_s2*F_mu_s2_by_overs2;
+        }
+        x_s eta2 {
+            _ => -cos_a*sin_s2*k_s2*touchs2;
+            backlash_s2 => -cos_a*sin_s2*k_s2*clips2*touchs2;
+            sliding_friction_s2 => -cos_a*cos_s2*side_s2*F_mu_s2_by_overs2;
+        }
+        x_s u2 {
+            _ => sin_s2*k_s2*touchs2;
+            backlash_s2 => sin_s2*k_s2*clips2*touchs2;
+            sliding_friction_s2 => cos_s2*side_s2*F_mu_s2_by_overs2;
+        }
+        x_s zeta3 {
+            _ => -sin_a*sin_s3*k_s3*touchs3;
+            backlash_s3 => -sin_a*sin_s3*k_s3*clips3*touchs3;
+            sliding_friction_s3 => -cos_s3*sin_a*side_s3*F_mu_s3_by_overs3;
+        }
+        x_s eta3 {
+            _ => -cos_a*sin_s3*k_s3*touchs3;
+            backlash_s3 => -cos_a*sin_s3*k_s3*clips3*touchs3;
+            sliding_friction_s3 => -cos_a*cos_s3*side_s3*F_mu_s3_by_overs3;
+        }
+        x_s u3 {
+            _ => sin_s3*k_s3*touchs3;
+            backlash_s3 => sin_s3*k_s3*clips3*touchs3;
+            sliding_friction_s3 => cos_s3*side_s3*F_mu_s3_by_overs3;
+        }
+        x_s zeta4 {
+            _ => -sin_a*sin_s4*k_s4*touchs4;
+            backlash_s4 => -sin_a*sin_s4*k_s4*clips4*touchs4;
+            sliding_friction_s4 => -cos_s4*sin_a*side_s4*F_mu_s4_by_overs4;
+        }
+        x_s eta4 {
+            _ => -cos_a*sin_s4*k_s4*touchs4;
+            backlash_s4 => -cos_a*sin_s4*k_s4*clips4*touchs4;
+            sliding_friction_s4 => -cos_a*cos_s4*side_s4*F_mu_s4_by_overs4;
+        }
+        x_s u4 {
+            _ => sin_s4*k_s4*touchs4;
+            backlash_s4 => sin_s4*k_s4*clips4*touchs4;
+            sliding_friction_s4 => cos_s4*side_s4*F_mu_s4_by_overs4;
+        }
+        x_s zeta5 {
+            _ => -sin_a*sin_s5*k_s5*touchs5;
+            backlash_s5 => -sin_a*sin_s5*k_s5*clips5*touchs5;
+            sliding_friction_s5 => -cos_s5*sin_a*side_s5*F_mu_s5_by_overs5;
+        }
+        x_s eta5 {
+            _ => -cos_a*sin_s5*k_s5*touchs5;
+            backlash_s5 => -cos_a*sin_s5*k_s5*clips5*touchs5;
+            sliding_friction_s5 => -cos_a*cos_s5*side_s5*F_mu_s5_by_overs5;
+        }
+        x_s u5 {
+            _ => sin_s5*k_s5*touchs5;
+            backlash_s5 => sin_s5*k_s5*clips5*touchs5;
+            sliding_friction_s5 => cos_s5*side_s5*F_mu_s5_by_overs5;
+        }
+        x_s theta_dot {
+            sliding_friction_s1 => cos_s1*roll_s*side_s1*F_mu_s1_by_psi_s1_dot;
+            sliding_friction_s2 => cos_s2*roll_s*side_s2*F_mu_s2_by_psi_s2_dot;
+            sliding_friction_s3 => cos_s3*roll_s*side_s3*F_mu_s3_by_psi_s3_dot;
+            sliding_friction_s4 => cos_s4*roll_s*side_s4*F_mu_s4_by_psi_s4_dot;
+            sliding_friction_s5 => cos_s5*roll_s*side_s5*F_mu_s5_by_psi_s5_dot;
+        }
         x_s x_s_dot {
             viscous_friction_s => -cb_s;
-            damping => -alpha_M*m_s - beta_K*kb_s - sin_s1.powi(2)*beta_K*k_s1_mid - sin_s2.powi(2)*beta_K*k_s2_mid
-                - sin_s3.powi(2)*beta_K*k_s3_mid - sin_s4.powi(2)*beta_K*k_s4_mid - sin_s5.powi(2)*beta_K*k_s5_mid;
+            damping => -alpha_M*m_s - beta_K*kb_s - sin_s1.powi(2)*beta_K*k_s1_mid*damps1 - sin_s2.powi(2)*beta_K*k_s2_mid*damps2
+                - sin_s3.powi(2)*beta_K*k_s3_mid*damps3 - sin_s4.powi(2)*beta_K*k_s4_mid*damps4 - sin_s5.powi(2)*beta_K*k_s5_mid*damps5;
         }
         x_s y_s_dot {
-            damping => cos_s1*sin_s1*beta_K*k_s1_mid + cos_s2*sin_s2*beta_K*k_s2_mid + cos_s3*sin_s3*beta_K*k_s3_mid
-                + cos_s4*sin_s4*beta_K*k_s4_mid + cos_s5*sin_s5*beta_K*k_s5_mid;
+            damping => cos_s1*sin_s1*beta_K*k_s1_mid*damps1 + cos_s2*sin_s2*beta_K*k_s2_mid*damps2 + cos_s3*sin_s3*beta_K*k_s3_mid*damps3
+                + cos_s4*sin_s4*beta_K*k_s4_mid*damps4 + cos_s5*sin_s5*beta_K*k_s5_mid*damps5;
         }
-        x_s zeta1_dot { damping => -sin_a*sin_s1*beta_K*k_s1_mid; }
-        x_s eta1_dot { damping => -cos_a*sin_s1*beta_K*k_s1_mid; }
-        x_s u1_dot { damping => sin_s1*beta_K*k_s1_mid; }
-        x_s zeta2_dot { damping => -sin_a*sin_s2*beta_K*k_s2_mid; }
-        x_s eta2_dot { damping => -cos_a*sin_s2*beta_K*k_s2_mid; }
-        x_s u2_dot { damping => sin_s2*beta_K*k_s2_mid; }
-        x_s zeta3_dot { damping => -sin_a*sin_s3*beta_K*k_s3_mid; }
-        x_s eta3_dot { damping => -cos_a*sin_s3*beta_K*k_s3_mid; }
-        x_s u3_dot { damping => sin_s3*beta_K*k_s3_mid; }
-        x_s zeta4_dot { damping => -sin_a*sin_s4*beta_K*k_s4_mid; }
-        x_s eta4_dot { damping => -cos_a*sin_s4*beta_K*k_s4_mid; }
-        x_s u4_dot { damping => sin_s4*beta_K*k_s4_mid; }
-        x_s zeta5_dot { damping => -sin_a*sin_s5*beta_K*k_s5_mid; }
-        x_s eta5_dot { damping => -cos_a*sin_s5*beta_K*k_s5_mid; }
-        x_s u5_dot { damping => sin_s5*beta_K*k_s5_mid; }
+        x_s zeta1_dot { damping => -sin_a*sin_s1*beta_K*k_s1_mid*damps1; }
+        x_s eta1_dot { damping => -cos_a*sin_s1*beta_K*k_s1_mid*damps1; }
+        x_s u1_dot {
+            sliding_friction_s1 => -cos_s1*side_s1*F_mu_s1_by_psi_s1_dot/r_p;
+            damping => sin_s1*beta_K*k_s1_mid*damps1;
+        }
+        x_s zeta2_dot { damping => -sin_a*sin_s2*beta_K*k_s2_mid*damps2; }
+        x_s eta2_dot { damping => -cos_a*sin_s2*beta_K*k_s2_mid*damps2; }
+        x_s u2_dot {
+            sliding_friction_s2 => -cos_s2*side_s2*F_mu_s2_by_psi_s2_dot/r_p;
+            damping => sin_s2*beta_K*k_s2_mid*damps2;
+        }
+        x_s zeta3_dot { damping => -sin_a*sin_s3*beta_K*k_s3_mid*damps3; }
+        x_s eta3_dot { damping => -cos_a*sin_s3*beta_K*k_s3_mid*damps3; }
+        x_s u3_dot {
+            sliding_friction_s3 => -cos_s3*side_s3*F_mu_s3_by_psi_s3_dot/r_p;
+            damping => sin_s3*beta_K*k_s3_mid*damps3;
+        }
+        x_s zeta4_dot { damping => -sin_a*sin_s4*beta_K*k_s4_mid*damps4; }
+        x_s eta4_dot { damping => -cos_a*sin_s4*beta_K*k_s4_mid*damps4; }
+        x_s u4_dot {
+            sliding_friction_s4 => -cos_s4*side_s4*F_mu_s4_by_psi_s4_dot/r_p;
+            damping => sin_s4*beta_K*k_s4_mid*damps4;
+        }
+        x_s zeta5_dot { damping => -sin_a*sin_s5*beta_K*k_s5_mid*damps5; }
+        x_s eta5_dot { damping => -cos_a*sin_s5*beta_K*k_s5_mid*damps5; }
+        x_s u5_dot {
+            sliding_friction_s5 => -cos_s5*side_s5*F_mu_s5_by_psi_s5_dot/r_p;
+            damping => sin_s5*beta_K*k_s5_mid*damps5;
+        }
         y_s theta {
-            transmission_error_s1_and_moving_phase => cos_s1*k_s1*de_s1;
-            transmission_error_s2_and_moving_phase => cos_s2*k_s2*de_s2;
-            transmission_error_s3_and_moving_phase => cos_s3*k_s3*de_s3;
-            transmission_error_s4_and_moving_phase => cos_s4*k_s4*de_s4;
-            transmission_error_s5_and_moving_phase => cos_s5*k_s5*de_s5;
-            moving_phase => -cos_s1*dk_s1*delta_s1 - cos_s2*dk_s2*delta_s2 - cos_s3*dk_s3*delta_s3 - cos_s4*dk_s4*delta_s4
-                - cos_s5*dk_s5*delta_s5;
+            transmission_error_s1_and_backlash_s1_and_moving_phase => cos_s1*k_s1*de_s1*clips1*touchs1;
+            transmission_error_s1_and_sliding_friction_s1_and_moving_phase => -sin_s1*de_s1*side_s1*F_mu_s1_by_overs1;
+            transmission_error_s1_and_moving_phase => cos_s1*k_s1*de_s1*touchs1;
+            backlash_s1_and_moving_phase => -cos_s1*dk_s1*clips1*touchs1*overs1;
+            sliding_friction_s1_and_moving_phase => sin_s1*dk_s1*side_s1*F_mu_s1_by_k_s1 + sin_s1*dside_s1*F_mu_s1;
+            transmission_error_s2_and_backlash_s2_and_moving_phase => cos_s2*k_s2*de_s2*clips2*touchs2;
+            transmission_error_s2_and_sliding_friction_s2_and_moving_phase => -sin_s2*de_s2*side_s2*F_mu_s2_by_overs2;
+            transmission_error_s2_and_moving_phase => cos_s2*k_s2*de_s2*touchs2;
+            backlash_s2_and_moving_phase => -cos_s2*dk_s2*clips2*touchs2*overs2;
+            sliding_friction_s2_and_moving_phase => sin_s2*dk_s2*side_s2*F_mu_s2_by_k_s2 + sin_s2*dside_s2*F_mu_s2;
+            transmission_error_s3_and_backlash_s3_and_moving_phase => cos_s3*k_s3*de_s3*clips3*touchs3;
+            transmission_error_s3_and_sliding_friction_s3_and_moving_phase => -sin_s3*de_s3*side_s3*F_mu_s3_by_overs3;
+            transmission_error_s3_and_moving_phase => cos_s3*k_s3*de_s3*touchs3;
+            backlash_s3_and_moving_phase => -cos_s3*dk_s3*clips3*touchs3*overs3;
+            sliding_friction_s3_and_moving_phase => sin_s3*dk_s3*side_s3*F_mu_s3_by_k_s3 + sin_s3*dside_s3*F_mu_s3;
+            transmission_error_s4_and_backlash_s4_and_moving_phase => cos_s4*k_s4*de_s4*clips4*touchs4;
+            transmission_error_s4_and_sliding_friction_s4_and_moving_phase => -sin_s4*de_s4*side_s4*F_mu_s4_by_overs4;
+            transmission_error_s4_and_moving_phase => cos_s4*k_s4*de_s4*touchs4;
+            backlash_s4_and_moving_phase => -cos_s4*dk_s4*clips4*touchs4*overs4;
+            sliding_friction_s4_and_moving_phase => sin_s4*dk_s4*side_s4*F_mu_s4_by_k_s4 + sin_s4*dside_s4*F_mu_s4;
+            transmission_error_s5_and_backlash_s5_and_moving_phase => cos_s5*k_s5*de_s5*clips5*touchs5;
+            transmission_error_s5_and_sliding_friction_s5_and_moving_phase => -sin_s5*de_s5*side_s5*F_mu_s5_by_overs5;
+            transmission_error_s5_and_moving_phase => cos_s5*k_s5*de_s5*touchs5;
+            backlash_s5_and_moving_phase => -cos_s5*dk_s5*clips5*touchs5*overs5;
+            sliding_friction_s5_and_moving_phase => sin_s5*dk_s5*side_s5*F_mu_s5_by_k_s5 + sin_s5*dside_s5*F_mu_s5;
+            moving_phase => -cos_s1*dk_s1*touchs1*overs1 - cos_s2*dk_s2*touchs2*overs2 - cos_s3*dk_s3*touchs3*overs3
+                - cos_s4*dk_s4*touchs4*overs4 - cos_s5*dk_s5*touchs5*overs5;
         }
-        y_s x_s { _ => cos_s1*sin_s1*k_s1 + cos_s2*sin_s2*k_s2 + cos_s3*sin_s3*k_s3 + cos_s4*sin_s4*k_s4 + cos_s5*sin_s5*k_s5; }
+        y_s x_s {
+            _ => cos_s1*sin_s1*k_s1*touchs1 + cos_s2*sin_s2*k_s2*touchs2 + cos_s3*sin_s3*k_s3*touchs3 + cos_s4*sin_s4*k_s4*touchs4
+                + cos_s5*sin_s5*k_s5*touchs5;
+            backlash_s1 => cos_s1*sin_s1*k_s1*clips1*touchs1;
+            sliding_friction_s1 => -sin_s1.powi(2)*side_s1*F_mu_s1_by_overs1;
+            backlash_s2 => cos_s2*sin_s2*k_s2*clips2*touchs2;
+            sliding_friction_s2 => -sin_s2.powi(2)*side_s2*F_mu_s2_by_overs2;
+            backlash_s3 => cos_s3*sin_s3*k_s3*clips3*touchs3;
+            sliding_friction_s3 => -sin_s3.powi(2)*side_s3*F_mu_s3_by_overs3;
+            backlash_s4 => cos_s4*sin_s4*k_s4*clips4*touchs4;
+            sliding_friction_s4 => -sin_s4.powi(2)*side_s4*F_mu_s4_by_overs4;
+            backlash_s5 => cos_s5*sin_s5*k_s5*clips5*touchs5;
+            sliding_friction_s5 => -sin_s5.powi(2)*side_s5*F_mu_s5_by_overs5;
+        }
         y_s y_s {
-            _ => -kb_s - cos_s1.powi(2)*k_s1 - cos_s2.powi(2)*k_s2 - cos_s3.powi(2)*k_s3 - cos_s4.powi(2)*k_s4 - cos_s5.powi(2)*k_s5;
+            _ => -kb_s - cos_s1.powi(2)*k_s1*touchs1 - cos_s2.powi(2)*k_s2*touchs2 - cos_s3.powi(2)*k_s3*touchs3
+                - cos_s4.powi(2)*k_s4*touchs4 - cos_s5.powi(2)*k_s5*touchs5;
+            backlash_s1 => -cos_s1.powi(2)*k_s1*clips1*touchs1;
+            sliding_friction_s1 => cos_s1*sin_s1*side_s1*F_mu_s1_by_overs1;
+            backlash_s2 => -cos_s2.powi(2)*k_s2*clips2*touchs2;
+            sliding_friction_s2 => cos_s2*sin_s2*side_s2*F_mu_s2_by_overs2;
+            backlash_s3 => -cos_s3.powi(2)*k_s3*clips3*touchs3;
+            sliding_friction_s3 => cos_s3*sin_s3*side_s3*F_mu_s3_by_overs3;
+            backlash_s4 => -cos_s4.powi(2)*k_s4*clips4*touchs4;
+            sliding_friction_s4 => cos_s4*sin_s4*side_s4*F_mu_s4_by_overs4;
+            backlash_s5 => -cos_s5.powi(2)*k_s5*clips5*touchs5;
+            sliding_friction_s5 => cos_s5*sin_s5*side_s5*F_mu_s5_by_overs5;
         }
-        y_s zeta1 { _ => cos_s1*sin_a*k_s1; }
-        y_s eta1 { _ => cos_a*cos_s1*k_s1; }
-        y_s u1 { _ => -cos_s1*k_s1; }
-        y_s zeta2 { _ => cos_s2*sin_a*k_s2; }
-        y_s eta2 { _ => cos_a*cos_s2*k_s2; }
-        y_s u2 { _ => -cos_s2*k_s2; }
-        y_s zeta3 { _ => cos_s3*sin_a*k_s3; }
-        y_s eta3 { _ => cos_a*cos_s3*k_s3; }
-        y_s u3 { _ => -cos_s3*k_s3; }
-        y_s zeta4 { _ => cos_s4*sin_a*k_s4; }
-        y_s eta4 { _ => cos_a*cos_s4*k_s4; }
-        y_s u4 { _ => -cos_s4*k_s4; }
-        y_s zeta5 { _ => cos_s5*sin_a*k_s5; }
-        y_s eta5 { _ => cos_a*cos_s5*k_s5; }
-        y_s u5 { _ => -cos_s5*k_s5; }
+        y_s zeta1 {
+            _ => cos_s1*sin_a*k_s1*touchs1;
+            backlash_s1 => cos_s1*sin_a*k_s1*clips1*touchs1;
+            sliding_friction_s1 => -sin_a*sin_s1*side_s1*F_mu_s1_by_overs1;
+        }
+        y_s eta1 {
+            _ => cos_a*cos_s1*k_s1*touchs1;
+            backlash_s1 => cos_a*cos_s1*k_s1*clips1*touchs1;
+            sliding_friction_s1 => -cos_a*sin_s1*side_s1*F_mu_s1_by_overs1;
+        }
+        y_s u1 {
+            _ => -cos_s1*k_s1*touchs1;
+            backlash_s1 => -cos_s1*k_s1*clips1*touchs1;
+            sliding_friction_s1 => sin_s1*side_s1*F_mu_s1_by_overs1;
+        }
+        y_s zeta2 {
+            _ => cos_s2*sin_a*k_s2*touchs2;
+            backlash_s2 => cos_s2*sin_a*k_s2*clips2*touchs2;
+            sliding_friction_s2 => -sin_a*sin_s2*side_s2*F_mu_s2_by_overs2;
+        }
+        y_s eta2 {
+            _ => cos_a*cos_s2*k_s2*touchs2;
+            backlash_s2 => cos_a*cos_s2*k_s2*clips2*touchs2;
+            sliding_friction_s2 => -cos_a*sin_s2*side_s2*F_mu_s2_by_overs2;
+        }
+        y_s u2 {
+            _ => -cos_s2*k_s2*touchs2;
+            backlash_s2 => -cos_s2*k_s2*clips2*touchs2;
+            sliding_friction_s2 => sin_s2*side_s2*F_mu_s2_by_overs2;
+        }
+        y_s zeta3 {
+            _ => cos_s3*sin_a*k_s3*touchs3;
+            backlash_s3 => cos_s3*sin_a*k_s3*clips3*touchs3;
+            sliding_friction_s3 => -sin_a*sin_s3*side_s3*F_mu_s3_by_overs3;
+        }
+        y_s eta3 {
+            _ => cos_a*cos_s3*k_s3*touchs3;
+            backlash_s3 => cos_a*cos_s3*k_s3*clips3*touchs3;
+            sliding_friction_s3 => -cos_a*sin_s3*side_s3*F_mu_s3_by_overs3;
+        }
+        y_s u3 {
+            _ => -cos_s3*k_s3*touchs3;
+            backlash_s3 => -cos_s3*k_s3*clips3*touchs3;
+            sliding_friction_s3 => sin_s3*side_s3*F_mu_s3_by_overs3;
+        }
+        y_s zeta4 {
+            _ => cos_s4*sin_a*k_s4*touchs4;
+            backlash_s4 => cos_s4*sin_a*k_s4*clips4*touchs4;
+            sliding_friction_s4 => -sin_a*sin_s4*side_s4*F_mu_s4_by_overs4;
+        }
+        y_s eta4 {
+            _ => cos_a*cos_s4*k_s4*touchs4;
+            backlash_s4 => cos_a*cos_s4*k_s4*clips4*touchs4;
+            sliding_friction_s4 => -cos_a*sin_s4*side_s4*F_mu_s4_by_overs4;
+        }
+        y_s u4 {
+            _ => -cos_s4*k_s4*touchs4;
+            backlash_s4 => -cos_s4*k_s4*clips4*touchs4;
+            sliding_friction_s4 => sin_s4*side_s4*F_mu_s4_by_overs4;
+        }
+        y_s zeta5 {
+            _ => cos_s5*sin_a*k_s5*touchs5;
+            backlash_s5 => cos_s5*sin_a*k_s5*clips5*touchs5;
+            sliding_friction_s5 => -sin_a*sin_s5*side_s5*F_mu_s5_by_overs5;
+        }
+        y_s eta5 {
+            _ => cos_a*cos_s5*k_s5*touchs5;
+            backlash_s5 => cos_a*cos_s5*k_s5*clips5*touchs5;
+            sliding_friction_s5 => -cos_a*sin_s5*side_s5*F_mu_s5_by_overs5;
+        }
+        y_s u5 {
+            _ => -cos_s5*k_s5*touchs5;
+            backlash_s5 => -cos_s5*k_s5*clips5*touchs5;
+            sliding_friction_s5 => sin_s5*side_s5*F_mu_s5_by_overs5;
+        }
+        y_s theta_dot {
+            sliding_friction_s1 => roll_s*sin_s1*side_s1*F_mu_s1_by_psi_s1_dot;
+            sliding_friction_s2 => roll_s*sin_s2*side_s2*F_mu_s2_by_psi_s2_dot;
+            sliding_friction_s3 => roll_s*sin_s3*side_s3*F_mu_s3_by_psi_s3_dot;
+            sliding_friction_s4 => roll_s*sin_s4*side_s4*F_mu_s4_by_psi_s4_dot;
+            sliding_friction_s5 => roll_s*sin_s5*side_s5*F_mu_s5_by_psi_s5_dot;
+        }
         y_s x_s_dot {
-            damping => cos_s1*sin_s1*beta_K*k_s1_mid + cos_s2*sin_s2*beta_K*k_s2_mid + cos_s3*sin_s3*beta_K*k_s3_mid
-                + cos_s4*sin_s4*beta_K*k_s4_mid + cos_s5*sin_s5*beta_K*k_s5_mid;
+            damping => cos_s1*sin_s1*beta_K*k_s1_mid*damps1 + cos_s2*sin_s2*beta_K*k_s2_mid*damps2 + cos_s3*sin_s3*beta_K*k_s3_mid*damps3
+                + cos_s4*sin_s4*beta_K*k_s4_mid*damps4 + cos_s5*sin_s5*beta_K*k_s5_mid*damps5;
         }
         y_s y_s_dot {
             viscous_friction_s => -cb_s;
-            damping => -alpha_M*m_s - beta_K*kb_s - cos_s1.powi(2)*beta_K*k_s1_mid - cos_s2.powi(2)*beta_K*k_s2_mid
-                - cos_s3.powi(2)*beta_K*k_s3_mid - cos_s4.powi(2)*beta_K*k_s4_mid - cos_s5.powi(2)*beta_K*k_s5_mid;
+            damping => -alpha_M*m_s - beta_K*kb_s - cos_s1.powi(2)*beta_K*k_s1_mid*damps1 - cos_s2.powi(2)*beta_K*k_s2_mid*damps2
+                - cos_s3.powi(2)*beta_K*k_s3_mid*damps3 - cos_s4.powi(2)*beta_K*k_s4_mid*damps4 - cos_s5.powi(2)*beta_K*k_s5_mid*damps5;
         }
-        y_s zeta1_dot { damping => cos_s1*sin_a*beta_K*k_s1_mid; }
-        y_s eta1_dot { damping => cos_a*cos_s1*beta_K*k_s1_mid; }
-        y_s u1_dot { damping => -cos_s1*beta_K*k_s1_mid; }
-        y_s zeta2_dot { damping => cos_s2*sin_a*beta_K*k_s2_mid; }
-        y_s eta2_dot { damping => cos_a*cos_s2*beta_K*k_s2_mid; }
-        y_s u2_dot { damping => -cos_s2*beta_K*k_s2_mid; }
-        y_s zeta3_dot { damping => cos_s3*sin_a*beta_K*k_s3_mid; }
-        y_s eta3_dot { damping => cos_a*cos_s3*beta_K*k_s3_mid; }
-        y_s u3_dot { damping => -cos_s3*beta_K*k_s3_mid; }
-        y_s zeta4_dot { damping => cos_s4*sin_a*beta_K*k_s4_mid; }
-        y_s eta4_dot { damping => cos_a*cos_s4*beta_K*k_s4_mid; }
-        y_s u4_dot { damping => -cos_s4*beta_K*k_s4_mid; }
-        y_s zeta5_dot { damping => cos_s5*sin_a*beta_K*k_s5_mid; }
-        y_s eta5_dot { damping => cos_a*cos_s5*beta_K*k_s5_mid; }
-        y_s u5_dot { damping => -cos_s5*beta_K*k_s5_mid; }
+        y_s zeta1_dot { damping => cos_s1*sin_a*beta_K*k_s1_mid*damps1; }
+        y_s eta1_dot { damping => cos_a*cos_s1*beta_K*k_s1_mid*damps1; }
+        y_s u1_dot {
+            sliding_friction_s1 => -sin_s1*side_s1*F_mu_s1_by_psi_s1_dot/r_p;
+            damping => -cos_s1*beta_K*k_s1_mid*damps1;
+        }
+        y_s zeta2_dot { damping => cos_s2*sin_a*beta_K*k_s2_mid*damps2; }
+        y_s eta2_dot { damping => cos_a*cos_s2*beta_K*k_s2_mid*damps2; }
+        y_s u2_dot {
+            sliding_friction_s2 => -sin_s2*side_s2*F_mu_s2_by_psi_s2_dot/r_p;
+            damping => -cos_s2*beta_K*k_s2_mid*damps2;
+        }
+        y_s zeta3_dot { damping => cos_s3*sin_a*beta_K*k_s3_mid*damps3; }
+        y_s eta3_dot { damping => cos_a*cos_s3*beta_K*k_s3_mid*damps3; }
+        y_s u3_dot {
+            sliding_friction_s3 => -sin_s3*side_s3*F_mu_s3_by_psi_s3_dot/r_p;
+            damping => -cos_s3*beta_K*k_s3_mid*damps3;
+        }
+        y_s zeta4_dot { damping => cos_s4*sin_a*beta_K*k_s4_mid*damps4; }
+        y_s eta4_dot { damping => cos_a*cos_s4*beta_K*k_s4_mid*damps4; }
+        y_s u4_dot {
+            sliding_friction_s4 => -sin_s4*side_s4*F_mu_s4_by_psi_s4_dot/r_p;
+            damping => -cos_s4*beta_K*k_s4_mid*damps4;
+        }
+        y_s zeta5_dot { damping => cos_s5*sin_a*beta_K*k_s5_mid*damps5; }
+        y_s eta5_dot { damping => cos_a*cos_s5*beta_K*k_s5_mid*damps5; }
+        y_s u5_dot {
+            sliding_friction_s5 => -sin_s5*side_s5*F_mu_s5_by_psi_s5_dot/r_p;
+            damping => -cos_s5*beta_K*k_s5_mid*damps5;
+        }
         x_c x_c {
             _ => -kb_c - cos_c1.powi(2)*kb_p - cos_c2.powi(2)*kb_p - cos_c3.powi(2)*kb_p - cos_c4.powi(2)*kb_p - cos_c5.powi(2)*kb_p
                 - sin_c1.powi(2)*kb_p - sin_c2.powi(2)*kb_p - sin_c3.powi(2)*kb_p - sin_c4.powi(2)*kb_p - sin_c5.powi(2)*kb_p;
@@ -1102,149 +3030,533 @@ equations! {
             damping => cos_c5*beta_K*kb_p;
         }
         x_r theta {
-            transmission_error_r1_and_moving_phase => -sin_r1*k_r1*de_r1;
-            transmission_error_r2_and_moving_phase => -sin_r2*k_r2*de_r2;
-            transmission_error_r3_and_moving_phase => -sin_r3*k_r3*de_r3;
-            transmission_error_r4_and_moving_phase => -sin_r4*k_r4*de_r4;
-            transmission_error_r5_and_moving_phase => -sin_r5*k_r5*de_r5;
-            moving_phase => sin_r1*dk_r1*delta_r1 + sin_r2*dk_r2*delta_r2 + sin_r3*dk_r3*delta_r3 + sin_r4*dk_r4*delta_r4
-                + sin_r5*dk_r5*delta_r5;
+            transmission_error_r1_and_backlash_r1_and_moving_phase => -sin_r1*k_r1*de_r1*clipr1*touchr1;
+            transmission_error_r1_and_sliding_friction_r1_and_moving_phase => cos_r1*de_r1*side_r1*F_mu_r1_by_overr1;
+            transmission_error_r1_and_moving_phase => -sin_r1*k_r1*de_r1*touchr1;
+            backlash_r1_and_moving_phase => sin_r1*dk_r1*clipr1*touchr1*overr1;
+            sliding_friction_r1_and_moving_phase => -cos_r1*dk_r1*side_r1*F_mu_r1_by_k_r1 - cos_r1*dside_r1*F_mu_r1;
+            transmission_error_r2_and_backlash_r2_and_moving_phase => -sin_r2*k_r2*de_r2*clipr2*touchr2;
+            transmission_error_r2_and_sliding_friction_r2_and_moving_phase => cos_r2*de_r2*side_r2*F_mu_r2_by_overr2;
+            transmission_error_r2_and_moving_phase => -sin_r2*k_r2*de_r2*touchr2;
+            backlash_r2_and_moving_phase => sin_r2*dk_r2*clipr2*touchr2*overr2;
+            sliding_friction_r2_and_moving_phase => -cos_r2*dk_r2*side_r2*F_mu_r2_by_k_r2 - cos_r2*dside_r2*F_mu_r2;
+            transmission_error_r3_and_backlash_r3_and_moving_phase => -sin_r3*k_r3*de_r3*clipr3*touchr3;
+            transmission_error_r3_and_sliding_friction_r3_and_moving_phase => cos_r3*de_r3*side_r3*F_mu_r3_by_overr3;
+            transmission_error_r3_and_moving_phase => -sin_r3*k_r3*de_r3*touchr3;
+            backlash_r3_and_moving_phase => sin_r3*dk_r3*clipr3*touchr3*overr3;
+            sliding_friction_r3_and_moving_phase => -cos_r3*dk_r3*side_r3*F_mu_r3_by_k_r3 - cos_r3*dside_r3*F_mu_r3;
+            transmission_error_r4_and_backlash_r4_and_moving_phase => -sin_r4*k_r4*de_r4*clipr4*touchr4;
+            transmission_error_r4_and_sliding_friction_r4_and_moving_phase => cos_r4*de_r4*side_r4*F_mu_r4_by_overr4;
+            transmission_error_r4_and_moving_phase => -sin_r4*k_r4*de_r4*touchr4;
+            backlash_r4_and_moving_phase => sin_r4*dk_r4*clipr4*touchr4*overr4;
+            sliding_friction_r4_and_moving_phase => -cos_r4*dk_r4*side_r4*F_mu_r4_by_k_r4 - cos_r4*dside_r4*F_mu_r4;
+            transmission_error_r5_and_backlash_r5_and_moving_phase => -sin_r5*k_r5*de_r5*clipr5*touchr5;
+            transmission_error_r5_and_sliding_friction_r5_and_moving_phase => cos_r5*de_r5*side_r5*F_mu_r5_by_overr5;
+            transmission_error_r5_and_moving_phase => -sin_r5*k_r5*de_r5*touchr5;
+            backlash_r5_and_moving_phase => sin_r5*dk_r5*clipr5*touchr5*overr5;
+            sliding_friction_r5_and_moving_phase => -cos_r5*dk_r5*side_r5*F_mu_r5_by_k_r5 - cos_r5*dside_r5*F_mu_r5;
+            moving_phase => sin_r1*dk_r1*touchr1*overr1 + sin_r2*dk_r2*touchr2*overr2 + sin_r3*dk_r3*touchr3*overr3
+                + sin_r4*dk_r4*touchr4*overr4 + sin_r5*dk_r5*touchr5*overr5;
         }
-        x_r theta_c { _ => -h*sin_r1*Z_r*k_r1 - h*sin_r2*Z_r*k_r2 - h*sin_r3*Z_r*k_r3 - h*sin_r4*Z_r*k_r4 - h*sin_r5*Z_r*k_r5; }
-        x_r theta_r { _ => h*sin_r1*Z_r*k_r1 + h*sin_r2*Z_r*k_r2 + h*sin_r3*Z_r*k_r3 + h*sin_r4*Z_r*k_r4 + h*sin_r5*Z_r*k_r5; }
+        x_r theta_c {
+            _ => -h*sin_r1*Z_r*k_r1*touchr1 - h*sin_r2*Z_r*k_r2*touchr2 - h*sin_r3*Z_r*k_r3*touchr3 - h*sin_r4*Z_r*k_r4*touchr4
+                - h*sin_r5*Z_r*k_r5*touchr5;
+            backlash_r1 => -h*sin_r1*Z_r*k_r1*clipr1*touchr1;
+            sliding_friction_r1 => cos_r1*h*Z_r*side_r1*F_mu_r1_by_overr1;
+            backlash_r2 => -h*sin_r2*Z_r*k_r2*clipr2*touchr2;
+            sliding_friction_r2 => cos_r2*h*Z_r*side_r2*F_mu_r2_by_overr2;
+            backlash_r3 => -h*sin_r3*Z_r*k_r3*clipr3*touchr3;
+            sliding_friction_r3 => cos_r3*h*Z_r*side_r3*F_mu_r3_by_overr3;
+            backlash_r4 => -h*sin_r4*Z_r*k_r4*clipr4*touchr4;
+            sliding_friction_r4 => cos_r4*h*Z_r*side_r4*F_mu_r4_by_overr4;
+            backlash_r5 => -h*sin_r5*Z_r*k_r5*clipr5*touchr5;
+            sliding_friction_r5 => cos_r5*h*Z_r*side_r5*F_mu_r5_by_overr5;
+        }
+        x_r theta_r {
+            _ => h*sin_r1*Z_r*k_r1*touchr1 + h*sin_r2*Z_r*k_r2*touchr2 + h*sin_r3*Z_r*k_r3*touchr3 + h*sin_r4*Z_r*k_r4*touchr4
+                + h*sin_r5*Z_r*k_r5*touchr5;
+            backlash_r1 => h*sin_r1*Z_r*k_r1*clipr1*touchr1;
+            sliding_friction_r1 => -cos_r1*h*Z_r*side_r1*F_mu_r1_by_overr1;
+            backlash_r2 => h*sin_r2*Z_r*k_r2*clipr2*touchr2;
+            sliding_friction_r2 => -cos_r2*h*Z_r*side_r2*F_mu_r2_by_overr2;
+            backlash_r3 => h*sin_r3*Z_r*k_r3*clipr3*touchr3;
+            sliding_friction_r3 => -cos_r3*h*Z_r*side_r3*F_mu_r3_by_overr3;
+            backlash_r4 => h*sin_r4*Z_r*k_r4*clipr4*touchr4;
+            sliding_friction_r4 => -cos_r4*h*Z_r*side_r4*F_mu_r4_by_overr4;
+            backlash_r5 => h*sin_r5*Z_r*k_r5*clipr5*touchr5;
+            sliding_friction_r5 => -cos_r5*h*Z_r*side_r5*F_mu_r5_by_overr5;
+        }
         x_r x_r {
-            _ => -kb_r - sin_r1.powi(2)*k_r1 - sin_r2.powi(2)*k_r2 - sin_r3.powi(2)*k_r3 - sin_r4.powi(2)*k_r4 - sin_r5.powi(2)*k_r5;
+            _ => -kb_r - sin_r1.powi(2)*k_r1*touchr1 - sin_r2.powi(2)*k_r2*touchr2 - sin_r3.powi(2)*k_r3*touchr3
+                - sin_r4.powi(2)*k_r4*touchr4 - sin_r5.powi(2)*k_r5*touchr5;
+            backlash_r1 => -sin_r1.powi(2)*k_r1*clipr1*touchr1;
+            sliding_friction_r1 => cos_r1*sin_r1*side_r1*F_mu_r1_by_overr1;
+            backlash_r2 => -sin_r2.powi(2)*k_r2*clipr2*touchr2;
+            sliding_friction_r2 => cos_r2*sin_r2*side_r2*F_mu_r2_by_overr2;
+            backlash_r3 => -sin_r3.powi(2)*k_r3*clipr3*touchr3;
+            sliding_friction_r3 => cos_r3*sin_r3*side_r3*F_mu_r3_by_overr3;
+            backlash_r4 => -sin_r4.powi(2)*k_r4*clipr4*touchr4;
+            sliding_friction_r4 => cos_r4*sin_r4*side_r4*F_mu_r4_by_overr4;
+            backlash_r5 => -sin_r5.powi(2)*k_r5*clipr5*touchr5;
+            sliding_friction_r5 => cos_r5*sin_r5*side_r5*F_mu_r5_by_overr5;
         }
-        x_r y_r { _ => cos_r1*sin_r1*k_r1 + cos_r2*sin_r2*k_r2 + cos_r3*sin_r3*k_r3 + cos_r4*sin_r4*k_r4 + cos_r5*sin_r5*k_r5; }
-        x_r zeta1 { _ => sin_a*sin_r1*k_r1; }
-        x_r eta1 { _ => -cos_a*sin_r1*k_r1; }
-        x_r u1 { _ => -sin_r1*k_r1; }
-        x_r zeta2 { _ => sin_a*sin_r2*k_r2; }
-        x_r eta2 { _ => -cos_a*sin_r2*k_r2; }
-        x_r u2 { _ => -sin_r2*k_r2; }
-        x_r zeta3 { _ => sin_a*sin_r3*k_r3; }
-        x_r eta3 { _ => -cos_a*sin_r3*k_r3; }
-        x_r u3 { _ => -sin_r3*k_r3; }
-        x_r zeta4 { _ => sin_a*sin_r4*k_r4; }
-        x_r eta4 { _ => -cos_a*sin_r4*k_r4; }
-        x_r u4 { _ => -sin_r4*k_r4; }
-        x_r zeta5 { _ => sin_a*sin_r5*k_r5; }
-        x_r eta5 { _ => -cos_a*sin_r5*k_r5; }
-        x_r u5 { _ => -sin_r5*k_r5; }
+        x_r y_r {
+            _ => cos_r1*sin_r1*k_r1*touchr1 + cos_r2*sin_r2*k_r2*touchr2 + cos_r3*sin_r3*k_r3*touchr3 + cos_r4*sin_r4*k_r4*touchr4
+                + cos_r5*sin_r5*k_r5*touchr5;
+            backlash_r1 => cos_r1*sin_r1*k_r1*clipr1*touchr1;
+            sliding_friction_r1 => -cos_r1.powi(2)*side_r1*F_mu_r1_by_overr1;
+            backlash_r2 => cos_r2*sin_r2*k_r2*clipr2*touchr2;
+            sliding_friction_r2 => -cos_r2.powi(2)*side_r2*F_mu_r2_by_overr2;
+            backlash_r3 => cos_r3*sin_r3*k_r3*clipr3*touchr3;
+            sliding_friction_r3 => -cos_r3.powi(2)*side_r3*F_mu_r3_by_overr3;
+            backlash_r4 => cos_r4*sin_r4*k_r4*clipr4*touchr4;
+            sliding_friction_r4 => -cos_r4.powi(2)*side_r4*F_mu_r4_by_overr4;
+            backlash_r5 => cos_r5*sin_r5*k_r5*clipr5*touchr5;
+            sliding_friction_r5 => -cos_r5.powi(2)*side_r5*F_mu_r5_by_overr5;
+        }
+        x_r zeta1 {
+            _ => sin_a*sin_r1*k_r1*touchr1;
+            backlash_r1 => sin_a*sin_r1*k_r1*clipr1*touchr1;
+            sliding_friction_r1 => -cos_r1*sin_a*side_r1*F_mu_r1_by_overr1;
+        }
+        x_r eta1 {
+            _ => -cos_a*sin_r1*k_r1*touchr1;
+            backlash_r1 => -cos_a*sin_r1*k_r1*clipr1*touchr1;
+            sliding_friction_r1 => cos_a*cos_r1*side_r1*F_mu_r1_by_overr1;
+        }
+        x_r u1 {
+            _ => -sin_r1*k_r1*touchr1;
+            backlash_r1 => -sin_r1*k_r1*clipr1*touchr1;
+            sliding_friction_r1 => cos_r1*side_r1*F_mu_r1_by_overr1;
+        }
+        x_r zeta2 {
+            _ => sin_a*sin_r2*k_r2*touchr2;
+            backlash_r2 => sin_a*sin_r2*k_r2*clipr2*touchr2;
+            sliding_friction_r2 => -cos_r2*sin_a*side_r2*F_mu_r2_by_overr2;
+        }
+        x_r eta2 {
+            _ => -cos_a*sin_r2*k_r2*touchr2;
+            backlash_r2 => -cos_a*sin_r2*k_r2*clipr2*touchr2;
+            sliding_friction_r2 => cos_a*cos_r2*side_r2*F_mu_r2_by_overr2;
+        }
+        x_r u2 {
+            _ => -sin_r2*k_r2*touchr2;
+            backlash_r2 => -sin_r2*k_r2*clipr2*touchr2;
+            sliding_friction_r2 => cos_r2*side_r2*F_mu_r2_by_overr2;
+        }
+        x_r zeta3 {
+            _ => sin_a*sin_r3*k_r3*touchr3;
+            backlash_r3 => sin_a*sin_r3*k_r3*clipr3*touchr3;
+            sliding_friction_r3 => -cos_r3*sin_a*side_r3*F_mu_r3_by_overr3;
+        }
+        x_r eta3 {
+            _ => -cos_a*sin_r3*k_r3*touchr3;
+            backlash_r3 => -cos_a*sin_r3*k_r3*clipr3*touchr3;
+            sliding_friction_r3 => cos_a*cos_r3*side_r3*F_mu_r3_by_overr3;
+        }
+        x_r u3 {
+            _ => -sin_r3*k_r3*touchr3;
+            backlash_r3 => -sin_r3*k_r3*clipr3*touchr3;
+            sliding_friction_r3 => cos_r3*side_r3*F_mu_r3_by_overr3;
+        }
+        x_r zeta4 {
+            _ => sin_a*sin_r4*k_r4*touchr4;
+            backlash_r4 => sin_a*sin_r4*k_r4*clipr4*touchr4;
+            sliding_friction_r4 => -cos_r4*sin_a*side_r4*F_mu_r4_by_overr4;
+        }
+        x_r eta4 {
+            _ => -cos_a*sin_r4*k_r4*touchr4;
+            backlash_r4 => -cos_a*sin_r4*k_r4*clipr4*touchr4;
+            sliding_friction_r4 => cos_a*cos_r4*side_r4*F_mu_r4_by_overr4;
+        }
+        x_r u4 {
+            _ => -sin_r4*k_r4*touchr4;
+            backlash_r4 => -sin_r4*k_r4*clipr4*touchr4;
+            sliding_friction_r4 => cos_r4*side_r4*F_mu_r4_by_overr4;
+        }
+        x_r zeta5 {
+            _ => sin_a*sin_r5*k_r5*touchr5;
+            backlash_r5 => sin_a*sin_r5*k_r5*clipr5*touchr5;
+            sliding_friction_r5 => -cos_r5*sin_a*side_r5*F_mu_r5_by_overr5;
+        }
+        x_r eta5 {
+            _ => -cos_a*sin_r5*k_r5*touchr5;
+            backlash_r5 => -cos_a*sin_r5*k_r5*clipr5*touchr5;
+            sliding_friction_r5 => cos_a*cos_r5*side_r5*F_mu_r5_by_overr5;
+        }
+        x_r u5 {
+            _ => -sin_r5*k_r5*touchr5;
+            backlash_r5 => -sin_r5*k_r5*clipr5*touchr5;
+            sliding_friction_r5 => cos_r5*side_r5*F_mu_r5_by_overr5;
+        }
+        x_r theta_dot {
+            sliding_friction_r1 => -cos_r1*roll_r*side_r1*F_mu_r1_by_psi_r1_dot;
+            sliding_friction_r2 => -cos_r2*roll_r*side_r2*F_mu_r2_by_psi_r2_dot;
+            sliding_friction_r3 => -cos_r3*roll_r*side_r3*F_mu_r3_by_psi_r3_dot;
+            sliding_friction_r4 => -cos_r4*roll_r*side_r4*F_mu_r4_by_psi_r4_dot;
+            sliding_friction_r5 => -cos_r5*roll_r*side_r5*F_mu_r5_by_psi_r5_dot;
+        }
         x_r theta_c_dot {
-            damping => -h*sin_r1*Z_r*beta_K*k_r1_mid - h*sin_r2*Z_r*beta_K*k_r2_mid - h*sin_r3*Z_r*beta_K*k_r3_mid
-                - h*sin_r4*Z_r*beta_K*k_r4_mid - h*sin_r5*Z_r*beta_K*k_r5_mid;
+            sliding_friction_r1 => cos_r1*side_r1*F_mu_r1_by_psi_r1_dot;
+            sliding_friction_r2 => cos_r2*side_r2*F_mu_r2_by_psi_r2_dot;
+            sliding_friction_r3 => cos_r3*side_r3*F_mu_r3_by_psi_r3_dot;
+            sliding_friction_r4 => cos_r4*side_r4*F_mu_r4_by_psi_r4_dot;
+            sliding_friction_r5 => cos_r5*side_r5*F_mu_r5_by_psi_r5_dot;
+            damping => -h*sin_r1*Z_r*beta_K*k_r1_mid*dampr1 - h*sin_r2*Z_r*beta_K*k_r2_mid*dampr2 - h*sin_r3*Z_r*beta_K*k_r3_mid*dampr3
+                - h*sin_r4*Z_r*beta_K*k_r4_mid*dampr4 - h*sin_r5*Z_r*beta_K*k_r5_mid*dampr5;
         }
         x_r theta_r_dot {
-            damping => h*sin_r1*Z_r*beta_K*k_r1_mid + h*sin_r2*Z_r*beta_K*k_r2_mid + h*sin_r3*Z_r*beta_K*k_r3_mid
-                + h*sin_r4*Z_r*beta_K*k_r4_mid + h*sin_r5*Z_r*beta_K*k_r5_mid;
+            sliding_friction_r1 => -cos_r1*side_r1*F_mu_r1_by_psi_r1_dot;
+            sliding_friction_r2 => -cos_r2*side_r2*F_mu_r2_by_psi_r2_dot;
+            sliding_friction_r3 => -cos_r3*side_r3*F_mu_r3_by_psi_r3_dot;
+            sliding_friction_r4 => -cos_r4*side_r4*F_mu_r4_by_psi_r4_dot;
+            sliding_friction_r5 => -cos_r5*side_r5*F_mu_r5_by_psi_r5_dot;
+            damping => h*sin_r1*Z_r*beta_K*k_r1_mid*dampr1 + h*sin_r2*Z_r*beta_K*k_r2_mid*dampr2 + h*sin_r3*Z_r*beta_K*k_r3_mid*dampr3
+                + h*sin_r4*Z_r*beta_K*k_r4_mid*dampr4 + h*sin_r5*Z_r*beta_K*k_r5_mid*dampr5;
         }
         x_r x_r_dot {
             viscous_friction_r => -cb_r;
-            damping => -alpha_M*m_r - beta_K*kb_r - sin_r1.powi(2)*beta_K*k_r1_mid - sin_r2.powi(2)*beta_K*k_r2_mid
-                - sin_r3.powi(2)*beta_K*k_r3_mid - sin_r4.powi(2)*beta_K*k_r4_mid - sin_r5.powi(2)*beta_K*k_r5_mid;
+            damping => -alpha_M*m_r - beta_K*kb_r - sin_r1.powi(2)*beta_K*k_r1_mid*dampr1 - sin_r2.powi(2)*beta_K*k_r2_mid*dampr2
+                - sin_r3.powi(2)*beta_K*k_r3_mid*dampr3 - sin_r4.powi(2)*beta_K*k_r4_mid*dampr4 - sin_r5.powi(2)*beta_K*k_r5_mid*dampr5;
         }
         x_r y_r_dot {
-            damping => cos_r1*sin_r1*beta_K*k_r1_mid + cos_r2*sin_r2*beta_K*k_r2_mid + cos_r3*sin_r3*beta_K*k_r3_mid
-                + cos_r4*sin_r4*beta_K*k_r4_mid + cos_r5*sin_r5*beta_K*k_r5_mid;
+            damping => cos_r1*sin_r1*beta_K*k_r1_mid*dampr1 + cos_r2*sin_r2*beta_K*k_r2_mid*dampr2 + cos_r3*sin_r3*beta_K*k_r3_mid*dampr3
+                + cos_r4*sin_r4*beta_K*k_r4_mid*dampr4 + cos_r5*sin_r5*beta_K*k_r5_mid*dampr5;
         }
-        x_r zeta1_dot { damping => sin_a*sin_r1*beta_K*k_r1_mid; }
-        x_r eta1_dot { damping => -cos_a*sin_r1*beta_K*k_r1_mid; }
-        x_r u1_dot { damping => -sin_r1*beta_K*k_r1_mid; }
-        x_r zeta2_dot { damping => sin_a*sin_r2*beta_K*k_r2_mid; }
-        x_r eta2_dot { damping => -cos_a*sin_r2*beta_K*k_r2_mid; }
-        x_r u2_dot { damping => -sin_r2*beta_K*k_r2_mid; }
-        x_r zeta3_dot { damping => sin_a*sin_r3*beta_K*k_r3_mid; }
-        x_r eta3_dot { damping => -cos_a*sin_r3*beta_K*k_r3_mid; }
-        x_r u3_dot { damping => -sin_r3*beta_K*k_r3_mid; }
-        x_r zeta4_dot { damping => sin_a*sin_r4*beta_K*k_r4_mid; }
-        x_r eta4_dot { damping => -cos_a*sin_r4*beta_K*k_r4_mid; }
-        x_r u4_dot { damping => -sin_r4*beta_K*k_r4_mid; }
-        x_r zeta5_dot { damping => sin_a*sin_r5*beta_K*k_r5_mid; }
-        x_r eta5_dot { damping => -cos_a*sin_r5*beta_K*k_r5_mid; }
-        x_r u5_dot { damping => -sin_r5*beta_K*k_r5_mid; }
+        x_r zeta1_dot { damping => sin_a*sin_r1*beta_K*k_r1_mid*dampr1; }
+        x_r eta1_dot { damping => -cos_a*sin_r1*beta_K*k_r1_mid*dampr1; }
+        x_r u1_dot {
+            sliding_friction_r1 => cos_r1*side_r1*F_mu_r1_by_psi_r1_dot/r_p;
+            damping => -sin_r1*beta_K*k_r1_mid*dampr1;
+        }
+        x_r zeta2_dot { damping => sin_a*sin_r2*beta_K*k_r2_mid*dampr2; }
+        x_r eta2_dot { damping => -cos_a*sin_r2*beta_K*k_r2_mid*dampr2; }
+        x_r u2_dot {
+            sliding_friction_r2 => cos_r2*side_r2*F_mu_r2_by_psi_r2_dot/r_p;
+            damping => -sin_r2*beta_K*k_r2_mid*dampr2;
+        }
+        x_r zeta3_dot { damping => sin_a*sin_r3*beta_K*k_r3_mid*dampr3; }
+        x_r eta3_dot { damping => -cos_a*sin_r3*beta_K*k_r3_mid*dampr3; }
+        x_r u3_dot {
+            sliding_friction_r3 => cos_r3*side_r3*F_mu_r3_by_psi_r3_dot/r_p;
+            damping => -sin_r3*beta_K*k_r3_mid*dampr3;
+        }
+        x_r zeta4_dot { damping => sin_a*sin_r4*beta_K*k_r4_mid*dampr4; }
+        x_r eta4_dot { damping => -cos_a*sin_r4*beta_K*k_r4_mid*dampr4; }
+        x_r u4_dot {
+            sliding_friction_r4 => cos_r4*side_r4*F_mu_r4_by_psi_r4_dot/r_p;
+            damping => -sin_r4*beta_K*k_r4_mid*dampr4;
+        }
+        x_r zeta5_dot { damping => sin_a*sin_r5*beta_K*k_r5_mid*dampr5; }
+        x_r eta5_dot { damping => -cos_a*sin_r5*beta_K*k_r5_mid*dampr5; }
+        x_r u5_dot {
+            sliding_friction_r5 => cos_r5*side_r5*F_mu_r5_by_psi_r5_dot/r_p;
+            damping => -sin_r5*beta_K*k_r5_mid*dampr5;
+        }
         y_r theta {
-            transmission_error_r1_and_moving_phase => cos_r1*k_r1*de_r1;
-            transmission_error_r2_and_moving_phase => cos_r2*k_r2*de_r2;
-            transmission_error_r3_and_moving_phase => cos_r3*k_r3*de_r3;
-            transmission_error_r4_and_moving_phase => cos_r4*k_r4*de_r4;
-            transmission_error_r5_and_moving_phase => cos_r5*k_r5*de_r5;
-            moving_phase => -cos_r1*dk_r1*delta_r1 - cos_r2*dk_r2*delta_r2 - cos_r3*dk_r3*delta_r3 - cos_r4*dk_r4*delta_r4
-                - cos_r5*dk_r5*delta_r5;
+            transmission_error_r1_and_backlash_r1_and_moving_phase => cos_r1*k_r1*de_r1*clipr1*touchr1;
+            transmission_error_r1_and_sliding_friction_r1_and_moving_phase => sin_r1*de_r1*side_r1*F_mu_r1_by_overr1;
+            transmission_error_r1_and_moving_phase => cos_r1*k_r1*de_r1*touchr1;
+            backlash_r1_and_moving_phase => -cos_r1*dk_r1*clipr1*touchr1*overr1;
+            sliding_friction_r1_and_moving_phase => -sin_r1*dk_r1*side_r1*F_mu_r1_by_k_r1 - sin_r1*dside_r1*F_mu_r1;
+            transmission_error_r2_and_backlash_r2_and_moving_phase => cos_r2*k_r2*de_r2*clipr2*touchr2;
+            transmission_error_r2_and_sliding_friction_r2_and_moving_phase => sin_r2*de_r2*side_r2*F_mu_r2_by_overr2;
+            transmission_error_r2_and_moving_phase => cos_r2*k_r2*de_r2*touchr2;
+            backlash_r2_and_moving_phase => -cos_r2*dk_r2*clipr2*touchr2*overr2;
+            sliding_friction_r2_and_moving_phase => -sin_r2*dk_r2*side_r2*F_mu_r2_by_k_r2 - sin_r2*dside_r2*F_mu_r2;
+            transmission_error_r3_and_backlash_r3_and_moving_phase => cos_r3*k_r3*de_r3*clipr3*touchr3;
+            transmission_error_r3_and_sliding_friction_r3_and_moving_phase => sin_r3*de_r3*side_r3*F_mu_r3_by_overr3;
+            transmission_error_r3_and_moving_phase => cos_r3*k_r3*de_r3*touchr3;
+            backlash_r3_and_moving_phase => -cos_r3*dk_r3*clipr3*touchr3*overr3;
+            sliding_friction_r3_and_moving_phase => -sin_r3*dk_r3*side_r3*F_mu_r3_by_k_r3 - sin_r3*dside_r3*F_mu_r3;
+            transmission_error_r4_and_backlash_r4_and_moving_phase => cos_r4*k_r4*de_r4*clipr4*touchr4;
+            transmission_error_r4_and_sliding_friction_r4_and_moving_phase => sin_r4*de_r4*side_r4*F_mu_r4_by_overr4;
+            transmission_error_r4_and_moving_phase => cos_r4*k_r4*de_r4*touchr4;
+            backlash_r4_and_moving_phase => -cos_r4*dk_r4*clipr4*touchr4*overr4;
+            sliding_friction_r4_and_moving_phase => -sin_r4*dk_r4*side_r4*F_mu_r4_by_k_r4 - sin_r4*dside_r4*F_mu_r4;
+            transmission_error_r5_and_backlash_r5_and_moving_phase => cos_r5*k_r5*de_r5*clipr5*touchr5;
+            transmission_error_r5_and_sliding_friction_r5_and_moving_phase => sin_r5*de_r5*side_r5*F_mu_r5_by_overr5;
+            transmission_error_r5_and_moving_phase => cos_r5*k_r5*de_r5*touchr5;
+            backlash_r5_and_moving_phase => -cos_r5*dk_r5*clipr5*touchr5*overr5;
+            sliding_friction_r5_and_moving_phase => -sin_r5*dk_r5*side_r5*F_mu_r5_by_k_r5 - sin_r5*dside_r5*F_mu_r5;
+            moving_phase => -cos_r1*dk_r1*touchr1*overr1 - cos_r2*dk_r2*touchr2*overr2 - cos_r3*dk_r3*touchr3*overr3
+                - cos_r4*dk_r4*touchr4*overr4 - cos_r5*dk_r5*touchr5*overr5;
         }
-        y_r theta_c { _ => cos_r1*h*Z_r*k_r1 + cos_r2*h*Z_r*k_r2 + cos_r3*h*Z_r*k_r3 + cos_r4*h*Z_r*k_r4 + cos_r5*h*Z_r*k_r5; }
-        y_r theta_r { _ => -cos_r1*h*Z_r*k_r1 - cos_r2*h*Z_r*k_r2 - cos_r3*h*Z_r*k_r3 - cos_r4*h*Z_r*k_r4 - cos_r5*h*Z_r*k_r5; }
-        y_r x_r { _ => cos_r1*sin_r1*k_r1 + cos_r2*sin_r2*k_r2 + cos_r3*sin_r3*k_r3 + cos_r4*sin_r4*k_r4 + cos_r5*sin_r5*k_r5; }
+        y_r theta_c {
+            _ => cos_r1*h*Z_r*k_r1*touchr1 + cos_r2*h*Z_r*k_r2*touchr2 + cos_r3*h*Z_r*k_r3*touchr3 + cos_r4*h*Z_r*k_r4*touchr4
+                + cos_r5*h*Z_r*k_r5*touchr5;
+            backlash_r1 => cos_r1*h*Z_r*k_r1*clipr1*touchr1;
+            sliding_friction_r1 => h*sin_r1*Z_r*side_r1*F_mu_r1_by_overr1;
+            backlash_r2 => cos_r2*h*Z_r*k_r2*clipr2*touchr2;
+            sliding_friction_r2 => h*sin_r2*Z_r*side_r2*F_mu_r2_by_overr2;
+            backlash_r3 => cos_r3*h*Z_r*k_r3*clipr3*touchr3;
+            sliding_friction_r3 => h*sin_r3*Z_r*side_r3*F_mu_r3_by_overr3;
+            backlash_r4 => cos_r4*h*Z_r*k_r4*clipr4*touchr4;
+            sliding_friction_r4 => h*sin_r4*Z_r*side_r4*F_mu_r4_by_overr4;
+            backlash_r5 => cos_r5*h*Z_r*k_r5*clipr5*touchr5;
+            sliding_friction_r5 => h*sin_r5*Z_r*side_r5*F_mu_r5_by_overr5;
+        }
+        y_r theta_r {
+            _ => -cos_r1*h*Z_r*k_r1*touchr1 - cos_r2*h*Z_r*k_r2*touchr2 - cos_r3*h*Z_r*k_r3*touchr3 - cos_r4*h*Z_r*k_r4*touchr4
+                - cos_r5*h*Z_r*k_r5*touchr5;
+            backlash_r1 => -cos_r1*h*Z_r*k_r1*clipr1*touchr1;
+            sliding_friction_r1 => -h*sin_r1*Z_r*side_r1*F_mu_r1_by_overr1;
+            backlash_r2 => -cos_r2*h*Z_r*k_r2*clipr2*touchr2;
+            sliding_friction_r2 => -h*sin_r2*Z_r*side_r2*F_mu_r2_by_overr2;
+            backlash_r3 => -cos_r3*h*Z_r*k_r3*clipr3*touchr3;
+            sliding_friction_r3 => -h*sin_r3*Z_r*side_r3*F_mu_r3_by_overr3;
+            backlash_r4 => -cos_r4*h*Z_r*k_r4*clipr4*touchr4;
+            sliding_friction_r4 => -h*sin_r4*Z_r*side_r4*F_mu_r4_by_overr4;
+            backlash_r5 => -cos_r5*h*Z_r*k_r5*clipr5*touchr5;
+            sliding_friction_r5 => -h*sin_r5*Z_r*side_r5*F_mu_r5_by_overr5;
+        }
+        y_r x_r {
+            _ => cos_r1*sin_r1*k_r1*touchr1 + cos_r2*sin_r2*k_r2*touchr2 + cos_r3*sin_r3*k_r3*touchr3 + cos_r4*sin_r4*k_r4*touchr4
+                + cos_r5*sin_r5*k_r5*touchr5;
+            backlash_r1 => cos_r1*sin_r1*k_r1*clipr1*touchr1;
+            sliding_friction_r1 => sin_r1.powi(2)*side_r1*F_mu_r1_by_overr1;
+            backlash_r2 => cos_r2*sin_r2*k_r2*clipr2*touchr2;
+            sliding_friction_r2 => sin_r2.powi(2)*side_r2*F_mu_r2_by_overr2;
+            backlash_r3 => cos_r3*sin_r3*k_r3*clipr3*touchr3;
+            sliding_friction_r3 => sin_r3.powi(2)*side_r3*F_mu_r3_by_overr3;
+            backlash_r4 => cos_r4*sin_r4*k_r4*clipr4*touchr4;
+            sliding_friction_r4 => sin_r4.powi(2)*side_r4*F_mu_r4_by_overr4;
+            backlash_r5 => cos_r5*sin_r5*k_r5*clipr5*touchr5;
+            sliding_friction_r5 => sin_r5.powi(2)*side_r5*F_mu_r5_by_overr5;
+        }
         y_r y_r {
-            _ => -kb_r - cos_r1.powi(2)*k_r1 - cos_r2.powi(2)*k_r2 - cos_r3.powi(2)*k_r3 - cos_r4.powi(2)*k_r4 - cos_r5.powi(2)*k_r5;
+            _ => -kb_r - cos_r1.powi(2)*k_r1*touchr1 - cos_r2.powi(2)*k_r2*touchr2 - cos_r3.powi(2)*k_r3*touchr3
+                - cos_r4.powi(2)*k_r4*touchr4 - cos_r5.powi(2)*k_r5*touchr5;
+            backlash_r1 => -cos_r1.powi(2)*k_r1*clipr1*touchr1;
+            sliding_friction_r1 => -cos_r1*sin_r1*side_r1*F_mu_r1_by_overr1;
+            backlash_r2 => -cos_r2.powi(2)*k_r2*clipr2*touchr2;
+            sliding_friction_r2 => -cos_r2*sin_r2*side_r2*F_mu_r2_by_overr2;
+            backlash_r3 => -cos_r3.powi(2)*k_r3*clipr3*touchr3;
+            sliding_friction_r3 => -cos_r3*sin_r3*side_r3*F_mu_r3_by_overr3;
+            backlash_r4 => -cos_r4.powi(2)*k_r4*clipr4*touchr4;
+            sliding_friction_r4 => -cos_r4*sin_r4*side_r4*F_mu_r4_by_overr4;
+            backlash_r5 => -cos_r5.powi(2)*k_r5*clipr5*touchr5;
+            sliding_friction_r5 => -cos_r5*sin_r5*side_r5*F_mu_r5_by_overr5;
         }
-        y_r zeta1 { _ => -cos_r1*sin_a*k_r1; }
-        y_r eta1 { _ => cos_a*cos_r1*k_r1; }
-        y_r u1 { _ => cos_r1*k_r1; }
-        y_r zeta2 { _ => -cos_r2*sin_a*k_r2; }
-        y_r eta2 { _ => cos_a*cos_r2*k_r2; }
-        y_r u2 { _ => cos_r2*k_r2; }
-        y_r zeta3 { _ => -cos_r3*sin_a*k_r3; }
-        y_r eta3 { _ => cos_a*cos_r3*k_r3; }
-        y_r u3 { _ => cos_r3*k_r3; }
-        y_r zeta4 { _ => -cos_r4*sin_a*k_r4; }
-        y_r eta4 { _ => cos_a*cos_r4*k_r4; }
-        y_r u4 { _ => cos_r4*k_r4; }
-        y_r zeta5 { _ => -cos_r5*sin_a*k_r5; }
-        y_r eta5 { _ => cos_a*cos_r5*k_r5; }
-        y_r u5 { _ => cos_r5*k_r5; }
+        y_r zeta1 {
+            _ => -cos_r1*sin_a*k_r1*touchr1;
+            backlash_r1 => -cos_r1*sin_a*k_r1*clipr1*touchr1;
+            sliding_friction_r1 => -sin_a*sin_r1*side_r1*F_mu_r1_by_overr1;
+        }
+        y_r eta1 {
+            _ => cos_a*cos_r1*k_r1*touchr1;
+            backlash_r1 => cos_a*cos_r1*k_r1*clipr1*touchr1;
+            sliding_friction_r1 => cos_a*sin_r1*side_r1*F_mu_r1_by_overr1;
+        }
+        y_r u1 {
+            _ => cos_r1*k_r1*touchr1;
+            backlash_r1 => cos_r1*k_r1*clipr1*touchr1;
+            sliding_friction_r1 => sin_r1*side_r1*F_mu_r1_by_overr1;
+        }
+        y_r zeta2 {
+            _ => -cos_r2*sin_a*k_r2*touchr2;
+            backlash_r2 => -cos_r2*sin_a*k_r2*clipr2*touchr2;
+            sliding_friction_r2 => -sin_a*sin_r2*side_r2*F_mu_r2_by_overr2;
+        }
+        y_r eta2 {
+            _ => cos_a*cos_r2*k_r2*touchr2;
+            backlash_r2 => cos_a*cos_r2*k_r2*clipr2*touchr2;
+            sliding_friction_r2 => cos_a*sin_r2*side_r2*F_mu_r2_by_overr2;
+        }
+        y_r u2 {
+            _ => cos_r2*k_r2*touchr2;
+            backlash_r2 => cos_r2*k_r2*clipr2*touchr2;
+            sliding_friction_r2 => sin_r2*side_r2*F_mu_r2_by_overr2;
+        }
+        y_r zeta3 {
+            _ => -cos_r3*sin_a*k_r3*touchr3;
+            backlash_r3 => -cos_r3*sin_a*k_r3*clipr3*touchr3;
+            sliding_friction_r3 => -sin_a*sin_r3*side_r3*F_mu_r3_by_overr3;
+        }
+        y_r eta3 {
+            _ => cos_a*cos_r3*k_r3*touchr3;
+            backlash_r3 => cos_a*cos_r3*k_r3*clipr3*touchr3;
+            sliding_friction_r3 => cos_a*sin_r3*side_r3*F_mu_r3_by_overr3;
+        }
+        y_r u3 {
+            _ => cos_r3*k_r3*touchr3;
+            backlash_r3 => cos_r3*k_r3*clipr3*touchr3;
+            sliding_friction_r3 => sin_r3*side_r3*F_mu_r3_by_overr3;
+        }
+        y_r zeta4 {
+            _ => -cos_r4*sin_a*k_r4*touchr4;
+            backlash_r4 => -cos_r4*sin_a*k_r4*clipr4*touchr4;
+            sliding_friction_r4 => -sin_a*sin_r4*side_r4*F_mu_r4_by_overr4;
+        }
+        y_r eta4 {
+            _ => cos_a*cos_r4*k_r4*touchr4;
+            backlash_r4 => cos_a*cos_r4*k_r4*clipr4*touchr4;
+            sliding_friction_r4 => cos_a*sin_r4*side_r4*F_mu_r4_by_overr4;
+        }
+        y_r u4 {
+            _ => cos_r4*k_r4*touchr4;
+            backlash_r4 => cos_r4*k_r4*clipr4*touchr4;
+            sliding_friction_r4 => sin_r4*side_r4*F_mu_r4_by_overr4;
+        }
+        y_r zeta5 {
+            _ => -cos_r5*sin_a*k_r5*touchr5;
+            backlash_r5 => -cos_r5*sin_a*k_r5*clipr5*touchr5;
+            sliding_friction_r5 => -sin_a*sin_r5*side_r5*F_mu_r5_by_overr5;
+        }
+        y_r eta5 {
+            _ => cos_a*cos_r5*k_r5*touchr5;
+            backlash_r5 => cos_a*cos_r5*k_r5*clipr5*touchr5;
+            sliding_friction_r5 => cos_a*sin_r5*side_r5*F_mu_r5_by_overr5;
+        }
+        y_r u5 {
+            _ => cos_r5*k_r5*touchr5;
+            backlash_r5 => cos_r5*k_r5*clipr5*touchr5;
+            sliding_friction_r5 => sin_r5*side_r5*F_mu_r5_by_overr5;
+        }
+        y_r theta_dot {
+            sliding_friction_r1 => -roll_r*sin_r1*side_r1*F_mu_r1_by_psi_r1_dot;
+            sliding_friction_r2 => -roll_r*sin_r2*side_r2*F_mu_r2_by_psi_r2_dot;
+            sliding_friction_r3 => -roll_r*sin_r3*side_r3*F_mu_r3_by_psi_r3_dot;
+            sliding_friction_r4 => -roll_r*sin_r4*side_r4*F_mu_r4_by_psi_r4_dot;
+            sliding_friction_r5 => -roll_r*sin_r5*side_r5*F_mu_r5_by_psi_r5_dot;
+        }
         y_r theta_c_dot {
-            damping => cos_r1*h*Z_r*beta_K*k_r1_mid + cos_r2*h*Z_r*beta_K*k_r2_mid + cos_r3*h*Z_r*beta_K*k_r3_mid
-                + cos_r4*h*Z_r*beta_K*k_r4_mid + cos_r5*h*Z_r*beta_K*k_r5_mid;
+            sliding_friction_r1 => sin_r1*side_r1*F_mu_r1_by_psi_r1_dot;
+            sliding_friction_r2 => sin_r2*side_r2*F_mu_r2_by_psi_r2_dot;
+            sliding_friction_r3 => sin_r3*side_r3*F_mu_r3_by_psi_r3_dot;
+            sliding_friction_r4 => sin_r4*side_r4*F_mu_r4_by_psi_r4_dot;
+            sliding_friction_r5 => sin_r5*side_r5*F_mu_r5_by_psi_r5_dot;
+            damping => cos_r1*h*Z_r*beta_K*k_r1_mid*dampr1 + cos_r2*h*Z_r*beta_K*k_r2_mid*dampr2 + cos_r3*h*Z_r*beta_K*k_r3_mid*dampr3
+                + cos_r4*h*Z_r*beta_K*k_r4_mid*dampr4 + cos_r5*h*Z_r*beta_K*k_r5_mid*dampr5;
         }
         y_r theta_r_dot {
-            damping => -cos_r1*h*Z_r*beta_K*k_r1_mid - cos_r2*h*Z_r*beta_K*k_r2_mid - cos_r3*h*Z_r*beta_K*k_r3_mid
-                - cos_r4*h*Z_r*beta_K*k_r4_mid - cos_r5*h*Z_r*beta_K*k_r5_mid;
+            sliding_friction_r1 => -sin_r1*side_r1*F_mu_r1_by_psi_r1_dot;
+            sliding_friction_r2 => -sin_r2*side_r2*F_mu_r2_by_psi_r2_dot;
+            sliding_friction_r3 => -sin_r3*side_r3*F_mu_r3_by_psi_r3_dot;
+            sliding_friction_r4 => -sin_r4*side_r4*F_mu_r4_by_psi_r4_dot;
+            sliding_friction_r5 => -sin_r5*side_r5*F_mu_r5_by_psi_r5_dot;
+            damping => -cos_r1*h*Z_r*beta_K*k_r1_mid*dampr1 - cos_r2*h*Z_r*beta_K*k_r2_mid*dampr2 - cos_r3*h*Z_r*beta_K*k_r3_mid*dampr3
+                - cos_r4*h*Z_r*beta_K*k_r4_mid*dampr4 - cos_r5*h*Z_r*beta_K*k_r5_mid*dampr5;
         }
         y_r x_r_dot {
-            damping => cos_r1*sin_r1*beta_K*k_r1_mid + cos_r2*sin_r2*beta_K*k_r2_mid + cos_r3*sin_r3*beta_K*k_r3_mid
-                + cos_r4*sin_r4*beta_K*k_r4_mid + cos_r5*sin_r5*beta_K*k_r5_mid;
+            damping => cos_r1*sin_r1*beta_K*k_r1_mid*dampr1 + cos_r2*sin_r2*beta_K*k_r2_mid*dampr2 + cos_r3*sin_r3*beta_K*k_r3_mid*dampr3
+                + cos_r4*sin_r4*beta_K*k_r4_mid*dampr4 + cos_r5*sin_r5*beta_K*k_r5_mid*dampr5;
         }
         y_r y_r_dot {
             viscous_friction_r => -cb_r;
-            damping => -alpha_M*m_r - beta_K*kb_r - cos_r1.powi(2)*beta_K*k_r1_mid - cos_r2.powi(2)*beta_K*k_r2_mid
-                - cos_r3.powi(2)*beta_K*k_r3_mid - cos_r4.powi(2)*beta_K*k_r4_mid - cos_r5.powi(2)*beta_K*k_r5_mid;
+            damping => -alpha_M*m_r - beta_K*kb_r - cos_r1.powi(2)*beta_K*k_r1_mid*dampr1 - cos_r2.powi(2)*beta_K*k_r2_mid*dampr2
+                - cos_r3.powi(2)*beta_K*k_r3_mid*dampr3 - cos_r4.powi(2)*beta_K*k_r4_mid*dampr4 - cos_r5.powi(2)*beta_K*k_r5_mid*dampr5;
         }
-        y_r zeta1_dot { damping => -cos_r1*sin_a*beta_K*k_r1_mid; }
-        y_r eta1_dot { damping => cos_a*cos_r1*beta_K*k_r1_mid; }
-        y_r u1_dot { damping => cos_r1*beta_K*k_r1_mid; }
-        y_r zeta2_dot { damping => -cos_r2*sin_a*beta_K*k_r2_mid; }
-        y_r eta2_dot { damping => cos_a*cos_r2*beta_K*k_r2_mid; }
-        y_r u2_dot { damping => cos_r2*beta_K*k_r2_mid; }
-        y_r zeta3_dot { damping => -cos_r3*sin_a*beta_K*k_r3_mid; }
-        y_r eta3_dot { damping => cos_a*cos_r3*beta_K*k_r3_mid; }
-        y_r u3_dot { damping => cos_r3*beta_K*k_r3_mid; }
-        y_r zeta4_dot { damping => -cos_r4*sin_a*beta_K*k_r4_mid; }
-        y_r eta4_dot { damping => cos_a*cos_r4*beta_K*k_r4_mid; }
-        y_r u4_dot { damping => cos_r4*beta_K*k_r4_mid; }
-        y_r zeta5_dot { damping => -cos_r5*sin_a*beta_K*k_r5_mid; }
-        y_r eta5_dot { damping => cos_a*cos_r5*beta_K*k_r5_mid; }
-        y_r u5_dot { damping => cos_r5*beta_K*k_r5_mid; }
+        y_r zeta1_dot { damping => -cos_r1*sin_a*beta_K*k_r1_mid*dampr1; }
+        y_r eta1_dot { damping => cos_a*cos_r1*beta_K*k_r1_mid*dampr1; }
+        y_r u1_dot {
+            sliding_friction_r1 => sin_r1*side_r1*F_mu_r1_by_psi_r1_dot/r_p;
+            damping => cos_r1*beta_K*k_r1_mid*dampr1;
+        }
+        y_r zeta2_dot { damping => -cos_r2*sin_a*beta_K*k_r2_mid*dampr2; }
+        y_r eta2_dot { damping => cos_a*cos_r2*beta_K*k_r2_mid*dampr2; }
+        y_r u2_dot {
+            sliding_friction_r2 => sin_r2*side_r2*F_mu_r2_by_psi_r2_dot/r_p;
+            damping => cos_r2*beta_K*k_r2_mid*dampr2;
+        }
+        y_r zeta3_dot { damping => -cos_r3*sin_a*beta_K*k_r3_mid*dampr3; }
+        y_r eta3_dot { damping => cos_a*cos_r3*beta_K*k_r3_mid*dampr3; }
+        y_r u3_dot {
+            sliding_friction_r3 => sin_r3*side_r3*F_mu_r3_by_psi_r3_dot/r_p;
+            damping => cos_r3*beta_K*k_r3_mid*dampr3;
+        }
+        y_r zeta4_dot { damping => -cos_r4*sin_a*beta_K*k_r4_mid*dampr4; }
+        y_r eta4_dot { damping => cos_a*cos_r4*beta_K*k_r4_mid*dampr4; }
+        y_r u4_dot {
+            sliding_friction_r4 => sin_r4*side_r4*F_mu_r4_by_psi_r4_dot/r_p;
+            damping => cos_r4*beta_K*k_r4_mid*dampr4;
+        }
+        y_r zeta5_dot { damping => -cos_r5*sin_a*beta_K*k_r5_mid*dampr5; }
+        y_r eta5_dot { damping => cos_a*cos_r5*beta_K*k_r5_mid*dampr5; }
+        y_r u5_dot {
+            sliding_friction_r5 => sin_r5*side_r5*F_mu_r5_by_psi_r5_dot/r_p;
+            damping => cos_r5*beta_K*k_r5_mid*dampr5;
+        }
         zeta1 theta {
-            transmission_error_s1_and_moving_phase => -sin_a*k_s1*de_s1;
-            transmission_error_r1_and_moving_phase => sin_a*k_r1*de_r1;
-            moving_phase => sin_a*dk_s1*delta_s1 - sin_a*dk_r1*delta_r1;
+            transmission_error_s1_and_backlash_s1_and_moving_phase => -sin_a*k_s1*de_s1*clips1*touchs1;
+            transmission_error_s1_and_sliding_friction_s1_and_moving_phase => cos_a*de_s1*side_s1*F_mu_s1_by_overs1;
+            transmission_error_s1_and_moving_phase => -sin_a*k_s1*de_s1*touchs1;
+            backlash_s1_and_moving_phase => sin_a*dk_s1*clips1*touchs1*overs1;
+            sliding_friction_s1_and_moving_phase => -cos_a*dk_s1*side_s1*F_mu_s1_by_k_s1 - cos_a*dside_s1*F_mu_s1;
+            transmission_error_r1_and_backlash_r1_and_moving_phase => sin_a*k_r1*de_r1*clipr1*touchr1;
+            transmission_error_r1_and_sliding_friction_r1_and_moving_phase => -cos_a*de_r1*side_r1*F_mu_r1_by_overr1;
+            transmission_error_r1_and_moving_phase => sin_a*k_r1*de_r1*touchr1;
+            backlash_r1_and_moving_phase => -sin_a*dk_r1*clipr1*touchr1*overr1;
+            sliding_friction_r1_and_moving_phase => cos_a*dk_r1*side_r1*F_mu_r1_by_k_r1 + cos_a*dside_r1*F_mu_r1;
+            moving_phase => sin_a*dk_s1*touchs1*overs1 - sin_a*dk_r1*touchr1*overr1;
         }
-        zeta1 theta_c { _ => h*sin_a*Z_r*k_r1; }
-        zeta1 theta_r { _ => -h*sin_a*Z_r*k_r1; }
-        zeta1 x_s { _ => -sin_a*sin_s1*k_s1; }
-        zeta1 y_s { _ => cos_s1*sin_a*k_s1; }
+        zeta1 theta_c {
+            _ => h*sin_a*Z_r*k_r1*touchr1;
+            backlash_r1 => h*sin_a*Z_r*k_r1*clipr1*touchr1;
+            sliding_friction_r1 => -cos_a*h*Z_r*side_r1*F_mu_r1_by_overr1;
+        }
+        zeta1 theta_r {
+            _ => -h*sin_a*Z_r*k_r1*touchr1;
+            backlash_r1 => -h*sin_a*Z_r*k_r1*clipr1*touchr1;
+            sliding_friction_r1 => cos_a*h*Z_r*side_r1*F_mu_r1_by_overr1;
+        }
+        zeta1 x_s {
+            _ => -sin_a*sin_s1*k_s1*touchs1;
+            backlash_s1 => -sin_a*sin_s1*k_s1*clips1*touchs1;
+            sliding_friction_s1 => cos_a*sin_s1*side_s1*F_mu_s1_by_overs1;
+        }
+        zeta1 y_s {
+            _ => cos_s1*sin_a*k_s1*touchs1;
+            backlash_s1 => cos_s1*sin_a*k_s1*clips1*touchs1;
+            sliding_friction_s1 => -cos_a*cos_s1*side_s1*F_mu_s1_by_overs1;
+        }
         zeta1 x_c { _ => cos_c1*kb_p; }
         zeta1 y_c { _ => sin_c1*kb_p; }
-        zeta1 x_r { _ => sin_a*sin_r1*k_r1; }
-        zeta1 y_r { _ => -cos_r1*sin_a*k_r1; }
-        zeta1 zeta1 { _ => -kb_p - sin_a.powi(2)*k_r1 - sin_a.powi(2)*k_s1; }
-        zeta1 eta1 { _ => cos_a*sin_a*k_r1 - cos_a*sin_a*k_s1; }
-        zeta1 u1 { _ => sin_a*k_r1 + sin_a*k_s1; }
-        zeta1 theta_c_dot { damping => h*sin_a*Z_r*beta_K*k_r1_mid; }
-        zeta1 theta_r_dot { damping => -h*sin_a*Z_r*beta_K*k_r1_mid; }
-        zeta1 x_s_dot { damping => -sin_a*sin_s1*beta_K*k_s1_mid; }
-        zeta1 y_s_dot { damping => cos_s1*sin_a*beta_K*k_s1_mid; }
+        zeta1 x_r {
+            _ => sin_a*sin_r1*k_r1*touchr1;
+            backlash_r1 => sin_a*sin_r1*k_r1*clipr1*touchr1;
+            sliding_friction_r1 => -cos_a*sin_r1*side_r1*F_mu_r1_by_overr1;
+        }
+        zeta1 y_r {
+            _ => -cos_r1*sin_a*k_r1*touchr1;
+            backlash_r1 => -cos_r1*sin_a*k_r1*clipr1*touchr1;
+            sliding_friction_r1 => cos_a*cos_r1*side_r1*F_mu_r1_by_overr1;
+        }
+        zeta1 zeta1 {
+            _ => -kb_p - sin_a.powi(2)*k_r1*touchr1 - sin_a.powi(2)*k_s1*touchs1;
+            backlash_s1 => -sin_a.powi(2)*k_s1*clips1*touchs1;
+            sliding_friction_s1 => cos_a*sin_a*side_s1*F_mu_s1_by_overs1;
+            backlash_r1 => -sin_a.powi(2)*k_r1*clipr1*touchr1;
+            sliding_friction_r1 => cos_a*sin_a*side_r1*F_mu_r1_by_overr1;
+        }
+        zeta1 eta1 {
+            _ => cos_a*sin_a*k_r1*touchr1 - cos_a*sin_a*k_s1*touchs1;
+            backlash_s1 => -cos_a*sin_a*k_s1*clips1*touchs1;
+            sliding_friction_s1 => cos_a.powi(2)*side_s1*F_mu_s1_by_overs1;
+            backlash_r1 => cos_a*sin_a*k_r1*clipr1*touchr1;
+            sliding_friction_r1 => -cos_a.powi(2)*side_r1*F_mu_r1_by_overr1;
+        }
+        zeta1 u1 {
+            _ => sin_a*k_r1*touchr1 + sin_a*k_s1*touchs1;
+            backlash_s1 => sin_a*k_s1*clips1*touchs1;
+            sliding_friction_s1 => -cos_a*side_s1*F_mu_s1_by_overs1;
+            backlash_r1 => sin_a*k_r1*clipr1*touchr1;
+            sliding_friction_r1 => -cos_a*side_r1*F_mu_r1_by_overr1;
+        }
+        zeta1 theta_dot {
+            sliding_friction_s1 => -cos_a*roll_s*side_s1*F_mu_s1_by_psi_s1_dot;
+            sliding_friction_r1 => cos_a*roll_r*side_r1*F_mu_r1_by_psi_r1_dot;
+        }
+        zeta1 theta_c_dot {
+            sliding_friction_r1 => -cos_a*side_r1*F_mu_r1_by_psi_r1_dot;
+            damping => h*sin_a*Z_r*beta_K*k_r1_mid*dampr1;
+        }
+        zeta1 theta_r_dot {
+            sliding_friction_r1 => cos_a*side_r1*F_mu_r1_by_psi_r1_dot;
+            damping => -h*sin_a*Z_r*beta_K*k_r1_mid*dampr1;
+        }
+        zeta1 x_s_dot { damping => -sin_a*sin_s1*beta_K*k_s1_mid*damps1; }
+        zeta1 y_s_dot { damping => cos_s1*sin_a*beta_K*k_s1_mid*damps1; }
         zeta1 x_c_dot {
             viscous_friction_p => cos_c1*cb_p;
             damping => cos_c1*beta_K*kb_p;
@@ -1253,35 +3565,99 @@ equations! {
             viscous_friction_p => sin_c1*cb_p;
             damping => sin_c1*beta_K*kb_p;
         }
-        zeta1 x_r_dot { damping => sin_a*sin_r1*beta_K*k_r1_mid; }
-        zeta1 y_r_dot { damping => -cos_r1*sin_a*beta_K*k_r1_mid; }
+        zeta1 x_r_dot { damping => sin_a*sin_r1*beta_K*k_r1_mid*dampr1; }
+        zeta1 y_r_dot { damping => -cos_r1*sin_a*beta_K*k_r1_mid*dampr1; }
         zeta1 zeta1_dot {
             viscous_friction_p => -cb_p;
-            damping => -alpha_M*m_p - beta_K*kb_p - sin_a.powi(2)*beta_K*k_r1_mid - sin_a.powi(2)*beta_K*k_s1_mid;
+            damping => -alpha_M*m_p - beta_K*kb_p - sin_a.powi(2)*beta_K*k_r1_mid*dampr1 - sin_a.powi(2)*beta_K*k_s1_mid*damps1;
         }
-        zeta1 eta1_dot { damping => cos_a*sin_a*beta_K*k_r1_mid - cos_a*sin_a*beta_K*k_s1_mid; }
-        zeta1 u1_dot { damping => sin_a*beta_K*k_r1_mid + sin_a*beta_K*k_s1_mid; }
+        zeta1 eta1_dot { damping => cos_a*sin_a*beta_K*k_r1_mid*dampr1 - cos_a*sin_a*beta_K*k_s1_mid*damps1; }
+        zeta1 u1_dot {
+            sliding_friction_s1 => cos_a*side_s1*F_mu_s1_by_psi_s1_dot/r_p;
+            sliding_friction_r1 => -cos_a*side_r1*F_mu_r1_by_psi_r1_dot/r_p;
+            damping => sin_a*beta_K*k_r1_mid*dampr1 + sin_a*beta_K*k_s1_mid*damps1;
+        }
         eta1 theta {
-            transmission_error_s1_and_moving_phase => -cos_a*k_s1*de_s1;
-            transmission_error_r1_and_moving_phase => -cos_a*k_r1*de_r1;
-            moving_phase => cos_a*dk_r1*delta_r1 + cos_a*dk_s1*delta_s1;
+            transmission_error_s1_and_backlash_s1_and_moving_phase => -cos_a*k_s1*de_s1*clips1*touchs1;
+            transmission_error_s1_and_sliding_friction_s1_and_moving_phase => -sin_a*de_s1*side_s1*F_mu_s1_by_overs1;
+            transmission_error_s1_and_moving_phase => -cos_a*k_s1*de_s1*touchs1;
+            backlash_s1_and_moving_phase => cos_a*dk_s1*clips1*touchs1*overs1;
+            sliding_friction_s1_and_moving_phase => sin_a*dk_s1*side_s1*F_mu_s1_by_k_s1 + sin_a*dside_s1*F_mu_s1;
+            transmission_error_r1_and_backlash_r1_and_moving_phase => -cos_a*k_r1*de_r1*clipr1*touchr1;
+            transmission_error_r1_and_sliding_friction_r1_and_moving_phase => -sin_a*de_r1*side_r1*F_mu_r1_by_overr1;
+            transmission_error_r1_and_moving_phase => -cos_a*k_r1*de_r1*touchr1;
+            backlash_r1_and_moving_phase => cos_a*dk_r1*clipr1*touchr1*overr1;
+            sliding_friction_r1_and_moving_phase => sin_a*dk_r1*side_r1*F_mu_r1_by_k_r1 + sin_a*dside_r1*F_mu_r1;
+            moving_phase => cos_a*dk_r1*touchr1*overr1 + cos_a*dk_s1*touchs1*overs1;
         }
-        eta1 theta_c { _ => -cos_a*h*Z_r*k_r1; }
-        eta1 theta_r { _ => cos_a*h*Z_r*k_r1; }
-        eta1 x_s { _ => -cos_a*sin_s1*k_s1; }
-        eta1 y_s { _ => cos_a*cos_s1*k_s1; }
+        eta1 theta_c {
+            _ => -cos_a*h*Z_r*k_r1*touchr1;
+            backlash_r1 => -cos_a*h*Z_r*k_r1*clipr1*touchr1;
+            sliding_friction_r1 => -h*sin_a*Z_r*side_r1*F_mu_r1_by_overr1;
+        }
+        eta1 theta_r {
+            _ => cos_a*h*Z_r*k_r1*touchr1;
+            backlash_r1 => cos_a*h*Z_r*k_r1*clipr1*touchr1;
+            sliding_friction_r1 => h*sin_a*Z_r*side_r1*F_mu_r1_by_overr1;
+        }
+        eta1 x_s {
+            _ => -cos_a*sin_s1*k_s1*touchs1;
+            backlash_s1 => -cos_a*sin_s1*k_s1*clips1*touchs1;
+            sliding_friction_s1 => -sin_a*sin_s1*side_s1*F_mu_s1_by_overs1;
+        }
+        eta1 y_s {
+            _ => cos_a*cos_s1*k_s1*touchs1;
+            backlash_s1 => cos_a*cos_s1*k_s1*clips1*touchs1;
+            sliding_friction_s1 => cos_s1*sin_a*side_s1*F_mu_s1_by_overs1;
+        }
         eta1 x_c { _ => -sin_c1*kb_p; }
         eta1 y_c { _ => cos_c1*kb_p; }
-        eta1 x_r { _ => -cos_a*sin_r1*k_r1; }
-        eta1 y_r { _ => cos_a*cos_r1*k_r1; }
-        eta1 zeta1 { _ => cos_a*sin_a*k_r1 - cos_a*sin_a*k_s1; }
-        eta1 eta1 { _ => -kb_p - cos_a.powi(2)*k_r1 - cos_a.powi(2)*k_s1; }
-        eta1 u1 { _ => cos_a*k_s1 - cos_a*k_r1; }
-        eta1 theta_dot { damping => -a*alpha_M*m_p/Z_r; }
-        eta1 theta_c_dot { damping => -a*alpha_M*m_p - cos_a*h*Z_r*beta_K*k_r1_mid; }
-        eta1 theta_r_dot { damping => cos_a*h*Z_r*beta_K*k_r1_mid; }
-        eta1 x_s_dot { damping => -cos_a*sin_s1*beta_K*k_s1_mid; }
-        eta1 y_s_dot { damping => cos_a*cos_s1*beta_K*k_s1_mid; }
+        eta1 x_r {
+            _ => -cos_a*sin_r1*k_r1*touchr1;
+            backlash_r1 => -cos_a*sin_r1*k_r1*clipr1*touchr1;
+            sliding_friction_r1 => -sin_a*sin_r1*side_r1*F_mu_r1_by_overr1;
+        }
+        eta1 y_r {
+            _ => cos_a*cos_r1*k_r1*touchr1;
+            backlash_r1 => cos_a*cos_r1*k_r1*clipr1*touchr1;
+            sliding_friction_r1 => cos_r1*sin_a*side_r1*F_mu_r1_by_overr1;
+        }
+        eta1 zeta1 {
+            _ => cos_a*sin_a*k_r1*touchr1 - cos_a*sin_a*k_s1*touchs1;
+            backlash_s1 => -cos_a*sin_a*k_s1*clips1*touchs1;
+            sliding_friction_s1 => -sin_a.powi(2)*side_s1*F_mu_s1_by_overs1;
+            backlash_r1 => cos_a*sin_a*k_r1*clipr1*touchr1;
+            sliding_friction_r1 => sin_a.powi(2)*side_r1*F_mu_r1_by_overr1;
+        }
+        eta1 eta1 {
+            _ => -kb_p - cos_a.powi(2)*k_r1*touchr1 - cos_a.powi(2)*k_s1*touchs1;
+            backlash_s1 => -cos_a.powi(2)*k_s1*clips1*touchs1;
+            sliding_friction_s1 => -cos_a*sin_a*side_s1*F_mu_s1_by_overs1;
+            backlash_r1 => -cos_a.powi(2)*k_r1*clipr1*touchr1;
+            sliding_friction_r1 => -cos_a*sin_a*side_r1*F_mu_r1_by_overr1;
+        }
+        eta1 u1 {
+            _ => cos_a*k_s1*touchs1 - cos_a*k_r1*touchr1;
+            backlash_s1 => cos_a*k_s1*clips1*touchs1;
+            sliding_friction_s1 => sin_a*side_s1*F_mu_s1_by_overs1;
+            backlash_r1 => -cos_a*k_r1*clipr1*touchr1;
+            sliding_friction_r1 => -sin_a*side_r1*F_mu_r1_by_overr1;
+        }
+        eta1 theta_dot {
+            sliding_friction_s1 => roll_s*sin_a*side_s1*F_mu_s1_by_psi_s1_dot;
+            sliding_friction_r1 => roll_r*sin_a*side_r1*F_mu_r1_by_psi_r1_dot;
+            damping => -a*alpha_M*m_p/Z_r;
+        }
+        eta1 theta_c_dot {
+            sliding_friction_r1 => -sin_a*side_r1*F_mu_r1_by_psi_r1_dot;
+            damping => -a*alpha_M*m_p - cos_a*h*Z_r*beta_K*k_r1_mid*dampr1;
+        }
+        eta1 theta_r_dot {
+            sliding_friction_r1 => sin_a*side_r1*F_mu_r1_by_psi_r1_dot;
+            damping => cos_a*h*Z_r*beta_K*k_r1_mid*dampr1;
+        }
+        eta1 x_s_dot { damping => -cos_a*sin_s1*beta_K*k_s1_mid*damps1; }
+        eta1 y_s_dot { damping => cos_a*cos_s1*beta_K*k_s1_mid*damps1; }
         eta1 x_c_dot {
             viscous_friction_p => -sin_c1*cb_p;
             damping => -sin_c1*beta_K*kb_p;
@@ -1290,58 +3666,190 @@ equations! {
             viscous_friction_p => cos_c1*cb_p;
             damping => cos_c1*beta_K*kb_p;
         }
-        eta1 x_r_dot { damping => -cos_a*sin_r1*beta_K*k_r1_mid; }
-        eta1 y_r_dot { damping => cos_a*cos_r1*beta_K*k_r1_mid; }
-        eta1 zeta1_dot { damping => cos_a*sin_a*beta_K*k_r1_mid - cos_a*sin_a*beta_K*k_s1_mid; }
+        eta1 x_r_dot { damping => -cos_a*sin_r1*beta_K*k_r1_mid*dampr1; }
+        eta1 y_r_dot { damping => cos_a*cos_r1*beta_K*k_r1_mid*dampr1; }
+        eta1 zeta1_dot { damping => cos_a*sin_a*beta_K*k_r1_mid*dampr1 - cos_a*sin_a*beta_K*k_s1_mid*damps1; }
         eta1 eta1_dot {
             viscous_friction_p => -cb_p;
-            damping => -alpha_M*m_p - beta_K*kb_p - cos_a.powi(2)*beta_K*k_r1_mid - cos_a.powi(2)*beta_K*k_s1_mid;
+            damping => -alpha_M*m_p - beta_K*kb_p - cos_a.powi(2)*beta_K*k_r1_mid*dampr1 - cos_a.powi(2)*beta_K*k_s1_mid*damps1;
         }
-        eta1 u1_dot { damping => cos_a*beta_K*k_s1_mid - cos_a*beta_K*k_r1_mid; }
+        eta1 u1_dot {
+            sliding_friction_s1 => -sin_a*side_s1*F_mu_s1_by_psi_s1_dot/r_p;
+            sliding_friction_r1 => -sin_a*side_r1*F_mu_r1_by_psi_r1_dot/r_p;
+            damping => cos_a*beta_K*k_s1_mid*damps1 - cos_a*beta_K*k_r1_mid*dampr1;
+        }
         u1 theta {
-            transmission_error_s1_and_moving_phase => k_s1*de_s1;
-            transmission_error_r1_and_moving_phase => -k_r1*de_r1;
-            moving_phase => dk_r1*delta_r1 - dk_s1*delta_s1;
+            transmission_error_s1_and_backlash_s1_and_moving_phase => k_s1*de_s1*clips1*touchs1;
+            transmission_error_s1_and_sliding_friction_s1_and_moving_phase => sin_a*de_s1*side_s1*F_mu_s1_by_overs1/cos_a
+                - de_s1*arm_s1*F_mu_s1_by_overs1/r_p;
+            transmission_error_s1_and_moving_phase => k_s1*de_s1*touchs1;
+            backlash_s1_and_moving_phase => -dk_s1*clips1*touchs1*overs1;
+            sliding_friction_s1_and_moving_phase => darm_s1*F_mu_s1/r_p - sin_a*dk_s1*side_s1*F_mu_s1_by_k_s1/cos_a
+                - sin_a*dside_s1*F_mu_s1/cos_a + dk_s1*arm_s1*F_mu_s1_by_k_s1/r_p;
+            transmission_error_r1_and_backlash_r1_and_moving_phase => -k_r1*de_r1*clipr1*touchr1;
+            transmission_error_r1_and_sliding_friction_r1_and_moving_phase => -sin_a*de_r1*side_r1*F_mu_r1_by_overr1/cos_a
+                - de_r1*arm_r1*F_mu_r1_by_overr1/r_p;
+            transmission_error_r1_and_moving_phase => -k_r1*de_r1*touchr1;
+            backlash_r1_and_moving_phase => dk_r1*clipr1*touchr1*overr1;
+            sliding_friction_r1_and_moving_phase => sin_a*dk_r1*side_r1*F_mu_r1_by_k_r1/cos_a + sin_a*dside_r1*F_mu_r1/cos_a
+                + darm_r1*F_mu_r1/r_p + dk_r1*arm_r1*F_mu_r1_by_k_r1/r_p;
+            moving_phase => dk_r1*touchr1*overr1 - dk_s1*touchs1*overs1;
         }
-        u1 theta_c { _ => -h*Z_r*k_r1; }
-        u1 theta_r { _ => h*Z_r*k_r1; }
-        u1 x_s { _ => sin_s1*k_s1; }
-        u1 y_s { _ => -cos_s1*k_s1; }
-        u1 x_r { _ => -sin_r1*k_r1; }
-        u1 y_r { _ => cos_r1*k_r1; }
-        u1 zeta1 { _ => sin_a*k_r1 + sin_a*k_s1; }
-        u1 eta1 { _ => cos_a*k_s1 - cos_a*k_r1; }
-        u1 u1 { _ => -k_r1 - k_s1; }
-        u1 theta_dot { damping => h*I_p*alpha_M/r_p.powi(2) - I_p*alpha_M/(r_p*Z_r); }
-        u1 theta_c_dot { damping => -h*Z_r*beta_K*k_r1_mid - I_p*alpha_M/r_p; }
-        u1 theta_r_dot { damping => h*Z_r*beta_K*k_r1_mid; }
-        u1 x_s_dot { damping => sin_s1*beta_K*k_s1_mid; }
-        u1 y_s_dot { damping => -cos_s1*beta_K*k_s1_mid; }
-        u1 x_r_dot { damping => -sin_r1*beta_K*k_r1_mid; }
-        u1 y_r_dot { damping => cos_r1*beta_K*k_r1_mid; }
-        u1 zeta1_dot { damping => sin_a*beta_K*k_r1_mid + sin_a*beta_K*k_s1_mid; }
-        u1 eta1_dot { damping => cos_a*beta_K*k_s1_mid - cos_a*beta_K*k_r1_mid; }
-        u1 u1_dot { damping => -beta_K*k_r1_mid - beta_K*k_s1_mid - I_p*alpha_M/r_p.powi(2); }
+        u1 theta_c {
+            _ => -h*Z_r*k_r1*touchr1;
+            backlash_r1 => -h*Z_r*k_r1*clipr1*touchr1;
+            sliding_friction_r1 => -h*Z_r*arm_r1*F_mu_r1_by_overr1/r_p - h*sin_a*Z_r*side_r1*F_mu_r1_by_overr1/cos_a;
+        }
+        u1 theta_r {
+            _ => h*Z_r*k_r1*touchr1;
+            backlash_r1 => h*Z_r*k_r1*clipr1*touchr1;
+            sliding_friction_r1 => h*Z_r*arm_r1*F_mu_r1_by_overr1/r_p + h*sin_a*Z_r*side_r1*F_mu_r1_by_overr1/cos_a;
+        }
+        u1 x_s {
+            _ => sin_s1*k_s1*touchs1;
+            backlash_s1 => sin_s1*k_s1*clips1*touchs1;
+            sliding_friction_s1 => sin_a*sin_s1*side_s1*F_mu_s1_by_overs1/cos_a - sin_s1*arm_s1*F_mu_s1_by_overs1/r_p;
+        }
+        u1 y_s {
+            _ => -cos_s1*k_s1*touchs1;
+            backlash_s1 => -cos_s1*k_s1*clips1*touchs1;
+            sliding_friction_s1 => cos_s1*arm_s1*F_mu_s1_by_overs1/r_p - cos_s1*sin_a*side_s1*F_mu_s1_by_overs1/cos_a;
+        }
+        u1 x_r {
+            _ => -sin_r1*k_r1*touchr1;
+            backlash_r1 => -sin_r1*k_r1*clipr1*touchr1;
+            sliding_friction_r1 => -sin_a*sin_r1*side_r1*F_mu_r1_by_overr1/cos_a - sin_r1*arm_r1*F_mu_r1_by_overr1/r_p;
+        }
+        u1 y_r {
+            _ => cos_r1*k_r1*touchr1;
+            backlash_r1 => cos_r1*k_r1*clipr1*touchr1;
+            sliding_friction_r1 => cos_r1*arm_r1*F_mu_r1_by_overr1/r_p + cos_r1*sin_a*side_r1*F_mu_r1_by_overr1/cos_a;
+        }
+        u1 zeta1 {
+            _ => sin_a*k_r1*touchr1 + sin_a*k_s1*touchs1;
+            backlash_s1 => sin_a*k_s1*clips1*touchs1;
+            sliding_friction_s1 => sin_a.powi(2)*side_s1*F_mu_s1_by_overs1/cos_a - sin_a*arm_s1*F_mu_s1_by_overs1/r_p;
+            backlash_r1 => sin_a*k_r1*clipr1*touchr1;
+            sliding_friction_r1 => sin_a.powi(2)*side_r1*F_mu_r1_by_overr1/cos_a + sin_a*arm_r1*F_mu_r1_by_overr1/r_p;
+        }
+        u1 eta1 {
+            _ => cos_a*k_s1*touchs1 - cos_a*k_r1*touchr1;
+            backlash_s1 => cos_a*k_s1*clips1*touchs1;
+            sliding_friction_s1 => sin_a*side_s1*F_mu_s1_by_overs1 - cos_a*arm_s1*F_mu_s1_by_overs1/r_p;
+            backlash_r1 => -cos_a*k_r1*clipr1*touchr1;
+            sliding_friction_r1 => -cos_a*arm_r1*F_mu_r1_by_overr1/r_p - sin_a*side_r1*F_mu_r1_by_overr1;
+        }
+        u1 u1 {
+            _ => -k_r1*touchr1 - k_s1*touchs1;
+            backlash_s1 => -k_s1*clips1*touchs1;
+            sliding_friction_s1 => arm_s1*F_mu_s1_by_overs1/r_p - sin_a*side_s1*F_mu_s1_by_overs1/cos_a;
+            backlash_r1 => -k_r1*clipr1*touchr1;
+            sliding_friction_r1 => -sin_a*side_r1*F_mu_r1_by_overr1/cos_a - arm_r1*F_mu_r1_by_overr1/r_p;
+        }
+        u1 theta_dot {
+            sliding_friction_s1 => roll_s*arm_s1*F_mu_s1_by_psi_s1_dot/r_p - roll_s*sin_a*side_s1*F_mu_s1_by_psi_s1_dot/cos_a;
+            sliding_friction_r1 => roll_r*sin_a*side_r1*F_mu_r1_by_psi_r1_dot/cos_a + roll_r*arm_r1*F_mu_r1_by_psi_r1_dot/r_p;
+            damping => h*I_p*alpha_M/r_p.powi(2) - I_p*alpha_M/(r_p*Z_r);
+        }
+        u1 theta_c_dot {
+            sliding_friction_r1 => -sin_a*side_r1*F_mu_r1_by_psi_r1_dot/cos_a - arm_r1*F_mu_r1_by_psi_r1_dot/r_p;
+            damping => -h*Z_r*beta_K*k_r1_mid*dampr1 - I_p*alpha_M/r_p;
+        }
+        u1 theta_r_dot {
+            sliding_friction_r1 => sin_a*side_r1*F_mu_r1_by_psi_r1_dot/cos_a + arm_r1*F_mu_r1_by_psi_r1_dot/r_p;
+            damping => h*Z_r*beta_K*k_r1_mid*dampr1;
+        }
+        u1 x_s_dot { damping => sin_s1*beta_K*k_s1_mid*damps1; }
+        u1 y_s_dot { damping => -cos_s1*beta_K*k_s1_mid*damps1; }
+        u1 x_r_dot { damping => -sin_r1*beta_K*k_r1_mid*dampr1; }
+        u1 y_r_dot { damping => cos_r1*beta_K*k_r1_mid*dampr1; }
+        u1 zeta1_dot { damping => sin_a*beta_K*k_r1_mid*dampr1 + sin_a*beta_K*k_s1_mid*damps1; }
+        u1 eta1_dot { damping => cos_a*beta_K*k_s1_mid*damps1 - cos_a*beta_K*k_r1_mid*dampr1; }
+        u1 u1_dot {
+            sliding_friction_s1 => sin_a*side_s1*F_mu_s1_by_psi_s1_dot/(cos_a*r_p) - arm_s1*F_mu_s1_by_psi_s1_dot/r_p.powi(2);
+            sliding_friction_r1 => -sin_a*side_r1*F_mu_r1_by_psi_r1_dot/(cos_a*r_p) - arm_r1*F_mu_r1_by_psi_r1_dot/r_p.powi(2);
+            damping => -beta_K*k_r1_mid*dampr1 - beta_K*k_s1_mid*damps1 - I_p*alpha_M/r_p.powi(2);
+        }
         zeta2 theta {
-            transmission_error_s2_and_moving_phase => -sin_a*k_s2*de_s2;
-            transmission_error_r2_and_moving_phase => sin_a*k_r2*de_r2;
-            moving_phase => sin_a*dk_s2*delta_s2 - sin_a*dk_r2*delta_r2;
+            transmission_error_s2_and_backlash_s2_and_moving_phase => -sin_a*k_s2*de_s2*clips2*touchs2;
+            transmission_error_s2_and_sliding_friction_s2_and_moving_phase => cos_a*de_s2*side_s2*F_mu_s2_by_overs2;
+            transmission_error_s2_and_moving_phase => -sin_a*k_s2*de_s2*touchs2;
+            backlash_s2_and_moving_phase => sin_a*dk_s2*clips2*touchs2*overs2;
+            sliding_friction_s2_and_moving_phase => -cos_a*dk_s2*side_s2*F_mu_s2_by_k_s2 - cos_a*dside_s2*F_mu_s2;
+            transmission_error_r2_and_backlash_r2_and_moving_phase => sin_a*k_r2*de_r2*clipr2*touchr2;
+            transmission_error_r2_and_sliding_friction_r2_and_moving_phase => -cos_a*de_r2*side_r2*F_mu_r2_by_overr2;
+            transmission_error_r2_and_moving_phase => sin_a*k_r2*de_r2*touchr2;
+            backlash_r2_and_moving_phase => -sin_a*dk_r2*clipr2*touchr2*overr2;
+            sliding_friction_r2_and_moving_phase => cos_a*dk_r2*side_r2*F_mu_r2_by_k_r2 + cos_a*dside_r2*F_mu_r2;
+            moving_phase => sin_a*dk_s2*touchs2*overs2 - sin_a*dk_r2*touchr2*overr2;
         }
-        zeta2 theta_c { _ => h*sin_a*Z_r*k_r2; }
-        zeta2 theta_r { _ => -h*sin_a*Z_r*k_r2; }
-        zeta2 x_s { _ => -sin_a*sin_s2*k_s2; }
-        zeta2 y_s { _ => cos_s2*sin_a*k_s2; }
+        zeta2 theta_c {
+            _ => h*sin_a*Z_r*k_r2*touchr2;
+            backlash_r2 => h*sin_a*Z_r*k_r2*clipr2*touchr2;
+            sliding_friction_r2 => -cos_a*h*Z_r*side_r2*F_mu_r2_by_overr2;
+        }
+        zeta2 theta_r {
+            _ => -h*sin_a*Z_r*k_r2*touchr2;
+            backlash_r2 => -h*sin_a*Z_r*k_r2*clipr2*touchr2;
+            sliding_friction_r2 => cos_a*h*Z_r*side_r2*F_mu_r2_by_overr2;
+        }
+        zeta2 x_s {
+            _ => -sin_a*sin_s2*k_s2*touchs2;
+            backlash_s2 => -sin_a*sin_s2*k_s2*clips2*touchs2;
+            sliding_friction_s2 => cos_a*sin_s2*side_s2*F_mu_s2_by_overs2;
+        }
+        zeta2 y_s {
+            _ => cos_s2*sin_a*k_s2*touchs2;
+            backlash_s2 => cos_s2*sin_a*k_s2*clips2*touchs2;
+            sliding_friction_s2 => -cos_a*cos_s2*side_s2*F_mu_s2_by_overs2;
+        }
         zeta2 x_c { _ => cos_c2*kb_p; }
         zeta2 y_c { _ => sin_c2*kb_p; }
-        zeta2 x_r { _ => sin_a*sin_r2*k_r2; }
-        zeta2 y_r { _ => -cos_r2*sin_a*k_r2; }
-        zeta2 zeta2 { _ => -kb_p - sin_a.powi(2)*k_r2 - sin_a.powi(2)*k_s2; }
-        zeta2 eta2 { _ => cos_a*sin_a*k_r2 - cos_a*sin_a*k_s2; }
-        zeta2 u2 { _ => sin_a*k_r2 + sin_a*k_s2; }
-        zeta2 theta_c_dot { damping => h*sin_a*Z_r*beta_K*k_r2_mid; }
-        zeta2 theta_r_dot { damping => -h*sin_a*Z_r*beta_K*k_r2_mid; }
-        zeta2 x_s_dot { damping => -sin_a*sin_s2*beta_K*k_s2_mid; }
-        zeta2 y_s_dot { damping => cos_s2*sin_a*beta_K*k_s2_mid; }
+        zeta2 x_r {
+            _ => sin_a*sin_r2*k_r2*touchr2;
+            backlash_r2 => sin_a*sin_r2*k_r2*clipr2*touchr2;
+            sliding_friction_r2 => -cos_a*sin_r2*side_r2*F_mu_r2_by_overr2;
+        }
+        zeta2 y_r {
+            _ => -cos_r2*sin_a*k_r2*touchr2;
+            backlash_r2 => -cos_r2*sin_a*k_r2*clipr2*touchr2;
+            sliding_friction_r2 => cos_a*cos_r2*side_r2*F_mu_r2_by_overr2;
+        }
+        zeta2 zeta2 {
+            _ => -kb_p - sin_a.powi(2)*k_r2*touchr2 - sin_a.powi(2)*k_s2*touchs2;
+            backlash_s2 => -sin_a.powi(2)*k_s2*clips2*touchs2;
+            sliding_friction_s2 => cos_a*sin_a*side_s2*F_mu_s2_by_overs2;
+            backlash_r2 => -sin_a.powi(2)*k_r2*clipr2*touchr2;
+            sliding_friction_r2 => cos_a*sin_a*side_r2*F_mu_r2_by_overr2;
+        }
+        zeta2 eta2 {
+            _ => cos_a*sin_a*k_r2*touchr2 - cos_a*sin_a*k_s2*touchs2;
+            backlash_s2 => -cos_a*sin_a*k_s2*clips2*touchs2;
+            sliding_friction_s2 => cos_a.powi(2)*side_s2*F_mu_s2_by_overs2;
+            backlash_r2 => cos_a*sin_a*k_r2*clipr2*touchr2;
+            sliding_friction_r2 => -cos_a.powi(2)*side_r2*F_mu_r2_by_overr2;
+        }
+        zeta2 u2 {
+            _ => sin_a*k_r2*touchr2 + sin_a*k_s2*touchs2;
+            backlash_s2 => sin_a*k_s2*clips2*touchs2;
+            sliding_friction_s2 => -cos_a*side_s2*F_mu_s2_by_overs2;
+            backlash_r2 => sin_a*k_r2*clipr2*touchr2;
+            sliding_friction_r2 => -cos_a*side_r2*F_mu_r2_by_overr2;
+        }
+        zeta2 theta_dot {
+            sliding_friction_s2 => -cos_a*roll_s*side_s2*F_mu_s2_by_psi_s2_dot;
+            sliding_friction_r2 => cos_a*roll_r*side_r2*F_mu_r2_by_psi_r2_dot;
+        }
+        zeta2 theta_c_dot {
+            sliding_friction_r2 => -cos_a*side_r2*F_mu_r2_by_psi_r2_dot;
+            damping => h*sin_a*Z_r*beta_K*k_r2_mid*dampr2;
+        }
+        zeta2 theta_r_dot {
+            sliding_friction_r2 => cos_a*side_r2*F_mu_r2_by_psi_r2_dot;
+            damping => -h*sin_a*Z_r*beta_K*k_r2_mid*dampr2;
+        }
+        zeta2 x_s_dot { damping => -sin_a*sin_s2*beta_K*k_s2_mid*damps2; }
+        zeta2 y_s_dot { damping => cos_s2*sin_a*beta_K*k_s2_mid*damps2; }
         zeta2 x_c_dot {
             viscous_friction_p => cos_c2*cb_p;
             damping => cos_c2*beta_K*kb_p;
@@ -1350,35 +3858,99 @@ equations! {
             viscous_friction_p => sin_c2*cb_p;
             damping => sin_c2*beta_K*kb_p;
         }
-        zeta2 x_r_dot { damping => sin_a*sin_r2*beta_K*k_r2_mid; }
-        zeta2 y_r_dot { damping => -cos_r2*sin_a*beta_K*k_r2_mid; }
+        zeta2 x_r_dot { damping => sin_a*sin_r2*beta_K*k_r2_mid*dampr2; }
+        zeta2 y_r_dot { damping => -cos_r2*sin_a*beta_K*k_r2_mid*dampr2; }
         zeta2 zeta2_dot {
             viscous_friction_p => -cb_p;
-            damping => -alpha_M*m_p - beta_K*kb_p - sin_a.powi(2)*beta_K*k_r2_mid - sin_a.powi(2)*beta_K*k_s2_mid;
+            damping => -alpha_M*m_p - beta_K*kb_p - sin_a.powi(2)*beta_K*k_r2_mid*dampr2 - sin_a.powi(2)*beta_K*k_s2_mid*damps2;
         }
-        zeta2 eta2_dot { damping => cos_a*sin_a*beta_K*k_r2_mid - cos_a*sin_a*beta_K*k_s2_mid; }
-        zeta2 u2_dot { damping => sin_a*beta_K*k_r2_mid + sin_a*beta_K*k_s2_mid; }
+        zeta2 eta2_dot { damping => cos_a*sin_a*beta_K*k_r2_mid*dampr2 - cos_a*sin_a*beta_K*k_s2_mid*damps2; }
+        zeta2 u2_dot {
+            sliding_friction_s2 => cos_a*side_s2*F_mu_s2_by_psi_s2_dot/r_p;
+            sliding_friction_r2 => -cos_a*side_r2*F_mu_r2_by_psi_r2_dot/r_p;
+            damping => sin_a*beta_K*k_r2_mid*dampr2 + sin_a*beta_K*k_s2_mid*damps2;
+        }
         eta2 theta {
-            transmission_error_s2_and_moving_phase => -cos_a*k_s2*de_s2;
-            transmission_error_r2_and_moving_phase => -cos_a*k_r2*de_r2;
-            moving_phase => cos_a*dk_r2*delta_r2 + cos_a*dk_s2*delta_s2;
+            transmission_error_s2_and_backlash_s2_and_moving_phase => -cos_a*k_s2*de_s2*clips2*touchs2;
+            transmission_error_s2_and_sliding_friction_s2_and_moving_phase => -sin_a*de_s2*side_s2*F_mu_s2_by_overs2;
+            transmission_error_s2_and_moving_phase => -cos_a*k_s2*de_s2*touchs2;
+            backlash_s2_and_moving_phase => cos_a*dk_s2*clips2*touchs2*overs2;
+            sliding_friction_s2_and_moving_phase => sin_a*dk_s2*side_s2*F_mu_s2_by_k_s2 + sin_a*dside_s2*F_mu_s2;
+            transmission_error_r2_and_backlash_r2_and_moving_phase => -cos_a*k_r2*de_r2*clipr2*touchr2;
+            transmission_error_r2_and_sliding_friction_r2_and_moving_phase => -sin_a*de_r2*side_r2*F_mu_r2_by_overr2;
+            transmission_error_r2_and_moving_phase => -cos_a*k_r2*de_r2*touchr2;
+            backlash_r2_and_moving_phase => cos_a*dk_r2*clipr2*touchr2*overr2;
+            sliding_friction_r2_and_moving_phase => sin_a*dk_r2*side_r2*F_mu_r2_by_k_r2 + sin_a*dside_r2*F_mu_r2;
+            moving_phase => cos_a*dk_r2*touchr2*overr2 + cos_a*dk_s2*touchs2*overs2;
         }
-        eta2 theta_c { _ => -cos_a*h*Z_r*k_r2; }
-        eta2 theta_r { _ => cos_a*h*Z_r*k_r2; }
-        eta2 x_s { _ => -cos_a*sin_s2*k_s2; }
-        eta2 y_s { _ => cos_a*cos_s2*k_s2; }
+        eta2 theta_c {
+            _ => -cos_a*h*Z_r*k_r2*touchr2;
+            backlash_r2 => -cos_a*h*Z_r*k_r2*clipr2*touchr2;
+            sliding_friction_r2 => -h*sin_a*Z_r*side_r2*F_mu_r2_by_overr2;
+        }
+        eta2 theta_r {
+            _ => cos_a*h*Z_r*k_r2*touchr2;
+            backlash_r2 => cos_a*h*Z_r*k_r2*clipr2*touchr2;
+            sliding_friction_r2 => h*sin_a*Z_r*side_r2*F_mu_r2_by_overr2;
+        }
+        eta2 x_s {
+            _ => -cos_a*sin_s2*k_s2*touchs2;
+            backlash_s2 => -cos_a*sin_s2*k_s2*clips2*touchs2;
+            sliding_friction_s2 => -sin_a*sin_s2*side_s2*F_mu_s2_by_overs2;
+        }
+        eta2 y_s {
+            _ => cos_a*cos_s2*k_s2*touchs2;
+            backlash_s2 => cos_a*cos_s2*k_s2*clips2*touchs2;
+            sliding_friction_s2 => cos_s2*sin_a*side_s2*F_mu_s2_by_overs2;
+        }
         eta2 x_c { _ => -sin_c2*kb_p; }
         eta2 y_c { _ => cos_c2*kb_p; }
-        eta2 x_r { _ => -cos_a*sin_r2*k_r2; }
-        eta2 y_r { _ => cos_a*cos_r2*k_r2; }
-        eta2 zeta2 { _ => cos_a*sin_a*k_r2 - cos_a*sin_a*k_s2; }
-        eta2 eta2 { _ => -kb_p - cos_a.powi(2)*k_r2 - cos_a.powi(2)*k_s2; }
-        eta2 u2 { _ => cos_a*k_s2 - cos_a*k_r2; }
-        eta2 theta_dot { damping => -a*alpha_M*m_p/Z_r; }
-        eta2 theta_c_dot { damping => -a*alpha_M*m_p - cos_a*h*Z_r*beta_K*k_r2_mid; }
-        eta2 theta_r_dot { damping => cos_a*h*Z_r*beta_K*k_r2_mid; }
-        eta2 x_s_dot { damping => -cos_a*sin_s2*beta_K*k_s2_mid; }
-        eta2 y_s_dot { damping => cos_a*cos_s2*beta_K*k_s2_mid; }
+        eta2 x_r {
+            _ => -cos_a*sin_r2*k_r2*touchr2;
+            backlash_r2 => -cos_a*sin_r2*k_r2*clipr2*touchr2;
+            sliding_friction_r2 => -sin_a*sin_r2*side_r2*F_mu_r2_by_overr2;
+        }
+        eta2 y_r {
+            _ => cos_a*cos_r2*k_r2*touchr2;
+            backlash_r2 => cos_a*cos_r2*k_r2*clipr2*touchr2;
+            sliding_friction_r2 => cos_r2*sin_a*side_r2*F_mu_r2_by_overr2;
+        }
+        eta2 zeta2 {
+            _ => cos_a*sin_a*k_r2*touchr2 - cos_a*sin_a*k_s2*touchs2;
+            backlash_s2 => -cos_a*sin_a*k_s2*clips2*touchs2;
+            sliding_friction_s2 => -sin_a.powi(2)*side_s2*F_mu_s2_by_overs2;
+            backlash_r2 => cos_a*sin_a*k_r2*clipr2*touchr2;
+            sliding_friction_r2 => sin_a.powi(2)*side_r2*F_mu_r2_by_overr2;
+        }
+        eta2 eta2 {
+            _ => -kb_p - cos_a.powi(2)*k_r2*touchr2 - cos_a.powi(2)*k_s2*touchs2;
+            backlash_s2 => -cos_a.powi(2)*k_s2*clips2*touchs2;
+            sliding_friction_s2 => -cos_a*sin_a*side_s2*F_mu_s2_by_overs2;
+            backlash_r2 => -cos_a.powi(2)*k_r2*clipr2*touchr2;
+            sliding_friction_r2 => -cos_a*sin_a*side_r2*F_mu_r2_by_overr2;
+        }
+        eta2 u2 {
+            _ => cos_a*k_s2*touchs2 - cos_a*k_r2*touchr2;
+            backlash_s2 => cos_a*k_s2*clips2*touchs2;
+            sliding_friction_s2 => sin_a*side_s2*F_mu_s2_by_overs2;
+            backlash_r2 => -cos_a*k_r2*clipr2*touchr2;
+            sliding_friction_r2 => -sin_a*side_r2*F_mu_r2_by_overr2;
+        }
+        eta2 theta_dot {
+            sliding_friction_s2 => roll_s*sin_a*side_s2*F_mu_s2_by_psi_s2_dot;
+            sliding_friction_r2 => roll_r*sin_a*side_r2*F_mu_r2_by_psi_r2_dot;
+            damping => -a*alpha_M*m_p/Z_r;
+        }
+        eta2 theta_c_dot {
+            sliding_friction_r2 => -sin_a*side_r2*F_mu_r2_by_psi_r2_dot;
+            damping => -a*alpha_M*m_p - cos_a*h*Z_r*beta_K*k_r2_mid*dampr2;
+        }
+        eta2 theta_r_dot {
+            sliding_friction_r2 => sin_a*side_r2*F_mu_r2_by_psi_r2_dot;
+            damping => cos_a*h*Z_r*beta_K*k_r2_mid*dampr2;
+        }
+        eta2 x_s_dot { damping => -cos_a*sin_s2*beta_K*k_s2_mid*damps2; }
+        eta2 y_s_dot { damping => cos_a*cos_s2*beta_K*k_s2_mid*damps2; }
         eta2 x_c_dot {
             viscous_friction_p => -sin_c2*cb_p;
             damping => -sin_c2*beta_K*kb_p;
@@ -1387,58 +3959,190 @@ equations! {
             viscous_friction_p => cos_c2*cb_p;
             damping => cos_c2*beta_K*kb_p;
         }
-        eta2 x_r_dot { damping => -cos_a*sin_r2*beta_K*k_r2_mid; }
-        eta2 y_r_dot { damping => cos_a*cos_r2*beta_K*k_r2_mid; }
-        eta2 zeta2_dot { damping => cos_a*sin_a*beta_K*k_r2_mid - cos_a*sin_a*beta_K*k_s2_mid; }
+        eta2 x_r_dot { damping => -cos_a*sin_r2*beta_K*k_r2_mid*dampr2; }
+        eta2 y_r_dot { damping => cos_a*cos_r2*beta_K*k_r2_mid*dampr2; }
+        eta2 zeta2_dot { damping => cos_a*sin_a*beta_K*k_r2_mid*dampr2 - cos_a*sin_a*beta_K*k_s2_mid*damps2; }
         eta2 eta2_dot {
             viscous_friction_p => -cb_p;
-            damping => -alpha_M*m_p - beta_K*kb_p - cos_a.powi(2)*beta_K*k_r2_mid - cos_a.powi(2)*beta_K*k_s2_mid;
+            damping => -alpha_M*m_p - beta_K*kb_p - cos_a.powi(2)*beta_K*k_r2_mid*dampr2 - cos_a.powi(2)*beta_K*k_s2_mid*damps2;
         }
-        eta2 u2_dot { damping => cos_a*beta_K*k_s2_mid - cos_a*beta_K*k_r2_mid; }
+        eta2 u2_dot {
+            sliding_friction_s2 => -sin_a*side_s2*F_mu_s2_by_psi_s2_dot/r_p;
+            sliding_friction_r2 => -sin_a*side_r2*F_mu_r2_by_psi_r2_dot/r_p;
+            damping => cos_a*beta_K*k_s2_mid*damps2 - cos_a*beta_K*k_r2_mid*dampr2;
+        }
         u2 theta {
-            transmission_error_s2_and_moving_phase => k_s2*de_s2;
-            transmission_error_r2_and_moving_phase => -k_r2*de_r2;
-            moving_phase => dk_r2*delta_r2 - dk_s2*delta_s2;
+            transmission_error_s2_and_backlash_s2_and_moving_phase => k_s2*de_s2*clips2*touchs2;
+            transmission_error_s2_and_sliding_friction_s2_and_moving_phase => sin_a*de_s2*side_s2*F_mu_s2_by_overs2/cos_a
+                - de_s2*arm_s2*F_mu_s2_by_overs2/r_p;
+            transmission_error_s2_and_moving_phase => k_s2*de_s2*touchs2;
+            backlash_s2_and_moving_phase => -dk_s2*clips2*touchs2*overs2;
+            sliding_friction_s2_and_moving_phase => darm_s2*F_mu_s2/r_p - sin_a*dk_s2*side_s2*F_mu_s2_by_k_s2/cos_a
+                - sin_a*dside_s2*F_mu_s2/cos_a + dk_s2*arm_s2*F_mu_s2_by_k_s2/r_p;
+            transmission_error_r2_and_backlash_r2_and_moving_phase => -k_r2*de_r2*clipr2*touchr2;
+            transmission_error_r2_and_sliding_friction_r2_and_moving_phase => -sin_a*de_r2*side_r2*F_mu_r2_by_overr2/cos_a
+                - de_r2*arm_r2*F_mu_r2_by_overr2/r_p;
+            transmission_error_r2_and_moving_phase => -k_r2*de_r2*touchr2;
+            backlash_r2_and_moving_phase => dk_r2*clipr2*touchr2*overr2;
+            sliding_friction_r2_and_moving_phase => sin_a*dk_r2*side_r2*F_mu_r2_by_k_r2/cos_a + sin_a*dside_r2*F_mu_r2/cos_a
+                + darm_r2*F_mu_r2/r_p + dk_r2*arm_r2*F_mu_r2_by_k_r2/r_p;
+            moving_phase => dk_r2*touchr2*overr2 - dk_s2*touchs2*overs2;
         }
-        u2 theta_c { _ => -h*Z_r*k_r2; }
-        u2 theta_r { _ => h*Z_r*k_r2; }
-        u2 x_s { _ => sin_s2*k_s2; }
-        u2 y_s { _ => -cos_s2*k_s2; }
-        u2 x_r { _ => -sin_r2*k_r2; }
-        u2 y_r { _ => cos_r2*k_r2; }
-        u2 zeta2 { _ => sin_a*k_r2 + sin_a*k_s2; }
-        u2 eta2 { _ => cos_a*k_s2 - cos_a*k_r2; }
-        u2 u2 { _ => -k_r2 - k_s2; }
-        u2 theta_dot { damping => h*I_p*alpha_M/r_p.powi(2) - I_p*alpha_M/(r_p*Z_r); }
-        u2 theta_c_dot { damping => -h*Z_r*beta_K*k_r2_mid - I_p*alpha_M/r_p; }
-        u2 theta_r_dot { damping => h*Z_r*beta_K*k_r2_mid; }
-        u2 x_s_dot { damping => sin_s2*beta_K*k_s2_mid; }
-        u2 y_s_dot { damping => -cos_s2*beta_K*k_s2_mid; }
-        u2 x_r_dot { damping => -sin_r2*beta_K*k_r2_mid; }
-        u2 y_r_dot { damping => cos_r2*beta_K*k_r2_mid; }
-        u2 zeta2_dot { damping => sin_a*beta_K*k_r2_mid + sin_a*beta_K*k_s2_mid; }
-        u2 eta2_dot { damping => cos_a*beta_K*k_s2_mid - cos_a*beta_K*k_r2_mid; }
-        u2 u2_dot { damping => -beta_K*k_r2_mid - beta_K*k_s2_mid - I_p*alpha_M/r_p.powi(2); }
+        u2 theta_c {
+            _ => -h*Z_r*k_r2*touchr2;
+            backlash_r2 => -h*Z_r*k_r2*clipr2*touchr2;
+            sliding_friction_r2 => -h*Z_r*arm_r2*F_mu_r2_by_overr2/r_p - h*sin_a*Z_r*side_r2*F_mu_r2_by_overr2/cos_a;
+        }
+        u2 theta_r {
+            _ => h*Z_r*k_r2*touchr2;
+            backlash_r2 => h*Z_r*k_r2*clipr2*touchr2;
+            sliding_friction_r2 => h*Z_r*arm_r2*F_mu_r2_by_overr2/r_p + h*sin_a*Z_r*side_r2*F_mu_r2_by_overr2/cos_a;
+        }
+        u2 x_s {
+            _ => sin_s2*k_s2*touchs2;
+            backlash_s2 => sin_s2*k_s2*clips2*touchs2;
+            sliding_friction_s2 => sin_a*sin_s2*side_s2*F_mu_s2_by_overs2/cos_a - sin_s2*arm_s2*F_mu_s2_by_overs2/r_p;
+        }
+        u2 y_s {
+            _ => -cos_s2*k_s2*touchs2;
+            backlash_s2 => -cos_s2*k_s2*clips2*touchs2;
+            sliding_friction_s2 => cos_s2*arm_s2*F_mu_s2_by_overs2/r_p - cos_s2*sin_a*side_s2*F_mu_s2_by_overs2/cos_a;
+        }
+        u2 x_r {
+            _ => -sin_r2*k_r2*touchr2;
+            backlash_r2 => -sin_r2*k_r2*clipr2*touchr2;
+            sliding_friction_r2 => -sin_a*sin_r2*side_r2*F_mu_r2_by_overr2/cos_a - sin_r2*arm_r2*F_mu_r2_by_overr2/r_p;
+        }
+        u2 y_r {
+            _ => cos_r2*k_r2*touchr2;
+            backlash_r2 => cos_r2*k_r2*clipr2*touchr2;
+            sliding_friction_r2 => cos_r2*arm_r2*F_mu_r2_by_overr2/r_p + cos_r2*sin_a*side_r2*F_mu_r2_by_overr2/cos_a;
+        }
+        u2 zeta2 {
+            _ => sin_a*k_r2*touchr2 + sin_a*k_s2*touchs2;
+            backlash_s2 => sin_a*k_s2*clips2*touchs2;
+            sliding_friction_s2 => sin_a.powi(2)*side_s2*F_mu_s2_by_overs2/cos_a - sin_a*arm_s2*F_mu_s2_by_overs2/r_p;
+            backlash_r2 => sin_a*k_r2*clipr2*touchr2;
+            sliding_friction_r2 => sin_a.powi(2)*side_r2*F_mu_r2_by_overr2/cos_a + sin_a*arm_r2*F_mu_r2_by_overr2/r_p;
+        }
+        u2 eta2 {
+            _ => cos_a*k_s2*touchs2 - cos_a*k_r2*touchr2;
+            backlash_s2 => cos_a*k_s2*clips2*touchs2;
+            sliding_friction_s2 => sin_a*side_s2*F_mu_s2_by_overs2 - cos_a*arm_s2*F_mu_s2_by_overs2/r_p;
+            backlash_r2 => -cos_a*k_r2*clipr2*touchr2;
+            sliding_friction_r2 => -cos_a*arm_r2*F_mu_r2_by_overr2/r_p - sin_a*side_r2*F_mu_r2_by_overr2;
+        }
+        u2 u2 {
+            _ => -k_r2*touchr2 - k_s2*touchs2;
+            backlash_s2 => -k_s2*clips2*touchs2;
+            sliding_friction_s2 => arm_s2*F_mu_s2_by_overs2/r_p - sin_a*side_s2*F_mu_s2_by_overs2/cos_a;
+            backlash_r2 => -k_r2*clipr2*touchr2;
+            sliding_friction_r2 => -sin_a*side_r2*F_mu_r2_by_overr2/cos_a - arm_r2*F_mu_r2_by_overr2/r_p;
+        }
+        u2 theta_dot {
+            sliding_friction_s2 => roll_s*arm_s2*F_mu_s2_by_psi_s2_dot/r_p - roll_s*sin_a*side_s2*F_mu_s2_by_psi_s2_dot/cos_a;
+            sliding_friction_r2 => roll_r*sin_a*side_r2*F_mu_r2_by_psi_r2_dot/cos_a + roll_r*arm_r2*F_mu_r2_by_psi_r2_dot/r_p;
+            damping => h*I_p*alpha_M/r_p.powi(2) - I_p*alpha_M/(r_p*Z_r);
+        }
+        u2 theta_c_dot {
+            sliding_friction_r2 => -sin_a*side_r2*F_mu_r2_by_psi_r2_dot/cos_a - arm_r2*F_mu_r2_by_psi_r2_dot/r_p;
+            damping => -h*Z_r*beta_K*k_r2_mid*dampr2 - I_p*alpha_M/r_p;
+        }
+        u2 theta_r_dot {
+            sliding_friction_r2 => sin_a*side_r2*F_mu_r2_by_psi_r2_dot/cos_a + arm_r2*F_mu_r2_by_psi_r2_dot/r_p;
+            damping => h*Z_r*beta_K*k_r2_mid*dampr2;
+        }
+        u2 x_s_dot { damping => sin_s2*beta_K*k_s2_mid*damps2; }
+        u2 y_s_dot { damping => -cos_s2*beta_K*k_s2_mid*damps2; }
+        u2 x_r_dot { damping => -sin_r2*beta_K*k_r2_mid*dampr2; }
+        u2 y_r_dot { damping => cos_r2*beta_K*k_r2_mid*dampr2; }
+        u2 zeta2_dot { damping => sin_a*beta_K*k_r2_mid*dampr2 + sin_a*beta_K*k_s2_mid*damps2; }
+        u2 eta2_dot { damping => cos_a*beta_K*k_s2_mid*damps2 - cos_a*beta_K*k_r2_mid*dampr2; }
+        u2 u2_dot {
+            sliding_friction_s2 => sin_a*side_s2*F_mu_s2_by_psi_s2_dot/(cos_a*r_p) - arm_s2*F_mu_s2_by_psi_s2_dot/r_p.powi(2);
+            sliding_friction_r2 => -sin_a*side_r2*F_mu_r2_by_psi_r2_dot/(cos_a*r_p) - arm_r2*F_mu_r2_by_psi_r2_dot/r_p.powi(2);
+            damping => -beta_K*k_r2_mid*dampr2 - beta_K*k_s2_mid*damps2 - I_p*alpha_M/r_p.powi(2);
+        }
         zeta3 theta {
-            transmission_error_s3_and_moving_phase => -sin_a*k_s3*de_s3;
-            transmission_error_r3_and_moving_phase => sin_a*k_r3*de_r3;
-            moving_phase => sin_a*dk_s3*delta_s3 - sin_a*dk_r3*delta_r3;
+            transmission_error_s3_and_backlash_s3_and_moving_phase => -sin_a*k_s3*de_s3*clips3*touchs3;
+            transmission_error_s3_and_sliding_friction_s3_and_moving_phase => cos_a*de_s3*side_s3*F_mu_s3_by_overs3;
+            transmission_error_s3_and_moving_phase => -sin_a*k_s3*de_s3*touchs3;
+            backlash_s3_and_moving_phase => sin_a*dk_s3*clips3*touchs3*overs3;
+            sliding_friction_s3_and_moving_phase => -cos_a*dk_s3*side_s3*F_mu_s3_by_k_s3 - cos_a*dside_s3*F_mu_s3;
+            transmission_error_r3_and_backlash_r3_and_moving_phase => sin_a*k_r3*de_r3*clipr3*touchr3;
+            transmission_error_r3_and_sliding_friction_r3_and_moving_phase => -cos_a*de_r3*side_r3*F_mu_r3_by_overr3;
+            transmission_error_r3_and_moving_phase => sin_a*k_r3*de_r3*touchr3;
+            backlash_r3_and_moving_phase => -sin_a*dk_r3*clipr3*touchr3*overr3;
+            sliding_friction_r3_and_moving_phase => cos_a*dk_r3*side_r3*F_mu_r3_by_k_r3 + cos_a*dside_r3*F_mu_r3;
+            moving_phase => sin_a*dk_s3*touchs3*overs3 - sin_a*dk_r3*touchr3*overr3;
         }
-        zeta3 theta_c { _ => h*sin_a*Z_r*k_r3; }
-        zeta3 theta_r { _ => -h*sin_a*Z_r*k_r3; }
-        zeta3 x_s { _ => -sin_a*sin_s3*k_s3; }
-        zeta3 y_s { _ => cos_s3*sin_a*k_s3; }
+        zeta3 theta_c {
+            _ => h*sin_a*Z_r*k_r3*touchr3;
+            backlash_r3 => h*sin_a*Z_r*k_r3*clipr3*touchr3;
+            sliding_friction_r3 => -cos_a*h*Z_r*side_r3*F_mu_r3_by_overr3;
+        }
+        zeta3 theta_r {
+            _ => -h*sin_a*Z_r*k_r3*touchr3;
+            backlash_r3 => -h*sin_a*Z_r*k_r3*clipr3*touchr3;
+            sliding_friction_r3 => cos_a*h*Z_r*side_r3*F_mu_r3_by_overr3;
+        }
+        zeta3 x_s {
+            _ => -sin_a*sin_s3*k_s3*touchs3;
+            backlash_s3 => -sin_a*sin_s3*k_s3*clips3*touchs3;
+            sliding_friction_s3 => cos_a*sin_s3*side_s3*F_mu_s3_by_overs3;
+        }
+        zeta3 y_s {
+            _ => cos_s3*sin_a*k_s3*touchs3;
+            backlash_s3 => cos_s3*sin_a*k_s3*clips3*touchs3;
+            sliding_friction_s3 => -cos_a*cos_s3*side_s3*F_mu_s3_by_overs3;
+        }
         zeta3 x_c { _ => cos_c3*kb_p; }
         zeta3 y_c { _ => sin_c3*kb_p; }
-        zeta3 x_r { _ => sin_a*sin_r3*k_r3; }
-        zeta3 y_r { _ => -cos_r3*sin_a*k_r3; }
-        zeta3 zeta3 { _ => -kb_p - sin_a.powi(2)*k_r3 - sin_a.powi(2)*k_s3; }
-        zeta3 eta3 { _ => cos_a*sin_a*k_r3 - cos_a*sin_a*k_s3; }
-        zeta3 u3 { _ => sin_a*k_r3 + sin_a*k_s3; }
-        zeta3 theta_c_dot { damping => h*sin_a*Z_r*beta_K*k_r3_mid; }
-        zeta3 theta_r_dot { damping => -h*sin_a*Z_r*beta_K*k_r3_mid; }
-        zeta3 x_s_dot { damping => -sin_a*sin_s3*beta_K*k_s3_mid; }
-        zeta3 y_s_dot { damping => cos_s3*sin_a*beta_K*k_s3_mid; }
+        zeta3 x_r {
+            _ => sin_a*sin_r3*k_r3*touchr3;
+            backlash_r3 => sin_a*sin_r3*k_r3*clipr3*touchr3;
+            sliding_friction_r3 => -cos_a*sin_r3*side_r3*F_mu_r3_by_overr3;
+        }
+        zeta3 y_r {
+            _ => -cos_r3*sin_a*k_r3*touchr3;
+            backlash_r3 => -cos_r3*sin_a*k_r3*clipr3*touchr3;
+            sliding_friction_r3 => cos_a*cos_r3*side_r3*F_mu_r3_by_overr3;
+        }
+        zeta3 zeta3 {
+            _ => -kb_p - sin_a.powi(2)*k_r3*touchr3 - sin_a.powi(2)*k_s3*touchs3;
+            backlash_s3 => -sin_a.powi(2)*k_s3*clips3*touchs3;
+            sliding_friction_s3 => cos_a*sin_a*side_s3*F_mu_s3_by_overs3;
+            backlash_r3 => -sin_a.powi(2)*k_r3*clipr3*touchr3;
+            sliding_friction_r3 => cos_a*sin_a*side_r3*F_mu_r3_by_overr3;
+        }
+        zeta3 eta3 {
+            _ => cos_a*sin_a*k_r3*touchr3 - cos_a*sin_a*k_s3*touchs3;
+            backlash_s3 => -cos_a*sin_a*k_s3*clips3*touchs3;
+            sliding_friction_s3 => cos_a.powi(2)*side_s3*F_mu_s3_by_overs3;
+            backlash_r3 => cos_a*sin_a*k_r3*clipr3*touchr3;
+            sliding_friction_r3 => -cos_a.powi(2)*side_r3*F_mu_r3_by_overr3;
+        }
+        zeta3 u3 {
+            _ => sin_a*k_r3*touchr3 + sin_a*k_s3*touchs3;
+            backlash_s3 => sin_a*k_s3*clips3*touchs3;
+            sliding_friction_s3 => -cos_a*side_s3*F_mu_s3_by_overs3;
+            backlash_r3 => sin_a*k_r3*clipr3*touchr3;
+            sliding_friction_r3 => -cos_a*side_r3*F_mu_r3_by_overr3;
+        }
+        zeta3 theta_dot {
+            sliding_friction_s3 => -cos_a*roll_s*side_s3*F_mu_s3_by_psi_s3_dot;
+            sliding_friction_r3 => cos_a*roll_r*side_r3*F_mu_r3_by_psi_r3_dot;
+        }
+        zeta3 theta_c_dot {
+            sliding_friction_r3 => -cos_a*side_r3*F_mu_r3_by_psi_r3_dot;
+            damping => h*sin_a*Z_r*beta_K*k_r3_mid*dampr3;
+        }
+        zeta3 theta_r_dot {
+            sliding_friction_r3 => cos_a*side_r3*F_mu_r3_by_psi_r3_dot;
+            damping => -h*sin_a*Z_r*beta_K*k_r3_mid*dampr3;
+        }
+        zeta3 x_s_dot { damping => -sin_a*sin_s3*beta_K*k_s3_mid*damps3; }
+        zeta3 y_s_dot { damping => cos_s3*sin_a*beta_K*k_s3_mid*damps3; }
         zeta3 x_c_dot {
             viscous_friction_p => cos_c3*cb_p;
             damping => cos_c3*beta_K*kb_p;
@@ -1447,35 +4151,99 @@ equations! {
             viscous_friction_p => sin_c3*cb_p;
             damping => sin_c3*beta_K*kb_p;
         }
-        zeta3 x_r_dot { damping => sin_a*sin_r3*beta_K*k_r3_mid; }
-        zeta3 y_r_dot { damping => -cos_r3*sin_a*beta_K*k_r3_mid; }
+        zeta3 x_r_dot { damping => sin_a*sin_r3*beta_K*k_r3_mid*dampr3; }
+        zeta3 y_r_dot { damping => -cos_r3*sin_a*beta_K*k_r3_mid*dampr3; }
         zeta3 zeta3_dot {
             viscous_friction_p => -cb_p;
-            damping => -alpha_M*m_p - beta_K*kb_p - sin_a.powi(2)*beta_K*k_r3_mid - sin_a.powi(2)*beta_K*k_s3_mid;
+            damping => -alpha_M*m_p - beta_K*kb_p - sin_a.powi(2)*beta_K*k_r3_mid*dampr3 - sin_a.powi(2)*beta_K*k_s3_mid*damps3;
         }
-        zeta3 eta3_dot { damping => cos_a*sin_a*beta_K*k_r3_mid - cos_a*sin_a*beta_K*k_s3_mid; }
-        zeta3 u3_dot { damping => sin_a*beta_K*k_r3_mid + sin_a*beta_K*k_s3_mid; }
+        zeta3 eta3_dot { damping => cos_a*sin_a*beta_K*k_r3_mid*dampr3 - cos_a*sin_a*beta_K*k_s3_mid*damps3; }
+        zeta3 u3_dot {
+            sliding_friction_s3 => cos_a*side_s3*F_mu_s3_by_psi_s3_dot/r_p;
+            sliding_friction_r3 => -cos_a*side_r3*F_mu_r3_by_psi_r3_dot/r_p;
+            damping => sin_a*beta_K*k_r3_mid*dampr3 + sin_a*beta_K*k_s3_mid*damps3;
+        }
         eta3 theta {
-            transmission_error_s3_and_moving_phase => -cos_a*k_s3*de_s3;
-            transmission_error_r3_and_moving_phase => -cos_a*k_r3*de_r3;
-            moving_phase => cos_a*dk_r3*delta_r3 + cos_a*dk_s3*delta_s3;
+            transmission_error_s3_and_backlash_s3_and_moving_phase => -cos_a*k_s3*de_s3*clips3*touchs3;
+            transmission_error_s3_and_sliding_friction_s3_and_moving_phase => -sin_a*de_s3*side_s3*F_mu_s3_by_overs3;
+            transmission_error_s3_and_moving_phase => -cos_a*k_s3*de_s3*touchs3;
+            backlash_s3_and_moving_phase => cos_a*dk_s3*clips3*touchs3*overs3;
+            sliding_friction_s3_and_moving_phase => sin_a*dk_s3*side_s3*F_mu_s3_by_k_s3 + sin_a*dside_s3*F_mu_s3;
+            transmission_error_r3_and_backlash_r3_and_moving_phase => -cos_a*k_r3*de_r3*clipr3*touchr3;
+            transmission_error_r3_and_sliding_friction_r3_and_moving_phase => -sin_a*de_r3*side_r3*F_mu_r3_by_overr3;
+            transmission_error_r3_and_moving_phase => -cos_a*k_r3*de_r3*touchr3;
+            backlash_r3_and_moving_phase => cos_a*dk_r3*clipr3*touchr3*overr3;
+            sliding_friction_r3_and_moving_phase => sin_a*dk_r3*side_r3*F_mu_r3_by_k_r3 + sin_a*dside_r3*F_mu_r3;
+            moving_phase => cos_a*dk_r3*touchr3*overr3 + cos_a*dk_s3*touchs3*overs3;
         }
-        eta3 theta_c { _ => -cos_a*h*Z_r*k_r3; }
-        eta3 theta_r { _ => cos_a*h*Z_r*k_r3; }
-        eta3 x_s { _ => -cos_a*sin_s3*k_s3; }
-        eta3 y_s { _ => cos_a*cos_s3*k_s3; }
+        eta3 theta_c {
+            _ => -cos_a*h*Z_r*k_r3*touchr3;
+            backlash_r3 => -cos_a*h*Z_r*k_r3*clipr3*touchr3;
+            sliding_friction_r3 => -h*sin_a*Z_r*side_r3*F_mu_r3_by_overr3;
+        }
+        eta3 theta_r {
+            _ => cos_a*h*Z_r*k_r3*touchr3;
+            backlash_r3 => cos_a*h*Z_r*k_r3*clipr3*touchr3;
+            sliding_friction_r3 => h*sin_a*Z_r*side_r3*F_mu_r3_by_overr3;
+        }
+        eta3 x_s {
+            _ => -cos_a*sin_s3*k_s3*touchs3;
+            backlash_s3 => -cos_a*sin_s3*k_s3*clips3*touchs3;
+            sliding_friction_s3 => -sin_a*sin_s3*side_s3*F_mu_s3_by_overs3;
+        }
+        eta3 y_s {
+            _ => cos_a*cos_s3*k_s3*touchs3;
+            backlash_s3 => cos_a*cos_s3*k_s3*clips3*touchs3;
+            sliding_friction_s3 => cos_s3*sin_a*side_s3*F_mu_s3_by_overs3;
+        }
         eta3 x_c { _ => -sin_c3*kb_p; }
         eta3 y_c { _ => cos_c3*kb_p; }
-        eta3 x_r { _ => -cos_a*sin_r3*k_r3; }
-        eta3 y_r { _ => cos_a*cos_r3*k_r3; }
-        eta3 zeta3 { _ => cos_a*sin_a*k_r3 - cos_a*sin_a*k_s3; }
-        eta3 eta3 { _ => -kb_p - cos_a.powi(2)*k_r3 - cos_a.powi(2)*k_s3; }
-        eta3 u3 { _ => cos_a*k_s3 - cos_a*k_r3; }
-        eta3 theta_dot { damping => -a*alpha_M*m_p/Z_r; }
-        eta3 theta_c_dot { damping => -a*alpha_M*m_p - cos_a*h*Z_r*beta_K*k_r3_mid; }
-        eta3 theta_r_dot { damping => cos_a*h*Z_r*beta_K*k_r3_mid; }
-        eta3 x_s_dot { damping => -cos_a*sin_s3*beta_K*k_s3_mid; }
-        eta3 y_s_dot { damping => cos_a*cos_s3*beta_K*k_s3_mid; }
+        eta3 x_r {
+            _ => -cos_a*sin_r3*k_r3*touchr3;
+            backlash_r3 => -cos_a*sin_r3*k_r3*clipr3*touchr3;
+            sliding_friction_r3 => -sin_a*sin_r3*side_r3*F_mu_r3_by_overr3;
+        }
+        eta3 y_r {
+            _ => cos_a*cos_r3*k_r3*touchr3;
+            backlash_r3 => cos_a*cos_r3*k_r3*clipr3*touchr3;
+            sliding_friction_r3 => cos_r3*sin_a*side_r3*F_mu_r3_by_overr3;
+        }
+        eta3 zeta3 {
+            _ => cos_a*sin_a*k_r3*touchr3 - cos_a*sin_a*k_s3*touchs3;
+            backlash_s3 => -cos_a*sin_a*k_s3*clips3*touchs3;
+            sliding_friction_s3 => -sin_a.powi(2)*side_s3*F_mu_s3_by_overs3;
+            backlash_r3 => cos_a*sin_a*k_r3*clipr3*touchr3;
+            sliding_friction_r3 => sin_a.powi(2)*side_r3*F_mu_r3_by_overr3;
+        }
+        eta3 eta3 {
+            _ => -kb_p - cos_a.powi(2)*k_r3*touchr3 - cos_a.powi(2)*k_s3*touchs3;
+            backlash_s3 => -cos_a.powi(2)*k_s3*clips3*touchs3;
+            sliding_friction_s3 => -cos_a*sin_a*side_s3*F_mu_s3_by_overs3;
+            backlash_r3 => -cos_a.powi(2)*k_r3*clipr3*touchr3;
+            sliding_friction_r3 => -cos_a*sin_a*side_r3*F_mu_r3_by_overr3;
+        }
+        eta3 u3 {
+            _ => cos_a*k_s3*touchs3 - cos_a*k_r3*touchr3;
+            backlash_s3 => cos_a*k_s3*clips3*touchs3;
+            sliding_friction_s3 => sin_a*side_s3*F_mu_s3_by_overs3;
+            backlash_r3 => -cos_a*k_r3*clipr3*touchr3;
+            sliding_friction_r3 => -sin_a*side_r3*F_mu_r3_by_overr3;
+        }
+        eta3 theta_dot {
+            sliding_friction_s3 => roll_s*sin_a*side_s3*F_mu_s3_by_psi_s3_dot;
+            sliding_friction_r3 => roll_r*sin_a*side_r3*F_mu_r3_by_psi_r3_dot;
+            damping => -a*alpha_M*m_p/Z_r;
+        }
+        eta3 theta_c_dot {
+            sliding_friction_r3 => -sin_a*side_r3*F_mu_r3_by_psi_r3_dot;
+            damping => -a*alpha_M*m_p - cos_a*h*Z_r*beta_K*k_r3_mid*dampr3;
+        }
+        eta3 theta_r_dot {
+            sliding_friction_r3 => sin_a*side_r3*F_mu_r3_by_psi_r3_dot;
+            damping => cos_a*h*Z_r*beta_K*k_r3_mid*dampr3;
+        }
+        eta3 x_s_dot { damping => -cos_a*sin_s3*beta_K*k_s3_mid*damps3; }
+        eta3 y_s_dot { damping => cos_a*cos_s3*beta_K*k_s3_mid*damps3; }
         eta3 x_c_dot {
             viscous_friction_p => -sin_c3*cb_p;
             damping => -sin_c3*beta_K*kb_p;
@@ -1484,58 +4252,190 @@ equations! {
             viscous_friction_p => cos_c3*cb_p;
             damping => cos_c3*beta_K*kb_p;
         }
-        eta3 x_r_dot { damping => -cos_a*sin_r3*beta_K*k_r3_mid; }
-        eta3 y_r_dot { damping => cos_a*cos_r3*beta_K*k_r3_mid; }
-        eta3 zeta3_dot { damping => cos_a*sin_a*beta_K*k_r3_mid - cos_a*sin_a*beta_K*k_s3_mid; }
+        eta3 x_r_dot { damping => -cos_a*sin_r3*beta_K*k_r3_mid*dampr3; }
+        eta3 y_r_dot { damping => cos_a*cos_r3*beta_K*k_r3_mid*dampr3; }
+        eta3 zeta3_dot { damping => cos_a*sin_a*beta_K*k_r3_mid*dampr3 - cos_a*sin_a*beta_K*k_s3_mid*damps3; }
         eta3 eta3_dot {
             viscous_friction_p => -cb_p;
-            damping => -alpha_M*m_p - beta_K*kb_p - cos_a.powi(2)*beta_K*k_r3_mid - cos_a.powi(2)*beta_K*k_s3_mid;
+            damping => -alpha_M*m_p - beta_K*kb_p - cos_a.powi(2)*beta_K*k_r3_mid*dampr3 - cos_a.powi(2)*beta_K*k_s3_mid*damps3;
         }
-        eta3 u3_dot { damping => cos_a*beta_K*k_s3_mid - cos_a*beta_K*k_r3_mid; }
+        eta3 u3_dot {
+            sliding_friction_s3 => -sin_a*side_s3*F_mu_s3_by_psi_s3_dot/r_p;
+            sliding_friction_r3 => -sin_a*side_r3*F_mu_r3_by_psi_r3_dot/r_p;
+            damping => cos_a*beta_K*k_s3_mid*damps3 - cos_a*beta_K*k_r3_mid*dampr3;
+        }
         u3 theta {
-            transmission_error_s3_and_moving_phase => k_s3*de_s3;
-            transmission_error_r3_and_moving_phase => -k_r3*de_r3;
-            moving_phase => dk_r3*delta_r3 - dk_s3*delta_s3;
+            transmission_error_s3_and_backlash_s3_and_moving_phase => k_s3*de_s3*clips3*touchs3;
+            transmission_error_s3_and_sliding_friction_s3_and_moving_phase => sin_a*de_s3*side_s3*F_mu_s3_by_overs3/cos_a
+                - de_s3*arm_s3*F_mu_s3_by_overs3/r_p;
+            transmission_error_s3_and_moving_phase => k_s3*de_s3*touchs3;
+            backlash_s3_and_moving_phase => -dk_s3*clips3*touchs3*overs3;
+            sliding_friction_s3_and_moving_phase => darm_s3*F_mu_s3/r_p - sin_a*dk_s3*side_s3*F_mu_s3_by_k_s3/cos_a
+                - sin_a*dside_s3*F_mu_s3/cos_a + dk_s3*arm_s3*F_mu_s3_by_k_s3/r_p;
+            transmission_error_r3_and_backlash_r3_and_moving_phase => -k_r3*de_r3*clipr3*touchr3;
+            transmission_error_r3_and_sliding_friction_r3_and_moving_phase => -sin_a*de_r3*side_r3*F_mu_r3_by_overr3/cos_a
+                - de_r3*arm_r3*F_mu_r3_by_overr3/r_p;
+            transmission_error_r3_and_moving_phase => -k_r3*de_r3*touchr3;
+            backlash_r3_and_moving_phase => dk_r3*clipr3*touchr3*overr3;
+            sliding_friction_r3_and_moving_phase => sin_a*dk_r3*side_r3*F_mu_r3_by_k_r3/cos_a + sin_a*dside_r3*F_mu_r3/cos_a
+                + darm_r3*F_mu_r3/r_p + dk_r3*arm_r3*F_mu_r3_by_k_r3/r_p;
+            moving_phase => dk_r3*touchr3*overr3 - dk_s3*touchs3*overs3;
         }
-        u3 theta_c { _ => -h*Z_r*k_r3; }
-        u3 theta_r { _ => h*Z_r*k_r3; }
-        u3 x_s { _ => sin_s3*k_s3; }
-        u3 y_s { _ => -cos_s3*k_s3; }
-        u3 x_r { _ => -sin_r3*k_r3; }
-        u3 y_r { _ => cos_r3*k_r3; }
-        u3 zeta3 { _ => sin_a*k_r3 + sin_a*k_s3; }
-        u3 eta3 { _ => cos_a*k_s3 - cos_a*k_r3; }
-        u3 u3 { _ => -k_r3 - k_s3; }
-        u3 theta_dot { damping => h*I_p*alpha_M/r_p.powi(2) - I_p*alpha_M/(r_p*Z_r); }
-        u3 theta_c_dot { damping => -h*Z_r*beta_K*k_r3_mid - I_p*alpha_M/r_p; }
-        u3 theta_r_dot { damping => h*Z_r*beta_K*k_r3_mid; }
-        u3 x_s_dot { damping => sin_s3*beta_K*k_s3_mid; }
-        u3 y_s_dot { damping => -cos_s3*beta_K*k_s3_mid; }
-        u3 x_r_dot { damping => -sin_r3*beta_K*k_r3_mid; }
-        u3 y_r_dot { damping => cos_r3*beta_K*k_r3_mid; }
-        u3 zeta3_dot { damping => sin_a*beta_K*k_r3_mid + sin_a*beta_K*k_s3_mid; }
-        u3 eta3_dot { damping => cos_a*beta_K*k_s3_mid - cos_a*beta_K*k_r3_mid; }
-        u3 u3_dot { damping => -beta_K*k_r3_mid - beta_K*k_s3_mid - I_p*alpha_M/r_p.powi(2); }
+        u3 theta_c {
+            _ => -h*Z_r*k_r3*touchr3;
+            backlash_r3 => -h*Z_r*k_r3*clipr3*touchr3;
+            sliding_friction_r3 => -h*Z_r*arm_r3*F_mu_r3_by_overr3/r_p - h*sin_a*Z_r*side_r3*F_mu_r3_by_overr3/cos_a;
+        }
+        u3 theta_r {
+            _ => h*Z_r*k_r3*touchr3;
+            backlash_r3 => h*Z_r*k_r3*clipr3*touchr3;
+            sliding_friction_r3 => h*Z_r*arm_r3*F_mu_r3_by_overr3/r_p + h*sin_a*Z_r*side_r3*F_mu_r3_by_overr3/cos_a;
+        }
+        u3 x_s {
+            _ => sin_s3*k_s3*touchs3;
+            backlash_s3 => sin_s3*k_s3*clips3*touchs3;
+            sliding_friction_s3 => sin_a*sin_s3*side_s3*F_mu_s3_by_overs3/cos_a - sin_s3*arm_s3*F_mu_s3_by_overs3/r_p;
+        }
+        u3 y_s {
+            _ => -cos_s3*k_s3*touchs3;
+            backlash_s3 => -cos_s3*k_s3*clips3*touchs3;
+            sliding_friction_s3 => cos_s3*arm_s3*F_mu_s3_by_overs3/r_p - cos_s3*sin_a*side_s3*F_mu_s3_by_overs3/cos_a;
+        }
+        u3 x_r {
+            _ => -sin_r3*k_r3*touchr3;
+            backlash_r3 => -sin_r3*k_r3*clipr3*touchr3;
+            sliding_friction_r3 => -sin_a*sin_r3*side_r3*F_mu_r3_by_overr3/cos_a - sin_r3*arm_r3*F_mu_r3_by_overr3/r_p;
+        }
+        u3 y_r {
+            _ => cos_r3*k_r3*touchr3;
+            backlash_r3 => cos_r3*k_r3*clipr3*touchr3;
+            sliding_friction_r3 => cos_r3*arm_r3*F_mu_r3_by_overr3/r_p + cos_r3*sin_a*side_r3*F_mu_r3_by_overr3/cos_a;
+        }
+        u3 zeta3 {
+            _ => sin_a*k_r3*touchr3 + sin_a*k_s3*touchs3;
+            backlash_s3 => sin_a*k_s3*clips3*touchs3;
+            sliding_friction_s3 => sin_a.powi(2)*side_s3*F_mu_s3_by_overs3/cos_a - sin_a*arm_s3*F_mu_s3_by_overs3/r_p;
+            backlash_r3 => sin_a*k_r3*clipr3*touchr3;
+            sliding_friction_r3 => sin_a.powi(2)*side_r3*F_mu_r3_by_overr3/cos_a + sin_a*arm_r3*F_mu_r3_by_overr3/r_p;
+        }
+        u3 eta3 {
+            _ => cos_a*k_s3*touchs3 - cos_a*k_r3*touchr3;
+            backlash_s3 => cos_a*k_s3*clips3*touchs3;
+            sliding_friction_s3 => sin_a*side_s3*F_mu_s3_by_overs3 - cos_a*arm_s3*F_mu_s3_by_overs3/r_p;
+            backlash_r3 => -cos_a*k_r3*clipr3*touchr3;
+            sliding_friction_r3 => -cos_a*arm_r3*F_mu_r3_by_overr3/r_p - sin_a*side_r3*F_mu_r3_by_overr3;
+        }
+        u3 u3 {
+            _ => -k_r3*touchr3 - k_s3*touchs3;
+            backlash_s3 => -k_s3*clips3*touchs3;
+            sliding_friction_s3 => arm_s3*F_mu_s3_by_overs3/r_p - sin_a*side_s3*F_mu_s3_by_overs3/cos_a;
+            backlash_r3 => -k_r3*clipr3*touchr3;
+            sliding_friction_r3 => -sin_a*side_r3*F_mu_r3_by_overr3/cos_a - arm_r3*F_mu_r3_by_overr3/r_p;
+        }
+        u3 theta_dot {
+            sliding_friction_s3 => roll_s*arm_s3*F_mu_s3_by_psi_s3_dot/r_p - roll_s*sin_a*side_s3*F_mu_s3_by_psi_s3_dot/cos_a;
+            sliding_friction_r3 => roll_r*sin_a*side_r3*F_mu_r3_by_psi_r3_dot/cos_a + roll_r*arm_r3*F_mu_r3_by_psi_r3_dot/r_p;
+            damping => h*I_p*alpha_M/r_p.powi(2) - I_p*alpha_M/(r_p*Z_r);
+        }
+        u3 theta_c_dot {
+            sliding_friction_r3 => -sin_a*side_r3*F_mu_r3_by_psi_r3_dot/cos_a - arm_r3*F_mu_r3_by_psi_r3_dot/r_p;
+            damping => -h*Z_r*beta_K*k_r3_mid*dampr3 - I_p*alpha_M/r_p;
+        }
+        u3 theta_r_dot {
+            sliding_friction_r3 => sin_a*side_r3*F_mu_r3_by_psi_r3_dot/cos_a + arm_r3*F_mu_r3_by_psi_r3_dot/r_p;
+            damping => h*Z_r*beta_K*k_r3_mid*dampr3;
+        }
+        u3 x_s_dot { damping => sin_s3*beta_K*k_s3_mid*damps3; }
+        u3 y_s_dot { damping => -cos_s3*beta_K*k_s3_mid*damps3; }
+        u3 x_r_dot { damping => -sin_r3*beta_K*k_r3_mid*dampr3; }
+        u3 y_r_dot { damping => cos_r3*beta_K*k_r3_mid*dampr3; }
+        u3 zeta3_dot { damping => sin_a*beta_K*k_r3_mid*dampr3 + sin_a*beta_K*k_s3_mid*damps3; }
+        u3 eta3_dot { damping => cos_a*beta_K*k_s3_mid*damps3 - cos_a*beta_K*k_r3_mid*dampr3; }
+        u3 u3_dot {
+            sliding_friction_s3 => sin_a*side_s3*F_mu_s3_by_psi_s3_dot/(cos_a*r_p) - arm_s3*F_mu_s3_by_psi_s3_dot/r_p.powi(2);
+            sliding_friction_r3 => -sin_a*side_r3*F_mu_r3_by_psi_r3_dot/(cos_a*r_p) - arm_r3*F_mu_r3_by_psi_r3_dot/r_p.powi(2);
+            damping => -beta_K*k_r3_mid*dampr3 - beta_K*k_s3_mid*damps3 - I_p*alpha_M/r_p.powi(2);
+        }
         zeta4 theta {
-            transmission_error_s4_and_moving_phase => -sin_a*k_s4*de_s4;
-            transmission_error_r4_and_moving_phase => sin_a*k_r4*de_r4;
-            moving_phase => sin_a*dk_s4*delta_s4 - sin_a*dk_r4*delta_r4;
+            transmission_error_s4_and_backlash_s4_and_moving_phase => -sin_a*k_s4*de_s4*clips4*touchs4;
+            transmission_error_s4_and_sliding_friction_s4_and_moving_phase => cos_a*de_s4*side_s4*F_mu_s4_by_overs4;
+            transmission_error_s4_and_moving_phase => -sin_a*k_s4*de_s4*touchs4;
+            backlash_s4_and_moving_phase => sin_a*dk_s4*clips4*touchs4*overs4;
+            sliding_friction_s4_and_moving_phase => -cos_a*dk_s4*side_s4*F_mu_s4_by_k_s4 - cos_a*dside_s4*F_mu_s4;
+            transmission_error_r4_and_backlash_r4_and_moving_phase => sin_a*k_r4*de_r4*clipr4*touchr4;
+            transmission_error_r4_and_sliding_friction_r4_and_moving_phase => -cos_a*de_r4*side_r4*F_mu_r4_by_overr4;
+            transmission_error_r4_and_moving_phase => sin_a*k_r4*de_r4*touchr4;
+            backlash_r4_and_moving_phase => -sin_a*dk_r4*clipr4*touchr4*overr4;
+            sliding_friction_r4_and_moving_phase => cos_a*dk_r4*side_r4*F_mu_r4_by_k_r4 + cos_a*dside_r4*F_mu_r4;
+            moving_phase => sin_a*dk_s4*touchs4*overs4 - sin_a*dk_r4*touchr4*overr4;
         }
-        zeta4 theta_c { _ => h*sin_a*Z_r*k_r4; }
-        zeta4 theta_r { _ => -h*sin_a*Z_r*k_r4; }
-        zeta4 x_s { _ => -sin_a*sin_s4*k_s4; }
-        zeta4 y_s { _ => cos_s4*sin_a*k_s4; }
+        zeta4 theta_c {
+            _ => h*sin_a*Z_r*k_r4*touchr4;
+            backlash_r4 => h*sin_a*Z_r*k_r4*clipr4*touchr4;
+            sliding_friction_r4 => -cos_a*h*Z_r*side_r4*F_mu_r4_by_overr4;
+        }
+        zeta4 theta_r {
+            _ => -h*sin_a*Z_r*k_r4*touchr4;
+            backlash_r4 => -h*sin_a*Z_r*k_r4*clipr4*touchr4;
+            sliding_friction_r4 => cos_a*h*Z_r*side_r4*F_mu_r4_by_overr4;
+        }
+        zeta4 x_s {
+            _ => -sin_a*sin_s4*k_s4*touchs4;
+            backlash_s4 => -sin_a*sin_s4*k_s4*clips4*touchs4;
+            sliding_friction_s4 => cos_a*sin_s4*side_s4*F_mu_s4_by_overs4;
+        }
+        zeta4 y_s {
+            _ => cos_s4*sin_a*k_s4*touchs4;
+            backlash_s4 => cos_s4*sin_a*k_s4*clips4*touchs4;
+            sliding_friction_s4 => -cos_a*cos_s4*side_s4*F_mu_s4_by_overs4;
+        }
         zeta4 x_c { _ => cos_c4*kb_p; }
         zeta4 y_c { _ => sin_c4*kb_p; }
-        zeta4 x_r { _ => sin_a*sin_r4*k_r4; }
-        zeta4 y_r { _ => -cos_r4*sin_a*k_r4; }
-        zeta4 zeta4 { _ => -kb_p - sin_a.powi(2)*k_r4 - sin_a.powi(2)*k_s4; }
-        zeta4 eta4 { _ => cos_a*sin_a*k_r4 - cos_a*sin_a*k_s4; }
-        zeta4 u4 { _ => sin_a*k_r4 + sin_a*k_s4; }
-        zeta4 theta_c_dot { damping => h*sin_a*Z_r*beta_K*k_r4_mid; }
-        zeta4 theta_r_dot { damping => -h*sin_a*Z_r*beta_K*k_r4_mid; }
-        zeta4 x_s_dot { damping => -sin_a*sin_s4*beta_K*k_s4_mid; }
-        zeta4 y_s_dot { damping => cos_s4*sin_a*beta_K*k_s4_mid; }
+        zeta4 x_r {
+            _ => sin_a*sin_r4*k_r4*touchr4;
+            backlash_r4 => sin_a*sin_r4*k_r4*clipr4*touchr4;
+            sliding_friction_r4 => -cos_a*sin_r4*side_r4*F_mu_r4_by_overr4;
+        }
+        zeta4 y_r {
+            _ => -cos_r4*sin_a*k_r4*touchr4;
+            backlash_r4 => -cos_r4*sin_a*k_r4*clipr4*touchr4;
+            sliding_friction_r4 => cos_a*cos_r4*side_r4*F_mu_r4_by_overr4;
+        }
+        zeta4 zeta4 {
+            _ => -kb_p - sin_a.powi(2)*k_r4*touchr4 - sin_a.powi(2)*k_s4*touchs4;
+            backlash_s4 => -sin_a.powi(2)*k_s4*clips4*touchs4;
+            sliding_friction_s4 => cos_a*sin_a*side_s4*F_mu_s4_by_overs4;
+            backlash_r4 => -sin_a.powi(2)*k_r4*clipr4*touchr4;
+            sliding_friction_r4 => cos_a*sin_a*side_r4*F_mu_r4_by_overr4;
+        }
+        zeta4 eta4 {
+            _ => cos_a*sin_a*k_r4*touchr4 - cos_a*sin_a*k_s4*touchs4;
+            backlash_s4 => -cos_a*sin_a*k_s4*clips4*touchs4;
+            sliding_friction_s4 => cos_a.powi(2)*side_s4*F_mu_s4_by_overs4;
+            backlash_r4 => cos_a*sin_a*k_r4*clipr4*touchr4;
+            sliding_friction_r4 => -cos_a.powi(2)*side_r4*F_mu_r4_by_overr4;
+        }
+        zeta4 u4 {
+            _ => sin_a*k_r4*touchr4 + sin_a*k_s4*touchs4;
+            backlash_s4 => sin_a*k_s4*clips4*touchs4;
+            sliding_friction_s4 => -cos_a*side_s4*F_mu_s4_by_overs4;
+            backlash_r4 => sin_a*k_r4*clipr4*touchr4;
+            sliding_friction_r4 => -cos_a*side_r4*F_mu_r4_by_overr4;
+        }
+        zeta4 theta_dot {
+            sliding_friction_s4 => -cos_a*roll_s*side_s4*F_mu_s4_by_psi_s4_dot;
+            sliding_friction_r4 => cos_a*roll_r*side_r4*F_mu_r4_by_psi_r4_dot;
+        }
+        zeta4 theta_c_dot {
+            sliding_friction_r4 => -cos_a*side_r4*F_mu_r4_by_psi_r4_dot;
+            damping => h*sin_a*Z_r*beta_K*k_r4_mid*dampr4;
+        }
+        zeta4 theta_r_dot {
+            sliding_friction_r4 => cos_a*side_r4*F_mu_r4_by_psi_r4_dot;
+            damping => -h*sin_a*Z_r*beta_K*k_r4_mid*dampr4;
+        }
+        zeta4 x_s_dot { damping => -sin_a*sin_s4*beta_K*k_s4_mid*damps4; }
+        zeta4 y_s_dot { damping => cos_s4*sin_a*beta_K*k_s4_mid*damps4; }
         zeta4 x_c_dot {
             viscous_friction_p => cos_c4*cb_p;
             damping => cos_c4*beta_K*kb_p;
@@ -1544,35 +4444,99 @@ equations! {
             viscous_friction_p => sin_c4*cb_p;
             damping => sin_c4*beta_K*kb_p;
         }
-        zeta4 x_r_dot { damping => sin_a*sin_r4*beta_K*k_r4_mid; }
-        zeta4 y_r_dot { damping => -cos_r4*sin_a*beta_K*k_r4_mid; }
+        zeta4 x_r_dot { damping => sin_a*sin_r4*beta_K*k_r4_mid*dampr4; }
+        zeta4 y_r_dot { damping => -cos_r4*sin_a*beta_K*k_r4_mid*dampr4; }
         zeta4 zeta4_dot {
             viscous_friction_p => -cb_p;
-            damping => -alpha_M*m_p - beta_K*kb_p - sin_a.powi(2)*beta_K*k_r4_mid - sin_a.powi(2)*beta_K*k_s4_mid;
+            damping => -alpha_M*m_p - beta_K*kb_p - sin_a.powi(2)*beta_K*k_r4_mid*dampr4 - sin_a.powi(2)*beta_K*k_s4_mid*damps4;
         }
-        zeta4 eta4_dot { damping => cos_a*sin_a*beta_K*k_r4_mid - cos_a*sin_a*beta_K*k_s4_mid; }
-        zeta4 u4_dot { damping => sin_a*beta_K*k_r4_mid + sin_a*beta_K*k_s4_mid; }
+        zeta4 eta4_dot { damping => cos_a*sin_a*beta_K*k_r4_mid*dampr4 - cos_a*sin_a*beta_K*k_s4_mid*damps4; }
+        zeta4 u4_dot {
+            sliding_friction_s4 => cos_a*side_s4*F_mu_s4_by_psi_s4_dot/r_p;
+            sliding_friction_r4 => -cos_a*side_r4*F_mu_r4_by_psi_r4_dot/r_p;
+            damping => sin_a*beta_K*k_r4_mid*dampr4 + sin_a*beta_K*k_s4_mid*damps4;
+        }
         eta4 theta {
-            transmission_error_s4_and_moving_phase => -cos_a*k_s4*de_s4;
-            transmission_error_r4_and_moving_phase => -cos_a*k_r4*de_r4;
-            moving_phase => cos_a*dk_r4*delta_r4 + cos_a*dk_s4*delta_s4;
+            transmission_error_s4_and_backlash_s4_and_moving_phase => -cos_a*k_s4*de_s4*clips4*touchs4;
+            transmission_error_s4_and_sliding_friction_s4_and_moving_phase => -sin_a*de_s4*side_s4*F_mu_s4_by_overs4;
+            transmission_error_s4_and_moving_phase => -cos_a*k_s4*de_s4*touchs4;
+            backlash_s4_and_moving_phase => cos_a*dk_s4*clips4*touchs4*overs4;
+            sliding_friction_s4_and_moving_phase => sin_a*dk_s4*side_s4*F_mu_s4_by_k_s4 + sin_a*dside_s4*F_mu_s4;
+            transmission_error_r4_and_backlash_r4_and_moving_phase => -cos_a*k_r4*de_r4*clipr4*touchr4;
+            transmission_error_r4_and_sliding_friction_r4_and_moving_phase => -sin_a*de_r4*side_r4*F_mu_r4_by_overr4;
+            transmission_error_r4_and_moving_phase => -cos_a*k_r4*de_r4*touchr4;
+            backlash_r4_and_moving_phase => cos_a*dk_r4*clipr4*touchr4*overr4;
+            sliding_friction_r4_and_moving_phase => sin_a*dk_r4*side_r4*F_mu_r4_by_k_r4 + sin_a*dside_r4*F_mu_r4;
+            moving_phase => cos_a*dk_r4*touchr4*overr4 + cos_a*dk_s4*touchs4*overs4;
         }
-        eta4 theta_c { _ => -cos_a*h*Z_r*k_r4; }
-        eta4 theta_r { _ => cos_a*h*Z_r*k_r4; }
-        eta4 x_s { _ => -cos_a*sin_s4*k_s4; }
-        eta4 y_s { _ => cos_a*cos_s4*k_s4; }
+        eta4 theta_c {
+            _ => -cos_a*h*Z_r*k_r4*touchr4;
+            backlash_r4 => -cos_a*h*Z_r*k_r4*clipr4*touchr4;
+            sliding_friction_r4 => -h*sin_a*Z_r*side_r4*F_mu_r4_by_overr4;
+        }
+        eta4 theta_r {
+            _ => cos_a*h*Z_r*k_r4*touchr4;
+            backlash_r4 => cos_a*h*Z_r*k_r4*clipr4*touchr4;
+            sliding_friction_r4 => h*sin_a*Z_r*side_r4*F_mu_r4_by_overr4;
+        }
+        eta4 x_s {
+            _ => -cos_a*sin_s4*k_s4*touchs4;
+            backlash_s4 => -cos_a*sin_s4*k_s4*clips4*touchs4;
+            sliding_friction_s4 => -sin_a*sin_s4*side_s4*F_mu_s4_by_overs4;
+        }
+        eta4 y_s {
+            _ => cos_a*cos_s4*k_s4*touchs4;
+            backlash_s4 => cos_a*cos_s4*k_s4*clips4*touchs4;
+            sliding_friction_s4 => cos_s4*sin_a*side_s4*F_mu_s4_by_overs4;
+        }
         eta4 x_c { _ => -sin_c4*kb_p; }
         eta4 y_c { _ => cos_c4*kb_p; }
-        eta4 x_r { _ => -cos_a*sin_r4*k_r4; }
-        eta4 y_r { _ => cos_a*cos_r4*k_r4; }
-        eta4 zeta4 { _ => cos_a*sin_a*k_r4 - cos_a*sin_a*k_s4; }
-        eta4 eta4 { _ => -kb_p - cos_a.powi(2)*k_r4 - cos_a.powi(2)*k_s4; }
-        eta4 u4 { _ => cos_a*k_s4 - cos_a*k_r4; }
-        eta4 theta_dot { damping => -a*alpha_M*m_p/Z_r; }
-        eta4 theta_c_dot { damping => -a*alpha_M*m_p - cos_a*h*Z_r*beta_K*k_r4_mid; }
-        eta4 theta_r_dot { damping => cos_a*h*Z_r*beta_K*k_r4_mid; }
-        eta4 x_s_dot { damping => -cos_a*sin_s4*beta_K*k_s4_mid; }
-        eta4 y_s_dot { damping => cos_a*cos_s4*beta_K*k_s4_mid; }
+        eta4 x_r {
+            _ => -cos_a*sin_r4*k_r4*touchr4;
+            backlash_r4 => -cos_a*sin_r4*k_r4*clipr4*touchr4;
+            sliding_friction_r4 => -sin_a*sin_r4*side_r4*F_mu_r4_by_overr4;
+        }
+        eta4 y_r {
+            _ => cos_a*cos_r4*k_r4*touchr4;
+            backlash_r4 => cos_a*cos_r4*k_r4*clipr4*touchr4;
+            sliding_friction_r4 => cos_r4*sin_a*side_r4*F_mu_r4_by_overr4;
+        }
+        eta4 zeta4 {
+            _ => cos_a*sin_a*k_r4*touchr4 - cos_a*sin_a*k_s4*touchs4;
+            backlash_s4 => -cos_a*sin_a*k_s4*clips4*touchs4;
+            sliding_friction_s4 => -sin_a.powi(2)*side_s4*F_mu_s4_by_overs4;
+            backlash_r4 => cos_a*sin_a*k_r4*clipr4*touchr4;
+            sliding_friction_r4 => sin_a.powi(2)*side_r4*F_mu_r4_by_overr4;
+        }
+        eta4 eta4 {
+            _ => -kb_p - cos_a.powi(2)*k_r4*touchr4 - cos_a.powi(2)*k_s4*touchs4;
+            backlash_s4 => -cos_a.powi(2)*k_s4*clips4*touchs4;
+            sliding_friction_s4 => -cos_a*sin_a*side_s4*F_mu_s4_by_overs4;
+            backlash_r4 => -cos_a.powi(2)*k_r4*clipr4*touchr4;
+            sliding_friction_r4 => -cos_a*sin_a*side_r4*F_mu_r4_by_overr4;
+        }
+        eta4 u4 {
+            _ => cos_a*k_s4*touchs4 - cos_a*k_r4*touchr4;
+            backlash_s4 => cos_a*k_s4*clips4*touchs4;
+            sliding_friction_s4 => sin_a*side_s4*F_mu_s4_by_overs4;
+            backlash_r4 => -cos_a*k_r4*clipr4*touchr4;
+            sliding_friction_r4 => -sin_a*side_r4*F_mu_r4_by_overr4;
+        }
+        eta4 theta_dot {
+            sliding_friction_s4 => roll_s*sin_a*side_s4*F_mu_s4_by_psi_s4_dot;
+            sliding_friction_r4 => roll_r*sin_a*side_r4*F_mu_r4_by_psi_r4_dot;
+            damping => -a*alpha_M*m_p/Z_r;
+        }
+        eta4 theta_c_dot {
+            sliding_friction_r4 => -sin_a*side_r4*F_mu_r4_by_psi_r4_dot;
+            damping => -a*alpha_M*m_p - cos_a*h*Z_r*beta_K*k_r4_mid*dampr4;
+        }
+        eta4 theta_r_dot {
+            sliding_friction_r4 => sin_a*side_r4*F_mu_r4_by_psi_r4_dot;
+            damping => cos_a*h*Z_r*beta_K*k_r4_mid*dampr4;
+        }
+        eta4 x_s_dot { damping => -cos_a*sin_s4*beta_K*k_s4_mid*damps4; }
+        eta4 y_s_dot { damping => cos_a*cos_s4*beta_K*k_s4_mid*damps4; }
         eta4 x_c_dot {
             viscous_friction_p => -sin_c4*cb_p;
             damping => -sin_c4*beta_K*kb_p;
@@ -1581,58 +4545,190 @@ equations! {
             viscous_friction_p => cos_c4*cb_p;
             damping => cos_c4*beta_K*kb_p;
         }
-        eta4 x_r_dot { damping => -cos_a*sin_r4*beta_K*k_r4_mid; }
-        eta4 y_r_dot { damping => cos_a*cos_r4*beta_K*k_r4_mid; }
-        eta4 zeta4_dot { damping => cos_a*sin_a*beta_K*k_r4_mid - cos_a*sin_a*beta_K*k_s4_mid; }
+        eta4 x_r_dot { damping => -cos_a*sin_r4*beta_K*k_r4_mid*dampr4; }
+        eta4 y_r_dot { damping => cos_a*cos_r4*beta_K*k_r4_mid*dampr4; }
+        eta4 zeta4_dot { damping => cos_a*sin_a*beta_K*k_r4_mid*dampr4 - cos_a*sin_a*beta_K*k_s4_mid*damps4; }
         eta4 eta4_dot {
             viscous_friction_p => -cb_p;
-            damping => -alpha_M*m_p - beta_K*kb_p - cos_a.powi(2)*beta_K*k_r4_mid - cos_a.powi(2)*beta_K*k_s4_mid;
+            damping => -alpha_M*m_p - beta_K*kb_p - cos_a.powi(2)*beta_K*k_r4_mid*dampr4 - cos_a.powi(2)*beta_K*k_s4_mid*damps4;
         }
-        eta4 u4_dot { damping => cos_a*beta_K*k_s4_mid - cos_a*beta_K*k_r4_mid; }
+        eta4 u4_dot {
+            sliding_friction_s4 => -sin_a*side_s4*F_mu_s4_by_psi_s4_dot/r_p;
+            sliding_friction_r4 => -sin_a*side_r4*F_mu_r4_by_psi_r4_dot/r_p;
+            damping => cos_a*beta_K*k_s4_mid*damps4 - cos_a*beta_K*k_r4_mid*dampr4;
+        }
         u4 theta {
-            transmission_error_s4_and_moving_phase => k_s4*de_s4;
-            transmission_error_r4_and_moving_phase => -k_r4*de_r4;
-            moving_phase => dk_r4*delta_r4 - dk_s4*delta_s4;
+            transmission_error_s4_and_backlash_s4_and_moving_phase => k_s4*de_s4*clips4*touchs4;
+            transmission_error_s4_and_sliding_friction_s4_and_moving_phase => sin_a*de_s4*side_s4*F_mu_s4_by_overs4/cos_a
+                - de_s4*arm_s4*F_mu_s4_by_overs4/r_p;
+            transmission_error_s4_and_moving_phase => k_s4*de_s4*touchs4;
+            backlash_s4_and_moving_phase => -dk_s4*clips4*touchs4*overs4;
+            sliding_friction_s4_and_moving_phase => darm_s4*F_mu_s4/r_p - sin_a*dk_s4*side_s4*F_mu_s4_by_k_s4/cos_a
+                - sin_a*dside_s4*F_mu_s4/cos_a + dk_s4*arm_s4*F_mu_s4_by_k_s4/r_p;
+            transmission_error_r4_and_backlash_r4_and_moving_phase => -k_r4*de_r4*clipr4*touchr4;
+            transmission_error_r4_and_sliding_friction_r4_and_moving_phase => -sin_a*de_r4*side_r4*F_mu_r4_by_overr4/cos_a
+                - de_r4*arm_r4*F_mu_r4_by_overr4/r_p;
+            transmission_error_r4_and_moving_phase => -k_r4*de_r4*touchr4;
+            backlash_r4_and_moving_phase => dk_r4*clipr4*touchr4*overr4;
+            sliding_friction_r4_and_moving_phase => sin_a*dk_r4*side_r4*F_mu_r4_by_k_r4/cos_a + sin_a*dside_r4*F_mu_r4/cos_a
+                + darm_r4*F_mu_r4/r_p + dk_r4*arm_r4*F_mu_r4_by_k_r4/r_p;
+            moving_phase => dk_r4*touchr4*overr4 - dk_s4*touchs4*overs4;
         }
-        u4 theta_c { _ => -h*Z_r*k_r4; }
-        u4 theta_r { _ => h*Z_r*k_r4; }
-        u4 x_s { _ => sin_s4*k_s4; }
-        u4 y_s { _ => -cos_s4*k_s4; }
-        u4 x_r { _ => -sin_r4*k_r4; }
-        u4 y_r { _ => cos_r4*k_r4; }
-        u4 zeta4 { _ => sin_a*k_r4 + sin_a*k_s4; }
-        u4 eta4 { _ => cos_a*k_s4 - cos_a*k_r4; }
-        u4 u4 { _ => -k_r4 - k_s4; }
-        u4 theta_dot { damping => h*I_p*alpha_M/r_p.powi(2) - I_p*alpha_M/(r_p*Z_r); }
-        u4 theta_c_dot { damping => -h*Z_r*beta_K*k_r4_mid - I_p*alpha_M/r_p; }
-        u4 theta_r_dot { damping => h*Z_r*beta_K*k_r4_mid; }
-        u4 x_s_dot { damping => sin_s4*beta_K*k_s4_mid; }
-        u4 y_s_dot { damping => -cos_s4*beta_K*k_s4_mid; }
-        u4 x_r_dot { damping => -sin_r4*beta_K*k_r4_mid; }
-        u4 y_r_dot { damping => cos_r4*beta_K*k_r4_mid; }
-        u4 zeta4_dot { damping => sin_a*beta_K*k_r4_mid + sin_a*beta_K*k_s4_mid; }
-        u4 eta4_dot { damping => cos_a*beta_K*k_s4_mid - cos_a*beta_K*k_r4_mid; }
-        u4 u4_dot { damping => -beta_K*k_r4_mid - beta_K*k_s4_mid - I_p*alpha_M/r_p.powi(2); }
+        u4 theta_c {
+            _ => -h*Z_r*k_r4*touchr4;
+            backlash_r4 => -h*Z_r*k_r4*clipr4*touchr4;
+            sliding_friction_r4 => -h*Z_r*arm_r4*F_mu_r4_by_overr4/r_p - h*sin_a*Z_r*side_r4*F_mu_r4_by_overr4/cos_a;
+        }
+        u4 theta_r {
+            _ => h*Z_r*k_r4*touchr4;
+            backlash_r4 => h*Z_r*k_r4*clipr4*touchr4;
+            sliding_friction_r4 => h*Z_r*arm_r4*F_mu_r4_by_overr4/r_p + h*sin_a*Z_r*side_r4*F_mu_r4_by_overr4/cos_a;
+        }
+        u4 x_s {
+            _ => sin_s4*k_s4*touchs4;
+            backlash_s4 => sin_s4*k_s4*clips4*touchs4;
+            sliding_friction_s4 => sin_a*sin_s4*side_s4*F_mu_s4_by_overs4/cos_a - sin_s4*arm_s4*F_mu_s4_by_overs4/r_p;
+        }
+        u4 y_s {
+            _ => -cos_s4*k_s4*touchs4;
+            backlash_s4 => -cos_s4*k_s4*clips4*touchs4;
+            sliding_friction_s4 => cos_s4*arm_s4*F_mu_s4_by_overs4/r_p - cos_s4*sin_a*side_s4*F_mu_s4_by_overs4/cos_a;
+        }
+        u4 x_r {
+            _ => -sin_r4*k_r4*touchr4;
+            backlash_r4 => -sin_r4*k_r4*clipr4*touchr4;
+            sliding_friction_r4 => -sin_a*sin_r4*side_r4*F_mu_r4_by_overr4/cos_a - sin_r4*arm_r4*F_mu_r4_by_overr4/r_p;
+        }
+        u4 y_r {
+            _ => cos_r4*k_r4*touchr4;
+            backlash_r4 => cos_r4*k_r4*clipr4*touchr4;
+            sliding_friction_r4 => cos_r4*arm_r4*F_mu_r4_by_overr4/r_p + cos_r4*sin_a*side_r4*F_mu_r4_by_overr4/cos_a;
+        }
+        u4 zeta4 {
+            _ => sin_a*k_r4*touchr4 + sin_a*k_s4*touchs4;
+            backlash_s4 => sin_a*k_s4*clips4*touchs4;
+            sliding_friction_s4 => sin_a.powi(2)*side_s4*F_mu_s4_by_overs4/cos_a - sin_a*arm_s4*F_mu_s4_by_overs4/r_p;
+            backlash_r4 => sin_a*k_r4*clipr4*touchr4;
+            sliding_friction_r4 => sin_a.powi(2)*side_r4*F_mu_r4_by_overr4/cos_a + sin_a*arm_r4*F_mu_r4_by_overr4/r_p;
+        }
+        u4 eta4 {
+            _ => cos_a*k_s4*touchs4 - cos_a*k_r4*touchr4;
+            backlash_s4 => cos_a*k_s4*clips4*touchs4;
+            sliding_friction_s4 => sin_a*side_s4*F_mu_s4_by_overs4 - cos_a*arm_s4*F_mu_s4_by_overs4/r_p;
+            backlash_r4 => -cos_a*k_r4*clipr4*touchr4;
+            sliding_friction_r4 => -cos_a*arm_r4*F_mu_r4_by_overr4/r_p - sin_a*side_r4*F_mu_r4_by_overr4;
+        }
+        u4 u4 {
+            _ => -k_r4*touchr4 - k_s4*touchs4;
+            backlash_s4 => -k_s4*clips4*touchs4;
+            sliding_friction_s4 => arm_s4*F_mu_s4_by_overs4/r_p - sin_a*side_s4*F_mu_s4_by_overs4/cos_a;
+            backlash_r4 => -k_r4*clipr4*touchr4;
+            sliding_friction_r4 => -sin_a*side_r4*F_mu_r4_by_overr4/cos_a - arm_r4*F_mu_r4_by_overr4/r_p;
+        }
+        u4 theta_dot {
+            sliding_friction_s4 => roll_s*arm_s4*F_mu_s4_by_psi_s4_dot/r_p - roll_s*sin_a*side_s4*F_mu_s4_by_psi_s4_dot/cos_a;
+            sliding_friction_r4 => roll_r*sin_a*side_r4*F_mu_r4_by_psi_r4_dot/cos_a + roll_r*arm_r4*F_mu_r4_by_psi_r4_dot/r_p;
+            damping => h*I_p*alpha_M/r_p.powi(2) - I_p*alpha_M/(r_p*Z_r);
+        }
+        u4 theta_c_dot {
+            sliding_friction_r4 => -sin_a*side_r4*F_mu_r4_by_psi_r4_dot/cos_a - arm_r4*F_mu_r4_by_psi_r4_dot/r_p;
+            damping => -h*Z_r*beta_K*k_r4_mid*dampr4 - I_p*alpha_M/r_p;
+        }
+        u4 theta_r_dot {
+            sliding_friction_r4 => sin_a*side_r4*F_mu_r4_by_psi_r4_dot/cos_a + arm_r4*F_mu_r4_by_psi_r4_dot/r_p;
+            damping => h*Z_r*beta_K*k_r4_mid*dampr4;
+        }
+        u4 x_s_dot { damping => sin_s4*beta_K*k_s4_mid*damps4; }
+        u4 y_s_dot { damping => -cos_s4*beta_K*k_s4_mid*damps4; }
+        u4 x_r_dot { damping => -sin_r4*beta_K*k_r4_mid*dampr4; }
+        u4 y_r_dot { damping => cos_r4*beta_K*k_r4_mid*dampr4; }
+        u4 zeta4_dot { damping => sin_a*beta_K*k_r4_mid*dampr4 + sin_a*beta_K*k_s4_mid*damps4; }
+        u4 eta4_dot { damping => cos_a*beta_K*k_s4_mid*damps4 - cos_a*beta_K*k_r4_mid*dampr4; }
+        u4 u4_dot {
+            sliding_friction_s4 => sin_a*side_s4*F_mu_s4_by_psi_s4_dot/(cos_a*r_p) - arm_s4*F_mu_s4_by_psi_s4_dot/r_p.powi(2);
+            sliding_friction_r4 => -sin_a*side_r4*F_mu_r4_by_psi_r4_dot/(cos_a*r_p) - arm_r4*F_mu_r4_by_psi_r4_dot/r_p.powi(2);
+            damping => -beta_K*k_r4_mid*dampr4 - beta_K*k_s4_mid*damps4 - I_p*alpha_M/r_p.powi(2);
+        }
         zeta5 theta {
-            transmission_error_s5_and_moving_phase => -sin_a*k_s5*de_s5;
-            transmission_error_r5_and_moving_phase => sin_a*k_r5*de_r5;
-            moving_phase => sin_a*dk_s5*delta_s5 - sin_a*dk_r5*delta_r5;
+            transmission_error_s5_and_backlash_s5_and_moving_phase => -sin_a*k_s5*de_s5*clips5*touchs5;
+            transmission_error_s5_and_sliding_friction_s5_and_moving_phase => cos_a*de_s5*side_s5*F_mu_s5_by_overs5;
+            transmission_error_s5_and_moving_phase => -sin_a*k_s5*de_s5*touchs5;
+            backlash_s5_and_moving_phase => sin_a*dk_s5*clips5*touchs5*overs5;
+            sliding_friction_s5_and_moving_phase => -cos_a*dk_s5*side_s5*F_mu_s5_by_k_s5 - cos_a*dside_s5*F_mu_s5;
+            transmission_error_r5_and_backlash_r5_and_moving_phase => sin_a*k_r5*de_r5*clipr5*touchr5;
+            transmission_error_r5_and_sliding_friction_r5_and_moving_phase => -cos_a*de_r5*side_r5*F_mu_r5_by_overr5;
+            transmission_error_r5_and_moving_phase => sin_a*k_r5*de_r5*touchr5;
+            backlash_r5_and_moving_phase => -sin_a*dk_r5*clipr5*touchr5*overr5;
+            sliding_friction_r5_and_moving_phase => cos_a*dk_r5*side_r5*F_mu_r5_by_k_r5 + cos_a*dside_r5*F_mu_r5;
+            moving_phase => sin_a*dk_s5*touchs5*overs5 - sin_a*dk_r5*touchr5*overr5;
         }
-        zeta5 theta_c { _ => h*sin_a*Z_r*k_r5; }
-        zeta5 theta_r { _ => -h*sin_a*Z_r*k_r5; }
-        zeta5 x_s { _ => -sin_a*sin_s5*k_s5; }
-        zeta5 y_s { _ => cos_s5*sin_a*k_s5; }
+        zeta5 theta_c {
+            _ => h*sin_a*Z_r*k_r5*touchr5;
+            backlash_r5 => h*sin_a*Z_r*k_r5*clipr5*touchr5;
+            sliding_friction_r5 => -cos_a*h*Z_r*side_r5*F_mu_r5_by_overr5;
+        }
+        zeta5 theta_r {
+            _ => -h*sin_a*Z_r*k_r5*touchr5;
+            backlash_r5 => -h*sin_a*Z_r*k_r5*clipr5*touchr5;
+            sliding_friction_r5 => cos_a*h*Z_r*side_r5*F_mu_r5_by_overr5;
+        }
+        zeta5 x_s {
+            _ => -sin_a*sin_s5*k_s5*touchs5;
+            backlash_s5 => -sin_a*sin_s5*k_s5*clips5*touchs5;
+            sliding_friction_s5 => cos_a*sin_s5*side_s5*F_mu_s5_by_overs5;
+        }
+        zeta5 y_s {
+            _ => cos_s5*sin_a*k_s5*touchs5;
+            backlash_s5 => cos_s5*sin_a*k_s5*clips5*touchs5;
+            sliding_friction_s5 => -cos_a*cos_s5*side_s5*F_mu_s5_by_overs5;
+        }
         zeta5 x_c { _ => cos_c5*kb_p; }
         zeta5 y_c { _ => sin_c5*kb_p; }
-        zeta5 x_r { _ => sin_a*sin_r5*k_r5; }
-        zeta5 y_r { _ => -cos_r5*sin_a*k_r5; }
-        zeta5 zeta5 { _ => -kb_p - sin_a.powi(2)*k_r5 - sin_a.powi(2)*k_s5; }
-        zeta5 eta5 { _ => cos_a*sin_a*k_r5 - cos_a*sin_a*k_s5; }
-        zeta5 u5 { _ => sin_a*k_r5 + sin_a*k_s5; }
-        zeta5 theta_c_dot { damping => h*sin_a*Z_r*beta_K*k_r5_mid; }
-        zeta5 theta_r_dot { damping => -h*sin_a*Z_r*beta_K*k_r5_mid; }
-        zeta5 x_s_dot { damping => -sin_a*sin_s5*beta_K*k_s5_mid; }
-        zeta5 y_s_dot { damping => cos_s5*sin_a*beta_K*k_s5_mid; }
+        zeta5 x_r {
+            _ => sin_a*sin_r5*k_r5*touchr5;
+            backlash_r5 => sin_a*sin_r5*k_r5*clipr5*touchr5;
+            sliding_friction_r5 => -cos_a*sin_r5*side_r5*F_mu_r5_by_overr5;
+        }
+        zeta5 y_r {
+            _ => -cos_r5*sin_a*k_r5*touchr5;
+            backlash_r5 => -cos_r5*sin_a*k_r5*clipr5*touchr5;
+            sliding_friction_r5 => cos_a*cos_r5*side_r5*F_mu_r5_by_overr5;
+        }
+        zeta5 zeta5 {
+            _ => -kb_p - sin_a.powi(2)*k_r5*touchr5 - sin_a.powi(2)*k_s5*touchs5;
+            backlash_s5 => -sin_a.powi(2)*k_s5*clips5*touchs5;
+            sliding_friction_s5 => cos_a*sin_a*side_s5*F_mu_s5_by_overs5;
+            backlash_r5 => -sin_a.powi(2)*k_r5*clipr5*touchr5;
+            sliding_friction_r5 => cos_a*sin_a*side_r5*F_mu_r5_by_overr5;
+        }
+        zeta5 eta5 {
+            _ => cos_a*sin_a*k_r5*touchr5 - cos_a*sin_a*k_s5*touchs5;
+            backlash_s5 => -cos_a*sin_a*k_s5*clips5*touchs5;
+            sliding_friction_s5 => cos_a.powi(2)*side_s5*F_mu_s5_by_overs5;
+            backlash_r5 => cos_a*sin_a*k_r5*clipr5*touchr5;
+            sliding_friction_r5 => -cos_a.powi(2)*side_r5*F_mu_r5_by_overr5;
+        }
+        zeta5 u5 {
+            _ => sin_a*k_r5*touchr5 + sin_a*k_s5*touchs5;
+            backlash_s5 => sin_a*k_s5*clips5*touchs5;
+            sliding_friction_s5 => -cos_a*side_s5*F_mu_s5_by_overs5;
+            backlash_r5 => sin_a*k_r5*clipr5*touchr5;
+            sliding_friction_r5 => -cos_a*side_r5*F_mu_r5_by_overr5;
+        }
+        zeta5 theta_dot {
+            sliding_friction_s5 => -cos_a*roll_s*side_s5*F_mu_s5_by_psi_s5_dot;
+            sliding_friction_r5 => cos_a*roll_r*side_r5*F_mu_r5_by_psi_r5_dot;
+        }
+        zeta5 theta_c_dot {
+            sliding_friction_r5 => -cos_a*side_r5*F_mu_r5_by_psi_r5_dot;
+            damping => h*sin_a*Z_r*beta_K*k_r5_mid*dampr5;
+        }
+        zeta5 theta_r_dot {
+            sliding_friction_r5 => cos_a*side_r5*F_mu_r5_by_psi_r5_dot;
+            damping => -h*sin_a*Z_r*beta_K*k_r5_mid*dampr5;
+        }
+        zeta5 x_s_dot { damping => -sin_a*sin_s5*beta_K*k_s5_mid*damps5; }
+        zeta5 y_s_dot { damping => cos_s5*sin_a*beta_K*k_s5_mid*damps5; }
         zeta5 x_c_dot {
             viscous_friction_p => cos_c5*cb_p;
             damping => cos_c5*beta_K*kb_p;
@@ -1641,35 +4737,99 @@ equations! {
             viscous_friction_p => sin_c5*cb_p;
             damping => sin_c5*beta_K*kb_p;
         }
-        zeta5 x_r_dot { damping => sin_a*sin_r5*beta_K*k_r5_mid; }
-        zeta5 y_r_dot { damping => -cos_r5*sin_a*beta_K*k_r5_mid; }
+        zeta5 x_r_dot { damping => sin_a*sin_r5*beta_K*k_r5_mid*dampr5; }
+        zeta5 y_r_dot { damping => -cos_r5*sin_a*beta_K*k_r5_mid*dampr5; }
         zeta5 zeta5_dot {
             viscous_friction_p => -cb_p;
-            damping => -alpha_M*m_p - beta_K*kb_p - sin_a.powi(2)*beta_K*k_r5_mid - sin_a.powi(2)*beta_K*k_s5_mid;
+            damping => -alpha_M*m_p - beta_K*kb_p - sin_a.powi(2)*beta_K*k_r5_mid*dampr5 - sin_a.powi(2)*beta_K*k_s5_mid*damps5;
         }
-        zeta5 eta5_dot { damping => cos_a*sin_a*beta_K*k_r5_mid - cos_a*sin_a*beta_K*k_s5_mid; }
-        zeta5 u5_dot { damping => sin_a*beta_K*k_r5_mid + sin_a*beta_K*k_s5_mid; }
+        zeta5 eta5_dot { damping => cos_a*sin_a*beta_K*k_r5_mid*dampr5 - cos_a*sin_a*beta_K*k_s5_mid*damps5; }
+        zeta5 u5_dot {
+            sliding_friction_s5 => cos_a*side_s5*F_mu_s5_by_psi_s5_dot/r_p;
+            sliding_friction_r5 => -cos_a*side_r5*F_mu_r5_by_psi_r5_dot/r_p;
+            damping => sin_a*beta_K*k_r5_mid*dampr5 + sin_a*beta_K*k_s5_mid*damps5;
+        }
         eta5 theta {
-            transmission_error_s5_and_moving_phase => -cos_a*k_s5*de_s5;
-            transmission_error_r5_and_moving_phase => -cos_a*k_r5*de_r5;
-            moving_phase => cos_a*dk_r5*delta_r5 + cos_a*dk_s5*delta_s5;
+            transmission_error_s5_and_backlash_s5_and_moving_phase => -cos_a*k_s5*de_s5*clips5*touchs5;
+            transmission_error_s5_and_sliding_friction_s5_and_moving_phase => -sin_a*de_s5*side_s5*F_mu_s5_by_overs5;
+            transmission_error_s5_and_moving_phase => -cos_a*k_s5*de_s5*touchs5;
+            backlash_s5_and_moving_phase => cos_a*dk_s5*clips5*touchs5*overs5;
+            sliding_friction_s5_and_moving_phase => sin_a*dk_s5*side_s5*F_mu_s5_by_k_s5 + sin_a*dside_s5*F_mu_s5;
+            transmission_error_r5_and_backlash_r5_and_moving_phase => -cos_a*k_r5*de_r5*clipr5*touchr5;
+            transmission_error_r5_and_sliding_friction_r5_and_moving_phase => -sin_a*de_r5*side_r5*F_mu_r5_by_overr5;
+            transmission_error_r5_and_moving_phase => -cos_a*k_r5*de_r5*touchr5;
+            backlash_r5_and_moving_phase => cos_a*dk_r5*clipr5*touchr5*overr5;
+            sliding_friction_r5_and_moving_phase => sin_a*dk_r5*side_r5*F_mu_r5_by_k_r5 + sin_a*dside_r5*F_mu_r5;
+            moving_phase => cos_a*dk_r5*touchr5*overr5 + cos_a*dk_s5*touchs5*overs5;
         }
-        eta5 theta_c { _ => -cos_a*h*Z_r*k_r5; }
-        eta5 theta_r { _ => cos_a*h*Z_r*k_r5; }
-        eta5 x_s { _ => -cos_a*sin_s5*k_s5; }
-        eta5 y_s { _ => cos_a*cos_s5*k_s5; }
+        eta5 theta_c {
+            _ => -cos_a*h*Z_r*k_r5*touchr5;
+            backlash_r5 => -cos_a*h*Z_r*k_r5*clipr5*touchr5;
+            sliding_friction_r5 => -h*sin_a*Z_r*side_r5*F_mu_r5_by_overr5;
+        }
+        eta5 theta_r {
+            _ => cos_a*h*Z_r*k_r5*touchr5;
+            backlash_r5 => cos_a*h*Z_r*k_r5*clipr5*touchr5;
+            sliding_friction_r5 => h*sin_a*Z_r*side_r5*F_mu_r5_by_overr5;
+        }
+        eta5 x_s {
+            _ => -cos_a*sin_s5*k_s5*touchs5;
+            backlash_s5 => -cos_a*sin_s5*k_s5*clips5*touchs5;
+            sliding_friction_s5 => -sin_a*sin_s5*side_s5*F_mu_s5_by_overs5;
+        }
+        eta5 y_s {
+            _ => cos_a*cos_s5*k_s5*touchs5;
+            backlash_s5 => cos_a*cos_s5*k_s5*clips5*touchs5;
+            sliding_friction_s5 => cos_s5*sin_a*side_s5*F_mu_s5_by_overs5;
+        }
         eta5 x_c { _ => -sin_c5*kb_p; }
         eta5 y_c { _ => cos_c5*kb_p; }
-        eta5 x_r { _ => -cos_a*sin_r5*k_r5; }
-        eta5 y_r { _ => cos_a*cos_r5*k_r5; }
-        eta5 zeta5 { _ => cos_a*sin_a*k_r5 - cos_a*sin_a*k_s5; }
-        eta5 eta5 { _ => -kb_p - cos_a.powi(2)*k_r5 - cos_a.powi(2)*k_s5; }
-        eta5 u5 { _ => cos_a*k_s5 - cos_a*k_r5; }
-        eta5 theta_dot { damping => -a*alpha_M*m_p/Z_r; }
-        eta5 theta_c_dot { damping => -a*alpha_M*m_p - cos_a*h*Z_r*beta_K*k_r5_mid; }
-        eta5 theta_r_dot { damping => cos_a*h*Z_r*beta_K*k_r5_mid; }
-        eta5 x_s_dot { damping => -cos_a*sin_s5*beta_K*k_s5_mid; }
-        eta5 y_s_dot { damping => cos_a*cos_s5*beta_K*k_s5_mid; }
+        eta5 x_r {
+            _ => -cos_a*sin_r5*k_r5*touchr5;
+            backlash_r5 => -cos_a*sin_r5*k_r5*clipr5*touchr5;
+            sliding_friction_r5 => -sin_a*sin_r5*side_r5*F_mu_r5_by_overr5;
+        }
+        eta5 y_r {
+            _ => cos_a*cos_r5*k_r5*touchr5;
+            backlash_r5 => cos_a*cos_r5*k_r5*clipr5*touchr5;
+            sliding_friction_r5 => cos_r5*sin_a*side_r5*F_mu_r5_by_overr5;
+        }
+        eta5 zeta5 {
+            _ => cos_a*sin_a*k_r5*touchr5 - cos_a*sin_a*k_s5*touchs5;
+            backlash_s5 => -cos_a*sin_a*k_s5*clips5*touchs5;
+            sliding_friction_s5 => -sin_a.powi(2)*side_s5*F_mu_s5_by_overs5;
+            backlash_r5 => cos_a*sin_a*k_r5*clipr5*touchr5;
+            sliding_friction_r5 => sin_a.powi(2)*side_r5*F_mu_r5_by_overr5;
+        }
+        eta5 eta5 {
+            _ => -kb_p - cos_a.powi(2)*k_r5*touchr5 - cos_a.powi(2)*k_s5*touchs5;
+            backlash_s5 => -cos_a.powi(2)*k_s5*clips5*touchs5;
+            sliding_friction_s5 => -cos_a*sin_a*side_s5*F_mu_s5_by_overs5;
+            backlash_r5 => -cos_a.powi(2)*k_r5*clipr5*touchr5;
+            sliding_friction_r5 => -cos_a*sin_a*side_r5*F_mu_r5_by_overr5;
+        }
+        eta5 u5 {
+            _ => cos_a*k_s5*touchs5 - cos_a*k_r5*touchr5;
+            backlash_s5 => cos_a*k_s5*clips5*touchs5;
+            sliding_friction_s5 => sin_a*side_s5*F_mu_s5_by_overs5;
+            backlash_r5 => -cos_a*k_r5*clipr5*touchr5;
+            sliding_friction_r5 => -sin_a*side_r5*F_mu_r5_by_overr5;
+        }
+        eta5 theta_dot {
+            sliding_friction_s5 => roll_s*sin_a*side_s5*F_mu_s5_by_psi_s5_dot;
+            sliding_friction_r5 => roll_r*sin_a*side_r5*F_mu_r5_by_psi_r5_dot;
+            damping => -a*alpha_M*m_p/Z_r;
+        }
+        eta5 theta_c_dot {
+            sliding_friction_r5 => -sin_a*side_r5*F_mu_r5_by_psi_r5_dot;
+            damping => -a*alpha_M*m_p - cos_a*h*Z_r*beta_K*k_r5_mid*dampr5;
+        }
+        eta5 theta_r_dot {
+            sliding_friction_r5 => sin_a*side_r5*F_mu_r5_by_psi_r5_dot;
+            damping => cos_a*h*Z_r*beta_K*k_r5_mid*dampr5;
+        }
+        eta5 x_s_dot { damping => -cos_a*sin_s5*beta_K*k_s5_mid*damps5; }
+        eta5 y_s_dot { damping => cos_a*cos_s5*beta_K*k_s5_mid*damps5; }
         eta5 x_c_dot {
             viscous_friction_p => -sin_c5*cb_p;
             damping => -sin_c5*beta_K*kb_p;
@@ -1678,38 +4838,110 @@ equations! {
             viscous_friction_p => cos_c5*cb_p;
             damping => cos_c5*beta_K*kb_p;
         }
-        eta5 x_r_dot { damping => -cos_a*sin_r5*beta_K*k_r5_mid; }
-        eta5 y_r_dot { damping => cos_a*cos_r5*beta_K*k_r5_mid; }
-        eta5 zeta5_dot { damping => cos_a*sin_a*beta_K*k_r5_mid - cos_a*sin_a*beta_K*k_s5_mid; }
+        eta5 x_r_dot { damping => -cos_a*sin_r5*beta_K*k_r5_mid*dampr5; }
+        eta5 y_r_dot { damping => cos_a*cos_r5*beta_K*k_r5_mid*dampr5; }
+        eta5 zeta5_dot { damping => cos_a*sin_a*beta_K*k_r5_mid*dampr5 - cos_a*sin_a*beta_K*k_s5_mid*damps5; }
         eta5 eta5_dot {
             viscous_friction_p => -cb_p;
-            damping => -alpha_M*m_p - beta_K*kb_p - cos_a.powi(2)*beta_K*k_r5_mid - cos_a.powi(2)*beta_K*k_s5_mid;
+            damping => -alpha_M*m_p - beta_K*kb_p - cos_a.powi(2)*beta_K*k_r5_mid*dampr5 - cos_a.powi(2)*beta_K*k_s5_mid*damps5;
         }
-        eta5 u5_dot { damping => cos_a*beta_K*k_s5_mid - cos_a*beta_K*k_r5_mid; }
+        eta5 u5_dot {
+            sliding_friction_s5 => -sin_a*side_s5*F_mu_s5_by_psi_s5_dot/r_p;
+            sliding_friction_r5 => -sin_a*side_r5*F_mu_r5_by_psi_r5_dot/r_p;
+            damping => cos_a*beta_K*k_s5_mid*damps5 - cos_a*beta_K*k_r5_mid*dampr5;
+        }
         u5 theta {
-            transmission_error_s5_and_moving_phase => k_s5*de_s5;
-            transmission_error_r5_and_moving_phase => -k_r5*de_r5;
-            moving_phase => dk_r5*delta_r5 - dk_s5*delta_s5;
+            transmission_error_s5_and_backlash_s5_and_moving_phase => k_s5*de_s5*clips5*touchs5;
+            transmission_error_s5_and_sliding_friction_s5_and_moving_phase => sin_a*de_s5*side_s5*F_mu_s5_by_overs5/cos_a
+                - de_s5*arm_s5*F_mu_s5_by_overs5/r_p;
+            transmission_error_s5_and_moving_phase => k_s5*de_s5*touchs5;
+            backlash_s5_and_moving_phase => -dk_s5*clips5*touchs5*overs5;
+            sliding_friction_s5_and_moving_phase => darm_s5*F_mu_s5/r_p - sin_a*dk_s5*side_s5*F_mu_s5_by_k_s5/cos_a
+                - sin_a*dside_s5*F_mu_s5/cos_a + dk_s5*arm_s5*F_mu_s5_by_k_s5/r_p;
+            transmission_error_r5_and_backlash_r5_and_moving_phase => -k_r5*de_r5*clipr5*touchr5;
+            transmission_error_r5_and_sliding_friction_r5_and_moving_phase => -sin_a*de_r5*side_r5*F_mu_r5_by_overr5/cos_a
+                - de_r5*arm_r5*F_mu_r5_by_overr5/r_p;
+            transmission_error_r5_and_moving_phase => -k_r5*de_r5*touchr5;
+            backlash_r5_and_moving_phase => dk_r5*clipr5*touchr5*overr5;
+            sliding_friction_r5_and_moving_phase => sin_a*dk_r5*side_r5*F_mu_r5_by_k_r5/cos_a + sin_a*dside_r5*F_mu_r5/cos_a
+                + darm_r5*F_mu_r5/r_p + dk_r5*arm_r5*F_mu_r5_by_k_r5/r_p;
+            moving_phase => dk_r5*touchr5*overr5 - dk_s5*touchs5*overs5;
         }
-        u5 theta_c { _ => -h*Z_r*k_r5; }
-        u5 theta_r { _ => h*Z_r*k_r5; }
-        u5 x_s { _ => sin_s5*k_s5; }
-        u5 y_s { _ => -cos_s5*k_s5; }
-        u5 x_r { _ => -sin_r5*k_r5; }
-        u5 y_r { _ => cos_r5*k_r5; }
-        u5 zeta5 { _ => sin_a*k_r5 + sin_a*k_s5; }
-        u5 eta5 { _ => cos_a*k_s5 - cos_a*k_r5; }
-        u5 u5 { _ => -k_r5 - k_s5; }
-        u5 theta_dot { damping => h*I_p*alpha_M/r_p.powi(2) - I_p*alpha_M/(r_p*Z_r); }
-        u5 theta_c_dot { damping => -h*Z_r*beta_K*k_r5_mid - I_p*alpha_M/r_p; }
-        u5 theta_r_dot { damping => h*Z_r*beta_K*k_r5_mid; }
-        u5 x_s_dot { damping => sin_s5*beta_K*k_s5_mid; }
-        u5 y_s_dot { damping => -cos_s5*beta_K*k_s5_mid; }
-        u5 x_r_dot { damping => -sin_r5*beta_K*k_r5_mid; }
-        u5 y_r_dot { damping => cos_r5*beta_K*k_r5_mid; }
-        u5 zeta5_dot { damping => sin_a*beta_K*k_r5_mid + sin_a*beta_K*k_s5_mid; }
-        u5 eta5_dot { damping => cos_a*beta_K*k_s5_mid - cos_a*beta_K*k_r5_mid; }
-        u5 u5_dot { damping => -beta_K*k_r5_mid - beta_K*k_s5_mid - I_p*alpha_M/r_p.powi(2); }
+        u5 theta_c {
+            _ => -h*Z_r*k_r5*touchr5;
+            backlash_r5 => -h*Z_r*k_r5*clipr5*touchr5;
+            sliding_friction_r5 => -h*Z_r*arm_r5*F_mu_r5_by_overr5/r_p - h*sin_a*Z_r*side_r5*F_mu_r5_by_overr5/cos_a;
+        }
+        u5 theta_r {
+            _ => h*Z_r*k_r5*touchr5;
+            backlash_r5 => h*Z_r*k_r5*clipr5*touchr5;
+            sliding_friction_r5 => h*Z_r*arm_r5*F_mu_r5_by_overr5/r_p + h*sin_a*Z_r*side_r5*F_mu_r5_by_overr5/cos_a;
+        }
+        u5 x_s {
+            _ => sin_s5*k_s5*touchs5;
+            backlash_s5 => sin_s5*k_s5*clips5*touchs5;
+            sliding_friction_s5 => sin_a*sin_s5*side_s5*F_mu_s5_by_overs5/cos_a - sin_s5*arm_s5*F_mu_s5_by_overs5/r_p;
+        }
+        u5 y_s {
+            _ => -cos_s5*k_s5*touchs5;
+            backlash_s5 => -cos_s5*k_s5*clips5*touchs5;
+            sliding_friction_s5 => cos_s5*arm_s5*F_mu_s5_by_overs5/r_p - cos_s5*sin_a*side_s5*F_mu_s5_by_overs5/cos_a;
+        }
+        u5 x_r {
+            _ => -sin_r5*k_r5*touchr5;
+            backlash_r5 => -sin_r5*k_r5*clipr5*touchr5;
+            sliding_friction_r5 => -sin_a*sin_r5*side_r5*F_mu_r5_by_overr5/cos_a - sin_r5*arm_r5*F_mu_r5_by_overr5/r_p;
+        }
+        u5 y_r {
+            _ => cos_r5*k_r5*touchr5;
+            backlash_r5 => cos_r5*k_r5*clipr5*touchr5;
+            sliding_friction_r5 => cos_r5*arm_r5*F_mu_r5_by_overr5/r_p + cos_r5*sin_a*side_r5*F_mu_r5_by_overr5/cos_a;
+        }
+        u5 zeta5 {
+            _ => sin_a*k_r5*touchr5 + sin_a*k_s5*touchs5;
+            backlash_s5 => sin_a*k_s5*clips5*touchs5;
+            sliding_friction_s5 => sin_a.powi(2)*side_s5*F_mu_s5_by_overs5/cos_a - sin_a*arm_s5*F_mu_s5_by_overs5/r_p;
+            backlash_r5 => sin_a*k_r5*clipr5*touchr5;
+            sliding_friction_r5 => sin_a.powi(2)*side_r5*F_mu_r5_by_overr5/cos_a + sin_a*arm_r5*F_mu_r5_by_overr5/r_p;
+        }
+        u5 eta5 {
+            _ => cos_a*k_s5*touchs5 - cos_a*k_r5*touchr5;
+            backlash_s5 => cos_a*k_s5*clips5*touchs5;
+            sliding_friction_s5 => sin_a*side_s5*F_mu_s5_by_overs5 - cos_a*arm_s5*F_mu_s5_by_overs5/r_p;
+            backlash_r5 => -cos_a*k_r5*clipr5*touchr5;
+            sliding_friction_r5 => -cos_a*arm_r5*F_mu_r5_by_overr5/r_p - sin_a*side_r5*F_mu_r5_by_overr5;
+        }
+        u5 u5 {
+            _ => -k_r5*touchr5 - k_s5*touchs5;
+            backlash_s5 => -k_s5*clips5*touchs5;
+            sliding_friction_s5 => arm_s5*F_mu_s5_by_overs5/r_p - sin_a*side_s5*F_mu_s5_by_overs5/cos_a;
+            backlash_r5 => -k_r5*clipr5*touchr5;
+            sliding_friction_r5 => -sin_a*side_r5*F_mu_r5_by_overr5/cos_a - arm_r5*F_mu_r5_by_overr5/r_p;
+        }
+        u5 theta_dot {
+            sliding_friction_s5 => roll_s*arm_s5*F_mu_s5_by_psi_s5_dot/r_p - roll_s*sin_a*side_s5*F_mu_s5_by_psi_s5_dot/cos_a;
+            sliding_friction_r5 => roll_r*sin_a*side_r5*F_mu_r5_by_psi_r5_dot/cos_a + roll_r*arm_r5*F_mu_r5_by_psi_r5_dot/r_p;
+            damping => h*I_p*alpha_M/r_p.powi(2) - I_p*alpha_M/(r_p*Z_r);
+        }
+        u5 theta_c_dot {
+            sliding_friction_r5 => -sin_a*side_r5*F_mu_r5_by_psi_r5_dot/cos_a - arm_r5*F_mu_r5_by_psi_r5_dot/r_p;
+            damping => -h*Z_r*beta_K*k_r5_mid*dampr5 - I_p*alpha_M/r_p;
+        }
+        u5 theta_r_dot {
+            sliding_friction_r5 => sin_a*side_r5*F_mu_r5_by_psi_r5_dot/cos_a + arm_r5*F_mu_r5_by_psi_r5_dot/r_p;
+            damping => h*Z_r*beta_K*k_r5_mid*dampr5;
+        }
+        u5 x_s_dot { damping => sin_s5*beta_K*k_s5_mid*damps5; }
+        u5 y_s_dot { damping => -cos_s5*beta_K*k_s5_mid*damps5; }
+        u5 x_r_dot { damping => -sin_r5*beta_K*k_r5_mid*dampr5; }
+        u5 y_r_dot { damping => cos_r5*beta_K*k_r5_mid*dampr5; }
+        u5 zeta5_dot { damping => sin_a*beta_K*k_r5_mid*dampr5 + sin_a*beta_K*k_s5_mid*damps5; }
+        u5 eta5_dot { damping => cos_a*beta_K*k_s5_mid*damps5 - cos_a*beta_K*k_r5_mid*dampr5; }
+        u5 u5_dot {
+            sliding_friction_s5 => sin_a*side_s5*F_mu_s5_by_psi_s5_dot/(cos_a*r_p) - arm_s5*F_mu_s5_by_psi_s5_dot/r_p.powi(2);
+            sliding_friction_r5 => -sin_a*side_r5*F_mu_r5_by_psi_r5_dot/(cos_a*r_p) - arm_r5*F_mu_r5_by_psi_r5_dot/r_p.powi(2);
+            damping => -beta_K*k_r5_mid*dampr5 - beta_K*k_s5_mid*damps5 - I_p*alpha_M/r_p.powi(2);
+        }
     }
     cell {
         stiffness {
@@ -1722,90 +4954,337 @@ equations! {
                 torsional_support_c => k_c/Z_r;
             }
             theta_c theta_c {
-                _ => h.powi(2)*Z_r.powi(2)*k_r1 + h.powi(2)*Z_r.powi(2)*k_r2 + h.powi(2)*Z_r.powi(2)*k_r3 + h.powi(2)*Z_r.powi(2)*k_r4
-                    + h.powi(2)*Z_r.powi(2)*k_r5;
+                _ => h.powi(2)*Z_r.powi(2)*k_r1*touchr1 + h.powi(2)*Z_r.powi(2)*k_r2*touchr2 + h.powi(2)*Z_r.powi(2)*k_r3*touchr3
+                    + h.powi(2)*Z_r.powi(2)*k_r4*touchr4 + h.powi(2)*Z_r.powi(2)*k_r5*touchr5;
                 torsional_support_s => k_s;
                 torsional_support_c => k_c;
+                backlash_r1 => h.powi(2)*Z_r.powi(2)*k_r1*clipr1*touchr1;
+                backlash_r2 => h.powi(2)*Z_r.powi(2)*k_r2*clipr2*touchr2;
+                backlash_r3 => h.powi(2)*Z_r.powi(2)*k_r3*clipr3*touchr3;
+                backlash_r4 => h.powi(2)*Z_r.powi(2)*k_r4*clipr4*touchr4;
+                backlash_r5 => h.powi(2)*Z_r.powi(2)*k_r5*clipr5*touchr5;
             }
             theta_c theta_r {
-                _ => -h.powi(2)*Z_r.powi(2)*k_r1 - h.powi(2)*Z_r.powi(2)*k_r2 - h.powi(2)*Z_r.powi(2)*k_r3 - h.powi(2)*Z_r.powi(2)*k_r4
-                    - h.powi(2)*Z_r.powi(2)*k_r5;
+                _ => -h.powi(2)*Z_r.powi(2)*k_r1*touchr1 - h.powi(2)*Z_r.powi(2)*k_r2*touchr2 - h.powi(2)*Z_r.powi(2)*k_r3*touchr3
+                    - h.powi(2)*Z_r.powi(2)*k_r4*touchr4 - h.powi(2)*Z_r.powi(2)*k_r5*touchr5;
+                backlash_r1 => -h.powi(2)*Z_r.powi(2)*k_r1*clipr1*touchr1;
+                backlash_r2 => -h.powi(2)*Z_r.powi(2)*k_r2*clipr2*touchr2;
+                backlash_r3 => -h.powi(2)*Z_r.powi(2)*k_r3*clipr3*touchr3;
+                backlash_r4 => -h.powi(2)*Z_r.powi(2)*k_r4*clipr4*touchr4;
+                backlash_r5 => -h.powi(2)*Z_r.powi(2)*k_r5*clipr5*touchr5;
             }
-            theta_c x_r { _ => h*sin_r1*Z_r*k_r1 + h*sin_r2*Z_r*k_r2 + h*sin_r3*Z_r*k_r3 + h*sin_r4*Z_r*k_r4 + h*sin_r5*Z_r*k_r5; }
-            theta_c y_r { _ => -cos_r1*h*Z_r*k_r1 - cos_r2*h*Z_r*k_r2 - cos_r3*h*Z_r*k_r3 - cos_r4*h*Z_r*k_r4 - cos_r5*h*Z_r*k_r5; }
-            theta_c zeta1 { _ => -h*sin_a*Z_r*k_r1; }
-            theta_c eta1 { _ => cos_a*h*Z_r*k_r1; }
-            theta_c u1 { _ => h*Z_r*k_r1; }
-            theta_c zeta2 { _ => -h*sin_a*Z_r*k_r2; }
-            theta_c eta2 { _ => cos_a*h*Z_r*k_r2; }
-            theta_c u2 { _ => h*Z_r*k_r2; }
-            theta_c zeta3 { _ => -h*sin_a*Z_r*k_r3; }
-            theta_c eta3 { _ => cos_a*h*Z_r*k_r3; }
-            theta_c u3 { _ => h*Z_r*k_r3; }
-            theta_c zeta4 { _ => -h*sin_a*Z_r*k_r4; }
-            theta_c eta4 { _ => cos_a*h*Z_r*k_r4; }
-            theta_c u4 { _ => h*Z_r*k_r4; }
-            theta_c zeta5 { _ => -h*sin_a*Z_r*k_r5; }
-            theta_c eta5 { _ => cos_a*h*Z_r*k_r5; }
-            theta_c u5 { _ => h*Z_r*k_r5; }
+            theta_c x_r {
+                _ => h*sin_r1*Z_r*k_r1*touchr1 + h*sin_r2*Z_r*k_r2*touchr2 + h*sin_r3*Z_r*k_r3*touchr3 + h*sin_r4*Z_r*k_r4*touchr4
+                    + h*sin_r5*Z_r*k_r5*touchr5;
+                backlash_r1 => h*sin_r1*Z_r*k_r1*clipr1*touchr1;
+                backlash_r2 => h*sin_r2*Z_r*k_r2*clipr2*touchr2;
+                backlash_r3 => h*sin_r3*Z_r*k_r3*clipr3*touchr3;
+                backlash_r4 => h*sin_r4*Z_r*k_r4*clipr4*touchr4;
+                backlash_r5 => h*sin_r5*Z_r*k_r5*clipr5*touchr5;
+            }
+            theta_c y_r {
+                _ => -cos_r1*h*Z_r*k_r1*touchr1 - cos_r2*h*Z_r*k_r2*touchr2 - cos_r3*h*Z_r*k_r3*touchr3 - cos_r4*h*Z_r*k_r4*touchr4
+                    - cos_r5*h*Z_r*k_r5*touchr5;
+                backlash_r1 => -cos_r1*h*Z_r*k_r1*clipr1*touchr1;
+                backlash_r2 => -cos_r2*h*Z_r*k_r2*clipr2*touchr2;
+                backlash_r3 => -cos_r3*h*Z_r*k_r3*clipr3*touchr3;
+                backlash_r4 => -cos_r4*h*Z_r*k_r4*clipr4*touchr4;
+                backlash_r5 => -cos_r5*h*Z_r*k_r5*clipr5*touchr5;
+            }
+            theta_c zeta1 {
+                _ => -h*sin_a*Z_r*k_r1*touchr1;
+                backlash_r1 => -h*sin_a*Z_r*k_r1*clipr1*touchr1;
+            }
+            theta_c eta1 {
+                _ => cos_a*h*Z_r*k_r1*touchr1;
+                backlash_r1 => cos_a*h*Z_r*k_r1*clipr1*touchr1;
+            }
+            theta_c u1 {
+                _ => h*Z_r*k_r1*touchr1;
+                backlash_r1 => h*Z_r*k_r1*clipr1*touchr1;
+            }
+            theta_c zeta2 {
+                _ => -h*sin_a*Z_r*k_r2*touchr2;
+                backlash_r2 => -h*sin_a*Z_r*k_r2*clipr2*touchr2;
+            }
+            theta_c eta2 {
+                _ => cos_a*h*Z_r*k_r2*touchr2;
+                backlash_r2 => cos_a*h*Z_r*k_r2*clipr2*touchr2;
+            }
+            theta_c u2 {
+                _ => h*Z_r*k_r2*touchr2;
+                backlash_r2 => h*Z_r*k_r2*clipr2*touchr2;
+            }
+            theta_c zeta3 {
+                _ => -h*sin_a*Z_r*k_r3*touchr3;
+                backlash_r3 => -h*sin_a*Z_r*k_r3*clipr3*touchr3;
+            }
+            theta_c eta3 {
+                _ => cos_a*h*Z_r*k_r3*touchr3;
+                backlash_r3 => cos_a*h*Z_r*k_r3*clipr3*touchr3;
+            }
+            theta_c u3 {
+                _ => h*Z_r*k_r3*touchr3;
+                backlash_r3 => h*Z_r*k_r3*clipr3*touchr3;
+            }
+            theta_c zeta4 {
+                _ => -h*sin_a*Z_r*k_r4*touchr4;
+                backlash_r4 => -h*sin_a*Z_r*k_r4*clipr4*touchr4;
+            }
+            theta_c eta4 {
+                _ => cos_a*h*Z_r*k_r4*touchr4;
+                backlash_r4 => cos_a*h*Z_r*k_r4*clipr4*touchr4;
+            }
+            theta_c u4 {
+                _ => h*Z_r*k_r4*touchr4;
+                backlash_r4 => h*Z_r*k_r4*clipr4*touchr4;
+            }
+            theta_c zeta5 {
+                _ => -h*sin_a*Z_r*k_r5*touchr5;
+                backlash_r5 => -h*sin_a*Z_r*k_r5*clipr5*touchr5;
+            }
+            theta_c eta5 {
+                _ => cos_a*h*Z_r*k_r5*touchr5;
+                backlash_r5 => cos_a*h*Z_r*k_r5*clipr5*touchr5;
+            }
+            theta_c u5 {
+                _ => h*Z_r*k_r5*touchr5;
+                backlash_r5 => h*Z_r*k_r5*clipr5*touchr5;
+            }
             theta_r theta_r {
-                _ => k_r + h.powi(2)*Z_r.powi(2)*k_r1 + h.powi(2)*Z_r.powi(2)*k_r2 + h.powi(2)*Z_r.powi(2)*k_r3
-                    + h.powi(2)*Z_r.powi(2)*k_r4 + h.powi(2)*Z_r.powi(2)*k_r5;
+                _ => k_r + h.powi(2)*Z_r.powi(2)*k_r1*touchr1 + h.powi(2)*Z_r.powi(2)*k_r2*touchr2 + h.powi(2)*Z_r.powi(2)*k_r3*touchr3
+                    + h.powi(2)*Z_r.powi(2)*k_r4*touchr4 + h.powi(2)*Z_r.powi(2)*k_r5*touchr5;
+                backlash_r1 => h.powi(2)*Z_r.powi(2)*k_r1*clipr1*touchr1;
+                backlash_r2 => h.powi(2)*Z_r.powi(2)*k_r2*clipr2*touchr2;
+                backlash_r3 => h.powi(2)*Z_r.powi(2)*k_r3*clipr3*touchr3;
+                backlash_r4 => h.powi(2)*Z_r.powi(2)*k_r4*clipr4*touchr4;
+                backlash_r5 => h.powi(2)*Z_r.powi(2)*k_r5*clipr5*touchr5;
             }
-            theta_r x_r { _ => -h*sin_r1*Z_r*k_r1 - h*sin_r2*Z_r*k_r2 - h*sin_r3*Z_r*k_r3 - h*sin_r4*Z_r*k_r4 - h*sin_r5*Z_r*k_r5; }
-            theta_r y_r { _ => cos_r1*h*Z_r*k_r1 + cos_r2*h*Z_r*k_r2 + cos_r3*h*Z_r*k_r3 + cos_r4*h*Z_r*k_r4 + cos_r5*h*Z_r*k_r5; }
-            theta_r zeta1 { _ => h*sin_a*Z_r*k_r1; }
-            theta_r eta1 { _ => -cos_a*h*Z_r*k_r1; }
-            theta_r u1 { _ => -h*Z_r*k_r1; }
-            theta_r zeta2 { _ => h*sin_a*Z_r*k_r2; }
-            theta_r eta2 { _ => -cos_a*h*Z_r*k_r2; }
-            theta_r u2 { _ => -h*Z_r*k_r2; }
-            theta_r zeta3 { _ => h*sin_a*Z_r*k_r3; }
-            theta_r eta3 { _ => -cos_a*h*Z_r*k_r3; }
-            theta_r u3 { _ => -h*Z_r*k_r3; }
-            theta_r zeta4 { _ => h*sin_a*Z_r*k_r4; }
-            theta_r eta4 { _ => -cos_a*h*Z_r*k_r4; }
-            theta_r u4 { _ => -h*Z_r*k_r4; }
-            theta_r zeta5 { _ => h*sin_a*Z_r*k_r5; }
-            theta_r eta5 { _ => -cos_a*h*Z_r*k_r5; }
-            theta_r u5 { _ => -h*Z_r*k_r5; }
+            theta_r x_r {
+                _ => -h*sin_r1*Z_r*k_r1*touchr1 - h*sin_r2*Z_r*k_r2*touchr2 - h*sin_r3*Z_r*k_r3*touchr3 - h*sin_r4*Z_r*k_r4*touchr4
+                    - h*sin_r5*Z_r*k_r5*touchr5;
+                backlash_r1 => -h*sin_r1*Z_r*k_r1*clipr1*touchr1;
+                backlash_r2 => -h*sin_r2*Z_r*k_r2*clipr2*touchr2;
+                backlash_r3 => -h*sin_r3*Z_r*k_r3*clipr3*touchr3;
+                backlash_r4 => -h*sin_r4*Z_r*k_r4*clipr4*touchr4;
+                backlash_r5 => -h*sin_r5*Z_r*k_r5*clipr5*touchr5;
+            }
+            theta_r y_r {
+                _ => cos_r1*h*Z_r*k_r1*touchr1 + cos_r2*h*Z_r*k_r2*touchr2 + cos_r3*h*Z_r*k_r3*touchr3 + cos_r4*h*Z_r*k_r4*touchr4
+                    + cos_r5*h*Z_r*k_r5*touchr5;
+                backlash_r1 => cos_r1*h*Z_r*k_r1*clipr1*touchr1;
+                backlash_r2 => cos_r2*h*Z_r*k_r2*clipr2*touchr2;
+                backlash_r3 => cos_r3*h*Z_r*k_r3*clipr3*touchr3;
+                backlash_r4 => cos_r4*h*Z_r*k_r4*clipr4*touchr4;
+                backlash_r5 => cos_r5*h*Z_r*k_r5*clipr5*touchr5;
+            }
+            theta_r zeta1 {
+                _ => h*sin_a*Z_r*k_r1*touchr1;
+                backlash_r1 => h*sin_a*Z_r*k_r1*clipr1*touchr1;
+            }
+            theta_r eta1 {
+                _ => -cos_a*h*Z_r*k_r1*touchr1;
+                backlash_r1 => -cos_a*h*Z_r*k_r1*clipr1*touchr1;
+            }
+            theta_r u1 {
+                _ => -h*Z_r*k_r1*touchr1;
+                backlash_r1 => -h*Z_r*k_r1*clipr1*touchr1;
+            }
+            theta_r zeta2 {
+                _ => h*sin_a*Z_r*k_r2*touchr2;
+                backlash_r2 => h*sin_a*Z_r*k_r2*clipr2*touchr2;
+            }
+            theta_r eta2 {
+                _ => -cos_a*h*Z_r*k_r2*touchr2;
+                backlash_r2 => -cos_a*h*Z_r*k_r2*clipr2*touchr2;
+            }
+            theta_r u2 {
+                _ => -h*Z_r*k_r2*touchr2;
+                backlash_r2 => -h*Z_r*k_r2*clipr2*touchr2;
+            }
+            theta_r zeta3 {
+                _ => h*sin_a*Z_r*k_r3*touchr3;
+                backlash_r3 => h*sin_a*Z_r*k_r3*clipr3*touchr3;
+            }
+            theta_r eta3 {
+                _ => -cos_a*h*Z_r*k_r3*touchr3;
+                backlash_r3 => -cos_a*h*Z_r*k_r3*clipr3*touchr3;
+            }
+            theta_r u3 {
+                _ => -h*Z_r*k_r3*touchr3;
+                backlash_r3 => -h*Z_r*k_r3*clipr3*touchr3;
+            }
+            theta_r zeta4 {
+                _ => h*sin_a*Z_r*k_r4*touchr4;
+                backlash_r4 => h*sin_a*Z_r*k_r4*clipr4*touchr4;
+            }
+            theta_r eta4 {
+                _ => -cos_a*h*Z_r*k_r4*touchr4;
+                backlash_r4 => -cos_a*h*Z_r*k_r4*clipr4*touchr4;
+            }
+            theta_r u4 {
+                _ => -h*Z_r*k_r4*touchr4;
+                backlash_r4 => -h*Z_r*k_r4*clipr4*touchr4;
+            }
+            theta_r zeta5 {
+                _ => h*sin_a*Z_r*k_r5*touchr5;
+                backlash_r5 => h*sin_a*Z_r*k_r5*clipr5*touchr5;
+            }
+            theta_r eta5 {
+                _ => -cos_a*h*Z_r*k_r5*touchr5;
+                backlash_r5 => -cos_a*h*Z_r*k_r5*clipr5*touchr5;
+            }
+            theta_r u5 {
+                _ => -h*Z_r*k_r5*touchr5;
+                backlash_r5 => -h*Z_r*k_r5*clipr5*touchr5;
+            }
             x_s x_s {
-                _ => kb_s + sin_s1.powi(2)*k_s1 + sin_s2.powi(2)*k_s2 + sin_s3.powi(2)*k_s3 + sin_s4.powi(2)*k_s4 + sin_s5.powi(2)*k_s5;
+                _ => kb_s + sin_s1.powi(2)*k_s1*touchs1 + sin_s2.powi(2)*k_s2*touchs2 + sin_s3.powi(2)*k_s3*touchs3
+                    + sin_s4.powi(2)*k_s4*touchs4 + sin_s5.powi(2)*k_s5*touchs5;
+                backlash_s1 => sin_s1.powi(2)*k_s1*clips1*touchs1;
+                backlash_s2 => sin_s2.powi(2)*k_s2*clips2*touchs2;
+                backlash_s3 => sin_s3.powi(2)*k_s3*clips3*touchs3;
+                backlash_s4 => sin_s4.powi(2)*k_s4*clips4*touchs4;
+                backlash_s5 => sin_s5.powi(2)*k_s5*clips5*touchs5;
             }
-            x_s y_s { _ => -cos_s1*sin_s1*k_s1 - cos_s2*sin_s2*k_s2 - cos_s3*sin_s3*k_s3 - cos_s4*sin_s4*k_s4 - cos_s5*sin_s5*k_s5; }
-            x_s zeta1 { _ => sin_a*sin_s1*k_s1; }
-            x_s eta1 { _ => cos_a*sin_s1*k_s1; }
-            x_s u1 { _ => -sin_s1*k_s1; }
-            x_s zeta2 { _ => sin_a*sin_s2*k_s2; }
-            x_s eta2 { _ => cos_a*sin_s2*k_s2; }
-            x_s u2 { _ => -sin_s2*k_s2; }
-            x_s zeta3 { _ => sin_a*sin_s3*k_s3; }
-            x_s eta3 { _ => cos_a*sin_s3*k_s3; }
-            x_s u3 { _ => -sin_s3*k_s3; }
-            x_s zeta4 { _ => sin_a*sin_s4*k_s4; }
-            x_s eta4 { _ => cos_a*sin_s4*k_s4; }
-            x_s u4 { _ => -sin_s4*k_s4; }
-            x_s zeta5 { _ => sin_a*sin_s5*k_s5; }
-            x_s eta5 { _ => cos_a*sin_s5*k_s5; }
-            x_s u5 { _ => -sin_s5*k_s5; }
+            x_s y_s {
+                _ => -cos_s1*sin_s1*k_s1*touchs1 - cos_s2*sin_s2*k_s2*touchs2 - cos_s3*sin_s3*k_s3*touchs3 - cos_s4*sin_s4*k_s4*touchs4
+                    - cos_s5*sin_s5*k_s5*touchs5;
+                backlash_s1 => -cos_s1*sin_s1*k_s1*clips1*touchs1;
+                backlash_s2 => -cos_s2*sin_s2*k_s2*clips2*touchs2;
+                backlash_s3 => -cos_s3*sin_s3*k_s3*clips3*touchs3;
+                backlash_s4 => -cos_s4*sin_s4*k_s4*clips4*touchs4;
+                backlash_s5 => -cos_s5*sin_s5*k_s5*clips5*touchs5;
+            }
+            x_s zeta1 {
+                _ => sin_a*sin_s1*k_s1*touchs1;
+                backlash_s1 => sin_a*sin_s1*k_s1*clips1*touchs1;
+            }
+            x_s eta1 {
+                _ => cos_a*sin_s1*k_s1*touchs1;
+                backlash_s1 => cos_a*sin_s1*k_s1*clips1*touchs1;
+            }
+            x_s u1 {
+                _ => -sin_s1*k_s1*touchs1;
+                backlash_s1 => -sin_s1*k_s1*clips1*touchs1;
+            }
+            x_s zeta2 {
+                _ => sin_a*sin_s2*k_s2*touchs2;
+                backlash_s2 => sin_a*sin_s2*k_s2*clips2*touchs2;
+            }
+            x_s eta2 {
+                _ => cos_a*sin_s2*k_s2*touchs2;
+                backlash_s2 => cos_a*sin_s2*k_s2*clips2*touchs2;
+            }
+            x_s u2 {
+                _ => -sin_s2*k_s2*touchs2;
+                backlash_s2 => -sin_s2*k_s2*clips2*touchs2;
+            }
+            x_s zeta3 {
+                _ => sin_a*sin_s3*k_s3*touchs3;
+                backlash_s3 => sin_a*sin_s3*k_s3*clips3*touchs3;
+            }
+            x_s eta3 {
+                _ => cos_a*sin_s3*k_s3*touchs3;
+                backlash_s3 => cos_a*sin_s3*k_s3*clips3*touchs3;
+            }
+            x_s u3 {
+                _ => -sin_s3*k_s3*touchs3;
+                backlash_s3 => -sin_s3*k_s3*clips3*touchs3;
+            }
+            x_s zeta4 {
+                _ => sin_a*sin_s4*k_s4*touchs4;
+                backlash_s4 => sin_a*sin_s4*k_s4*clips4*touchs4;
+            }
+            x_s eta4 {
+                _ => cos_a*sin_s4*k_s4*touchs4;
+                backlash_s4 => cos_a*sin_s4*k_s4*clips4*touchs4;
+            }
+            x_s u4 {
+                _ => -sin_s4*k_s4*touchs4;
+                backlash_s4 => -sin_s4*k_s4*clips4*touchs4;
+            }
+            x_s zeta5 {
+                _ => sin_a*sin_s5*k_s5*touchs5;
+                backlash_s5 => sin_a*sin_s5*k_s5*clips5*touchs5;
+            }
+            x_s eta5 {
+                _ => cos_a*sin_s5*k_s5*touchs5;
+                backlash_s5 => cos_a*sin_s5*k_s5*clips5*touchs5;
+            }
+            x_s u5 {
+                _ => -sin_s5*k_s5*touchs5;
+                backlash_s5 => -sin_s5*k_s5*clips5*touchs5;
+            }
             y_s y_s {
-                _ => kb_s + cos_s1.powi(2)*k_s1 + cos_s2.powi(2)*k_s2 + cos_s3.powi(2)*k_s3 + cos_s4.powi(2)*k_s4 + cos_s5.powi(2)*k_s5;
+                _ => kb_s + cos_s1.powi(2)*k_s1*touchs1 + cos_s2.powi(2)*k_s2*touchs2 + cos_s3.powi(2)*k_s3*touchs3
+                    + cos_s4.powi(2)*k_s4*touchs4 + cos_s5.powi(2)*k_s5*touchs5;
+                backlash_s1 => cos_s1.powi(2)*k_s1*clips1*touchs1;
+                backlash_s2 => cos_s2.powi(2)*k_s2*clips2*touchs2;
+                backlash_s3 => cos_s3.powi(2)*k_s3*clips3*touchs3;
+                backlash_s4 => cos_s4.powi(2)*k_s4*clips4*touchs4;
+                backlash_s5 => cos_s5.powi(2)*k_s5*clips5*touchs5;
             }
-            y_s zeta1 { _ => -cos_s1*sin_a*k_s1; }
-            y_s eta1 { _ => -cos_a*cos_s1*k_s1; }
-            y_s u1 { _ => cos_s1*k_s1; }
-            y_s zeta2 { _ => -cos_s2*sin_a*k_s2; }
-            y_s eta2 { _ => -cos_a*cos_s2*k_s2; }
-            y_s u2 { _ => cos_s2*k_s2; }
-            y_s zeta3 { _ => -cos_s3*sin_a*k_s3; }
-            y_s eta3 { _ => -cos_a*cos_s3*k_s3; }
-            y_s u3 { _ => cos_s3*k_s3; }
-            y_s zeta4 { _ => -cos_s4*sin_a*k_s4; }
-            y_s eta4 { _ => -cos_a*cos_s4*k_s4; }
-            y_s u4 { _ => cos_s4*k_s4; }
-            y_s zeta5 { _ => -cos_s5*sin_a*k_s5; }
-            y_s eta5 { _ => -cos_a*cos_s5*k_s5; }
-            y_s u5 { _ => cos_s5*k_s5; }
+            y_s zeta1 {
+                _ => -cos_s1*sin_a*k_s1*touchs1;
+                backlash_s1 => -cos_s1*sin_a*k_s1*clips1*touchs1;
+            }
+            y_s eta1 {
+                _ => -cos_a*cos_s1*k_s1*touchs1;
+                backlash_s1 => -cos_a*cos_s1*k_s1*clips1*touchs1;
+            }
+            y_s u1 {
+                _ => cos_s1*k_s1*touchs1;
+                backlash_s1 => cos_s1*k_s1*clips1*touchs1;
+            }
+            y_s zeta2 {
+                _ => -cos_s2*sin_a*k_s2*touchs2;
+                backlash_s2 => -cos_s2*sin_a*k_s2*clips2*touchs2;
+            }
+            y_s eta2 {
+                _ => -cos_a*cos_s2*k_s2*touchs2;
+                backlash_s2 => -cos_a*cos_s2*k_s2*clips2*touchs2;
+            }
+            y_s u2 {
+                _ => cos_s2*k_s2*touchs2;
+                backlash_s2 => cos_s2*k_s2*clips2*touchs2;
+            }
+            y_s zeta3 {
+                _ => -cos_s3*sin_a*k_s3*touchs3;
+                backlash_s3 => -cos_s3*sin_a*k_s3*clips3*touchs3;
+            }
+            y_s eta3 {
+                _ => -cos_a*cos_s3*k_s3*touchs3;
+                backlash_s3 => -cos_a*cos_s3*k_s3*clips3*touchs3;
+            }
+            y_s u3 {
+                _ => cos_s3*k_s3*touchs3;
+                backlash_s3 => cos_s3*k_s3*clips3*touchs3;
+            }
+            y_s zeta4 {
+                _ => -cos_s4*sin_a*k_s4*touchs4;
+                backlash_s4 => -cos_s4*sin_a*k_s4*clips4*touchs4;
+            }
+            y_s eta4 {
+                _ => -cos_a*cos_s4*k_s4*touchs4;
+                backlash_s4 => -cos_a*cos_s4*k_s4*clips4*touchs4;
+            }
+            y_s u4 {
+                _ => cos_s4*k_s4*touchs4;
+                backlash_s4 => cos_s4*k_s4*clips4*touchs4;
+            }
+            y_s zeta5 {
+                _ => -cos_s5*sin_a*k_s5*touchs5;
+                backlash_s5 => -cos_s5*sin_a*k_s5*clips5*touchs5;
+            }
+            y_s eta5 {
+                _ => -cos_a*cos_s5*k_s5*touchs5;
+                backlash_s5 => -cos_a*cos_s5*k_s5*clips5*touchs5;
+            }
+            y_s u5 {
+                _ => cos_s5*k_s5*touchs5;
+                backlash_s5 => cos_s5*k_s5*clips5*touchs5;
+            }
             x_c x_c {
                 _ => kb_c + cos_c1.powi(2)*kb_p + cos_c2.powi(2)*kb_p + cos_c3.powi(2)*kb_p + cos_c4.powi(2)*kb_p + cos_c5.powi(2)*kb_p
                     + sin_c1.powi(2)*kb_p + sin_c2.powi(2)*kb_p + sin_c3.powi(2)*kb_p + sin_c4.powi(2)*kb_p + sin_c5.powi(2)*kb_p;
@@ -1835,72 +5314,302 @@ equations! {
             y_c zeta5 { _ => -sin_c5*kb_p; }
             y_c eta5 { _ => -cos_c5*kb_p; }
             x_r x_r {
-                _ => kb_r + sin_r1.powi(2)*k_r1 + sin_r2.powi(2)*k_r2 + sin_r3.powi(2)*k_r3 + sin_r4.powi(2)*k_r4 + sin_r5.powi(2)*k_r5;
+                _ => kb_r + sin_r1.powi(2)*k_r1*touchr1 + sin_r2.powi(2)*k_r2*touchr2 + sin_r3.powi(2)*k_r3*touchr3
+                    + sin_r4.powi(2)*k_r4*touchr4 + sin_r5.powi(2)*k_r5*touchr5;
+                backlash_r1 => sin_r1.powi(2)*k_r1*clipr1*touchr1;
+                backlash_r2 => sin_r2.powi(2)*k_r2*clipr2*touchr2;
+                backlash_r3 => sin_r3.powi(2)*k_r3*clipr3*touchr3;
+                backlash_r4 => sin_r4.powi(2)*k_r4*clipr4*touchr4;
+                backlash_r5 => sin_r5.powi(2)*k_r5*clipr5*touchr5;
             }
-            x_r y_r { _ => -cos_r1*sin_r1*k_r1 - cos_r2*sin_r2*k_r2 - cos_r3*sin_r3*k_r3 - cos_r4*sin_r4*k_r4 - cos_r5*sin_r5*k_r5; }
-            x_r zeta1 { _ => -sin_a*sin_r1*k_r1; }
-            x_r eta1 { _ => cos_a*sin_r1*k_r1; }
-            x_r u1 { _ => sin_r1*k_r1; }
-            x_r zeta2 { _ => -sin_a*sin_r2*k_r2; }
-            x_r eta2 { _ => cos_a*sin_r2*k_r2; }
-            x_r u2 { _ => sin_r2*k_r2; }
-            x_r zeta3 { _ => -sin_a*sin_r3*k_r3; }
-            x_r eta3 { _ => cos_a*sin_r3*k_r3; }
-            x_r u3 { _ => sin_r3*k_r3; }
-            x_r zeta4 { _ => -sin_a*sin_r4*k_r4; }
-            x_r eta4 { _ => cos_a*sin_r4*k_r4; }
-            x_r u4 { _ => sin_r4*k_r4; }
-            x_r zeta5 { _ => -sin_a*sin_r5*k_r5; }
-            x_r eta5 { _ => cos_a*sin_r5*k_r5; }
-            x_r u5 { _ => sin_r5*k_r5; }
+            x_r y_r {
+                _ => -cos_r1*sin_r1*k_r1*touchr1 - cos_r2*sin_r2*k_r2*touchr2 - cos_r3*sin_r3*k_r3*touchr3 - cos_r4*sin_r4*k_r4*touchr4
+                    - cos_r5*sin_r5*k_r5*touchr5;
+                backlash_r1 => -cos_r1*sin_r1*k_r1*clipr1*touchr1;
+                backlash_r2 => -cos_r2*sin_r2*k_r2*clipr2*touchr2;
+                backlash_r3 => -cos_r3*sin_r3*k_r3*clipr3*touchr3;
+                backlash_r4 => -cos_r4*sin_r4*k_r4*clipr4*touchr4;
+                backlash_r5 => -cos_r5*sin_r5*k_r5*clipr5*touchr5;
+            }
+            x_r zeta1 {
+                _ => -sin_a*sin_r1*k_r1*touchr1;
+                backlash_r1 => -sin_a*sin_r1*k_r1*clipr1*touchr1;
+            }
+            x_r eta1 {
+                _ => cos_a*sin_r1*k_r1*touchr1;
+                backlash_r1 => cos_a*sin_r1*k_r1*clipr1*touchr1;
+            }
+            x_r u1 {
+                _ => sin_r1*k_r1*touchr1;
+                backlash_r1 => sin_r1*k_r1*clipr1*touchr1;
+            }
+            x_r zeta2 {
+                _ => -sin_a*sin_r2*k_r2*touchr2;
+                backlash_r2 => -sin_a*sin_r2*k_r2*clipr2*touchr2;
+            }
+            x_r eta2 {
+                _ => cos_a*sin_r2*k_r2*touchr2;
+                backlash_r2 => cos_a*sin_r2*k_r2*clipr2*touchr2;
+            }
+            x_r u2 {
+                _ => sin_r2*k_r2*touchr2;
+                backlash_r2 => sin_r2*k_r2*clipr2*touchr2;
+            }
+            x_r zeta3 {
+                _ => -sin_a*sin_r3*k_r3*touchr3;
+                backlash_r3 => -sin_a*sin_r3*k_r3*clipr3*touchr3;
+            }
+            x_r eta3 {
+                _ => cos_a*sin_r3*k_r3*touchr3;
+                backlash_r3 => cos_a*sin_r3*k_r3*clipr3*touchr3;
+            }
+            x_r u3 {
+                _ => sin_r3*k_r3*touchr3;
+                backlash_r3 => sin_r3*k_r3*clipr3*touchr3;
+            }
+            x_r zeta4 {
+                _ => -sin_a*sin_r4*k_r4*touchr4;
+                backlash_r4 => -sin_a*sin_r4*k_r4*clipr4*touchr4;
+            }
+            x_r eta4 {
+                _ => cos_a*sin_r4*k_r4*touchr4;
+                backlash_r4 => cos_a*sin_r4*k_r4*clipr4*touchr4;
+            }
+            x_r u4 {
+                _ => sin_r4*k_r4*touchr4;
+                backlash_r4 => sin_r4*k_r4*clipr4*touchr4;
+            }
+            x_r zeta5 {
+                _ => -sin_a*sin_r5*k_r5*touchr5;
+                backlash_r5 => -sin_a*sin_r5*k_r5*clipr5*touchr5;
+            }
+            x_r eta5 {
+                _ => cos_a*sin_r5*k_r5*touchr5;
+                backlash_r5 => cos_a*sin_r5*k_r5*clipr5*touchr5;
+            }
+            x_r u5 {
+                _ => sin_r5*k_r5*touchr5;
+                backlash_r5 => sin_r5*k_r5*clipr5*touchr5;
+            }
             y_r y_r {
-                _ => kb_r + cos_r1.powi(2)*k_r1 + cos_r2.powi(2)*k_r2 + cos_r3.powi(2)*k_r3 + cos_r4.powi(2)*k_r4 + cos_r5.powi(2)*k_r5;
+                _ => kb_r + cos_r1.powi(2)*k_r1*touchr1 + cos_r2.powi(2)*k_r2*touchr2 + cos_r3.powi(2)*k_r3*touchr3
+                    + cos_r4.powi(2)*k_r4*touchr4 + cos_r5.powi(2)*k_r5*touchr5;
+                backlash_r1 => cos_r1.powi(2)*k_r1*clipr1*touchr1;
+                backlash_r2 => cos_r2.powi(2)*k_r2*clipr2*touchr2;
+                backlash_r3 => cos_r3.powi(2)*k_r3*clipr3*touchr3;
+                backlash_r4 => cos_r4.powi(2)*k_r4*clipr4*touchr4;
+                backlash_r5 => cos_r5.powi(2)*k_r5*clipr5*touchr5;
             }
-            y_r zeta1 { _ => cos_r1*sin_a*k_r1; }
-            y_r eta1 { _ => -cos_a*cos_r1*k_r1; }
-            y_r u1 { _ => -cos_r1*k_r1; }
-            y_r zeta2 { _ => cos_r2*sin_a*k_r2; }
-            y_r eta2 { _ => -cos_a*cos_r2*k_r2; }
-            y_r u2 { _ => -cos_r2*k_r2; }
-            y_r zeta3 { _ => cos_r3*sin_a*k_r3; }
-            y_r eta3 { _ => -cos_a*cos_r3*k_r3; }
-            y_r u3 { _ => -cos_r3*k_r3; }
-            y_r zeta4 { _ => cos_r4*sin_a*k_r4; }
-            y_r eta4 { _ => -cos_a*cos_r4*k_r4; }
-            y_r u4 { _ => -cos_r4*k_r4; }
-            y_r zeta5 { _ => cos_r5*sin_a*k_r5; }
-            y_r eta5 { _ => -cos_a*cos_r5*k_r5; }
-            y_r u5 { _ => -cos_r5*k_r5; }
-            zeta1 zeta1 { _ => kb_p + sin_a.powi(2)*k_r1 + sin_a.powi(2)*k_s1; }
-            zeta1 eta1 { _ => cos_a*sin_a*k_s1 - cos_a*sin_a*k_r1; }
-            zeta1 u1 { _ => -sin_a*k_r1 - sin_a*k_s1; }
-            eta1 eta1 { _ => kb_p + cos_a.powi(2)*k_r1 + cos_a.powi(2)*k_s1; }
-            eta1 u1 { _ => cos_a*k_r1 - cos_a*k_s1; }
-            u1 u1 { _ => k_r1 + k_s1; }
-            zeta2 zeta2 { _ => kb_p + sin_a.powi(2)*k_r2 + sin_a.powi(2)*k_s2; }
-            zeta2 eta2 { _ => cos_a*sin_a*k_s2 - cos_a*sin_a*k_r2; }
-            zeta2 u2 { _ => -sin_a*k_r2 - sin_a*k_s2; }
-            eta2 eta2 { _ => kb_p + cos_a.powi(2)*k_r2 + cos_a.powi(2)*k_s2; }
-            eta2 u2 { _ => cos_a*k_r2 - cos_a*k_s2; }
-            u2 u2 { _ => k_r2 + k_s2; }
-            zeta3 zeta3 { _ => kb_p + sin_a.powi(2)*k_r3 + sin_a.powi(2)*k_s3; }
-            zeta3 eta3 { _ => cos_a*sin_a*k_s3 - cos_a*sin_a*k_r3; }
-            zeta3 u3 { _ => -sin_a*k_r3 - sin_a*k_s3; }
-            eta3 eta3 { _ => kb_p + cos_a.powi(2)*k_r3 + cos_a.powi(2)*k_s3; }
-            eta3 u3 { _ => cos_a*k_r3 - cos_a*k_s3; }
-            u3 u3 { _ => k_r3 + k_s3; }
-            zeta4 zeta4 { _ => kb_p + sin_a.powi(2)*k_r4 + sin_a.powi(2)*k_s4; }
-            zeta4 eta4 { _ => cos_a*sin_a*k_s4 - cos_a*sin_a*k_r4; }
-            zeta4 u4 { _ => -sin_a*k_r4 - sin_a*k_s4; }
-            eta4 eta4 { _ => kb_p + cos_a.powi(2)*k_r4 + cos_a.powi(2)*k_s4; }
-            eta4 u4 { _ => cos_a*k_r4 - cos_a*k_s4; }
-            u4 u4 { _ => k_r4 + k_s4; }
-            zeta5 zeta5 { _ => kb_p + sin_a.powi(2)*k_r5 + sin_a.powi(2)*k_s5; }
-            zeta5 eta5 { _ => cos_a*sin_a*k_s5 - cos_a*sin_a*k_r5; }
-            zeta5 u5 { _ => -sin_a*k_r5 - sin_a*k_s5; }
-            eta5 eta5 { _ => kb_p + cos_a.powi(2)*k_r5 + cos_a.powi(2)*k_s5; }
-            eta5 u5 { _ => cos_a*k_r5 - cos_a*k_s5; }
-            u5 u5 { _ => k_r5 + k_s5; }
+            y_r zeta1 {
+                _ => cos_r1*sin_a*k_r1*touchr1;
+                backlash_r1 => cos_r1*sin_a*k_r1*clipr1*touchr1;
+            }
+            y_r eta1 {
+                _ => -cos_a*cos_r1*k_r1*touchr1;
+                backlash_r1 => -cos_a*cos_r1*k_r1*clipr1*touchr1;
+            }
+            y_r u1 {
+                _ => -cos_r1*k_r1*touchr1;
+                backlash_r1 => -cos_r1*k_r1*clipr1*touchr1;
+            }
+            y_r zeta2 {
+                _ => cos_r2*sin_a*k_r2*touchr2;
+                backlash_r2 => cos_r2*sin_a*k_r2*clipr2*touchr2;
+            }
+            y_r eta2 {
+                _ => -cos_a*cos_r2*k_r2*touchr2;
+                backlash_r2 => -cos_a*cos_r2*k_r2*clipr2*touchr2;
+            }
+            y_r u2 {
+                _ => -cos_r2*k_r2*touchr2;
+                backlash_r2 => -cos_r2*k_r2*clipr2*touchr2;
+            }
+            y_r zeta3 {
+                _ => cos_r3*sin_a*k_r3*touchr3;
+                backlash_r3 => cos_r3*sin_a*k_r3*clipr3*touchr3;
+            }
+            y_r eta3 {
+                _ => -cos_a*cos_r3*k_r3*touchr3;
+                backlash_r3 => -cos_a*cos_r3*k_r3*clipr3*touchr3;
+            }
+            y_r u3 {
+                _ => -cos_r3*k_r3*touchr3;
+                backlash_r3 => -cos_r3*k_r3*clipr3*touchr3;
+            }
+            y_r zeta4 {
+                _ => cos_r4*sin_a*k_r4*touchr4;
+                backlash_r4 => cos_r4*sin_a*k_r4*clipr4*touchr4;
+            }
+            y_r eta4 {
+                _ => -cos_a*cos_r4*k_r4*touchr4;
+                backlash_r4 => -cos_a*cos_r4*k_r4*clipr4*touchr4;
+            }
+            y_r u4 {
+                _ => -cos_r4*k_r4*touchr4;
+                backlash_r4 => -cos_r4*k_r4*clipr4*touchr4;
+            }
+            y_r zeta5 {
+                _ => cos_r5*sin_a*k_r5*touchr5;
+                backlash_r5 => cos_r5*sin_a*k_r5*clipr5*touchr5;
+            }
+            y_r eta5 {
+                _ => -cos_a*cos_r5*k_r5*touchr5;
+                backlash_r5 => -cos_a*cos_r5*k_r5*clipr5*touchr5;
+            }
+            y_r u5 {
+                _ => -cos_r5*k_r5*touchr5;
+                backlash_r5 => -cos_r5*k_r5*clipr5*touchr5;
+            }
+            zeta1 zeta1 {
+                _ => kb_p + sin_a.powi(2)*k_r1*touchr1 + sin_a.powi(2)*k_s1*touchs1;
+                backlash_s1 => sin_a.powi(2)*k_s1*clips1*touchs1;
+                backlash_r1 => sin_a.powi(2)*k_r1*clipr1*touchr1;
+            }
+            zeta1 eta1 {
+                _ => cos_a*sin_a*k_s1*touchs1 - cos_a*sin_a*k_r1*touchr1;
+                backlash_s1 => cos_a*sin_a*k_s1*clips1*touchs1;
+                backlash_r1 => -cos_a*sin_a*k_r1*clipr1*touchr1;
+            }
+            zeta1 u1 {
+                _ => -sin_a*k_r1*touchr1 - sin_a*k_s1*touchs1;
+                backlash_s1 => -sin_a*k_s1*clips1*touchs1;
+                backlash_r1 => -sin_a*k_r1*clipr1*touchr1;
+            }
+            eta1 eta1 {
+                _ => kb_p + cos_a.powi(2)*k_r1*touchr1 + cos_a.powi(2)*k_s1*touchs1;
+                backlash_s1 => cos_a.powi(2)*k_s1*clips1*touchs1;
+                backlash_r1 => cos_a.powi(2)*k_r1*clipr1*touchr1;
+            }
+            eta1 u1 {
+                _ => cos_a*k_r1*touchr1 - cos_a*k_s1*touchs1;
+                backlash_s1 => -cos_a*k_s1*clips1*touchs1;
+                backlash_r1 => cos_a*k_r1*clipr1*touchr1;
+            }
+            u1 u1 {
+                _ => k_r1*touchr1 + k_s1*touchs1;
+                backlash_s1 => k_s1*clips1*touchs1;
+                backlash_r1 => k_r1*clipr1*touchr1;
+            }
+            zeta2 zeta2 {
+                _ => kb_p + sin_a.powi(2)*k_r2*touchr2 + sin_a.powi(2)*k_s2*touchs2;
+                backlash_s2 => sin_a.powi(2)*k_s2*clips2*touchs2;
+                backlash_r2 => sin_a.powi(2)*k_r2*clipr2*touchr2;
+            }
+            zeta2 eta2 {
+                _ => cos_a*sin_a*k_s2*touchs2 - cos_a*sin_a*k_r2*touchr2;
+                backlash_s2 => cos_a*sin_a*k_s2*clips2*touchs2;
+                backlash_r2 => -cos_a*sin_a*k_r2*clipr2*touchr2;
+            }
+            zeta2 u2 {
+                _ => -sin_a*k_r2*touchr2 - sin_a*k_s2*touchs2;
+                backlash_s2 => -sin_a*k_s2*clips2*touchs2;
+                backlash_r2 => -sin_a*k_r2*clipr2*touchr2;
+            }
+            eta2 eta2 {
+                _ => kb_p + cos_a.powi(2)*k_r2*touchr2 + cos_a.powi(2)*k_s2*touchs2;
+                backlash_s2 => cos_a.powi(2)*k_s2*clips2*touchs2;
+                backlash_r2 => cos_a.powi(2)*k_r2*clipr2*touchr2;
+            }
+            eta2 u2 {
+                _ => cos_a*k_r2*touchr2 - cos_a*k_s2*touchs2;
+                backlash_s2 => -cos_a*k_s2*clips2*touchs2;
+                backlash_r2 => cos_a*k_r2*clipr2*touchr2;
+            }
+            u2 u2 {
+                _ => k_r2*touchr2 + k_s2*touchs2;
+                backlash_s2 => k_s2*clips2*touchs2;
+                backlash_r2 => k_r2*clipr2*touchr2;
+            }
+            zeta3 zeta3 {
+                _ => kb_p + sin_a.powi(2)*k_r3*touchr3 + sin_a.powi(2)*k_s3*touchs3;
+                backlash_s3 => sin_a.powi(2)*k_s3*clips3*touchs3;
+                backlash_r3 => sin_a.powi(2)*k_r3*clipr3*touchr3;
+            }
+            zeta3 eta3 {
+                _ => cos_a*sin_a*k_s3*touchs3 - cos_a*sin_a*k_r3*touchr3;
+                backlash_s3 => cos_a*sin_a*k_s3*clips3*touchs3;
+                backlash_r3 => -cos_a*sin_a*k_r3*clipr3*touchr3;
+            }
+            zeta3 u3 {
+                _ => -sin_a*k_r3*touchr3 - sin_a*k_s3*touchs3;
+                backlash_s3 => -sin_a*k_s3*clips3*touchs3;
+                backlash_r3 => -sin_a*k_r3*clipr3*touchr3;
+            }
+            eta3 eta3 {
+                _ => kb_p + cos_a.powi(2)*k_r3*touchr3 + cos_a.powi(2)*k_s3*touchs3;
+                backlash_s3 => cos_a.powi(2)*k_s3*clips3*touchs3;
+                backlash_r3 => cos_a.powi(2)*k_r3*clipr3*touchr3;
+            }
+            eta3 u3 {
+                _ => cos_a*k_r3*touchr3 - cos_a*k_s3*touchs3;
+                backlash_s3 => -cos_a*k_s3*clips3*touchs3;
+                backlash_r3 => cos_a*k_r3*clipr3*touchr3;
+            }
+            u3 u3 {
+                _ => k_r3*touchr3 + k_s3*touchs3;
+                backlash_s3 => k_s3*clips3*touchs3;
+                backlash_r3 => k_r3*clipr3*touchr3;
+            }
+            zeta4 zeta4 {
+                _ => kb_p + sin_a.powi(2)*k_r4*touchr4 + sin_a.powi(2)*k_s4*touchs4;
+                backlash_s4 => sin_a.powi(2)*k_s4*clips4*touchs4;
+                backlash_r4 => sin_a.powi(2)*k_r4*clipr4*touchr4;
+            }
+            zeta4 eta4 {
+                _ => cos_a*sin_a*k_s4*touchs4 - cos_a*sin_a*k_r4*touchr4;
+                backlash_s4 => cos_a*sin_a*k_s4*clips4*touchs4;
+                backlash_r4 => -cos_a*sin_a*k_r4*clipr4*touchr4;
+            }
+            zeta4 u4 {
+                _ => -sin_a*k_r4*touchr4 - sin_a*k_s4*touchs4;
+                backlash_s4 => -sin_a*k_s4*clips4*touchs4;
+                backlash_r4 => -sin_a*k_r4*clipr4*touchr4;
+            }
+            eta4 eta4 {
+                _ => kb_p + cos_a.powi(2)*k_r4*touchr4 + cos_a.powi(2)*k_s4*touchs4;
+                backlash_s4 => cos_a.powi(2)*k_s4*clips4*touchs4;
+                backlash_r4 => cos_a.powi(2)*k_r4*clipr4*touchr4;
+            }
+            eta4 u4 {
+                _ => cos_a*k_r4*touchr4 - cos_a*k_s4*touchs4;
+                backlash_s4 => -cos_a*k_s4*clips4*touchs4;
+                backlash_r4 => cos_a*k_r4*clipr4*touchr4;
+            }
+            u4 u4 {
+                _ => k_r4*touchr4 + k_s4*touchs4;
+                backlash_s4 => k_s4*clips4*touchs4;
+                backlash_r4 => k_r4*clipr4*touchr4;
+            }
+            zeta5 zeta5 {
+                _ => kb_p + sin_a.powi(2)*k_r5*touchr5 + sin_a.powi(2)*k_s5*touchs5;
+                backlash_s5 => sin_a.powi(2)*k_s5*clips5*touchs5;
+                backlash_r5 => sin_a.powi(2)*k_r5*clipr5*touchr5;
+            }
+            zeta5 eta5 {
+                _ => cos_a*sin_a*k_s5*touchs5 - cos_a*sin_a*k_r5*touchr5;
+                backlash_s5 => cos_a*sin_a*k_s5*clips5*touchs5;
+                backlash_r5 => -cos_a*sin_a*k_r5*clipr5*touchr5;
+            }
+            zeta5 u5 {
+                _ => -sin_a*k_r5*touchr5 - sin_a*k_s5*touchs5;
+                backlash_s5 => -sin_a*k_s5*clips5*touchs5;
+                backlash_r5 => -sin_a*k_r5*clipr5*touchr5;
+            }
+            eta5 eta5 {
+                _ => kb_p + cos_a.powi(2)*k_r5*touchr5 + cos_a.powi(2)*k_s5*touchs5;
+                backlash_s5 => cos_a.powi(2)*k_s5*clips5*touchs5;
+                backlash_r5 => cos_a.powi(2)*k_r5*clipr5*touchr5;
+            }
+            eta5 u5 {
+                _ => cos_a*k_r5*touchr5 - cos_a*k_s5*touchs5;
+                backlash_s5 => -cos_a*k_s5*clips5*touchs5;
+                backlash_r5 => cos_a*k_r5*clipr5*touchr5;
+            }
+            u5 u5 {
+                _ => k_r5*touchr5 + k_s5*touchs5;
+                backlash_s5 => k_s5*clips5*touchs5;
+                backlash_r5 => k_r5*clipr5*touchr5;
+            }
         }
         damping {
             theta theta {
@@ -1929,108 +5638,111 @@ equations! {
             theta_c theta_c {
                 torsional_support_s_and_damping => beta_K*k_s;
                 torsional_support_c_and_damping => beta_K*k_c;
-                damping => I_c*alpha_M + 5.0*I_p*alpha_M + I_s*alpha_M + 5.0*a.powi(2)*alpha_M*m_p + h.powi(2)*Z_r.powi(2)*beta_K*k_r1_mid
-                    + h.powi(2)*Z_r.powi(2)*beta_K*k_r2_mid + h.powi(2)*Z_r.powi(2)*beta_K*k_r3_mid
-                    + h.powi(2)*Z_r.powi(2)*beta_K*k_r4_mid + h.powi(2)*Z_r.powi(2)*beta_K*k_r5_mid;
+                damping => I_c*alpha_M + 5.0*I_p*alpha_M + I_s*alpha_M + 5.0*a.powi(2)*alpha_M*m_p
+                    + h.powi(2)*Z_r.powi(2)*beta_K*k_r1_mid*dampr1 + h.powi(2)*Z_r.powi(2)*beta_K*k_r2_mid*dampr2
+                    + h.powi(2)*Z_r.powi(2)*beta_K*k_r3_mid*dampr3 + h.powi(2)*Z_r.powi(2)*beta_K*k_r4_mid*dampr4
+                    + h.powi(2)*Z_r.powi(2)*beta_K*k_r5_mid*dampr5;
             }
             theta_c theta_r {
-                damping => -h.powi(2)*Z_r.powi(2)*beta_K*k_r1_mid - h.powi(2)*Z_r.powi(2)*beta_K*k_r2_mid
-                    - h.powi(2)*Z_r.powi(2)*beta_K*k_r3_mid - h.powi(2)*Z_r.powi(2)*beta_K*k_r4_mid - h.powi(2)*Z_r.powi(2)*beta_K*k_r5_mid;
+                damping => -h.powi(2)*Z_r.powi(2)*beta_K*k_r1_mid*dampr1 - h.powi(2)*Z_r.powi(2)*beta_K*k_r2_mid*dampr2
+                    - h.powi(2)*Z_r.powi(2)*beta_K*k_r3_mid*dampr3 - h.powi(2)*Z_r.powi(2)*beta_K*k_r4_mid*dampr4
+                    - h.powi(2)*Z_r.powi(2)*beta_K*k_r5_mid*dampr5;
             }
             theta_c x_r {
-                damping => h*sin_r1*Z_r*beta_K*k_r1_mid + h*sin_r2*Z_r*beta_K*k_r2_mid + h*sin_r3*Z_r*beta_K*k_r3_mid
-                    + h*sin_r4*Z_r*beta_K*k_r4_mid + h*sin_r5*Z_r*beta_K*k_r5_mid;
+                damping => h*sin_r1*Z_r*beta_K*k_r1_mid*dampr1 + h*sin_r2*Z_r*beta_K*k_r2_mid*dampr2 + h*sin_r3*Z_r*beta_K*k_r3_mid*dampr3
+                    + h*sin_r4*Z_r*beta_K*k_r4_mid*dampr4 + h*sin_r5*Z_r*beta_K*k_r5_mid*dampr5;
             }
             theta_c y_r {
-                damping => -cos_r1*h*Z_r*beta_K*k_r1_mid - cos_r2*h*Z_r*beta_K*k_r2_mid - cos_r3*h*Z_r*beta_K*k_r3_mid
-                    - cos_r4*h*Z_r*beta_K*k_r4_mid - cos_r5*h*Z_r*beta_K*k_r5_mid;
+                damping => -cos_r1*h*Z_r*beta_K*k_r1_mid*dampr1 - cos_r2*h*Z_r*beta_K*k_r2_mid*dampr2
+                    - cos_r3*h*Z_r*beta_K*k_r3_mid*dampr3 - cos_r4*h*Z_r*beta_K*k_r4_mid*dampr4 - cos_r5*h*Z_r*beta_K*k_r5_mid*dampr5;
             }
-            theta_c zeta1 { damping => -h*sin_a*Z_r*beta_K*k_r1_mid; }
-            theta_c eta1 { damping => a*alpha_M*m_p + cos_a*h*Z_r*beta_K*k_r1_mid; }
-            theta_c u1 { damping => h*Z_r*beta_K*k_r1_mid + I_p*alpha_M/r_p; }
-            theta_c zeta2 { damping => -h*sin_a*Z_r*beta_K*k_r2_mid; }
-            theta_c eta2 { damping => a*alpha_M*m_p + cos_a*h*Z_r*beta_K*k_r2_mid; }
-            theta_c u2 { damping => h*Z_r*beta_K*k_r2_mid + I_p*alpha_M/r_p; }
-            theta_c zeta3 { damping => -h*sin_a*Z_r*beta_K*k_r3_mid; }
-            theta_c eta3 { damping => a*alpha_M*m_p + cos_a*h*Z_r*beta_K*k_r3_mid; }
-            theta_c u3 { damping => h*Z_r*beta_K*k_r3_mid + I_p*alpha_M/r_p; }
-            theta_c zeta4 { damping => -h*sin_a*Z_r*beta_K*k_r4_mid; }
-            theta_c eta4 { damping => a*alpha_M*m_p + cos_a*h*Z_r*beta_K*k_r4_mid; }
-            theta_c u4 { damping => h*Z_r*beta_K*k_r4_mid + I_p*alpha_M/r_p; }
-            theta_c zeta5 { damping => -h*sin_a*Z_r*beta_K*k_r5_mid; }
-            theta_c eta5 { damping => a*alpha_M*m_p + cos_a*h*Z_r*beta_K*k_r5_mid; }
-            theta_c u5 { damping => h*Z_r*beta_K*k_r5_mid + I_p*alpha_M/r_p; }
+            theta_c zeta1 { damping => -h*sin_a*Z_r*beta_K*k_r1_mid*dampr1; }
+            theta_c eta1 { damping => a*alpha_M*m_p + cos_a*h*Z_r*beta_K*k_r1_mid*dampr1; }
+            theta_c u1 { damping => h*Z_r*beta_K*k_r1_mid*dampr1 + I_p*alpha_M/r_p; }
+            theta_c zeta2 { damping => -h*sin_a*Z_r*beta_K*k_r2_mid*dampr2; }
+            theta_c eta2 { damping => a*alpha_M*m_p + cos_a*h*Z_r*beta_K*k_r2_mid*dampr2; }
+            theta_c u2 { damping => h*Z_r*beta_K*k_r2_mid*dampr2 + I_p*alpha_M/r_p; }
+            theta_c zeta3 { damping => -h*sin_a*Z_r*beta_K*k_r3_mid*dampr3; }
+            theta_c eta3 { damping => a*alpha_M*m_p + cos_a*h*Z_r*beta_K*k_r3_mid*dampr3; }
+            theta_c u3 { damping => h*Z_r*beta_K*k_r3_mid*dampr3 + I_p*alpha_M/r_p; }
+            theta_c zeta4 { damping => -h*sin_a*Z_r*beta_K*k_r4_mid*dampr4; }
+            theta_c eta4 { damping => a*alpha_M*m_p + cos_a*h*Z_r*beta_K*k_r4_mid*dampr4; }
+            theta_c u4 { damping => h*Z_r*beta_K*k_r4_mid*dampr4 + I_p*alpha_M/r_p; }
+            theta_c zeta5 { damping => -h*sin_a*Z_r*beta_K*k_r5_mid*dampr5; }
+            theta_c eta5 { damping => a*alpha_M*m_p + cos_a*h*Z_r*beta_K*k_r5_mid*dampr5; }
+            theta_c u5 { damping => h*Z_r*beta_K*k_r5_mid*dampr5 + I_p*alpha_M/r_p; }
             theta_r theta_r {
-                damping => I_r*alpha_M + beta_K*k_r + h.powi(2)*Z_r.powi(2)*beta_K*k_r1_mid + h.powi(2)*Z_r.powi(2)*beta_K*k_r2_mid
-                    + h.powi(2)*Z_r.powi(2)*beta_K*k_r3_mid + h.powi(2)*Z_r.powi(2)*beta_K*k_r4_mid + h.powi(2)*Z_r.powi(2)*beta_K*k_r5_mid;
+                damping => I_r*alpha_M + beta_K*k_r + h.powi(2)*Z_r.powi(2)*beta_K*k_r1_mid*dampr1
+                    + h.powi(2)*Z_r.powi(2)*beta_K*k_r2_mid*dampr2 + h.powi(2)*Z_r.powi(2)*beta_K*k_r3_mid*dampr3
+                    + h.powi(2)*Z_r.powi(2)*beta_K*k_r4_mid*dampr4 + h.powi(2)*Z_r.powi(2)*beta_K*k_r5_mid*dampr5;
             }
             theta_r x_r {
-                damping => -h*sin_r1*Z_r*beta_K*k_r1_mid - h*sin_r2*Z_r*beta_K*k_r2_mid - h*sin_r3*Z_r*beta_K*k_r3_mid
-                    - h*sin_r4*Z_r*beta_K*k_r4_mid - h*sin_r5*Z_r*beta_K*k_r5_mid;
+                damping => -h*sin_r1*Z_r*beta_K*k_r1_mid*dampr1 - h*sin_r2*Z_r*beta_K*k_r2_mid*dampr2
+                    - h*sin_r3*Z_r*beta_K*k_r3_mid*dampr3 - h*sin_r4*Z_r*beta_K*k_r4_mid*dampr4 - h*sin_r5*Z_r*beta_K*k_r5_mid*dampr5;
             }
             theta_r y_r {
-                damping => cos_r1*h*Z_r*beta_K*k_r1_mid + cos_r2*h*Z_r*beta_K*k_r2_mid + cos_r3*h*Z_r*beta_K*k_r3_mid
-                    + cos_r4*h*Z_r*beta_K*k_r4_mid + cos_r5*h*Z_r*beta_K*k_r5_mid;
+                damping => cos_r1*h*Z_r*beta_K*k_r1_mid*dampr1 + cos_r2*h*Z_r*beta_K*k_r2_mid*dampr2 + cos_r3*h*Z_r*beta_K*k_r3_mid*dampr3
+                    + cos_r4*h*Z_r*beta_K*k_r4_mid*dampr4 + cos_r5*h*Z_r*beta_K*k_r5_mid*dampr5;
             }
-            theta_r zeta1 { damping => h*sin_a*Z_r*beta_K*k_r1_mid; }
-            theta_r eta1 { damping => -cos_a*h*Z_r*beta_K*k_r1_mid; }
-            theta_r u1 { damping => -h*Z_r*beta_K*k_r1_mid; }
-            theta_r zeta2 { damping => h*sin_a*Z_r*beta_K*k_r2_mid; }
-            theta_r eta2 { damping => -cos_a*h*Z_r*beta_K*k_r2_mid; }
-            theta_r u2 { damping => -h*Z_r*beta_K*k_r2_mid; }
-            theta_r zeta3 { damping => h*sin_a*Z_r*beta_K*k_r3_mid; }
-            theta_r eta3 { damping => -cos_a*h*Z_r*beta_K*k_r3_mid; }
-            theta_r u3 { damping => -h*Z_r*beta_K*k_r3_mid; }
-            theta_r zeta4 { damping => h*sin_a*Z_r*beta_K*k_r4_mid; }
-            theta_r eta4 { damping => -cos_a*h*Z_r*beta_K*k_r4_mid; }
-            theta_r u4 { damping => -h*Z_r*beta_K*k_r4_mid; }
-            theta_r zeta5 { damping => h*sin_a*Z_r*beta_K*k_r5_mid; }
-            theta_r eta5 { damping => -cos_a*h*Z_r*beta_K*k_r5_mid; }
-            theta_r u5 { damping => -h*Z_r*beta_K*k_r5_mid; }
+            theta_r zeta1 { damping => h*sin_a*Z_r*beta_K*k_r1_mid*dampr1; }
+            theta_r eta1 { damping => -cos_a*h*Z_r*beta_K*k_r1_mid*dampr1; }
+            theta_r u1 { damping => -h*Z_r*beta_K*k_r1_mid*dampr1; }
+            theta_r zeta2 { damping => h*sin_a*Z_r*beta_K*k_r2_mid*dampr2; }
+            theta_r eta2 { damping => -cos_a*h*Z_r*beta_K*k_r2_mid*dampr2; }
+            theta_r u2 { damping => -h*Z_r*beta_K*k_r2_mid*dampr2; }
+            theta_r zeta3 { damping => h*sin_a*Z_r*beta_K*k_r3_mid*dampr3; }
+            theta_r eta3 { damping => -cos_a*h*Z_r*beta_K*k_r3_mid*dampr3; }
+            theta_r u3 { damping => -h*Z_r*beta_K*k_r3_mid*dampr3; }
+            theta_r zeta4 { damping => h*sin_a*Z_r*beta_K*k_r4_mid*dampr4; }
+            theta_r eta4 { damping => -cos_a*h*Z_r*beta_K*k_r4_mid*dampr4; }
+            theta_r u4 { damping => -h*Z_r*beta_K*k_r4_mid*dampr4; }
+            theta_r zeta5 { damping => h*sin_a*Z_r*beta_K*k_r5_mid*dampr5; }
+            theta_r eta5 { damping => -cos_a*h*Z_r*beta_K*k_r5_mid*dampr5; }
+            theta_r u5 { damping => -h*Z_r*beta_K*k_r5_mid*dampr5; }
             x_s x_s {
                 viscous_friction_s => cb_s;
-                damping => alpha_M*m_s + beta_K*kb_s + sin_s1.powi(2)*beta_K*k_s1_mid + sin_s2.powi(2)*beta_K*k_s2_mid
-                    + sin_s3.powi(2)*beta_K*k_s3_mid + sin_s4.powi(2)*beta_K*k_s4_mid + sin_s5.powi(2)*beta_K*k_s5_mid;
+                damping => alpha_M*m_s + beta_K*kb_s + sin_s1.powi(2)*beta_K*k_s1_mid*damps1 + sin_s2.powi(2)*beta_K*k_s2_mid*damps2
+                    + sin_s3.powi(2)*beta_K*k_s3_mid*damps3 + sin_s4.powi(2)*beta_K*k_s4_mid*damps4 + sin_s5.powi(2)*beta_K*k_s5_mid*damps5;
             }
             x_s y_s {
-                damping => -cos_s1*sin_s1*beta_K*k_s1_mid - cos_s2*sin_s2*beta_K*k_s2_mid - cos_s3*sin_s3*beta_K*k_s3_mid
-                    - cos_s4*sin_s4*beta_K*k_s4_mid - cos_s5*sin_s5*beta_K*k_s5_mid;
+                damping => -cos_s1*sin_s1*beta_K*k_s1_mid*damps1 - cos_s2*sin_s2*beta_K*k_s2_mid*damps2
+                    - cos_s3*sin_s3*beta_K*k_s3_mid*damps3 - cos_s4*sin_s4*beta_K*k_s4_mid*damps4 - cos_s5*sin_s5*beta_K*k_s5_mid*damps5;
             }
-            x_s zeta1 { damping => sin_a*sin_s1*beta_K*k_s1_mid; }
-            x_s eta1 { damping => cos_a*sin_s1*beta_K*k_s1_mid; }
-            x_s u1 { damping => -sin_s1*beta_K*k_s1_mid; }
-            x_s zeta2 { damping => sin_a*sin_s2*beta_K*k_s2_mid; }
-            x_s eta2 { damping => cos_a*sin_s2*beta_K*k_s2_mid; }
-            x_s u2 { damping => -sin_s2*beta_K*k_s2_mid; }
-            x_s zeta3 { damping => sin_a*sin_s3*beta_K*k_s3_mid; }
-            x_s eta3 { damping => cos_a*sin_s3*beta_K*k_s3_mid; }
-            x_s u3 { damping => -sin_s3*beta_K*k_s3_mid; }
-            x_s zeta4 { damping => sin_a*sin_s4*beta_K*k_s4_mid; }
-            x_s eta4 { damping => cos_a*sin_s4*beta_K*k_s4_mid; }
-            x_s u4 { damping => -sin_s4*beta_K*k_s4_mid; }
-            x_s zeta5 { damping => sin_a*sin_s5*beta_K*k_s5_mid; }
-            x_s eta5 { damping => cos_a*sin_s5*beta_K*k_s5_mid; }
-            x_s u5 { damping => -sin_s5*beta_K*k_s5_mid; }
+            x_s zeta1 { damping => sin_a*sin_s1*beta_K*k_s1_mid*damps1; }
+            x_s eta1 { damping => cos_a*sin_s1*beta_K*k_s1_mid*damps1; }
+            x_s u1 { damping => -sin_s1*beta_K*k_s1_mid*damps1; }
+            x_s zeta2 { damping => sin_a*sin_s2*beta_K*k_s2_mid*damps2; }
+            x_s eta2 { damping => cos_a*sin_s2*beta_K*k_s2_mid*damps2; }
+            x_s u2 { damping => -sin_s2*beta_K*k_s2_mid*damps2; }
+            x_s zeta3 { damping => sin_a*sin_s3*beta_K*k_s3_mid*damps3; }
+            x_s eta3 { damping => cos_a*sin_s3*beta_K*k_s3_mid*damps3; }
+            x_s u3 { damping => -sin_s3*beta_K*k_s3_mid*damps3; }
+            x_s zeta4 { damping => sin_a*sin_s4*beta_K*k_s4_mid*damps4; }
+            x_s eta4 { damping => cos_a*sin_s4*beta_K*k_s4_mid*damps4; }
+            x_s u4 { damping => -sin_s4*beta_K*k_s4_mid*damps4; }
+            x_s zeta5 { damping => sin_a*sin_s5*beta_K*k_s5_mid*damps5; }
+            x_s eta5 { damping => cos_a*sin_s5*beta_K*k_s5_mid*damps5; }
+            x_s u5 { damping => -sin_s5*beta_K*k_s5_mid*damps5; }
             y_s y_s {
                 viscous_friction_s => cb_s;
-                damping => alpha_M*m_s + beta_K*kb_s + cos_s1.powi(2)*beta_K*k_s1_mid + cos_s2.powi(2)*beta_K*k_s2_mid
-                    + cos_s3.powi(2)*beta_K*k_s3_mid + cos_s4.powi(2)*beta_K*k_s4_mid + cos_s5.powi(2)*beta_K*k_s5_mid;
+                damping => alpha_M*m_s + beta_K*kb_s + cos_s1.powi(2)*beta_K*k_s1_mid*damps1 + cos_s2.powi(2)*beta_K*k_s2_mid*damps2
+                    + cos_s3.powi(2)*beta_K*k_s3_mid*damps3 + cos_s4.powi(2)*beta_K*k_s4_mid*damps4 + cos_s5.powi(2)*beta_K*k_s5_mid*damps5;
             }
-            y_s zeta1 { damping => -cos_s1*sin_a*beta_K*k_s1_mid; }
-            y_s eta1 { damping => -cos_a*cos_s1*beta_K*k_s1_mid; }
-            y_s u1 { damping => cos_s1*beta_K*k_s1_mid; }
-            y_s zeta2 { damping => -cos_s2*sin_a*beta_K*k_s2_mid; }
-            y_s eta2 { damping => -cos_a*cos_s2*beta_K*k_s2_mid; }
-            y_s u2 { damping => cos_s2*beta_K*k_s2_mid; }
-            y_s zeta3 { damping => -cos_s3*sin_a*beta_K*k_s3_mid; }
-            y_s eta3 { damping => -cos_a*cos_s3*beta_K*k_s3_mid; }
-            y_s u3 { damping => cos_s3*beta_K*k_s3_mid; }
-            y_s zeta4 { damping => -cos_s4*sin_a*beta_K*k_s4_mid; }
-            y_s eta4 { damping => -cos_a*cos_s4*beta_K*k_s4_mid; }
-            y_s u4 { damping => cos_s4*beta_K*k_s4_mid; }
-            y_s zeta5 { damping => -cos_s5*sin_a*beta_K*k_s5_mid; }
-            y_s eta5 { damping => -cos_a*cos_s5*beta_K*k_s5_mid; }
-            y_s u5 { damping => cos_s5*beta_K*k_s5_mid; }
+            y_s zeta1 { damping => -cos_s1*sin_a*beta_K*k_s1_mid*damps1; }
+            y_s eta1 { damping => -cos_a*cos_s1*beta_K*k_s1_mid*damps1; }
+            y_s u1 { damping => cos_s1*beta_K*k_s1_mid*damps1; }
+            y_s zeta2 { damping => -cos_s2*sin_a*beta_K*k_s2_mid*damps2; }
+            y_s eta2 { damping => -cos_a*cos_s2*beta_K*k_s2_mid*damps2; }
+            y_s u2 { damping => cos_s2*beta_K*k_s2_mid*damps2; }
+            y_s zeta3 { damping => -cos_s3*sin_a*beta_K*k_s3_mid*damps3; }
+            y_s eta3 { damping => -cos_a*cos_s3*beta_K*k_s3_mid*damps3; }
+            y_s u3 { damping => cos_s3*beta_K*k_s3_mid*damps3; }
+            y_s zeta4 { damping => -cos_s4*sin_a*beta_K*k_s4_mid*damps4; }
+            y_s eta4 { damping => -cos_a*cos_s4*beta_K*k_s4_mid*damps4; }
+            y_s u4 { damping => cos_s4*beta_K*k_s4_mid*damps4; }
+            y_s zeta5 { damping => -cos_s5*sin_a*beta_K*k_s5_mid*damps5; }
+            y_s eta5 { damping => -cos_a*cos_s5*beta_K*k_s5_mid*damps5; }
+            y_s u5 { damping => cos_s5*beta_K*k_s5_mid*damps5; }
             x_c x_c {
                 viscous_friction_c => cb_c;
                 viscous_friction_p => cos_c1.powi(2)*cb_p + cos_c2.powi(2)*cb_p + cos_c3.powi(2)*cb_p + cos_c4.powi(2)*cb_p
@@ -2131,157 +5843,311 @@ equations! {
             }
             x_r x_r {
                 viscous_friction_r => cb_r;
-                damping => alpha_M*m_r + beta_K*kb_r + sin_r1.powi(2)*beta_K*k_r1_mid + sin_r2.powi(2)*beta_K*k_r2_mid
-                    + sin_r3.powi(2)*beta_K*k_r3_mid + sin_r4.powi(2)*beta_K*k_r4_mid + sin_r5.powi(2)*beta_K*k_r5_mid;
+                damping => alpha_M*m_r + beta_K*kb_r + sin_r1.powi(2)*beta_K*k_r1_mid*dampr1 + sin_r2.powi(2)*beta_K*k_r2_mid*dampr2
+                    + sin_r3.powi(2)*beta_K*k_r3_mid*dampr3 + sin_r4.powi(2)*beta_K*k_r4_mid*dampr4 + sin_r5.powi(2)*beta_K*k_r5_mid*dampr5;
             }
             x_r y_r {
-                damping => -cos_r1*sin_r1*beta_K*k_r1_mid - cos_r2*sin_r2*beta_K*k_r2_mid - cos_r3*sin_r3*beta_K*k_r3_mid
-                    - cos_r4*sin_r4*beta_K*k_r4_mid - cos_r5*sin_r5*beta_K*k_r5_mid;
+                damping => -cos_r1*sin_r1*beta_K*k_r1_mid*dampr1 - cos_r2*sin_r2*beta_K*k_r2_mid*dampr2
+                    - cos_r3*sin_r3*beta_K*k_r3_mid*dampr3 - cos_r4*sin_r4*beta_K*k_r4_mid*dampr4 - cos_r5*sin_r5*beta_K*k_r5_mid*dampr5;
             }
-            x_r zeta1 { damping => -sin_a*sin_r1*beta_K*k_r1_mid; }
-            x_r eta1 { damping => cos_a*sin_r1*beta_K*k_r1_mid; }
-            x_r u1 { damping => sin_r1*beta_K*k_r1_mid; }
-            x_r zeta2 { damping => -sin_a*sin_r2*beta_K*k_r2_mid; }
-            x_r eta2 { damping => cos_a*sin_r2*beta_K*k_r2_mid; }
-            x_r u2 { damping => sin_r2*beta_K*k_r2_mid; }
-            x_r zeta3 { damping => -sin_a*sin_r3*beta_K*k_r3_mid; }
-            x_r eta3 { damping => cos_a*sin_r3*beta_K*k_r3_mid; }
-            x_r u3 { damping => sin_r3*beta_K*k_r3_mid; }
-            x_r zeta4 { damping => -sin_a*sin_r4*beta_K*k_r4_mid; }
-            x_r eta4 { damping => cos_a*sin_r4*beta_K*k_r4_mid; }
-            x_r u4 { damping => sin_r4*beta_K*k_r4_mid; }
-            x_r zeta5 { damping => -sin_a*sin_r5*beta_K*k_r5_mid; }
-            x_r eta5 { damping => cos_a*sin_r5*beta_K*k_r5_mid; }
-            x_r u5 { damping => sin_r5*beta_K*k_r5_mid; }
+            x_r zeta1 { damping => -sin_a*sin_r1*beta_K*k_r1_mid*dampr1; }
+            x_r eta1 { damping => cos_a*sin_r1*beta_K*k_r1_mid*dampr1; }
+            x_r u1 { damping => sin_r1*beta_K*k_r1_mid*dampr1; }
+            x_r zeta2 { damping => -sin_a*sin_r2*beta_K*k_r2_mid*dampr2; }
+            x_r eta2 { damping => cos_a*sin_r2*beta_K*k_r2_mid*dampr2; }
+            x_r u2 { damping => sin_r2*beta_K*k_r2_mid*dampr2; }
+            x_r zeta3 { damping => -sin_a*sin_r3*beta_K*k_r3_mid*dampr3; }
+            x_r eta3 { damping => cos_a*sin_r3*beta_K*k_r3_mid*dampr3; }
+            x_r u3 { damping => sin_r3*beta_K*k_r3_mid*dampr3; }
+            x_r zeta4 { damping => -sin_a*sin_r4*beta_K*k_r4_mid*dampr4; }
+            x_r eta4 { damping => cos_a*sin_r4*beta_K*k_r4_mid*dampr4; }
+            x_r u4 { damping => sin_r4*beta_K*k_r4_mid*dampr4; }
+            x_r zeta5 { damping => -sin_a*sin_r5*beta_K*k_r5_mid*dampr5; }
+            x_r eta5 { damping => cos_a*sin_r5*beta_K*k_r5_mid*dampr5; }
+            x_r u5 { damping => sin_r5*beta_K*k_r5_mid*dampr5; }
             y_r y_r {
                 viscous_friction_r => cb_r;
-                damping => alpha_M*m_r + beta_K*kb_r + cos_r1.powi(2)*beta_K*k_r1_mid + cos_r2.powi(2)*beta_K*k_r2_mid
-                    + cos_r3.powi(2)*beta_K*k_r3_mid + cos_r4.powi(2)*beta_K*k_r4_mid + cos_r5.powi(2)*beta_K*k_r5_mid;
+                damping => alpha_M*m_r + beta_K*kb_r + cos_r1.powi(2)*beta_K*k_r1_mid*dampr1 + cos_r2.powi(2)*beta_K*k_r2_mid*dampr2
+                    + cos_r3.powi(2)*beta_K*k_r3_mid*dampr3 + cos_r4.powi(2)*beta_K*k_r4_mid*dampr4 + cos_r5.powi(2)*beta_K*k_r5_mid*dampr5;
             }
-            y_r zeta1 { damping => cos_r1*sin_a*beta_K*k_r1_mid; }
-            y_r eta1 { damping => -cos_a*cos_r1*beta_K*k_r1_mid; }
-            y_r u1 { damping => -cos_r1*beta_K*k_r1_mid; }
-            y_r zeta2 { damping => cos_r2*sin_a*beta_K*k_r2_mid; }
-            y_r eta2 { damping => -cos_a*cos_r2*beta_K*k_r2_mid; }
-            y_r u2 { damping => -cos_r2*beta_K*k_r2_mid; }
-            y_r zeta3 { damping => cos_r3*sin_a*beta_K*k_r3_mid; }
-            y_r eta3 { damping => -cos_a*cos_r3*beta_K*k_r3_mid; }
-            y_r u3 { damping => -cos_r3*beta_K*k_r3_mid; }
-            y_r zeta4 { damping => cos_r4*sin_a*beta_K*k_r4_mid; }
-            y_r eta4 { damping => -cos_a*cos_r4*beta_K*k_r4_mid; }
-            y_r u4 { damping => -cos_r4*beta_K*k_r4_mid; }
-            y_r zeta5 { damping => cos_r5*sin_a*beta_K*k_r5_mid; }
-            y_r eta5 { damping => -cos_a*cos_r5*beta_K*k_r5_mid; }
-            y_r u5 { damping => -cos_r5*beta_K*k_r5_mid; }
+            y_r zeta1 { damping => cos_r1*sin_a*beta_K*k_r1_mid*dampr1; }
+            y_r eta1 { damping => -cos_a*cos_r1*beta_K*k_r1_mid*dampr1; }
+            y_r u1 { damping => -cos_r1*beta_K*k_r1_mid*dampr1; }
+            y_r zeta2 { damping => cos_r2*sin_a*beta_K*k_r2_mid*dampr2; }
+            y_r eta2 { damping => -cos_a*cos_r2*beta_K*k_r2_mid*dampr2; }
+            y_r u2 { damping => -cos_r2*beta_K*k_r2_mid*dampr2; }
+            y_r zeta3 { damping => cos_r3*sin_a*beta_K*k_r3_mid*dampr3; }
+            y_r eta3 { damping => -cos_a*cos_r3*beta_K*k_r3_mid*dampr3; }
+            y_r u3 { damping => -cos_r3*beta_K*k_r3_mid*dampr3; }
+            y_r zeta4 { damping => cos_r4*sin_a*beta_K*k_r4_mid*dampr4; }
+            y_r eta4 { damping => -cos_a*cos_r4*beta_K*k_r4_mid*dampr4; }
+            y_r u4 { damping => -cos_r4*beta_K*k_r4_mid*dampr4; }
+            y_r zeta5 { damping => cos_r5*sin_a*beta_K*k_r5_mid*dampr5; }
+            y_r eta5 { damping => -cos_a*cos_r5*beta_K*k_r5_mid*dampr5; }
+            y_r u5 { damping => -cos_r5*beta_K*k_r5_mid*dampr5; }
             zeta1 zeta1 {
                 viscous_friction_p => cb_p;
-                damping => alpha_M*m_p + beta_K*kb_p + sin_a.powi(2)*beta_K*k_r1_mid + sin_a.powi(2)*beta_K*k_s1_mid;
+                damping => alpha_M*m_p + beta_K*kb_p + sin_a.powi(2)*beta_K*k_r1_mid*dampr1 + sin_a.powi(2)*beta_K*k_s1_mid*damps1;
             }
-            zeta1 eta1 { damping => cos_a*sin_a*beta_K*k_s1_mid - cos_a*sin_a*beta_K*k_r1_mid; }
-            zeta1 u1 { damping => -sin_a*beta_K*k_r1_mid - sin_a*beta_K*k_s1_mid; }
+            zeta1 eta1 { damping => cos_a*sin_a*beta_K*k_s1_mid*damps1 - cos_a*sin_a*beta_K*k_r1_mid*dampr1; }
+            zeta1 u1 { damping => -sin_a*beta_K*k_r1_mid*dampr1 - sin_a*beta_K*k_s1_mid*damps1; }
             eta1 eta1 {
                 viscous_friction_p => cb_p;
-                damping => alpha_M*m_p + beta_K*kb_p + cos_a.powi(2)*beta_K*k_r1_mid + cos_a.powi(2)*beta_K*k_s1_mid;
+                damping => alpha_M*m_p + beta_K*kb_p + cos_a.powi(2)*beta_K*k_r1_mid*dampr1 + cos_a.powi(2)*beta_K*k_s1_mid*damps1;
             }
-            eta1 u1 { damping => cos_a*beta_K*k_r1_mid - cos_a*beta_K*k_s1_mid; }
-            u1 u1 { damping => beta_K*k_r1_mid + beta_K*k_s1_mid + I_p*alpha_M/r_p.powi(2); }
+            eta1 u1 { damping => cos_a*beta_K*k_r1_mid*dampr1 - cos_a*beta_K*k_s1_mid*damps1; }
+            u1 u1 { damping => beta_K*k_r1_mid*dampr1 + beta_K*k_s1_mid*damps1 + I_p*alpha_M/r_p.powi(2); }
             zeta2 zeta2 {
                 viscous_friction_p => cb_p;
-                damping => alpha_M*m_p + beta_K*kb_p + sin_a.powi(2)*beta_K*k_r2_mid + sin_a.powi(2)*beta_K*k_s2_mid;
+                damping => alpha_M*m_p + beta_K*kb_p + sin_a.powi(2)*beta_K*k_r2_mid*dampr2 + sin_a.powi(2)*beta_K*k_s2_mid*damps2;
             }
-            zeta2 eta2 { damping => cos_a*sin_a*beta_K*k_s2_mid - cos_a*sin_a*beta_K*k_r2_mid; }
-            zeta2 u2 { damping => -sin_a*beta_K*k_r2_mid - sin_a*beta_K*k_s2_mid; }
+            zeta2 eta2 { damping => cos_a*sin_a*beta_K*k_s2_mid*damps2 - cos_a*sin_a*beta_K*k_r2_mid*dampr2; }
+            zeta2 u2 { damping => -sin_a*beta_K*k_r2_mid*dampr2 - sin_a*beta_K*k_s2_mid*damps2; }
             eta2 eta2 {
                 viscous_friction_p => cb_p;
-                damping => alpha_M*m_p + beta_K*kb_p + cos_a.powi(2)*beta_K*k_r2_mid + cos_a.powi(2)*beta_K*k_s2_mid;
+                damping => alpha_M*m_p + beta_K*kb_p + cos_a.powi(2)*beta_K*k_r2_mid*dampr2 + cos_a.powi(2)*beta_K*k_s2_mid*damps2;
             }
-            eta2 u2 { damping => cos_a*beta_K*k_r2_mid - cos_a*beta_K*k_s2_mid; }
-            u2 u2 { damping => beta_K*k_r2_mid + beta_K*k_s2_mid + I_p*alpha_M/r_p.powi(2); }
+            eta2 u2 { damping => cos_a*beta_K*k_r2_mid*dampr2 - cos_a*beta_K*k_s2_mid*damps2; }
+            u2 u2 { damping => beta_K*k_r2_mid*dampr2 + beta_K*k_s2_mid*damps2 + I_p*alpha_M/r_p.powi(2); }
             zeta3 zeta3 {
                 viscous_friction_p => cb_p;
-                damping => alpha_M*m_p + beta_K*kb_p + sin_a.powi(2)*beta_K*k_r3_mid + sin_a.powi(2)*beta_K*k_s3_mid;
+                damping => alpha_M*m_p + beta_K*kb_p + sin_a.powi(2)*beta_K*k_r3_mid*dampr3 + sin_a.powi(2)*beta_K*k_s3_mid*damps3;
             }
-            zeta3 eta3 { damping => cos_a*sin_a*beta_K*k_s3_mid - cos_a*sin_a*beta_K*k_r3_mid; }
-            zeta3 u3 { damping => -sin_a*beta_K*k_r3_mid - sin_a*beta_K*k_s3_mid; }
+            zeta3 eta3 { damping => cos_a*sin_a*beta_K*k_s3_mid*damps3 - cos_a*sin_a*beta_K*k_r3_mid*dampr3; }
+            zeta3 u3 { damping => -sin_a*beta_K*k_r3_mid*dampr3 - sin_a*beta_K*k_s3_mid*damps3; }
             eta3 eta3 {
                 viscous_friction_p => cb_p;
-                damping => alpha_M*m_p + beta_K*kb_p + cos_a.powi(2)*beta_K*k_r3_mid + cos_a.powi(2)*beta_K*k_s3_mid;
+                damping => alpha_M*m_p + beta_K*kb_p + cos_a.powi(2)*beta_K*k_r3_mid*dampr3 + cos_a.powi(2)*beta_K*k_s3_mid*damps3;
             }
-            eta3 u3 { damping => cos_a*beta_K*k_r3_mid - cos_a*beta_K*k_s3_mid; }
-            u3 u3 { damping => beta_K*k_r3_mid + beta_K*k_s3_mid + I_p*alpha_M/r_p.powi(2); }
+            eta3 u3 { damping => cos_a*beta_K*k_r3_mid*dampr3 - cos_a*beta_K*k_s3_mid*damps3; }
+            u3 u3 { damping => beta_K*k_r3_mid*dampr3 + beta_K*k_s3_mid*damps3 + I_p*alpha_M/r_p.powi(2); }
             zeta4 zeta4 {
                 viscous_friction_p => cb_p;
-                damping => alpha_M*m_p + beta_K*kb_p + sin_a.powi(2)*beta_K*k_r4_mid + sin_a.powi(2)*beta_K*k_s4_mid;
+                damping => alpha_M*m_p + beta_K*kb_p + sin_a.powi(2)*beta_K*k_r4_mid*dampr4 + sin_a.powi(2)*beta_K*k_s4_mid*damps4;
             }
-            zeta4 eta4 { damping => cos_a*sin_a*beta_K*k_s4_mid - cos_a*sin_a*beta_K*k_r4_mid; }
-            zeta4 u4 { damping => -sin_a*beta_K*k_r4_mid - sin_a*beta_K*k_s4_mid; }
+            zeta4 eta4 { damping => cos_a*sin_a*beta_K*k_s4_mid*damps4 - cos_a*sin_a*beta_K*k_r4_mid*dampr4; }
+            zeta4 u4 { damping => -sin_a*beta_K*k_r4_mid*dampr4 - sin_a*beta_K*k_s4_mid*damps4; }
             eta4 eta4 {
                 viscous_friction_p => cb_p;
-                damping => alpha_M*m_p + beta_K*kb_p + cos_a.powi(2)*beta_K*k_r4_mid + cos_a.powi(2)*beta_K*k_s4_mid;
+                damping => alpha_M*m_p + beta_K*kb_p + cos_a.powi(2)*beta_K*k_r4_mid*dampr4 + cos_a.powi(2)*beta_K*k_s4_mid*damps4;
             }
-            eta4 u4 { damping => cos_a*beta_K*k_r4_mid - cos_a*beta_K*k_s4_mid; }
-            u4 u4 { damping => beta_K*k_r4_mid + beta_K*k_s4_mid + I_p*alpha_M/r_p.powi(2); }
+            eta4 u4 { damping => cos_a*beta_K*k_r4_mid*dampr4 - cos_a*beta_K*k_s4_mid*damps4; }
+            u4 u4 { damping => beta_K*k_r4_mid*dampr4 + beta_K*k_s4_mid*damps4 + I_p*alpha_M/r_p.powi(2); }
             zeta5 zeta5 {
                 viscous_friction_p => cb_p;
-                damping => alpha_M*m_p + beta_K*kb_p + sin_a.powi(2)*beta_K*k_r5_mid + sin_a.powi(2)*beta_K*k_s5_mid;
+                damping => alpha_M*m_p + beta_K*kb_p + sin_a.powi(2)*beta_K*k_r5_mid*dampr5 + sin_a.powi(2)*beta_K*k_s5_mid*damps5;
             }
-            zeta5 eta5 { damping => cos_a*sin_a*beta_K*k_s5_mid - cos_a*sin_a*beta_K*k_r5_mid; }
-            zeta5 u5 { damping => -sin_a*beta_K*k_r5_mid - sin_a*beta_K*k_s5_mid; }
+            zeta5 eta5 { damping => cos_a*sin_a*beta_K*k_s5_mid*damps5 - cos_a*sin_a*beta_K*k_r5_mid*dampr5; }
+            zeta5 u5 { damping => -sin_a*beta_K*k_r5_mid*dampr5 - sin_a*beta_K*k_s5_mid*damps5; }
             eta5 eta5 {
                 viscous_friction_p => cb_p;
-                damping => alpha_M*m_p + beta_K*kb_p + cos_a.powi(2)*beta_K*k_r5_mid + cos_a.powi(2)*beta_K*k_s5_mid;
+                damping => alpha_M*m_p + beta_K*kb_p + cos_a.powi(2)*beta_K*k_r5_mid*dampr5 + cos_a.powi(2)*beta_K*k_s5_mid*damps5;
             }
-            eta5 u5 { damping => cos_a*beta_K*k_r5_mid - cos_a*beta_K*k_s5_mid; }
-            u5 u5 { damping => beta_K*k_r5_mid + beta_K*k_s5_mid + I_p*alpha_M/r_p.powi(2); }
+            eta5 u5 { damping => cos_a*beta_K*k_r5_mid*dampr5 - cos_a*beta_K*k_s5_mid*damps5; }
+            u5 u5 { damping => beta_K*k_r5_mid*dampr5 + beta_K*k_s5_mid*damps5 + I_p*alpha_M/r_p.powi(2); }
         }
         load {
             theta { torques => T_motor/Z_r - T_load/Z_r + T_motor/Z_s; }
             theta_c {
-                _ => -h*Z_r*k_r1*e_r1 - h*Z_r*k_r2*e_r2 - h*Z_r*k_r3*e_r3 - h*Z_r*k_r4*e_r4 - h*Z_r*k_r5*e_r5;
+                _ => -h*Z_r*k_r1*touchr1*edger1 - h*Z_r*k_r1*touchr1*e_r1 - h*Z_r*k_r2*touchr2*edger2 - h*Z_r*k_r2*touchr2*e_r2
+                    - h*Z_r*k_r3*touchr3*edger3 - h*Z_r*k_r3*touchr3*e_r3 - h*Z_r*k_r4*touchr4*edger4 - h*Z_r*k_r4*touchr4*e_r4
+                    - h*Z_r*k_r5*touchr5*edger5 - h*Z_r*k_r5*touchr5*e_r5;
+                backlash_r1 => -h*Z_r*k_r1*clipr1*touchr1*edger1 - h*Z_r*k_r1*clipr1*touchr1*e_r1;
+                backlash_r2 => -h*Z_r*k_r2*clipr2*touchr2*edger2 - h*Z_r*k_r2*clipr2*touchr2*e_r2;
+                backlash_r3 => -h*Z_r*k_r3*clipr3*touchr3*edger3 - h*Z_r*k_r3*clipr3*touchr3*e_r3;
+                backlash_r4 => -h*Z_r*k_r4*clipr4*touchr4*edger4 - h*Z_r*k_r4*clipr4*touchr4*e_r4;
+                backlash_r5 => -h*Z_r*k_r5*clipr5*touchr5*edger5 - h*Z_r*k_r5*clipr5*touchr5*e_r5;
                 torques => T_motor - T_load;
             }
-            theta_r { _ => h*Z_r*k_r1*e_r1 + h*Z_r*k_r2*e_r2 + h*Z_r*k_r3*e_r3 + h*Z_r*k_r4*e_r4 + h*Z_r*k_r5*e_r5; }
-            x_s { _ => -sin_s1*k_s1*e_s1 - sin_s2*k_s2*e_s2 - sin_s3*k_s3*e_s3 - sin_s4*k_s4*e_s4 - sin_s5*k_s5*e_s5; }
-            y_s { _ => cos_s1*k_s1*e_s1 + cos_s2*k_s2*e_s2 + cos_s3*k_s3*e_s3 + cos_s4*k_s4*e_s4 + cos_s5*k_s5*e_s5; }
-            x_r { _ => -sin_r1*k_r1*e_r1 - sin_r2*k_r2*e_r2 - sin_r3*k_r3*e_r3 - sin_r4*k_r4*e_r4 - sin_r5*k_r5*e_r5; }
-            y_r { _ => cos_r1*k_r1*e_r1 + cos_r2*k_r2*e_r2 + cos_r3*k_r3*e_r3 + cos_r4*k_r4*e_r4 + cos_r5*k_r5*e_r5; }
-            zeta1 { _ => sin_a*k_r1*e_r1 - sin_a*k_s1*e_s1; }
-            eta1 { _ => -cos_a*k_r1*e_r1 - cos_a*k_s1*e_s1; }
-            u1 { _ => k_s1*e_s1 - k_r1*e_r1; }
-            zeta2 { _ => sin_a*k_r2*e_r2 - sin_a*k_s2*e_s2; }
-            eta2 { _ => -cos_a*k_r2*e_r2 - cos_a*k_s2*e_s2; }
-            u2 { _ => k_s2*e_s2 - k_r2*e_r2; }
-            zeta3 { _ => sin_a*k_r3*e_r3 - sin_a*k_s3*e_s3; }
-            eta3 { _ => -cos_a*k_r3*e_r3 - cos_a*k_s3*e_s3; }
-            u3 { _ => k_s3*e_s3 - k_r3*e_r3; }
-            zeta4 { _ => sin_a*k_r4*e_r4 - sin_a*k_s4*e_s4; }
-            eta4 { _ => -cos_a*k_r4*e_r4 - cos_a*k_s4*e_s4; }
-            u4 { _ => k_s4*e_s4 - k_r4*e_r4; }
-            zeta5 { _ => sin_a*k_r5*e_r5 - sin_a*k_s5*e_s5; }
-            eta5 { _ => -cos_a*k_r5*e_r5 - cos_a*k_s5*e_s5; }
-            u5 { _ => k_s5*e_s5 - k_r5*e_r5; }
+            theta_r {
+                _ => h*Z_r*k_r1*touchr1*edger1 + h*Z_r*k_r1*touchr1*e_r1 + h*Z_r*k_r2*touchr2*edger2 + h*Z_r*k_r2*touchr2*e_r2
+                    + h*Z_r*k_r3*touchr3*edger3 + h*Z_r*k_r3*touchr3*e_r3 + h*Z_r*k_r4*touchr4*edger4 + h*Z_r*k_r4*touchr4*e_r4
+                    + h*Z_r*k_r5*touchr5*edger5 + h*Z_r*k_r5*touchr5*e_r5;
+                backlash_r1 => h*Z_r*k_r1*clipr1*touchr1*edger1 + h*Z_r*k_r1*clipr1*touchr1*e_r1;
+                backlash_r2 => h*Z_r*k_r2*clipr2*touchr2*edger2 + h*Z_r*k_r2*clipr2*touchr2*e_r2;
+                backlash_r3 => h*Z_r*k_r3*clipr3*touchr3*edger3 + h*Z_r*k_r3*clipr3*touchr3*e_r3;
+                backlash_r4 => h*Z_r*k_r4*clipr4*touchr4*edger4 + h*Z_r*k_r4*clipr4*touchr4*e_r4;
+                backlash_r5 => h*Z_r*k_r5*clipr5*touchr5*edger5 + h*Z_r*k_r5*clipr5*touchr5*e_r5;
+            }
+            x_s {
+                _ => -sin_s1*k_s1*touchs1*edges1 - sin_s1*k_s1*touchs1*e_s1 - sin_s2*k_s2*touchs2*edges2 - sin_s2*k_s2*touchs2*e_s2
+                    - sin_s3*k_s3*touchs3*edges3 - sin_s3*k_s3*touchs3*e_s3 - sin_s4*k_s4*touchs4*edges4 - sin_s4*k_s4*touchs4*e_s4
+                    - sin_s5*k_s5*touchs5*edges5 - sin_s5*k_s5*touchs5*e_s5;
+                backlash_s1 => -sin_s1*k_s1*clips1*touchs1*edges1 - sin_s1*k_s1*clips1*touchs1*e_s1;
+                backlash_s2 => -sin_s2*k_s2*clips2*touchs2*edges2 - sin_s2*k_s2*clips2*touchs2*e_s2;
+                backlash_s3 => -sin_s3*k_s3*clips3*touchs3*edges3 - sin_s3*k_s3*clips3*touchs3*e_s3;
+                backlash_s4 => -sin_s4*k_s4*clips4*touchs4*edges4 - sin_s4*k_s4*clips4*touchs4*e_s4;
+                backlash_s5 => -sin_s5*k_s5*clips5*touchs5*edges5 - sin_s5*k_s5*clips5*touchs5*e_s5;
+            }
+            y_s {
+                _ => cos_s1*k_s1*touchs1*edges1 + cos_s1*k_s1*touchs1*e_s1 + cos_s2*k_s2*touchs2*edges2 + cos_s2*k_s2*touchs2*e_s2
+                    + cos_s3*k_s3*touchs3*edges3 + cos_s3*k_s3*touchs3*e_s3 + cos_s4*k_s4*touchs4*edges4 + cos_s4*k_s4*touchs4*e_s4
+                    + cos_s5*k_s5*touchs5*edges5 + cos_s5*k_s5*touchs5*e_s5;
+                backlash_s1 => cos_s1*k_s1*clips1*touchs1*edges1 + cos_s1*k_s1*clips1*touchs1*e_s1;
+                backlash_s2 => cos_s2*k_s2*clips2*touchs2*edges2 + cos_s2*k_s2*clips2*touchs2*e_s2;
+                backlash_s3 => cos_s3*k_s3*clips3*touchs3*edges3 + cos_s3*k_s3*clips3*touchs3*e_s3;
+                backlash_s4 => cos_s4*k_s4*clips4*touchs4*edges4 + cos_s4*k_s4*clips4*touchs4*e_s4;
+                backlash_s5 => cos_s5*k_s5*clips5*touchs5*edges5 + cos_s5*k_s5*clips5*touchs5*e_s5;
+            }
+            x_r {
+                _ => -sin_r1*k_r1*touchr1*edger1 - sin_r1*k_r1*touchr1*e_r1 - sin_r2*k_r2*touchr2*edger2 - sin_r2*k_r2*touchr2*e_r2
+                    - sin_r3*k_r3*touchr3*edger3 - sin_r3*k_r3*touchr3*e_r3 - sin_r4*k_r4*touchr4*edger4 - sin_r4*k_r4*touchr4*e_r4
+                    - sin_r5*k_r5*touchr5*edger5 - sin_r5*k_r5*touchr5*e_r5;
+                backlash_r1 => -sin_r1*k_r1*clipr1*touchr1*edger1 - sin_r1*k_r1*clipr1*touchr1*e_r1;
+                backlash_r2 => -sin_r2*k_r2*clipr2*touchr2*edger2 - sin_r2*k_r2*clipr2*touchr2*e_r2;
+                backlash_r3 => -sin_r3*k_r3*clipr3*touchr3*edger3 - sin_r3*k_r3*clipr3*touchr3*e_r3;
+                backlash_r4 => -sin_r4*k_r4*clipr4*touchr4*edger4 - sin_r4*k_r4*clipr4*touchr4*e_r4;
+                backlash_r5 => -sin_r5*k_r5*clipr5*touchr5*edger5 - sin_r5*k_r5*clipr5*touchr5*e_r5;
+            }
+            y_r {
+                _ => cos_r1*k_r1*touchr1*edger1 + cos_r1*k_r1*touchr1*e_r1 + cos_r2*k_r2*touchr2*edger2 + cos_r2*k_r2*touchr2*e_r2
+                    + cos_r3*k_r3*touchr3*edger3 + cos_r3*k_r3*touchr3*e_r3 + cos_r4*k_r4*touchr4*edger4 + cos_r4*k_r4*touchr4*e_r4
+                    + cos_r5*k_r5*touchr5*edger5 + cos_r5*k_r5*touchr5*e_r5;
+                backlash_r1 => cos_r1*k_r1*clipr1*touchr1*edger1 + cos_r1*k_r1*clipr1*touchr1*e_r1;
+                backlash_r2 => cos_r2*k_r2*clipr2*touchr2*edger2 + cos_r2*k_r2*clipr2*touchr2*e_r2;
+                backlash_r3 => cos_r3*k_r3*clipr3*touchr3*edger3 + cos_r3*k_r3*clipr3*touchr3*e_r3;
+                backlash_r4 => cos_r4*k_r4*clipr4*touchr4*edger4 + cos_r4*k_r4*clipr4*touchr4*e_r4;
+                backlash_r5 => cos_r5*k_r5*clipr5*touchr5*edger5 + cos_r5*k_r5*clipr5*touchr5*e_r5;
+            }
+            zeta1 {
+                _ => sin_a*k_r1*touchr1*edger1 + sin_a*k_r1*touchr1*e_r1 - sin_a*k_s1*touchs1*edges1 - sin_a*k_s1*touchs1*e_s1;
+                backlash_s1 => -sin_a*k_s1*clips1*touchs1*edges1 - sin_a*k_s1*clips1*touchs1*e_s1;
+                backlash_r1 => sin_a*k_r1*clipr1*touchr1*edger1 + sin_a*k_r1*clipr1*touchr1*e_r1;
+            }
+            eta1 {
+                _ => -cos_a*k_r1*touchr1*edger1 - cos_a*k_r1*touchr1*e_r1 - cos_a*k_s1*touchs1*edges1 - cos_a*k_s1*touchs1*e_s1;
+                backlash_s1 => -cos_a*k_s1*clips1*touchs1*edges1 - cos_a*k_s1*clips1*touchs1*e_s1;
+                backlash_r1 => -cos_a*k_r1*clipr1*touchr1*edger1 - cos_a*k_r1*clipr1*touchr1*e_r1;
+            }
+            u1 {
+                _ => k_s1*touchs1*edges1 - k_r1*touchr1*edger1 - k_r1*touchr1*e_r1 + k_s1*touchs1*e_s1;
+                backlash_s1 => k_s1*clips1*touchs1*edges1 + k_s1*clips1*touchs1*e_s1;
+                backlash_r1 => -k_r1*clipr1*touchr1*edger1 - k_r1*clipr1*touchr1*e_r1;
+            }
+            zeta2 {
+                _ => sin_a*k_r2*touchr2*edger2 + sin_a*k_r2*touchr2*e_r2 - sin_a*k_s2*touchs2*edges2 - sin_a*k_s2*touchs2*e_s2;
+                backlash_s2 => -sin_a*k_s2*clips2*touchs2*edges2 - sin_a*k_s2*clips2*touchs2*e_s2;
+                backlash_r2 => sin_a*k_r2*clipr2*touchr2*edger2 + sin_a*k_r2*clipr2*touchr2*e_r2;
+            }
+            eta2 {
+                _ => -cos_a*k_r2*touchr2*edger2 - cos_a*k_r2*touchr2*e_r2 - cos_a*k_s2*touchs2*edges2 - cos_a*k_s2*touchs2*e_s2;
+                backlash_s2 => -cos_a*k_s2*clips2*touchs2*edges2 - cos_a*k_s2*clips2*touchs2*e_s2;
+                backlash_r2 => -cos_a*k_r2*clipr2*touchr2*edger2 - cos_a*k_r2*clipr2*touchr2*e_r2;
+            }
+            u2 {
+                _ => k_s2*touchs2*edges2 - k_r2*touchr2*edger2 - k_r2*touchr2*e_r2 + k_s2*touchs2*e_s2;
+                backlash_s2 => k_s2*clips2*touchs2*edges2 + k_s2*clips2*touchs2*e_s2;
+                backlash_r2 => -k_r2*clipr2*touchr2*edger2 - k_r2*clipr2*touchr2*e_r2;
+            }
+            zeta3 {
+                _ => sin_a*k_r3*touchr3*edger3 + sin_a*k_r3*touchr3*e_r3 - sin_a*k_s3*touchs3*edges3 - sin_a*k_s3*touchs3*e_s3;
+                backlash_s3 => -sin_a*k_s3*clips3*touchs3*edges3 - sin_a*k_s3*clips3*touchs3*e_s3;
+                backlash_r3 => sin_a*k_r3*clipr3*touchr3*edger3 + sin_a*k_r3*clipr3*touchr3*e_r3;
+            }
+            eta3 {
+                _ => -cos_a*k_r3*touchr3*edger3 - cos_a*k_r3*touchr3*e_r3 - cos_a*k_s3*touchs3*edges3 - cos_a*k_s3*touchs3*e_s3;
+                backlash_s3 => -cos_a*k_s3*clips3*touchs3*edges3 - cos_a*k_s3*clips3*touchs3*e_s3;
+                backlash_r3 => -cos_a*k_r3*clipr3*touchr3*edger3 - cos_a*k_r3*clipr3*touchr3*e_r3;
+            }
+            u3 {
+                _ => k_s3*touchs3*edges3 - k_r3*touchr3*edger3 - k_r3*touchr3*e_r3 + k_s3*touchs3*e_s3;
+                backlash_s3 => k_s3*clips3*touchs3*edges3 + k_s3*clips3*touchs3*e_s3;
+                backlash_r3 => -k_r3*clipr3*touchr3*edger3 - k_r3*clipr3*touchr3*e_r3;
+            }
+            zeta4 {
+                _ => sin_a*k_r4*touchr4*edger4 + sin_a*k_r4*touchr4*e_r4 - sin_a*k_s4*touchs4*edges4 - sin_a*k_s4*touchs4*e_s4;
+                backlash_s4 => -sin_a*k_s4*clips4*touchs4*edges4 - sin_a*k_s4*clips4*touchs4*e_s4;
+                backlash_r4 => sin_a*k_r4*clipr4*touchr4*edger4 + sin_a*k_r4*clipr4*touchr4*e_r4;
+            }
+            eta4 {
+                _ => -cos_a*k_r4*touchr4*edger4 - cos_a*k_r4*touchr4*e_r4 - cos_a*k_s4*touchs4*edges4 - cos_a*k_s4*touchs4*e_s4;
+                backlash_s4 => -cos_a*k_s4*clips4*touchs4*edges4 - cos_a*k_s4*clips4*touchs4*e_s4;
+                backlash_r4 => -cos_a*k_r4*clipr4*touchr4*edger4 - cos_a*k_r4*clipr4*touchr4*e_r4;
+            }
+            u4 {
+                _ => k_s4*touchs4*edges4 - k_r4*touchr4*edger4 - k_r4*touchr4*e_r4 + k_s4*touchs4*e_s4;
+                backlash_s4 => k_s4*clips4*touchs4*edges4 + k_s4*clips4*touchs4*e_s4;
+                backlash_r4 => -k_r4*clipr4*touchr4*edger4 - k_r4*clipr4*touchr4*e_r4;
+            }
+            zeta5 {
+                _ => sin_a*k_r5*touchr5*edger5 + sin_a*k_r5*touchr5*e_r5 - sin_a*k_s5*touchs5*edges5 - sin_a*k_s5*touchs5*e_s5;
+                backlash_s5 => -sin_a*k_s5*clips5*touchs5*edges5 - sin_a*k_s5*clips5*touchs5*e_s5;
+                backlash_r5 => sin_a*k_r5*clipr5*touchr5*edger5 + sin_a*k_r5*clipr5*touchr5*e_r5;
+            }
+            eta5 {
+                _ => -cos_a*k_r5*touchr5*edger5 - cos_a*k_r5*touchr5*e_r5 - cos_a*k_s5*touchs5*edges5 - cos_a*k_s5*touchs5*e_s5;
+                backlash_s5 => -cos_a*k_s5*clips5*touchs5*edges5 - cos_a*k_s5*clips5*touchs5*e_s5;
+                backlash_r5 => -cos_a*k_r5*clipr5*touchr5*edger5 - cos_a*k_r5*clipr5*touchr5*e_r5;
+            }
+            u5 {
+                _ => k_s5*touchs5*edges5 - k_r5*touchr5*edger5 - k_r5*touchr5*e_r5 + k_s5*touchs5*e_s5;
+                backlash_s5 => k_s5*clips5*touchs5*edges5 + k_s5*clips5*touchs5*e_s5;
+                backlash_r5 => -k_r5*clipr5*touchr5*edger5 - k_r5*clipr5*touchr5*e_r5;
+            }
         }
     }
-    jump k_s1 { step { _ => dk_s1*delta_s1.powi(2)/2.0; } }
-    jump k_r1 { step { _ => dk_r1*delta_r1.powi(2)/2.0; } }
-    jump k_s2 { step { _ => dk_s2*delta_s2.powi(2)/2.0; } }
-    jump k_r2 { step { _ => dk_r2*delta_r2.powi(2)/2.0; } }
-    jump k_s3 { step { _ => dk_s3*delta_s3.powi(2)/2.0; } }
-    jump k_r3 { step { _ => dk_r3*delta_r3.powi(2)/2.0; } }
-    jump k_s4 { step { _ => dk_s4*delta_s4.powi(2)/2.0; } }
-    jump k_r4 { step { _ => dk_r4*delta_r4.powi(2)/2.0; } }
-    jump k_s5 { step { _ => dk_s5*delta_s5.powi(2)/2.0; } }
-    jump k_r5 { step { _ => dk_r5*delta_r5.powi(2)/2.0; } }
-    jump e_s1 { step { _ => k_s1*de_s1.powi(2)/2.0 - k_s1*de_s1*delta_s1; } }
-    jump e_r1 { step { _ => k_r1*de_r1.powi(2)/2.0 - k_r1*de_r1*delta_r1; } }
-    jump e_s2 { step { _ => k_s2*de_s2.powi(2)/2.0 - k_s2*de_s2*delta_s2; } }
-    jump e_r2 { step { _ => k_r2*de_r2.powi(2)/2.0 - k_r2*de_r2*delta_r2; } }
-    jump e_s3 { step { _ => k_s3*de_s3.powi(2)/2.0 - k_s3*de_s3*delta_s3; } }
-    jump e_r3 { step { _ => k_r3*de_r3.powi(2)/2.0 - k_r3*de_r3*delta_r3; } }
-    jump e_s4 { step { _ => k_s4*de_s4.powi(2)/2.0 - k_s4*de_s4*delta_s4; } }
-    jump e_r4 { step { _ => k_r4*de_r4.powi(2)/2.0 - k_r4*de_r4*delta_r4; } }
-    jump e_s5 { step { _ => k_s5*de_s5.powi(2)/2.0 - k_s5*de_s5*delta_s5; } }
-    jump e_r5 { step { _ => k_r5*de_r5.powi(2)/2.0 - k_r5*de_r5*delta_r5; } }
+    nonlinear_with {
+        sliding_friction_s1 "-side_s1*F_mu_s1 in the torque `slide_s1`";
+        sliding_friction_s1 "-arm_s1*F_mu_s1 in the torque `roll_s1`";
+        sliding_friction_r1 "-side_r1*F_mu_r1 in the torque `slide_r1`";
+        sliding_friction_r1 "-arm_r1*F_mu_r1 in the torque `roll_r1`";
+        sliding_friction_s2 "-side_s2*F_mu_s2 in the torque `slide_s2`";
+        sliding_friction_s2 "-arm_s2*F_mu_s2 in the torque `roll_s2`";
+        sliding_friction_r2 "-side_r2*F_mu_r2 in the torque `slide_r2`";
+        sliding_friction_r2 "-arm_r2*F_mu_r2 in the torque `roll_r2`";
+        sliding_friction_s3 "-side_s3*F_mu_s3 in the torque `slide_s3`";
+        sliding_friction_s3 "-arm_s3*F_mu_s3 in the torque `roll_s3`";
+        sliding_friction_r3 "-side_r3*F_mu_r3 in the torque `slide_r3`";
+        sliding_friction_r3 "-arm_r3*F_mu_r3 in the torque `roll_r3`";
+        sliding_friction_s4 "-side_s4*F_mu_s4 in the torque `slide_s4`";
+        sliding_friction_s4 "-arm_s4*F_mu_s4 in the torque `roll_s4`";
+        sliding_friction_r4 "-side_r4*F_mu_r4 in the torque `slide_r4`";
+        sliding_friction_r4 "-arm_r4*F_mu_r4 in the torque `roll_r4`";
+        sliding_friction_s5 "-side_s5*F_mu_s5 in the torque `slide_s5`";
+        sliding_friction_s5 "-arm_s5*F_mu_s5 in the torque `roll_s5`";
+        sliding_friction_r5 "-side_r5*F_mu_r5 in the torque `slide_r5`";
+        sliding_friction_r5 "-arm_r5*F_mu_r5 in the torque `roll_r5`";
+    }
+    jump k_s1 { step { _ => dk_s1*touchs1*overs1.powi(2)/2.0; } }
+    jump k_r1 { step { _ => dk_r1*touchr1*overr1.powi(2)/2.0; } }
+    jump k_s2 { step { _ => dk_s2*touchs2*overs2.powi(2)/2.0; } }
+    jump k_r2 { step { _ => dk_r2*touchr2*overr2.powi(2)/2.0; } }
+    jump k_s3 { step { _ => dk_s3*touchs3*overs3.powi(2)/2.0; } }
+    jump k_r3 { step { _ => dk_r3*touchr3*overr3.powi(2)/2.0; } }
+    jump k_s4 { step { _ => dk_s4*touchs4*overs4.powi(2)/2.0; } }
+    jump k_r4 { step { _ => dk_r4*touchr4*overr4.powi(2)/2.0; } }
+    jump k_s5 { step { _ => dk_s5*touchs5*overs5.powi(2)/2.0; } }
+    jump k_r5 { step { _ => dk_r5*touchr5*overr5.powi(2)/2.0; } }
+    jump e_s1 { step { _ => k_s1*de_s1.powi(2)*touchs1/2.0 - k_s1*de_s1*touchs1*overs1; } }
+    jump e_r1 { step { _ => k_r1*de_r1.powi(2)*touchr1/2.0 - k_r1*de_r1*touchr1*overr1; } }
+    jump e_s2 { step { _ => k_s2*de_s2.powi(2)*touchs2/2.0 - k_s2*de_s2*touchs2*overs2; } }
+    jump e_r2 { step { _ => k_r2*de_r2.powi(2)*touchr2/2.0 - k_r2*de_r2*touchr2*overr2; } }
+    jump e_s3 { step { _ => k_s3*de_s3.powi(2)*touchs3/2.0 - k_s3*de_s3*touchs3*overs3; } }
+    jump e_r3 { step { _ => k_r3*de_r3.powi(2)*touchr3/2.0 - k_r3*de_r3*touchr3*overr3; } }
+    jump e_s4 { step { _ => k_s4*de_s4.powi(2)*touchs4/2.0 - k_s4*de_s4*touchs4*overs4; } }
+    jump e_r4 { step { _ => k_r4*de_r4.powi(2)*touchr4/2.0 - k_r4*de_r4*touchr4*overr4; } }
+    jump e_s5 { step { _ => k_s5*de_s5.powi(2)*touchs5/2.0 - k_s5*de_s5*touchs5*overs5; } }
+    jump e_r5 { step { _ => k_r5*de_r5.powi(2)*touchr5/2.0 - k_r5*de_r5*touchr5*overr5; } }
+    jump side_s1 { step {} }
+    jump arm_s1 { step {} }
+    jump side_r1 { step {} }
+    jump arm_r1 { step {} }
+    jump side_s2 { step {} }
+    jump arm_s2 { step {} }
+    jump side_r2 { step {} }
+    jump arm_r2 { step {} }
+    jump side_s3 { step {} }
+    jump arm_s3 { step {} }
+    jump side_r3 { step {} }
+    jump arm_r3 { step {} }
+    jump side_s4 { step {} }
+    jump arm_s4 { step {} }
+    jump side_r4 { step {} }
+    jump arm_r4 { step {} }
+    jump side_s5 { step {} }
+    jump arm_s5 { step {} }
+    jump side_r5 { step {} }
+    jump arm_r5 { step {} }
     outputs {
         rotor_speed_s "rad/s", "rotational speed of the sun" { _ => theta_c_dot + theta_dot*(1.0/Z_r + 1.0/Z_s); }
         bearing_force_s_x "N", "force on the bearing of the sun along x" {
@@ -2387,10 +6253,15 @@ equations! {
             viscous_friction_p => cb_p*radial1_dot.powi(2) + cb_p*tangential1_dot.powi(2);
             damping => beta_K*kb_p*radial1_dot.powi(2) + beta_K*kb_p*tangential1_dot.powi(2);
         }
+        contact_loss_s1 "1" with backlash_s1,
+            "1 while no force passes the mesh of sun and planet 1, else 0: its mean is the share of time without contact" {
+            _ => 1.0 - touchs1*(1.0 + clips1*(1.0 - clips1)/2.0);
+        }
         mesh_force_s1 "N",
             "force of the mesh of sun and planet 1 along the line of action, damper included: positive if it presses the drive flanks" {
-            _ => k_s1*delta_s1;
-            damping => beta_K*k_s1_mid*delta_s1_dot;
+            _ => k_s1*touchs1*overs1;
+            backlash_s1 => k_s1*clips1*touchs1*overs1;
+            damping => beta_K*k_s1_mid*damps1*overs1_dot;
         }
         mesh_power_s1 "W", "power that the first gear gives to the mesh of sun and planet 1: force times the speed of its flank" {
             _ => mesh_force_s1*(cos_s1*y_s_dot + h*Z_s*theta_c_dot + h*Z_s*theta_dot*(1.0/Z_r + 1.0/Z_s) - sin_s1*x_s_dot);
@@ -2404,11 +6275,28 @@ equations! {
             _ => u1 - (cos_a*(eta1 + h*(Z_r + Z_s)*(theta_c + theta/Z_r)/(2.0*cos_a)) + sin_a*zeta1) + cos_s1*y_s
                 + h*Z_s*(theta_c + theta/Z_r + theta/Z_s) - h*theta + h*(Z_r - Z_s)*(theta_c + theta/Z_r)/2.0 - sin_s1*x_s;
         }
-        mesh_loss_s1 "W", "power that the damper of the mesh of sun and planet 1 takes" { damping => beta_K*k_s1_mid*delta_s1_dot.powi(2); }
+        mesh_loss_s1 "W", "power that the damper of the mesh of sun and planet 1 takes" {
+            backlash_s1 => k_s1*clips1*touchs1*overs1*overs1_dot;
+            damping => beta_K*k_s1_mid*damps1*overs1_dot.powi(2);
+        }
+        power_slide_s1 "W" with sliding_friction_s1,
+            "power of the friction of the mesh of sun and planet 1, through the sliding of the flanks at the pitch point: positive if it \
+            drives" {
+            _ => slide_s1_power;
+        }
+        power_roll_s1 "W" with sliding_friction_s1,
+            "power of the friction of the mesh of sun and planet 1, through the rolling of the gears: positive if it drives" {
+            _ => roll_s1_power;
+        }
+        contact_loss_r1 "1" with backlash_r1,
+            "1 while no force passes the mesh of ring and planet 1, else 0: its mean is the share of time without contact" {
+            _ => 1.0 - touchr1*(1.0 + clipr1*(1.0 - clipr1)/2.0);
+        }
         mesh_force_r1 "N",
             "force of the mesh of ring and planet 1 along the line of action, damper included: positive if it presses the drive flanks" {
-            _ => k_r1*delta_r1;
-            damping => beta_K*k_r1_mid*delta_r1_dot;
+            _ => k_r1*touchr1*overr1;
+            backlash_r1 => k_r1*clipr1*touchr1*overr1;
+            damping => beta_K*k_r1_mid*dampr1*overr1_dot;
         }
         mesh_power_r1 "W", "power that the first gear gives to the mesh of ring and planet 1: force times the speed of its flank" {
             _ => mesh_force_r1*(cos_r1*y_r_dot + h*Z_r*theta_r_dot - sin_r1*x_r_dot);
@@ -2423,7 +6311,17 @@ equations! {
                 - (cos_a*(eta1 + h*(Z_r + Z_s)*(theta_c + theta/Z_r)/(2.0*cos_a)) - sin_a*zeta1) + h*Z_r*theta_r - sin_r1*x_r;
         }
         mesh_loss_r1 "W", "power that the damper of the mesh of ring and planet 1 takes" {
-            damping => beta_K*k_r1_mid*delta_r1_dot.powi(2);
+            backlash_r1 => k_r1*clipr1*touchr1*overr1*overr1_dot;
+            damping => beta_K*k_r1_mid*dampr1*overr1_dot.powi(2);
+        }
+        power_slide_r1 "W" with sliding_friction_r1,
+            "power of the friction of the mesh of ring and planet 1, through the sliding of the flanks at the pitch point: positive if it \
+            drives" {
+            _ => slide_r1_power;
+        }
+        power_roll_r1 "W" with sliding_friction_r1,
+            "power of the friction of the mesh of ring and planet 1, through the rolling of the gears: positive if it drives" {
+            _ => roll_r1_power;
         }
         planet_bearing_force_2_radial "N", "radial force on the bearing of planet 2" {
             _ => kb_p*radial2;
@@ -2442,10 +6340,15 @@ equations! {
             viscous_friction_p => cb_p*radial2_dot.powi(2) + cb_p*tangential2_dot.powi(2);
             damping => beta_K*kb_p*radial2_dot.powi(2) + beta_K*kb_p*tangential2_dot.powi(2);
         }
+        contact_loss_s2 "1" with backlash_s2,
+            "1 while no force passes the mesh of sun and planet 2, else 0: its mean is the share of time without contact" {
+            _ => 1.0 - touchs2*(1.0 + clips2*(1.0 - clips2)/2.0);
+        }
         mesh_force_s2 "N",
             "force of the mesh of sun and planet 2 along the line of action, damper included: positive if it presses the drive flanks" {
-            _ => k_s2*delta_s2;
-            damping => beta_K*k_s2_mid*delta_s2_dot;
+            _ => k_s2*touchs2*overs2;
+            backlash_s2 => k_s2*clips2*touchs2*overs2;
+            damping => beta_K*k_s2_mid*damps2*overs2_dot;
         }
         mesh_power_s2 "W", "power that the first gear gives to the mesh of sun and planet 2: force times the speed of its flank" {
             _ => mesh_force_s2*(cos_s2*y_s_dot + h*Z_s*theta_c_dot + h*Z_s*theta_dot*(1.0/Z_r + 1.0/Z_s) - sin_s2*x_s_dot);
@@ -2459,11 +6362,28 @@ equations! {
             _ => u2 - (cos_a*(eta2 + h*(Z_r + Z_s)*(theta_c + theta/Z_r)/(2.0*cos_a)) + sin_a*zeta2) + cos_s2*y_s
                 + h*Z_s*(theta_c + theta/Z_r + theta/Z_s) - h*theta + h*(Z_r - Z_s)*(theta_c + theta/Z_r)/2.0 - sin_s2*x_s;
         }
-        mesh_loss_s2 "W", "power that the damper of the mesh of sun and planet 2 takes" { damping => beta_K*k_s2_mid*delta_s2_dot.powi(2); }
+        mesh_loss_s2 "W", "power that the damper of the mesh of sun and planet 2 takes" {
+            backlash_s2 => k_s2*clips2*touchs2*overs2*overs2_dot;
+            damping => beta_K*k_s2_mid*damps2*overs2_dot.powi(2);
+        }
+        power_slide_s2 "W" with sliding_friction_s2,
+            "power of the friction of the mesh of sun and planet 2, through the sliding of the flanks at the pitch point: positive if it \
+            drives" {
+            _ => slide_s2_power;
+        }
+        power_roll_s2 "W" with sliding_friction_s2,
+            "power of the friction of the mesh of sun and planet 2, through the rolling of the gears: positive if it drives" {
+            _ => roll_s2_power;
+        }
+        contact_loss_r2 "1" with backlash_r2,
+            "1 while no force passes the mesh of ring and planet 2, else 0: its mean is the share of time without contact" {
+            _ => 1.0 - touchr2*(1.0 + clipr2*(1.0 - clipr2)/2.0);
+        }
         mesh_force_r2 "N",
             "force of the mesh of ring and planet 2 along the line of action, damper included: positive if it presses the drive flanks" {
-            _ => k_r2*delta_r2;
-            damping => beta_K*k_r2_mid*delta_r2_dot;
+            _ => k_r2*touchr2*overr2;
+            backlash_r2 => k_r2*clipr2*touchr2*overr2;
+            damping => beta_K*k_r2_mid*dampr2*overr2_dot;
         }
         mesh_power_r2 "W", "power that the first gear gives to the mesh of ring and planet 2: force times the speed of its flank" {
             _ => mesh_force_r2*(cos_r2*y_r_dot + h*Z_r*theta_r_dot - sin_r2*x_r_dot);
@@ -2478,7 +6398,17 @@ equations! {
                 - (cos_a*(eta2 + h*(Z_r + Z_s)*(theta_c + theta/Z_r)/(2.0*cos_a)) - sin_a*zeta2) + h*Z_r*theta_r - sin_r2*x_r;
         }
         mesh_loss_r2 "W", "power that the damper of the mesh of ring and planet 2 takes" {
-            damping => beta_K*k_r2_mid*delta_r2_dot.powi(2);
+            backlash_r2 => k_r2*clipr2*touchr2*overr2*overr2_dot;
+            damping => beta_K*k_r2_mid*dampr2*overr2_dot.powi(2);
+        }
+        power_slide_r2 "W" with sliding_friction_r2,
+            "power of the friction of the mesh of ring and planet 2, through the sliding of the flanks at the pitch point: positive if it \
+            drives" {
+            _ => slide_r2_power;
+        }
+        power_roll_r2 "W" with sliding_friction_r2,
+            "power of the friction of the mesh of ring and planet 2, through the rolling of the gears: positive if it drives" {
+            _ => roll_r2_power;
         }
         planet_bearing_force_3_radial "N", "radial force on the bearing of planet 3" {
             _ => kb_p*radial3;
@@ -2497,10 +6427,15 @@ equations! {
             viscous_friction_p => cb_p*radial3_dot.powi(2) + cb_p*tangential3_dot.powi(2);
             damping => beta_K*kb_p*radial3_dot.powi(2) + beta_K*kb_p*tangential3_dot.powi(2);
         }
+        contact_loss_s3 "1" with backlash_s3,
+            "1 while no force passes the mesh of sun and planet 3, else 0: its mean is the share of time without contact" {
+            _ => 1.0 - touchs3*(1.0 + clips3*(1.0 - clips3)/2.0);
+        }
         mesh_force_s3 "N",
             "force of the mesh of sun and planet 3 along the line of action, damper included: positive if it presses the drive flanks" {
-            _ => k_s3*delta_s3;
-            damping => beta_K*k_s3_mid*delta_s3_dot;
+            _ => k_s3*touchs3*overs3;
+            backlash_s3 => k_s3*clips3*touchs3*overs3;
+            damping => beta_K*k_s3_mid*damps3*overs3_dot;
         }
         mesh_power_s3 "W", "power that the first gear gives to the mesh of sun and planet 3: force times the speed of its flank" {
             _ => mesh_force_s3*(cos_s3*y_s_dot + h*Z_s*theta_c_dot + h*Z_s*theta_dot*(1.0/Z_r + 1.0/Z_s) - sin_s3*x_s_dot);
@@ -2514,11 +6449,28 @@ equations! {
             _ => u3 - (cos_a*(eta3 + h*(Z_r + Z_s)*(theta_c + theta/Z_r)/(2.0*cos_a)) + sin_a*zeta3) + cos_s3*y_s
                 + h*Z_s*(theta_c + theta/Z_r + theta/Z_s) - h*theta + h*(Z_r - Z_s)*(theta_c + theta/Z_r)/2.0 - sin_s3*x_s;
         }
-        mesh_loss_s3 "W", "power that the damper of the mesh of sun and planet 3 takes" { damping => beta_K*k_s3_mid*delta_s3_dot.powi(2); }
+        mesh_loss_s3 "W", "power that the damper of the mesh of sun and planet 3 takes" {
+            backlash_s3 => k_s3*clips3*touchs3*overs3*overs3_dot;
+            damping => beta_K*k_s3_mid*damps3*overs3_dot.powi(2);
+        }
+        power_slide_s3 "W" with sliding_friction_s3,
+            "power of the friction of the mesh of sun and planet 3, through the sliding of the flanks at the pitch point: positive if it \
+            drives" {
+            _ => slide_s3_power;
+        }
+        power_roll_s3 "W" with sliding_friction_s3,
+            "power of the friction of the mesh of sun and planet 3, through the rolling of the gears: positive if it drives" {
+            _ => roll_s3_power;
+        }
+        contact_loss_r3 "1" with backlash_r3,
+            "1 while no force passes the mesh of ring and planet 3, else 0: its mean is the share of time without contact" {
+            _ => 1.0 - touchr3*(1.0 + clipr3*(1.0 - clipr3)/2.0);
+        }
         mesh_force_r3 "N",
             "force of the mesh of ring and planet 3 along the line of action, damper included: positive if it presses the drive flanks" {
-            _ => k_r3*delta_r3;
-            damping => beta_K*k_r3_mid*delta_r3_dot;
+            _ => k_r3*touchr3*overr3;
+            backlash_r3 => k_r3*clipr3*touchr3*overr3;
+            damping => beta_K*k_r3_mid*dampr3*overr3_dot;
         }
         mesh_power_r3 "W", "power that the first gear gives to the mesh of ring and planet 3: force times the speed of its flank" {
             _ => mesh_force_r3*(cos_r3*y_r_dot + h*Z_r*theta_r_dot - sin_r3*x_r_dot);
@@ -2533,7 +6485,17 @@ equations! {
                 - (cos_a*(eta3 + h*(Z_r + Z_s)*(theta_c + theta/Z_r)/(2.0*cos_a)) - sin_a*zeta3) + h*Z_r*theta_r - sin_r3*x_r;
         }
         mesh_loss_r3 "W", "power that the damper of the mesh of ring and planet 3 takes" {
-            damping => beta_K*k_r3_mid*delta_r3_dot.powi(2);
+            backlash_r3 => k_r3*clipr3*touchr3*overr3*overr3_dot;
+            damping => beta_K*k_r3_mid*dampr3*overr3_dot.powi(2);
+        }
+        power_slide_r3 "W" with sliding_friction_r3,
+            "power of the friction of the mesh of ring and planet 3, through the sliding of the flanks at the pitch point: positive if it \
+            drives" {
+            _ => slide_r3_power;
+        }
+        power_roll_r3 "W" with sliding_friction_r3,
+            "power of the friction of the mesh of ring and planet 3, through the rolling of the gears: positive if it drives" {
+            _ => roll_r3_power;
         }
         planet_bearing_force_4_radial "N", "radial force on the bearing of planet 4" {
             _ => kb_p*radial4;
@@ -2552,10 +6514,15 @@ equations! {
             viscous_friction_p => cb_p*radial4_dot.powi(2) + cb_p*tangential4_dot.powi(2);
             damping => beta_K*kb_p*radial4_dot.powi(2) + beta_K*kb_p*tangential4_dot.powi(2);
         }
+        contact_loss_s4 "1" with backlash_s4,
+            "1 while no force passes the mesh of sun and planet 4, else 0: its mean is the share of time without contact" {
+            _ => 1.0 - touchs4*(1.0 + clips4*(1.0 - clips4)/2.0);
+        }
         mesh_force_s4 "N",
             "force of the mesh of sun and planet 4 along the line of action, damper included: positive if it presses the drive flanks" {
-            _ => k_s4*delta_s4;
-            damping => beta_K*k_s4_mid*delta_s4_dot;
+            _ => k_s4*touchs4*overs4;
+            backlash_s4 => k_s4*clips4*touchs4*overs4;
+            damping => beta_K*k_s4_mid*damps4*overs4_dot;
         }
         mesh_power_s4 "W", "power that the first gear gives to the mesh of sun and planet 4: force times the speed of its flank" {
             _ => mesh_force_s4*(cos_s4*y_s_dot + h*Z_s*theta_c_dot + h*Z_s*theta_dot*(1.0/Z_r + 1.0/Z_s) - sin_s4*x_s_dot);
@@ -2569,11 +6536,28 @@ equations! {
             _ => u4 - (cos_a*(eta4 + h*(Z_r + Z_s)*(theta_c + theta/Z_r)/(2.0*cos_a)) + sin_a*zeta4) + cos_s4*y_s
                 + h*Z_s*(theta_c + theta/Z_r + theta/Z_s) - h*theta + h*(Z_r - Z_s)*(theta_c + theta/Z_r)/2.0 - sin_s4*x_s;
         }
-        mesh_loss_s4 "W", "power that the damper of the mesh of sun and planet 4 takes" { damping => beta_K*k_s4_mid*delta_s4_dot.powi(2); }
+        mesh_loss_s4 "W", "power that the damper of the mesh of sun and planet 4 takes" {
+            backlash_s4 => k_s4*clips4*touchs4*overs4*overs4_dot;
+            damping => beta_K*k_s4_mid*damps4*overs4_dot.powi(2);
+        }
+        power_slide_s4 "W" with sliding_friction_s4,
+            "power of the friction of the mesh of sun and planet 4, through the sliding of the flanks at the pitch point: positive if it \
+            drives" {
+            _ => slide_s4_power;
+        }
+        power_roll_s4 "W" with sliding_friction_s4,
+            "power of the friction of the mesh of sun and planet 4, through the rolling of the gears: positive if it drives" {
+            _ => roll_s4_power;
+        }
+        contact_loss_r4 "1" with backlash_r4,
+            "1 while no force passes the mesh of ring and planet 4, else 0: its mean is the share of time without contact" {
+            _ => 1.0 - touchr4*(1.0 + clipr4*(1.0 - clipr4)/2.0);
+        }
         mesh_force_r4 "N",
             "force of the mesh of ring and planet 4 along the line of action, damper included: positive if it presses the drive flanks" {
-            _ => k_r4*delta_r4;
-            damping => beta_K*k_r4_mid*delta_r4_dot;
+            _ => k_r4*touchr4*overr4;
+            backlash_r4 => k_r4*clipr4*touchr4*overr4;
+            damping => beta_K*k_r4_mid*dampr4*overr4_dot;
         }
         mesh_power_r4 "W", "power that the first gear gives to the mesh of ring and planet 4: force times the speed of its flank" {
             _ => mesh_force_r4*(cos_r4*y_r_dot + h*Z_r*theta_r_dot - sin_r4*x_r_dot);
@@ -2588,7 +6572,17 @@ equations! {
                 - (cos_a*(eta4 + h*(Z_r + Z_s)*(theta_c + theta/Z_r)/(2.0*cos_a)) - sin_a*zeta4) + h*Z_r*theta_r - sin_r4*x_r;
         }
         mesh_loss_r4 "W", "power that the damper of the mesh of ring and planet 4 takes" {
-            damping => beta_K*k_r4_mid*delta_r4_dot.powi(2);
+            backlash_r4 => k_r4*clipr4*touchr4*overr4*overr4_dot;
+            damping => beta_K*k_r4_mid*dampr4*overr4_dot.powi(2);
+        }
+        power_slide_r4 "W" with sliding_friction_r4,
+            "power of the friction of the mesh of ring and planet 4, through the sliding of the flanks at the pitch point: positive if it \
+            drives" {
+            _ => slide_r4_power;
+        }
+        power_roll_r4 "W" with sliding_friction_r4,
+            "power of the friction of the mesh of ring and planet 4, through the rolling of the gears: positive if it drives" {
+            _ => roll_r4_power;
         }
         planet_bearing_force_5_radial "N", "radial force on the bearing of planet 5" {
             _ => kb_p*radial5;
@@ -2607,10 +6601,15 @@ equations! {
             viscous_friction_p => cb_p*radial5_dot.powi(2) + cb_p*tangential5_dot.powi(2);
             damping => beta_K*kb_p*radial5_dot.powi(2) + beta_K*kb_p*tangential5_dot.powi(2);
         }
+        contact_loss_s5 "1" with backlash_s5,
+            "1 while no force passes the mesh of sun and planet 5, else 0: its mean is the share of time without contact" {
+            _ => 1.0 - touchs5*(1.0 + clips5*(1.0 - clips5)/2.0);
+        }
         mesh_force_s5 "N",
             "force of the mesh of sun and planet 5 along the line of action, damper included: positive if it presses the drive flanks" {
-            _ => k_s5*delta_s5;
-            damping => beta_K*k_s5_mid*delta_s5_dot;
+            _ => k_s5*touchs5*overs5;
+            backlash_s5 => k_s5*clips5*touchs5*overs5;
+            damping => beta_K*k_s5_mid*damps5*overs5_dot;
         }
         mesh_power_s5 "W", "power that the first gear gives to the mesh of sun and planet 5: force times the speed of its flank" {
             _ => mesh_force_s5*(cos_s5*y_s_dot + h*Z_s*theta_c_dot + h*Z_s*theta_dot*(1.0/Z_r + 1.0/Z_s) - sin_s5*x_s_dot);
@@ -2624,11 +6623,28 @@ equations! {
             _ => u5 - (cos_a*(eta5 + h*(Z_r + Z_s)*(theta_c + theta/Z_r)/(2.0*cos_a)) + sin_a*zeta5) + cos_s5*y_s
                 + h*Z_s*(theta_c + theta/Z_r + theta/Z_s) - h*theta + h*(Z_r - Z_s)*(theta_c + theta/Z_r)/2.0 - sin_s5*x_s;
         }
-        mesh_loss_s5 "W", "power that the damper of the mesh of sun and planet 5 takes" { damping => beta_K*k_s5_mid*delta_s5_dot.powi(2); }
+        mesh_loss_s5 "W", "power that the damper of the mesh of sun and planet 5 takes" {
+            backlash_s5 => k_s5*clips5*touchs5*overs5*overs5_dot;
+            damping => beta_K*k_s5_mid*damps5*overs5_dot.powi(2);
+        }
+        power_slide_s5 "W" with sliding_friction_s5,
+            "power of the friction of the mesh of sun and planet 5, through the sliding of the flanks at the pitch point: positive if it \
+            drives" {
+            _ => slide_s5_power;
+        }
+        power_roll_s5 "W" with sliding_friction_s5,
+            "power of the friction of the mesh of sun and planet 5, through the rolling of the gears: positive if it drives" {
+            _ => roll_s5_power;
+        }
+        contact_loss_r5 "1" with backlash_r5,
+            "1 while no force passes the mesh of ring and planet 5, else 0: its mean is the share of time without contact" {
+            _ => 1.0 - touchr5*(1.0 + clipr5*(1.0 - clipr5)/2.0);
+        }
         mesh_force_r5 "N",
             "force of the mesh of ring and planet 5 along the line of action, damper included: positive if it presses the drive flanks" {
-            _ => k_r5*delta_r5;
-            damping => beta_K*k_r5_mid*delta_r5_dot;
+            _ => k_r5*touchr5*overr5;
+            backlash_r5 => k_r5*clipr5*touchr5*overr5;
+            damping => beta_K*k_r5_mid*dampr5*overr5_dot;
         }
         mesh_power_r5 "W", "power that the first gear gives to the mesh of ring and planet 5: force times the speed of its flank" {
             _ => mesh_force_r5*(cos_r5*y_r_dot + h*Z_r*theta_r_dot - sin_r5*x_r_dot);
@@ -2643,7 +6659,17 @@ equations! {
                 - (cos_a*(eta5 + h*(Z_r + Z_s)*(theta_c + theta/Z_r)/(2.0*cos_a)) - sin_a*zeta5) + h*Z_r*theta_r - sin_r5*x_r;
         }
         mesh_loss_r5 "W", "power that the damper of the mesh of ring and planet 5 takes" {
-            damping => beta_K*k_r5_mid*delta_r5_dot.powi(2);
+            backlash_r5 => k_r5*clipr5*touchr5*overr5*overr5_dot;
+            damping => beta_K*k_r5_mid*dampr5*overr5_dot.powi(2);
+        }
+        power_slide_r5 "W" with sliding_friction_r5,
+            "power of the friction of the mesh of ring and planet 5, through the sliding of the flanks at the pitch point: positive if it \
+            drives" {
+            _ => slide_r5_power;
+        }
+        power_roll_r5 "W" with sliding_friction_r5,
+            "power of the friction of the mesh of ring and planet 5, through the rolling of the gears: positive if it drives" {
+            _ => roll_r5_power;
         }
         power_motor "W" with torques, "power of the driving torque of the sun: positive if it drives" { _ => motor_power; }
         power_load "W" with torques, "power of the load torque of the carrier, against its rotation: positive if it drives" {
@@ -2672,26 +6698,101 @@ equations! {
 // Proved of these equations, symbolically:
 //
 // - d/dt (q'.dT/dq' - T + V) = Q.q' - q'.dD/dq' along the motion, for every value and slope of every law, with any set of the additive
-//   effects
+//   effects; q'.dD/dq' includes the power that switches take
 // - M is symmetric
 // - T = q'.M q'/2, with M as written
 // - M is positive definite: T is a sum of squares that vanish together only at rest
 // - at a step of k_s1, k_r1, k_s2, k_r2, k_s3, k_r3, k_s4, k_r4, k_s5, k_r5, e_s1, e_r1, e_s2, e_r2, e_s3, e_r3, e_s4, e_r4, e_s5, e_r5: T+
 //   - T- = (v+² - v²)/(2 G) for any v+, where M d = n/G; V+ - V- = dV as written; so T + V is unchanged in transmission (v+² = v² - 2 G dV)
 //   and in reflection (v+ = -v, dV = 0)
+// - V is the same on both sides of a step of side_s1, arm_s1, side_r1, arm_r1, side_s2, arm_s2, side_r2, arm_r2, side_s3, arm_s3, side_r3,
+//   arm_r3, side_s4, arm_s4, side_r4, arm_r4, side_s5, arm_s5, side_r5, arm_r5: no impulse there
+// - V is the same on both sides of the exits of overs1: no impulse there
+// - the force of the switch overs1 takes energy or none: f overs1_dot >= 0 in every mode, from the guards that hold in it; of a damper that
+//   is clipped to f = c F, where F = dV/dovers1 and c = 1 or -1, since F overs1 >= 0, overs1_dot dD/dovers1_dot >= 0 and c overs1
+//   dD/dovers1_dot >= F overs1
+// - V is the same on both sides of the exits of overr1: no impulse there
+// - the force of the switch overr1 takes energy or none: f overr1_dot >= 0 in every mode, from the guards that hold in it; of a damper that
+//   is clipped to f = c F, where F = dV/doverr1 and c = 1 or -1, since F overr1 >= 0, overr1_dot dD/doverr1_dot >= 0 and c overr1
+//   dD/doverr1_dot >= F overr1
+// - V is the same on both sides of the exits of overs2: no impulse there
+// - the force of the switch overs2 takes energy or none: f overs2_dot >= 0 in every mode, from the guards that hold in it; of a damper that
+//   is clipped to f = c F, where F = dV/dovers2 and c = 1 or -1, since F overs2 >= 0, overs2_dot dD/dovers2_dot >= 0 and c overs2
+//   dD/dovers2_dot >= F overs2
+// - V is the same on both sides of the exits of overr2: no impulse there
+// - the force of the switch overr2 takes energy or none: f overr2_dot >= 0 in every mode, from the guards that hold in it; of a damper that
+//   is clipped to f = c F, where F = dV/doverr2 and c = 1 or -1, since F overr2 >= 0, overr2_dot dD/doverr2_dot >= 0 and c overr2
+//   dD/doverr2_dot >= F overr2
+// - V is the same on both sides of the exits of overs3: no impulse there
+// - the force of the switch overs3 takes energy or none: f overs3_dot >= 0 in every mode, from the guards that hold in it; of a damper that
+//   is clipped to f = c F, where F = dV/dovers3 and c = 1 or -1, since F overs3 >= 0, overs3_dot dD/dovers3_dot >= 0 and c overs3
+//   dD/dovers3_dot >= F overs3
+// - V is the same on both sides of the exits of overr3: no impulse there
+// - the force of the switch overr3 takes energy or none: f overr3_dot >= 0 in every mode, from the guards that hold in it; of a damper that
+//   is clipped to f = c F, where F = dV/doverr3 and c = 1 or -1, since F overr3 >= 0, overr3_dot dD/doverr3_dot >= 0 and c overr3
+//   dD/doverr3_dot >= F overr3
+// - V is the same on both sides of the exits of overs4: no impulse there
+// - the force of the switch overs4 takes energy or none: f overs4_dot >= 0 in every mode, from the guards that hold in it; of a damper that
+//   is clipped to f = c F, where F = dV/dovers4 and c = 1 or -1, since F overs4 >= 0, overs4_dot dD/dovers4_dot >= 0 and c overs4
+//   dD/dovers4_dot >= F overs4
+// - V is the same on both sides of the exits of overr4: no impulse there
+// - the force of the switch overr4 takes energy or none: f overr4_dot >= 0 in every mode, from the guards that hold in it; of a damper that
+//   is clipped to f = c F, where F = dV/doverr4 and c = 1 or -1, since F overr4 >= 0, overr4_dot dD/doverr4_dot >= 0 and c overr4
+//   dD/doverr4_dot >= F overr4
+// - V is the same on both sides of the exits of overs5: no impulse there
+// - the force of the switch overs5 takes energy or none: f overs5_dot >= 0 in every mode, from the guards that hold in it; of a damper that
+//   is clipped to f = c F, where F = dV/dovers5 and c = 1 or -1, since F overs5 >= 0, overs5_dot dD/dovers5_dot >= 0 and c overs5
+//   dD/dovers5_dot >= F overs5
+// - V is the same on both sides of the exits of overr5: no impulse there
+// - the force of the switch overr5 takes energy or none: f overr5_dot >= 0 in every mode, from the guards that hold in it; of a damper that
+//   is clipped to f = c F, where F = dV/doverr5 and c = 1 or -1, since F overr5 >= 0, overr5_dot dD/doverr5_dot >= 0 and c overr5
+//   dD/doverr5_dot >= F overr5
 // - every damper takes energy or none: each term of D has a power q'.dD/dq' that is never negative
+// - the friction `roll_s1` takes energy or none: its power is never positive
+// - the friction `roll_r1` takes energy or none: its power is never positive
+// - the friction `roll_s2` takes energy or none: its power is never positive
+// - the friction `roll_r2` takes energy or none: its power is never positive
+// - the friction `roll_s3` takes energy or none: its power is never positive
+// - the friction `roll_r3` takes energy or none: its power is never positive
+// - the friction `roll_s4` takes energy or none: its power is never positive
+// - the friction `roll_r4` takes energy or none: its power is never positive
+// - the friction `roll_s5` takes energy or none: its power is never positive
+// - the friction `roll_r5` takes energy or none: its power is never positive
+// - the friction `slide_s1` takes with `roll_s1` energy or none where psi_s1_dot and arm_s1 psi_s1_dot + side_s1 tau_s1_dot have one sign:
+//   where flanks slide as rolling makes them
+// - the friction `slide_r1` takes with `roll_r1` energy or none where psi_r1_dot and arm_r1 psi_r1_dot + side_r1 tau_r1_dot have one sign:
+//   where flanks slide as rolling makes them
+// - the friction `slide_s2` takes with `roll_s2` energy or none where psi_s2_dot and arm_s2 psi_s2_dot + side_s2 tau_s2_dot have one sign:
+//   where flanks slide as rolling makes them
+// - the friction `slide_r2` takes with `roll_r2` energy or none where psi_r2_dot and arm_r2 psi_r2_dot + side_r2 tau_r2_dot have one sign:
+//   where flanks slide as rolling makes them
+// - the friction `slide_s3` takes with `roll_s3` energy or none where psi_s3_dot and arm_s3 psi_s3_dot + side_s3 tau_s3_dot have one sign:
+//   where flanks slide as rolling makes them
+// - the friction `slide_r3` takes with `roll_r3` energy or none where psi_r3_dot and arm_r3 psi_r3_dot + side_r3 tau_r3_dot have one sign:
+//   where flanks slide as rolling makes them
+// - the friction `slide_s4` takes with `roll_s4` energy or none where psi_s4_dot and arm_s4 psi_s4_dot + side_s4 tau_s4_dot have one sign:
+//   where flanks slide as rolling makes them
+// - the friction `slide_r4` takes with `roll_r4` energy or none where psi_r4_dot and arm_r4 psi_r4_dot + side_r4 tau_r4_dot have one sign:
+//   where flanks slide as rolling makes them
+// - the friction `slide_s5` takes with `roll_s5` energy or none where psi_s5_dot and arm_s5 psi_s5_dot + side_s5 tau_s5_dot have one sign:
+//   where flanks slide as rolling makes them
+// - the friction `slide_r5` takes with `roll_r5` energy or none where psi_r5_dot and arm_r5 psi_r5_dot + side_r5 tau_r5_dot have one sign:
+//   where flanks slide as rolling makes them
 // - every deflection equals the linear form by which the equations differentiate it
-// - without the jump terms the balance fails: energy is created at the rate dk_r1*delta_r1^2*theta_dot/2 - k_r1*de_r1*delta_r1*theta_dot -
-//   k_r2*de_r2*delta_r2*theta_dot - k_r3*de_r3*delta_r3*theta_dot - k_r4*de_r4*delta_r4*theta_dot - k_r5*de_r5*delta_r5*theta_dot -
-//   k_s1*de_s1*delta_s1*theta_dot - k_s2*de_s2*delta_s2*theta_dot - k_s3*de_s3*delta_s3*theta_dot - k_s4*de_s4*delta_s4*theta_dot -
-//   k_s5*de_s5*delta_s5*theta_dot + dk_r2*delta_r2^2*theta_dot/2 + dk_r3*delta_r3^2*theta_dot/2 + dk_r4*delta_r4^2*theta_dot/2 +
-//   dk_r5*delta_r5^2*theta_dot/2 + dk_s1*delta_s1^2*theta_dot/2 + dk_s2*delta_s2^2*theta_dot/2 + dk_s3*delta_s3^2*theta_dot/2 +
-//   dk_s4*delta_s4^2*theta_dot/2 + dk_s5*delta_s5^2*theta_dot/2
+// - without the jump terms the balance fails: energy is created at the rate dk_r1*touchr1*overr1^2*theta_dot/2 -
+//   k_r1*de_r1*touchr1*overr1*theta_dot - k_r2*de_r2*touchr2*overr2*theta_dot - k_r3*de_r3*touchr3*overr3*theta_dot -
+//   k_r4*de_r4*touchr4*overr4*theta_dot - k_r5*de_r5*touchr5*overr5*theta_dot - k_s1*de_s1*touchs1*overs1*theta_dot -
+//   k_s2*de_s2*touchs2*overs2*theta_dot - k_s3*de_s3*touchs3*overs3*theta_dot - k_s4*de_s4*touchs4*overs4*theta_dot -
+//   k_s5*de_s5*touchs5*overs5*theta_dot + dk_r2*touchr2*overr2^2*theta_dot/2 + dk_r3*touchr3*overr3^2*theta_dot/2 +
+//   dk_r4*touchr4*overr4^2*theta_dot/2 + dk_r5*touchr5*overr5^2*theta_dot/2 + dk_s1*touchs1*overs1^2*theta_dot/2 +
+//   dk_s2*touchs2*overs2^2*theta_dot/2 + dk_s3*touchs3*overs3^2*theta_dot/2 + dk_s4*touchs4*overs4^2*theta_dot/2 +
+//   dk_s5*touchs5*overs5^2*theta_dot/2
 //
 // Operations, all effects present:
 //
 // | output | sums | products, quotients | functions, roots |
 // | --- | --- | --- | --- |
-// | constants (once a scene) | 22 | 11 | 32 |
-// | force | 275 | 927 | 0 |
-// | energy steps, all laws | 10 | 80 | 0 |
+// | constants (once a scene) | 24 | 13 | 32 |
+// | named forces | 20 | 90 | 20 |
+// | force | 295 | 1517 | 0 |
+// | energy steps, all laws | 10 | 110 | 0 |

@@ -122,10 +122,8 @@ fn read_model(node: &Node, models: &[&'static Model], report: &mut Report) -> Op
     let name = field::text("model", node, report)?;
     let found = models.iter().copied().find(|model| model.name == name);
     if found.is_none() {
-        let mut help = String::new();
-        if let Some(near) = did_you_mean(name, models.iter().map(|model| model.name)) {
-            help = format!("did you mean `{near}`?\n");
-        }
+        let near = || Some(format!("did you mean `{}`?", did_you_mean(name, models.iter().map(|model| model.name))?));
+        let mut help = train::in_place_of(name).or_else(near).map_or(String::new(), |help| help + "\n");
         help.push_str("the models are");
         for model in models {
             help.push_str(&format!("\n{}: {}", model.name, model.title));

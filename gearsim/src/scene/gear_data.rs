@@ -145,8 +145,12 @@ impl Checker<'_> {
     fn working_angle(&self, reader: &TeethReader<'_>, gears: &Gears, report: &mut Report) {
         let parameters = self.scene.model.parameters.iter().zip(&self.scene.parameters);
         let active = self.scene.effects.names(self.scene.model);
-        let mut angles =
-            parameters.filter(|(p, _)| is_angle(p) && p.with.is_none_or(|effect| active.contains(&effect)));
+        // A mesh may have an angle of its own; else it has that of the model.
+        let own = format!("alpha{}", part_of(reader.law.name));
+        let has_own = self.scene.model.parameters.iter().any(|p| p.name == own);
+        let mut angles = parameters.filter(|(p, _)| {
+            is_angle(p) && p.with.is_none_or(|effect| active.contains(&effect)) && (!has_own || p.name == own)
+        });
         let (Some((parameter, alpha)), Ok(contact)) = (angles.next(), gears.contact()) else { return };
         let (given, working) = (alpha.to_degrees(), contact.angle.to_degrees());
         let (name, law) = (parameter.name, reader.law.name);
@@ -212,9 +216,14 @@ pub(super) fn radius(model: &Model, gear: &str, value: &dyn Fn(&str) -> Option<f
     })
 }
 
+/// The suffix of the mesh of a law: `12` of `k12`, `_s1` of `k_s1`.
+fn part_of(law: &str) -> &str {
+    law.trim_start_matches(|c: char| c.is_alphabetic())
+}
+
 /// The suffixes of the two gears of the mesh of a law, the driving gear first.
 pub(crate) fn of_mesh(law: &str) -> [String; 2] {
-    let part = law.trim_start_matches(|c: char| c.is_alphabetic());
+    let part = part_of(law);
     match part.as_bytes() {
         [a, b] if a.is_ascii_digit() && b.is_ascii_digit() => [part[..1].into(), part[1..].into()],
         [b'_', b's', ..] => ["_s".into(), "_p".into()],

@@ -76,6 +76,7 @@ pub use sound::Sound;
 pub use spectrum::{Reference, Spectrum, SpectrumKind};
 pub(crate) use template::Template;
 pub use time_history::TimeHistory;
+pub(crate) use train::in_place_of;
 
 use std::sync::Arc;
 

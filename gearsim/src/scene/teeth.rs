@@ -2,7 +2,7 @@
 //!
 //! The unit of the law decides how the stiffness is scaled, so the author of a scene does not state it. One pitch of the phase is one base
 //! pitch p_b on the line of action. A stiffness
-//! - in N/m is the stiffness kt along the line of action, V = kt delta²/2, delta in metres (`components::mesh`, used by most models);
+//! - in N/m is the stiffness kt along the line of action, V = kt delta²/2, delta in metres (`components::mesh_with_play`, used by most models);
 //! - in N·m is that of Oh, Grosh & Barber, V = k phi², with the relative rotation N1 theta1 - N2 theta2 = 2 phi of the gears,
 //!   hence delta = 2 h phi with h = r_b1/N1, for spur gears m cos(alpha)/2, and k = 2 kt h² (`gear_pair`).
 //!

@@ -84,7 +84,15 @@ pub fn friction_effect(m: &mut Model, part: &str, add: impl FnOnce(&mut Model)) 
 
 /// The tangent of the pressure angle, for a model that needs it only for friction. Declares `alpha` [rad] and `tan_a`.
 pub fn pressure_tangent(m: &mut Model) -> Expr {
-    let doc = "working pressure angle, for friction";
-    let alpha = m.parameter("alpha", "rad", Some(20f64.to_radians()), Range::Positive, doc);
-    m.constant("tan_a", alpha.sin() / alpha.cos())
+    tangent_of(m, "", "working pressure angle, for friction")
+}
+
+/// The same of one mesh: `alpha12` and `tan_a12` of the mesh `12`.
+pub fn pressure_tangent_of(m: &mut Model, part: &str, what: &str) -> Expr {
+    tangent_of(m, part, &format!("working pressure angle of the {what}, for friction"))
+}
+
+fn tangent_of(m: &mut Model, part: &str, doc: &str) -> Expr {
+    let alpha = m.parameter(&named("alpha", part), "rad", Some(20f64.to_radians()), Range::Positive, doc);
+    m.constant(&named("tan_a", part), alpha.sin() / alpha.cos())
 }

@@ -9,6 +9,15 @@
 //! delta = (y1 - y2) cos(l) - (x1 - x2) sin(l) + u1 + u2     external
 //! delta = (y1 - y2) cos(l) - (x1 - x2) sin(l) + u1 - u2     internal, 1 the ring
 //! ```
+//!
+//! At the pitch point the flanks slide on each other across the line of action: they turn about the points where it touches the base circles,
+//! r_b tan(alpha) away, and their centres move. Further along the line of action they slide with the rotation of one gear against the other too
+//! ([`super::friction`]); the sign is such that both have the same one in recess.
+//!
+//! ```text
+//! tau = tan(alpha) (u1 + u2) - (x1 - x2) cos(l) - (y1 - y2) sin(l)     external
+//! tau = tan(alpha) (u1 - u2) + (x1 - x2) cos(l) + (y1 - y2) sin(l)     internal, 1 the ring
+//! ```
 
 use gearsim_derive::Expr;
 
@@ -62,7 +71,17 @@ pub fn external(a: Gear, l1: Direction, b: Gear, l2: Direction) -> Expr {
     a.across(l1) - b.across(l2) + a.u + b.u
 }
 
+/// The distance by which the flanks of an external mesh slide at the pitch point [m]; `tangent` is that of the pressure angle.
+pub fn external_sliding(a: Gear, l1: Direction, b: Gear, l2: Direction, tangent: Expr) -> Expr {
+    tangent * (a.u + b.u) - a.along(l1) + b.along(l2)
+}
+
 /// The deflection of the internal mesh of a ring and a planet [m].
 pub fn internal(ring: Gear, l1: Direction, planet: Gear, l2: Direction) -> Expr {
     ring.across(l1) - planet.across(l2) + ring.u - planet.u
+}
+
+/// The distance by which the flanks of the internal mesh of a ring and a planet slide at the pitch point [m].
+pub fn internal_sliding(ring: Gear, l1: Direction, planet: Gear, l2: Direction, tangent: Expr) -> Expr {
+    tangent * (ring.u - planet.u) + ring.along(l1) - planet.along(l2)
 }

@@ -16,20 +16,10 @@ pub struct Mesh {
 }
 
 /// A mesh of two gears whose relative displacement along the line of action is `delta` [m], linear in the coordinates. Declares its
-/// stiffness law `k` [N/m] and its transmission error `e` [m], periodic in `phase` [rad], in which one tooth pitch is 2 pi, and the
-/// effects `stiffness_step`, `rigid_kinematics`, `frozen_phase` and `transmission_error`. `driving` is the part of `delta` that is
-/// the displacement of the first gear's flank [m], for the power that this gear gives.
-pub fn mesh(m: &mut Model, part: &str, what: &str, phase: Expr, delta: Expr, driving: Expr) -> Mesh {
-    let stiffness = stiffness(m, part, what, phase);
-    let error = error(m, part, what, phase);
-    let x = m.deflection(&named("delta", part), delta - error);
-    m.potential(half(stiffness * x.sq()));
-    observed::mesh(m, part, what, x, [delta, error], Some(driving));
-    Mesh { stiffness, delta: x }
-}
-
-/// A mesh as [`mesh`], with backlash in the effect `backlash`. Declares also the backlash `b` [m] along the line of action. Without
-/// `driving` it has no output of its power.
+/// stiffness law `k` [N/m] and its transmission error `e` [m], periodic in `phase` [rad], in which one tooth pitch is 2 pi, its backlash `b` [m]
+/// along the line of action, and the effects `stiffness_step`, `rigid_kinematics`, `frozen_phase`, `transmission_error` and `backlash`. `driving`
+/// is the part of `delta` that is the displacement of the first gear's flank [m], for the power that this gear gives; without it the mesh has no
+/// output of its power.
 pub fn mesh_with_play(
     m: &mut Model,
     part: &str,

@@ -11,7 +11,10 @@ use std::f64::consts::TAU;
 use gearsim_derive::{Expr, Model, Range, Start, half};
 
 use super::gear::Direction;
-use super::{Gear, bearing_damper, external, internal, mesh, observed};
+use super::{
+    Gear, Sliding, bearing_damper, external, external_sliding, internal, internal_sliding, mesh_with_play, observed,
+    sliding_friction,
+};
 
 /// The geometry of a stage and its rotations.
 #[derive(Clone, Copy)]
@@ -22,6 +25,8 @@ pub struct Stage {
     pub theta_s: Expr,
     /// Rotation of the carrier [rad].
     pub theta_c: Expr,
+    /// Rotation of the carrier in excess of rigid rolling, a coordinate [rad].
+    excess: Expr,
     /// Base radius of the sun [m].
     pub r_s: Expr,
     /// Base radius of the ring [m].
@@ -40,6 +45,8 @@ pub struct Stage {
     alpha: Direction,
     /// Rolling distance along the line of action [m].
     rho: Expr,
+    /// Rotations of the sun and of the ring against a planet per theta, if all roll rigidly and the ring is at rest.
+    per_theta: [Expr; 2],
 }
 
 /// Declares the geometry of a stage (`Z_s`, `Z_r`, `r_s`, `alpha`), and the coordinates `theta` and `theta_c`.
@@ -54,12 +61,15 @@ pub fn stage(m: &mut Model) -> Stage {
     // In parameters where theta must cancel symbolically, as named constants elsewhere.
     let (r_p, a) = (half(h * (Z_r - Z_s)), half(h * (Z_r + Z_s)) / alpha.cos);
     let (named_r_p, named_a) = (m.constant("r_p", r_p), m.constant("a", a));
+    let against = [("roll_s", h / named_r_p + 1 / Z_s), ("roll_r", h / named_r_p - 1 / Z_r)];
+    let per_theta = against.map(|(name, value)| m.constant(name, value));
     let theta = m.coordinate("theta", "rad", Start::At(0.0), "phase of the meshes, Z_s (theta_s - theta_c)");
     let beyond = m.coordinate("theta_c", "rad", Start::Static, "rotation of the carrier in excess of rigid rolling");
     Stage {
         theta,
         theta_s: theta / Z_s + theta / Z_r + beyond,
         theta_c: theta / Z_r + beyond,
+        excess: beyond,
         r_s: h * Z_s,
         r_r: h * Z_r,
         a,
@@ -69,29 +79,37 @@ pub fn stage(m: &mut Model) -> Stage {
         angle,
         alpha,
         rho: h * theta,
+        per_theta,
     }
 }
 
 impl Stage {
     /// Adds `n` planets with their centres fixed to the carrier, and their meshes with a sun on a fixed axis and a ring with the
     /// rotation `theta_r` [rad]. Declares mass `m_p` and inertia `I_p` of a planet, for each planet the coordinate `u1`, ..., and for
-    /// its meshes the laws `k_s1`, `k_r1`, ..., `e_s1`, `e_r1`, ...
+    /// its meshes with sun and ring, `s1`, `r1`, ..., what [`mesh_with_play`] and [`sliding_friction`] declare.
     pub fn planets(&self, m: &mut Model, n: usize, theta_r: Expr) {
         let (mass, inertia) = inertia(m);
         m.kinetic(half(n as i64 * mass * (self.named_a * self.theta_c.dot()).sq()));
         let (sun, ring) = (Gear::centred(self.r_s * self.theta_s), Gear::centred(self.r_r * theta_r));
         let (l_s, l_r) = (self.alpha.mirrored(), self.alpha);
         for i in 1..=n {
-            let planet = Gear { x: 0.into(), y: self.a * self.theta_c, u: self.rotation(m, i, inertia) };
-            let driving = [sun.across(l_s) + sun.u, ring.across(l_r) + ring.u];
-            self.meshes(m, i, [external(sun, l_s, planet, l_s), internal(ring, l_r, planet, l_r)], driving);
+            let (beyond, u) = self.rotation(m, i, inertia);
+            let planet = Gear { x: 0.into(), y: self.a * self.theta_c, u };
+            self.meshes(m, i, [(sun, l_s), (ring, l_r)], (planet, beyond), theta_r);
         }
     }
 
     /// Adds `n` planets on bearings on the carrier, and their meshes with sun and ring. Declares mass `m_p`, inertia `I_p` and
     /// bearing stiffness `kb_p` and damping `cb_p` of a planet, for each planet its angular position `psi1`, ... and its coordinates `zeta1` (radial),
     /// `eta1` (tangential), `u1` (rotation), ..., and the laws of its meshes.
-    pub fn planets_on_bearings(&self, m: &mut Model, n: usize, sun: Gear, ring: Gear, carrier: Gear) {
+    pub fn planets_on_bearings(
+        &self,
+        m: &mut Model,
+        n: usize,
+        sun: Gear,
+        (ring, theta_r): (Gear, Expr),
+        carrier: Gear,
+    ) {
         let (mass, inertia) = inertia(m);
         let kb = m.parameter("kb_p", "N/m", None, Range::NotNegative, "radial stiffness of a planet's bearing");
         let mut damped = vec![];
@@ -110,7 +128,8 @@ impl Stage {
             let zeta = coordinate(m, "zeta", &format!("radial displacement of planet {i}"));
             let doc = format!("tangential displacement of planet {i} in excess of the rotation of the carrier");
             let eta = coordinate(m, "eta", &doc);
-            let planet = Gear { x: zeta, y: self.a * self.theta_c + eta, u: self.rotation(m, i, inertia) };
+            let (beyond, u) = self.rotation(m, i, inertia);
+            let planet = Gear { x: zeta, y: self.a * self.theta_c + eta, u };
             m.kinetic(half(mass * zeta.dot().sq()));
             m.kinetic(half(mass * (self.named_a * self.theta_c.dot() + eta.dot()).sq()));
             let radial = m.deflection(&format!("radial{i}"), carrier.x * l_c.cos + carrier.y * l_c.sin - zeta);
@@ -119,29 +138,44 @@ impl Stage {
             m.potential(half(kb * tangential.sq()));
             damped.extend([radial, tangential]);
             observed::planet_bearing(m, &i.to_string(), [radial, tangential]);
-            let driving = [sun.across(l_s) + sun.u, ring.across(l_r) + ring.u];
-            let deflections =
-                [external(sun, l_s, planet, self.alpha.mirrored()), internal(ring, l_r, planet, self.alpha)];
-            self.meshes(m, i, deflections, driving);
+            self.meshes(m, i, [(sun, l_s), (ring, l_r)], (planet, beyond), theta_r);
         }
         bearing_damper(m, "p", "bearing of a planet", &damped);
     }
 
-    /// The rotation of planet `i` times its base radius [m]; adds its kinetic energy.
-    fn rotation(&self, m: &mut Model, i: usize, inertia: Expr) -> Expr {
+    /// The rotation of planet `i` in excess of rigid rolling and all of it, times its base radius [m]; adds its kinetic energy.
+    fn rotation(&self, m: &mut Model, i: usize, inertia: Expr) -> (Expr, Expr) {
         let doc = format!("rotation of planet {i} in excess of rigid rolling, times its base radius");
         let beyond = m.coordinate(&format!("u{i}"), "m", Start::Static, &doc);
         let [r_p, named] = self.r_p;
         m.kinetic(half(inertia * (self.theta_c.dot() + (beyond - self.rho).dot() / named).sq()));
-        r_p * self.theta_c - self.rho + beyond
+        (beyond, r_p * self.theta_c - self.rho + beyond)
     }
 
-    /// Adds the meshes of planet `i` with sun and ring, with these deflections and displacements of their flanks [m], and transmission
-    /// errors.
-    fn meshes(&self, m: &mut Model, i: usize, deflections: [Expr; 2], driving: [Expr; 2]) {
-        for (j, (part, with)) in [("s", "sun"), ("r", "ring")].into_iter().enumerate() {
+    /// Adds the meshes of planet `i`, with the rotation `beyond` in excess of rigid rolling [m], with sun and ring, each with the direction of its
+    /// line of action. `theta_r` is the rotation of the ring [rad]. In the frame of the planet the lines of action are at the pressure angle.
+    fn meshes(
+        &self,
+        m: &mut Model,
+        i: usize,
+        [(sun, at_sun), (ring, at_ring)]: [(Gear, Direction); 2],
+        (planet, beyond): (Gear, Expr),
+        theta_r: Expr,
+    ) {
+        let Stage { theta, excess, alpha, per_theta: [roll_s, roll_r], r_p: [_, r_p], .. } = *self;
+        let (tangent, l_s, l_r) = (alpha.sin / alpha.cos, alpha.mirrored(), alpha);
+        // The rotations against the planet, theta_s - theta_p and theta_r - theta_p, with theta_p = theta_c + (beyond - rho)/r_p.
+        let psi_s = roll_s * theta - beyond / r_p;
+        let psi_r = theta_r - excess + roll_r * theta - beyond / r_p;
+        let of_sun = (external(sun, at_sun, planet, l_s), external_sliding(sun, at_sun, planet, l_s, tangent), psi_s);
+        let of_ring =
+            (internal(ring, at_ring, planet, l_r), internal_sliding(ring, at_ring, planet, l_r, tangent), psi_r);
+        let flanks = [sun.across(at_sun) + sun.u, ring.across(at_ring) + ring.u];
+        let meshes = [("s", "sun", of_sun), ("r", "ring", of_ring)];
+        for ((part, with, (delta, tau, psi)), driving) in meshes.into_iter().zip(flanks) {
             let (part, what) = (format!("{part}{i}"), format!("mesh of {with} and planet {i}"));
-            mesh(m, &part, &what, self.theta, deflections[j], driving[j]);
+            let mesh = mesh_with_play(m, &part, &what, theta, delta, driving);
+            sliding_friction(m, &part, &what, "m", mesh, Sliding { phase: theta, tau, psi });
         }
     }
 }

@@ -3,7 +3,7 @@
 use gearsim_derive::{Expr, Factor, Model, Range, Start, Wrong, derive, derive_wrong, half};
 use gearsim_models::MODELS;
 use gearsim_models::components::dead_band;
-use gearsim_models::components::{friction_effect, transmission_error};
+use gearsim_models::components::{friction_effect, mesh_with_play, transmission_error};
 
 use crate::slips::{Oscillator, oscillator};
 
@@ -24,7 +24,7 @@ const MISTAKES: &[(Wrong, &str, &str)] = &[
     (Wrong::Direction, "gear_pair", "T+ - T-"),
     (Wrong::Step, "gear_pair", "V+ - V- = dV"),
     (Wrong::Step, "planar_planetary_3", "V+ - V- = dV"),
-    (Wrong::LastStep, "planetary_3", "V+ - V- = dV"),
+    (Wrong::LastStep, "planetary_3", "V is the same on both sides of a step of side_s1"),
     (Wrong::LastStep, "gear_pair", "V is the same on both sides of a step of side, arm"),
     (Wrong::Deflection, "idler", "every deflection equals the linear form"),
 ];
@@ -36,6 +36,22 @@ pub fn a_wrong_formula_is_refused() {
         let slip = refused.unwrap_or_else(|| panic!("{wrong:?} in {name}: not refused")).to_string();
         assert!(slip.contains("proof failed") && slip.contains(proof), "{wrong:?} in {name}: {slip}");
     }
+}
+
+/// dV of the last of several laws, where that is in V: the transmission error of the second of two meshes.
+pub fn a_wrong_step_of_a_later_law_is_refused() {
+    let model = Model::new("two_meshes", |m| {
+        let o = oscillator(m);
+        let inertia = m.parameter("I", "kg*m^2", None, Range::Positive, "");
+        let phase = m.coordinate("phase", "rad", Start::At(0.0), "");
+        m.kinetic(half(inertia * phase.dot().sq()));
+        mesh_with_play(m, "1", "first mesh", phase, o.x, None);
+        mesh_with_play(m, "2", "second mesh", phase, 2 * o.x, None);
+    });
+    let proofs = derive(&model).unwrap_or_else(|slip| panic!("{slip}")).proofs().join("\n");
+    assert!(proofs.contains("e2"), "{proofs}");
+    let slip = derive_wrong(&model, Wrong::LastStep).err().expect("not refused").to_string();
+    assert!(slip.contains("proof failed") && slip.contains("V+ - V- = dV") && slip.contains("e2"), "{slip}");
 }
 
 /// Models that feed energy, and the proof that must fail.

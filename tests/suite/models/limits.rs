@@ -5,13 +5,14 @@ use gearsim::__private::models::{PlanarPlanetary3, Planetary3};
 use gearsim::run::Outcome;
 use gearsim::scene::Scene;
 
-use crate::common::{model, models, run};
+use crate::common::{model, models, root, run};
 use crate::train::train;
 
 pub const TESTS: &[(&str, fn())] = &[
     ("a_gear_pair_with_stiff_shafts_approaches_the_plain_gear_pair", stiff_shafts),
     ("a_gear_pair_with_stiff_bearings_approaches_the_plain_gear_pair", stiff_bearings),
     ("a_planar_planetary_with_stiff_bearings_approaches_the_torsional_one", stiff_planetaries),
+    ("a_planar_planetary_with_play_and_stiff_bearings_approaches_the_torsional_one", stiff_planetaries_with_play),
 ];
 
 const N1: f64 = 24.0;
@@ -164,4 +165,41 @@ fn stiff_planetaries() {
     });
     assert_slope_minus_one("planetary", &stiffness, &differences, 0.01);
     assert!(model("planetary_3").model.coordinates.len() == torsional.len());
+}
+
+/// The same with play. Both start in the middle of it, cross it under their torques, and bounce.
+fn stiff_planetaries_with_play() {
+    let scene = |model: &str, planar: &[String]| {
+        let path = root().join("models/scenes").join(format!("{model}.toml"));
+        let text = std::fs::read_to_string(path).expect("a scene");
+        let play = ["s1", "r1", "s2", "r2", "s3", "r3"].map(|mesh| format!("parameters.b_{mesh}=\"30 um\""));
+        let zero = ["theta_c", "theta_r", "u1", "u2", "u3"].map(|q| format!("start.{q}=0"));
+        let laws = ["s1", "r1", "s2", "r2", "s3", "r3"]
+            .map(|mesh| format!("laws.k_{mesh}={{steps=[{{value=\"500 MN/m\"}}]}}"));
+        let others = [
+            "effects=[\"torques\",\"backlash\"]",
+            "run={t_end=\"1 ms\",method=\"exact\"}",
+            "output={rate=\"1 MHz\",events=false}",
+        ];
+        let all = others.map(String::from).into_iter().chain(play).chain(zero).chain(laws);
+        let all: Vec<String> = all.chain(planar.iter().cloned()).collect();
+        Scene::parse(model, model, &text, &all, &models()).unwrap_or_else(|e| panic!("{}", e.render(100, false)))
+    };
+    let torsional = run(&scene("planetary_3", &[]));
+    assert!(torsional.counts.impacts > 6, "{:?}", torsional.counts);
+    let stiffness = [1e12, 1e13, 1e14];
+    let names = ["theta_c", "theta_r", "u1", "u2", "u3"];
+    let differences = stiffness.map(|k| {
+        let bearings = ["s", "c", "r", "p"].map(|part| format!("parameters.kb_{part}=\"{k:e} N/m\""));
+        let planar = run(&scene("planar_planetary_3", &bearings));
+        assert_eq!(planar.counts.impacts, torsional.counts.impacts, "{k:e} N/m");
+        assert_eq!(planar.trajectory.len(), torsional.trajectory.len());
+        let off = names.map(|name| {
+            let (a, b) = (column(&torsional, name), column(&planar, name));
+            let size = a.iter().fold(0.0, |m: f64, x| m.max(x.abs()));
+            a.iter().zip(&b).map(|(a, b)| (a - b).abs() / size).fold(0.0, f64::max)
+        });
+        off.into_iter().fold(0.0, f64::max)
+    });
+    assert_slope_minus_one("planetary with play", &stiffness, &differences, 0.2);
 }

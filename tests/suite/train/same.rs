@@ -7,7 +7,7 @@ use gearsim_tests::trains::{BRANCHES, CHAIN, PLANETARY, Pair, SHAFTS, TWO_STAGE}
 use crate::common;
 
 /// Runs of both drivetrains of a pair.
-trait Compared {
+pub(crate) trait Compared {
     /// Both scenes with the same overrides.
     fn scenes(&self, overrides: &[&str]) -> [Scene; 2];
     /// Both scenes, each with its overrides.
@@ -61,7 +61,7 @@ impl Compared for Pair<'_> {
 }
 
 /// The counts of events.
-fn events(run: &Outcome) -> [u64; 5] {
+pub(crate) fn events(run: &Outcome) -> [u64; 5] {
     let counts = &run.counts;
     [counts.cell_changes, counts.reflections, counts.holds, counts.impacts, counts.sticks]
 }

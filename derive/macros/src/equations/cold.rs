@@ -14,6 +14,7 @@ use crate::equations::model::*;
 use crate::equations::scope::speed;
 use crate::equations::sums::{block, body, by_index, position};
 use crate::equations::switches;
+use crate::equations::terms::Terms;
 
 /// A function that is generated twice: for `Numbers`, with `met` as its first argument, and for `Equations`, without it.
 pub struct Cold {
@@ -141,8 +142,12 @@ pub fn cold(m: &Model) -> Vec<Cold> {
     let kinetic = with_lets(m, body(&m.kinetic));
     let torques = m.torques.iter().map(|t| block(&t.work));
     let work = body(&work(m));
-    let entries = m.jacobian.iter().flatten().map(|e| jacobian(m, e));
-    let jacobian = with_lets(m, quote!(let mut v = [[[0.0; #n]; #n]; 2]; #(#entries)* v));
+    let jacobian = Terms::of_jacobian(m).add(m, |at| {
+        let size = m.coordinates.len();
+        let [which, i, j] = [at / (size * size), at / size % size, at % size].map(Index::from);
+        quote!(v[#which][#i][#j])
+    });
+    let jacobian = quote!(let mut v = [[[0.0; #n]; #n]; 2]; #jacobian v);
     let motions = m.motions.iter().map(|x| motion(m, x));
     let i = || format_ident!("i");
     let mut all = vec![
@@ -254,17 +259,6 @@ fn motion(m: &Model, motion: &Motion) -> TokenStream {
         quote!(q_dot[#i] = #value;)
     });
     quote!({ let mut q_dot = [0.0; #n]; #(#speeds)* q_dot })
-}
-
-/// Sets one entry of the derivatives by coordinates, v[0], or by speeds, v[1].
-fn jacobian(m: &Model, e: &Entry) -> TokenStream {
-    let by_speed = m.coordinates.iter().position(|c| e.column == speed(&c.name));
-    let (which, j) = match by_speed {
-        Some(j) => (Index::from(1), Index::from(j)),
-        None => (Index::from(0), position(m, &e.column)),
-    };
-    let (i, value) = (position(m, &e.row), block(&e.sum));
-    quote!(v[#which][#i][#j] = #value;)
 }
 
 fn switching(m: &Model) -> TokenStream {

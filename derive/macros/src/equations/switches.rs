@@ -28,6 +28,7 @@ fn of_each(m: &Model, arm: impl Fn(&Switch) -> TokenStream) -> TokenStream {
 
 /// The functions `mode`, `exits`, `switched` and `deflection` of the switches, in any kind of number.
 pub fn cells(m: &Model) -> Vec<Cold> {
+    let n = Index::from(m.coordinates.len());
     let values = of_each(m, |switch| {
         let effect = is_met(&switch.effect);
         let modes = switch.modes.iter().enumerate().map(|(mode, of)| {
@@ -40,10 +41,14 @@ pub fn cells(m: &Model) -> Vec<Cold> {
         let modes = switch.modes.iter().enumerate().map(|(mode, of)| {
             let mode = Index::from(mode);
             let exits = of.exits.iter().map(|exit| self::exit(m, switch, exit));
-            quote!(#mode => vec![#(#exits),*],)
+            quote!(#mode => equations::exits(#n, &[#(#exits),*], of),)
         });
         quote!(match mode { #(#modes)* _ => equations::no_such("mode", mode) })
     });
+    let exits = quote! {
+        let of: &dyn Fn(usize) -> equations::Deflection<f64> = &|index| self.deflection(met, index, q, k);
+        #exits
+    };
     let over = of_each(m, |switch| {
         let d = deflection_index(m, &switch.over);
         quote!(#d)
@@ -83,39 +88,39 @@ pub fn lost(m: &Model) -> Option<Cold> {
     })
 }
 
-/// An exit of a mode: where it leads, and its guard.
+/// An exit of a mode: where it leads, and the addends of its guard. They are data, since code for each guard is larger than all else of a switch.
 fn exit(m: &Model, switch: &Switch, Exit { to, sudden, guard }: &Exit) -> TokenStream {
     let beyond = Index::from(switch.modes.iter().position(|mode| mode.name == *to).expect("checked"));
-    let parts = guard.iter().map(|Row { name, sum }| {
-        let coefficient = block(sum);
-        if name == CONSTANT {
-            return quote!(guard.constant += #coefficient;);
-        }
-        if name == REACTION {
-            return quote!(guard.on_reaction += #coefficient;);
-        }
-        match m.rates.iter().position(|rate| rate.name == *name).map(Index::from) {
-            Some(d) => quote!(guard.add_rate(#coefficient, &self.deflection(met, #d, q, k));),
+    let addends = guard.iter().map(|Row { name, sum }| {
+        let on = match m.rates.iter().position(|rate| rate.name == *name).map(Index::from) {
+            _ if name == CONSTANT => quote!(One),
+            _ if name == REACTION => quote!(Reaction),
+            Some(d) => quote!(Rate(#d)),
             None => {
                 let d = deflection_index(m, name);
-                quote!(guard.add(#coefficient, &self.deflection(met, #d, q, k));)
+                quote!(Deflection(#d))
             }
-        }
+        };
+        let factor = block(sum);
+        quote!((equations::On::#on, #factor))
     });
-    let n = Index::from(m.coordinates.len());
-    quote! {
-        equations::Exit {
-            beyond: #beyond,
-            sudden: #sudden,
-            guard: { let mut guard = equations::Affine::zero(#n); #(#parts)* guard },
-        }
-    }
+    quote!((#beyond, #sudden, &[#(#addends),*]))
 }
 
-/// The function `deflection`: the linear form of each deflection at the law values `k`; of a bent one its tangent at `q`.
+/// The names of the deflections that a switch, or a guard of one, refers to.
+fn referred(m: &Model) -> BTreeSet<String> {
+    let guards = m.switches.iter().flat_map(|s| &s.modes).flat_map(|mode| &mode.exits).flat_map(|exit| &exit.guard);
+    let overs = m.switches.iter().map(|switch| switch.over.to_string());
+    guards.map(|row| row.name.to_string()).chain(overs).collect()
+}
+
+/// The function `deflection`: the linear form at the law values `k` of each deflection that switches refer to; of a bent one its tangent at `q`.
 fn deflection(m: &Model) -> Cold {
-    let n = Index::from(m.coordinates.len());
-    let arms = m.deflections.iter().zip(&m.rates).enumerate().map(|(d, (deflection, rate))| {
+    let (n, referred) = (Index::from(m.coordinates.len()), referred(m));
+    let all = m.deflections.iter().zip(&m.rates).enumerate();
+    let used =
+        all.filter(|(_, (x, rate))| [&x.name, &rate.name].iter().any(|name| referred.contains(&name.to_string())));
+    let arms = used.map(|(d, (deflection, rate))| {
         let (d, value, slope) = (Index::from(d), &deflection.value, &rate.value);
         let used = names(value);
         let with = |values: &dyn Fn(&Gated<'_>) -> TokenStream| {
@@ -138,10 +143,7 @@ fn deflection(m: &Model) -> Cold {
         let errors = errors_of(m, &used, &with);
         quote! {
             #d => {
-                let normal: [f64; #n] = std::array::from_fn(|j| {
-                    let q_dot: [f64; #n] = std::array::from_fn(|i| if i == j { 1.0 } else { 0.0 });
-                    #slope
-                });
+                let normal: [f64; #n] = equations::gradient(&|q_dot: &[f64; #n]| #slope);
                 let mut errors = vec![];
                 #errors
                 equations::Deflection { normal: R::row(&normal), constant: #constant, errors }
@@ -175,10 +177,7 @@ fn bent(m: &Model, d: Index, [name, rate]: [&Ident; 2], errors: &TokenStream) ->
     let (value, slope) = (with_lets(m, quote!(#name)), with_lets(m, quote!(#rate)));
     quote! {
         #d => {
-            let normal: [f64; #n] = std::array::from_fn(|j| {
-                let q_dot: [f64; #n] = std::array::from_fn(|i| if i == j { 1.0 } else { 0.0 });
-                #slope
-            });
+            let normal: [f64; #n] = equations::gradient(&|q_dot: &[f64; #n]| { #slope });
             let mut errors: Vec<(usize, f64)> = vec![];
             { #errors }
             let mut constant: f64 = { #value };

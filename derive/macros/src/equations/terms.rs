@@ -1,4 +1,4 @@
-//! The functions that are called at every step. Each is compiled once for a model: one block of code for each effect or condition,
+//! The functions that are called at every step, and the Jacobian. Each is compiled once for a model: one block of code for each effect or condition,
 //! with all terms that it adds, behind one test. Code grows with the number of effects, not with that of their sets, and a
 //! scene executes no terms of absent effects.
 
@@ -9,6 +9,7 @@ use syn::{Expr, Ident, Index};
 use crate::equations::effects::is_met;
 use crate::equations::lets::lets;
 use crate::equations::model::{Model, Sum};
+use crate::equations::scope::speed;
 use crate::equations::sums::position;
 
 /// The terms of a sum or of a vector of sums.
@@ -23,14 +24,22 @@ type Addend = (usize, Expr);
 impl Terms {
     /// The terms of the generalised forces.
     pub fn of_force(m: &Model) -> Self {
-        let rows = m.force.iter().flatten();
-        let index = |name| position(m, name).index as usize;
-        Self::of(rows.map(|row| (index(&row.name), &row.sum)))
+        Self::of(m.force.iter().flatten().map(|row| (place(m, &row.name), &row.sum)))
     }
 
     /// The terms of Rayleigh's dissipation function.
     pub fn of_dissipation(m: &Model) -> Self {
         Self::of([(0, &m.dissipation)])
+    }
+
+    /// Those of the derivatives of the forces, by n times their row plus their column; n² more for those by speeds.
+    pub fn of_jacobian(m: &Model) -> Self {
+        let n = m.coordinates.len();
+        Self::of(m.jacobian.iter().flatten().map(|e| {
+            let by_speed = m.coordinates.iter().position(|c| e.column == speed(&c.name));
+            let column = by_speed.map_or_else(|| place(m, &e.column), |j| n * n + j);
+            (n * place(m, &e.row) + column, &e.sum)
+        }))
     }
 
     fn of<'a>(sums: impl IntoIterator<Item = (usize, &'a Sum)>) -> Self {
@@ -55,7 +64,7 @@ impl Terms {
     }
 
     /// The statements that add them up; `at` is the place of a sum.
-    fn add(&self, m: &Model, at: impl Fn(usize) -> TokenStream) -> TokenStream {
+    pub fn add(&self, m: &Model, at: impl Fn(usize) -> TokenStream) -> TokenStream {
         let add = |addends: &[Addend]| -> TokenStream {
             let add = addends.iter().map(|(i, value)| {
                 let at = at(*i);
@@ -78,6 +87,10 @@ impl Terms {
         });
         quote!(#(#blocks)*)
     }
+}
+
+fn place(m: &Model, name: &Ident) -> usize {
+    position(m, name).index as usize
 }
 
 /// The functions `force` and `dissipation` of `Numbers`, of these terms.

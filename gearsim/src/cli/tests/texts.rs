@@ -43,6 +43,20 @@ fn a_misspelt_model_name_gets_a_suggestion() {
     assert!(failure.to_string().contains("did you mean `gear_pair`?"), "{failure}");
 }
 
+/// A stage of planets that no model has is a train; `gearsim models` and a scene say so.
+#[test]
+fn a_number_of_planets_is_that_of_a_train() {
+    let said = "`model = \"train\"` and `[planets.NAME]` with `count = 5`";
+    let failure = models::find("planetary_5").unwrap_err().to_string();
+    assert!(failure.contains(said) && !failure.contains("did you mean"), "{failure}");
+    let mistakes = Scene::from_toml("five", "model = \"planetary_5\"\neffects = []\n").unwrap_err().to_string();
+    assert!(mistakes.contains(said) && !mistakes.contains("did you mean"), "{mistakes}");
+    for name in ["planetary_0", "planetary_x", "planar_planetary_6"] {
+        let failure = models::find(name).unwrap_err().to_string();
+        assert!(!failure.contains("count ="), "{failure}");
+    }
+}
+
 #[test]
 fn the_report_of_a_run_equals_its_snapshot() {
     let scene = load();

@@ -31,6 +31,7 @@ use crate::model::Model;
 use crate::train::Train;
 use std::sync::Arc;
 
+pub(crate) use planets::in_place_of;
 use radii::OfTrain;
 
 /// Reads the train that a scene lists; `bare` has the elements. The values in its tables are moved to `[parameters]` and `[laws]` of

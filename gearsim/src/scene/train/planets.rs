@@ -32,6 +32,13 @@ const SET: &[Key] = &[
 ];
 const ROTOR_OR_GROUND: Kind = Kind::Name("a rotor or \"ground\"");
 
+/// What to write in place of a model `planetary_N` that there is not; `None` for any other name.
+pub(crate) fn in_place_of(model: &str) -> Option<String> {
+    let planets: u32 = model.strip_prefix("planetary_")?.parse().ok()?;
+    let said = || format!("planets in torsion: `model = \"train\"` and `[planets.NAME]` with `count = {planets}`");
+    (1.0..=PLANETS).contains(&planets.into()).then(said)
+}
+
 impl Reader<'_> {
     /// Adds the planets of a set, and their meshes.
     pub(super) fn planets(&mut self, item: &Item<'_>) {
@@ -88,7 +95,9 @@ impl Reader<'_> {
         );
         let angle = self.transverse_angle(item);
         self.value(named("alpha", set), angle.as_ref());
-        let renamed = vec![("Zs_x", z_s.clone()), ("Zr_x", z_r.clone()), ("rs_x", r_s.clone())];
+        // The meshes of the set have the same angle, if it states one.
+        let mut renamed = vec![("Zs_x", z_s.clone()), ("Zr_x", z_r.clone()), ("rs_x", r_s.clone())];
+        renamed.push(("alpha_x", named("alpha", set)));
         let rows = vec![vec![Term::new(carrier, 1.0, &[])]];
         let (name, place, called) = (set.to_string(), item.place.clone(), String::new());
         self.draft.parts.push(DraftPart {

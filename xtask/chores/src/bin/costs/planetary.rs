@@ -1,53 +1,65 @@
-//! Planetary stages from the derived models, with evenly spaced mesh phases: two laws per planet, all on one phase.
+//! Planetary stages as trains, with evenly spaced mesh phases: two laws per planet, all on one phase.
 
 use std::f64::consts::TAU;
 
-use anyhow::bail;
-use gearsim::__private::equations::{Derived, DerivedModel};
-use gearsim::__private::models::{Planetary3, Planetary4, Planetary5, Planetary6, Planetary7};
+use anyhow::Context;
+use gearsim::__private::Inside;
 use gearsim::scene::{Profile, Scene, Step};
 
 use crate::row::Row;
 
-/// Measures the stage with `planets` planets.
+/// The stage of models/scenes/planetary_3.toml as a train, but for its planets' number and laws.
+const STAGE: &str = r#"
+model = "train"
+effects = ["stiffness_step", "torques"]
+[rotors]
+s = "5.84e-4 kg*m^2"
+c = "6.28e-2 kg*m^2"
+r = "6.04e-2 kg*m^2"
+[supports.r]
+rotor = "r"
+stiffness = "20.1 MN*m/rad"
+[drives.motor]
+rotor = "s"
+torque = "300 N*m"
+[loads.load]
+rotor = "c"
+torque = "1400 N*m"
+[start]
+speed = "1500 rpm"
+[run]
+t_end = "0.2 s"
+[planets.p]
+sun = "s"
+carrier = "c"
+ring = "r"
+teeth = [27, 99]
+base_radius = "38.7 mm"
+pressure_angle = "24.6 deg"
+mass = "0.66 kg"
+inertia = "1.62e-3 kg*m^2"
+sun_stiffness = { steps = [{ value = "1 N/m" }], phase = 0 }
+ring_stiffness = { steps = [{ value = "1 N/m" }], phase = 0 }
+"#;
+
+/// Measures the stage with `planets` planets. The mesh phases of planet i lag by (i - 1)/planets of a pitch.
 ///
 /// # Errors
-/// If there is no such model, or if it does not run.
+/// If it does not run.
 pub fn planetary(planets: usize) -> anyhow::Result<Row> {
-    match planets {
-        3 => of::<Planetary3>(planets),
-        4 => of::<Planetary4>(planets),
-        5 => of::<Planetary5>(planets),
-        6 => of::<Planetary6>(planets),
-        7 => of::<Planetary7>(planets),
-        _ => bail!("no model of a planetary stage with {planets} planets"),
-    }
-}
-
-/// The scene with three planets, changed to `planets` planets. The mesh phases of planet i lag by (i - 1)/planets of a pitch.
-fn of<D: Derived>(planets: usize) -> anyhow::Result<Row> {
-    let text = include_str!(concat!(env!("CARGO_MANIFEST_DIR"), "/../../models/scenes/planetary_3.toml"));
-    let text = text.replace("planetary_3", &format!("planetary_{planets}"));
-    let laws: String = (1..=planets)
-        .map(|i| format!("k_s{i}.steps = [{{ value = \"1 N/m\" }}]\nk_r{i}.steps = [{{ value = \"1 N/m\" }}]\n"))
-        .collect();
-    let (before, after) = (text.find("[laws]"), text.find("[start]"));
-    let text = match (before, after) {
-        (Some(before), Some(after)) => format!("{}[laws]\n{laws}\n{}", &text[..before], &text[after..]),
-        _ => bail!("models/scenes/planetary_3.toml has no section [laws] or no section [start]"),
-    };
-    let mut scene = Scene::parse("planetary", "planetary_3.toml", &text, &[], &[&D::MODEL])
-        .map_err(|e| anyhow::anyhow!("{}", e.render(100, false)))?;
-    for (law, stiffness) in D::MODEL.laws.iter().zip(&mut scene.laws) {
-        let planet: f64 = law.name[3..].parse()?;
-        let offset = TAU * (planet - 1.0) / planets as f64;
-        *stiffness = if law.name.starts_with("k_s") {
-            shifted(offset, 2.6, [3.5e8, 6e8])
-        } else {
-            shifted(offset + 1.0, 4.4, [6e8, 4e8])
+    let mut scene = Scene::from_toml("planetary", &format!("{STAGE}count = {planets}\n"))?;
+    for (law, stiffness) in scene.model.laws.iter().zip(&mut scene.laws) {
+        let Some((with, planet)) = law.name.strip_prefix("k_p_").and_then(|mesh| mesh.split_at_checked(1)) else {
+            continue;
+        };
+        let offset = TAU * (planet.parse::<f64>()? - 1.0) / planets as f64;
+        *stiffness = match with {
+            "s" => shifted(offset, 2.6, [3.5e8, 6e8]),
+            _ => shifted(offset + 1.0, 4.4, [6e8, 4e8]),
         };
     }
-    Row::of(&scene, &*DerivedModel::of::<D>().equations(&scene)?)
+    let train = gearsim::models().iter().find(|entry| entry.model.name == "train").context("no trains")?;
+    Row::of(&scene, &*train.equations(&scene)?)
 }
 
 /// A law of two levels [N/m]: the first from `offset` [rad] over `width` [rad], the second over the rest of the pitch of 2 pi.

@@ -16,7 +16,11 @@ pub fn write(rows: &[Row], gains: &[Gain]) -> String {
          ## Sweeps on one thread and on two\n\n{}\n",
         cells("Without damping", Group::Undamped, rows),
         cells("With dampers that couple the modes", Group::Coupled, rows),
-        cells("Planetary stages without damping, the mesh phases of the planets evenly spaced", Group::Planetary, rows),
+        cells(
+            "Planetary stages without damping, as trains, the mesh phases of the planets evenly spaced",
+            Group::Planetary,
+            rows
+        ),
         threads(gains)
     )
 }
