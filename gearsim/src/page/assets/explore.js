@@ -4,7 +4,7 @@
 const PATIENCE = 250;
 // Time [ms] without a change after which what is not seen follows, after which a run is judged, and after which advice begins by
 // itself.
-const REST = 80, QUIET = 120, CALM = 700;
+const REST = 150, QUIET = 120, CALM = 700;
 // Advice begins by itself where a run takes less [s].
 const QUICK = 0.02;
 
