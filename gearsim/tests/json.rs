@@ -1,9 +1,15 @@
-//! `--json`: what each command prints is one JSON document of its format, with the numbers of its files; `-q` prints nothing.
+//! `--json`: what each command prints is one JSON document of its format, as its schema says, with the numbers of its files; `-q` prints
+//! nothing.
+
+#[path = "../src/output/conforms.rs"]
+mod conforms;
 
 use std::path::Path;
 use std::process::{Command, Output};
 
 use serde_json::Value;
+
+use conforms::conforms;
 
 /// A short scene with every result that commands need.
 const SCENE: &str = "models/scenes/oh2005/energy_300rpm.toml";
@@ -19,9 +25,14 @@ fn document(arguments: &[&str], format: &str) -> Value {
     let text = String::from_utf8(output.stdout).unwrap();
     let errors = String::from_utf8_lossy(&output.stderr);
     let value: Value = serde_json::from_str(&text).unwrap_or_else(|e| panic!("{arguments:?}: {e}\n{text}\n{errors}"));
-    assert_eq!(value["format"], format!("gearsim.{format}"), "{arguments:?}");
-    assert!(value["version"].as_u64().is_some_and(|version| version > 0));
+    // The schema has the format and its version.
+    conforms(&value, &schema(format), "").unwrap_or_else(|wrong| panic!("{arguments:?}: {wrong}"));
     value
+}
+
+fn schema(format: &str) -> Value {
+    let schemas = Path::new(env!("CARGO_MANIFEST_DIR")).join("src/output/schemas");
+    serde_json::from_str(&std::fs::read_to_string(schemas.join(format!("{format}.schema.json"))).unwrap()).unwrap()
 }
 
 fn number(value: &Value) -> f64 {
@@ -48,6 +59,9 @@ fn commands_print_their_results_as_json() {
     assert_eq!(run, file("run", "summary.json"));
     let compare = print(with("compare", SCENE, "compare", &SHORT), "compare");
     assert_eq!(compare, file("compare", "compare.json"));
+    for run in compare["runs"].as_array().unwrap() {
+        conforms(&run["summary"], &schema("summary"), "").unwrap();
+    }
     // The paper's point: the classical equations do not keep the energy that the exact ones keep.
     let residual = |i: usize| number(&compare["runs"][i]["summary"]["energy"]["residual"]).abs();
     assert!(residual(2) > 1e3 * residual(0), "{compare}");
@@ -55,6 +69,13 @@ fn commands_print_their_results_as_json() {
     assert_eq!(modes, file("modes", "modes.json"));
     let floquet = print(with("floquet", SCENE, "floquet", &[]), "floquet");
     assert_eq!(floquet, file("floquet", "floquet.json"));
+    // What only some scenes have: a steady motion that is linearised about, an orbit, a range over a turn.
+    let friction = "models/scenes/sliding_friction.toml";
+    assert!(print(with("modes", friction, "modes", &[]), "modes")["linearised"].is_object());
+    assert!(print(with("floquet", friction, "floquet", &[]), "floquet")["linearised"].is_object());
+    let crank = "models/scenes/crank_drive.toml";
+    assert!(print(with("modes", crank, "modes", &[]), "modes")["natural_frequencies_over_a_turn"].is_array());
+    assert!(print(with("floquet", crank, "floquet", &[]), "floquet")["orbit"].is_object());
 
     let sweep = ["--vary", "run.t_end=normal:4 ms:0.1 ms", "--samples", "8", "--limit", "t_end < 1 s", "--csv"];
     let sweep = print(with("sweep", SCENE, "sweep", &sweep), "sweep");
@@ -108,4 +129,34 @@ fn quiet_commands_print_nothing() {
     }
     let advise = gearsim(&[&["advise", SCENE, "-q"][..], &SHORT[..2]].concat());
     assert!(advise.status.success() && advise.stdout.is_empty());
+}
+
+/// What a schema says of each key is in the manual, and the schemas are all in use.
+#[test]
+fn every_format_has_a_schema_that_describes_its_keys() {
+    let schemas = Path::new(env!("CARGO_MANIFEST_DIR")).join("src/output/schemas");
+    let manual = Path::new(env!("CARGO_MANIFEST_DIR")).join("manual/src/outputs.md");
+    let manual = std::fs::read_to_string(manual).unwrap();
+    let mut formats = vec![];
+    for entry in std::fs::read_dir(schemas).unwrap() {
+        let file = entry.unwrap().file_name().into_string().unwrap();
+        let format = file.strip_suffix(".schema.json").unwrap().to_owned();
+        assert_eq!(schema(&format)["properties"]["format"]["const"], format!("gearsim.{format}"));
+        described(&schema(&format), &file);
+        assert!(manual.contains(&format!("<!-- keys of: gearsim/src/output/schemas/{file} -->")), "{file}");
+        formats.push(format);
+    }
+    formats.sort();
+    let used = "advise check compare floquet models modes response summary sweep work-precision";
+    assert_eq!(formats.join(" "), used);
+}
+
+fn described(schema: &Value, path: &str) {
+    for (key, inner) in schema["properties"].as_object().into_iter().flatten() {
+        let path = format!("{path}: {key}");
+        assert!(inner["description"].as_str().is_some_and(|text| text.len() > 5), "{path}");
+        described(inner, &path);
+        described(&inner["items"], &path);
+        described(&inner["additionalProperties"], &path);
+    }
 }

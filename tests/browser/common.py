@@ -15,6 +15,12 @@ PHONE = {"viewport": {"width": 390, "height": 844}, "is_mobile": True, "has_touc
 FLAGS = ["--no-sandbox", "--disable-gpu", "--disable-background-networking", "--disable-component-update", "--disable-sync"]
 
 
+def processor():
+    """The name of the processor, as Linux gives it."""
+    lines = pathlib.Path("/proc/cpuinfo").read_text().splitlines()
+    return next((line.split(":", 1)[1].strip() for line in lines if line.startswith("model name")), "unknown processor")
+
+
 def started(playwright):
     """The browser."""
     return playwright.chromium.launch(executable_path=os.environ.get("CHROMIUM", "/usr/bin/chromium"), args=FLAGS)
@@ -65,8 +71,11 @@ def screens(fits, path, *more):
 
 
 def settle(page):
-    """Waits for the frames in which the page draws what was asked."""
-    page.evaluate("new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(() => setTimeout(done))))")
+    """Waits for the frames in which the page draws what was asked, in all detail."""
+    frames = "new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(() => setTimeout(done))))"
+    page.evaluate(frames)
+    wait_until(page, "[...groups.values()].every((group) => group.detail === null)")
+    page.evaluate(frames)
 
 
 def wait_until(page, condition, arg=None):

@@ -201,6 +201,11 @@ def works_with_keys_and_on_a_phone(browser, gearsim, folder):
     """A slider obeys the arrow keys; on a phone the controls open from below, and nothing is wider than the screen."""
     with served(gearsim, PAIR) as url:
         with opened(browser, url, color_scheme="dark", **LAPTOP) as page:
+            # The first key leads past the controls.
+            page.keyboard.press("Tab")
+            page.keyboard.press("Enter")
+            page.keyboard.press("Tab")
+            assert page.evaluate("document.activeElement.closest('main')?.id") == "sections"
             page.get_by_label("zeta, slider").focus()
             after(page, page.keyboard.press, "ArrowRight")
             assert float(value_of(page, "parameters.zeta")) > 0.1

@@ -60,6 +60,38 @@ def zoom_shows_detail(browser, path, samples):
         assert drawn(page) == before
 
 
+def a_zoom_takes_few_of_many_rows(browser, path):
+    """What is decoded, looked at and drawn does not grow with the number of rows: it is bounded by curves and pixels."""
+    with opened_file(browser, path, **LAPTOP) as page:
+        settle(page)
+        # Of the columns only those of curves that are drawn, with their times and events.
+        decoded, wanted = page.evaluate(
+            """(() => {
+                const plots = panels.filter((panel) => panel.drawn || panel.inSight);
+                const shown = plots.flatMap(({ plot, shown }) => plot.curves.filter((_, i) => shown[i]));
+                // The limits of a view are those of the abscissae of all plots.
+                const across = panels.flatMap(({ plot }) => [...plot.curves.map(({ x }) => x), plot.events ?? plot.curves[0].x]);
+                return [[...decoded.keys()], [...new Set([...shown.map(({ y }) => y), ...across].map(({ id }) => id))]];
+            })()"""
+        )
+        assert set(decoded) <= set(wanted) and len(decoded) < page.locator("script[type='text/plain']").count() / 2, decoded
+        frame_of_first_plot(page)
+        # Values that are looked at one by one while curves are drawn.
+        page.evaluate("window.looked = 0; window.plain = scan; window.scan = (values, a, b) => { looked += b - a; return plain(values, a, b); }; 0")
+        for step in ["zoom(0.5)", "zoom(0.9)", "pan(0.25)", "reset()"]:
+            page.evaluate(f"looked = 0; panels[0].group.{step}; 0")
+            settle(page)
+            looked, curves, points, pixels = page.evaluate(
+                """(() => {
+                    const drawn = panels.filter((panel) => panel.inSight && panel.drawn);
+                    const lines = drawn.flatMap(({ canvas }) => canvas.data).filter(({ name }) => name !== "events");
+                    return [looked, lines.length, Math.max(...lines.map(({ x }) => x.length)), drawn[0].pixels()];
+                })()"""
+            )
+            # The lowest and the highest value of each pixel; at both ends of its rows up to 64 are looked at. Coarsely, then in all detail.
+            assert 0 < points <= 2 * pixels and looked <= 2 * curves * pixels * (2 * 64 + 2), (step, points, looked, curves, pixels)
+
+
 def extremes_are_drawn(browser, path):
     """The highest and the lowest of all rows are among the few points that are drawn."""
     with opened_file(browser, path, **LAPTOP) as page:
@@ -154,6 +186,7 @@ def tests(gearsim, folder, pictures):
     large = run(gearsim, SCENES / "oh2005" / "spectrum_4500rpm_exact.toml", folder / "large", "run.t_end=1 s", "output.rate=1 MHz")
     yield zoom_shows_detail, (small, 4000), "small"
     yield zoom_shows_detail, (large, 1_000_000), "large"
+    yield a_zoom_takes_few_of_many_rows, (large,), "large"
     yield extremes_are_drawn, (large,), "large"
     yield cursor_and_keys, (small,), "small"
     yield columns_and_units_are_chosen, (small,), "small"

@@ -60,7 +60,7 @@ pub(super) struct FloquetCommand {
 }
 
 /// Version of the format of `floquet.json`.
-const VERSION: u32 = 1;
+const VERSION: u32 = 2;
 
 /// The content of `floquet.json`: the results for the scene itself, without --vary.
 #[derive(Serialize)]

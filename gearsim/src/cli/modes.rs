@@ -51,7 +51,7 @@ pub(super) struct Modes {
 }
 
 /// Version of the format of `modes.json`.
-const VERSION: u32 = 1;
+const VERSION: u32 = 2;
 
 /// The content of `modes.json`.
 #[derive(Serialize)]

@@ -112,8 +112,8 @@ impl Asked {
 pages! {
     work_precision of "work_precision.csv" in OutputFolder(scene: &Scene, measured: &WorkPrecision) => |files|
         page::work_precision::page(&made(scene, "each method in turn", files), measured);
-    response of "response.csv" in OutputFolder(scene: &Scene, words: &str, drawn: Option<&Figure>, points: &Table) => |files|
-        page::response::page(&made(scene, "run by run, each from the end of the one before it", files), words, drawn, points);
+    response of "response.csv" in OutputFolder(scene: &Scene, facts: &[(String, String)], drawn: Option<&Figure>, points: &Table) => |files|
+        page::response::page(&made(scene, "run by run, each from the end of the one before it", files), facts, drawn, points);
     modes of "modes.json" in OutputFolder(scene: &Scene, parts: &Parts, chosen: &CellModes, cells: &[CellModes], figures: &[Figure]) => |files|
         page::modes::page(&made(scene, "modes of linear cells", files), &page::modes::Modes { parts, chosen, cells, figures });
     floquet of "floquet.json" in OutputFolder(scene: &Scene, words: &str, floquet: &Floquet, chart: Option<(&Chart, &Table)>) => |files|

@@ -70,7 +70,7 @@ pub(super) struct ResponseCommand {
 }
 
 /// Version of the format of --json.
-const VERSION: u32 = 1;
+const VERSION: u32 = 2;
 
 /// What --json prints.
 #[derive(Serialize)]
@@ -114,11 +114,14 @@ impl Verb for ResponseCommand {
         let figure = files::figure(&mut folder, "response", Ok(figure), terminal::warn)?;
         folder.write("response.csv", |sink| csv::write(&table, sink))?;
         if let Some(page) = page {
-            page.response(&mut folder, &sweep.first()?, &summary(&response, usize::MAX), figure.as_ref(), &table)?;
+            page.response(&mut folder, &sweep.first()?, &facts(&response), figure.as_ref(), &table)?;
         }
         folder.commit("response.csv")?;
         let width = terminal::width();
-        let text = || summary(&response, width) + "\n" + &report::files(folder.path(), folder.files(), width);
+        let text = || {
+            let facts: String = facts(&response).iter().map(|(name, says)| report::line(name, says, width)).collect();
+            facts + "\n" + &report::files(folder.path(), folder.files(), width)
+        };
         let json = || {
             let report = Report {
                 scene: sweep.scene(),
@@ -144,10 +147,9 @@ impl ResponseCommand {
     }
 }
 
-/// What holds the speed, what was measured, the largest value of each output on each way, and where it is.
-fn summary(response: &Response, width: usize) -> String {
-    let mut text =
-        report::line("speed", &response.holding, width) + &report::line("measured", &measured(response), width);
+/// What holds the speed, what was measured, the largest value of each output on each way, and where it is: names, and what is said of each.
+fn facts(response: &Response) -> Vec<(String, String)> {
+    let mut facts = vec![("speed".into(), response.holding.clone()), ("measured".into(), measured(response))];
     for (i, output) in response.outputs.iter().enumerate() {
         for (way, upward) in [("up", true), ("down", false)] {
             let points = response.points.iter().filter(|point| point.upward == upward);
@@ -155,11 +157,11 @@ fn summary(response: &Response, width: usize) -> String {
             if let Some((rms, at)) = rms.max_by(|a, b| a.0.total_cmp(&b.0)) {
                 let (rms, at) = (number::short(rms), number::short(at));
                 let says = format!("largest rms on the way {way}: {rms} {} at {at} {}", output.unit, response.unit);
-                text += &report::line(output.name, &says, width);
+                facts.push((output.name.into(), says));
             }
         }
     }
-    text
+    facts
 }
 
 /// What the points were measured over, in words.

@@ -53,7 +53,7 @@ impl Cells {
     pub fn new(equations: &dyn Equations, motions: usize, (laws, switches, k): Stand<'_>) -> Result<Self, Refusal> {
         let count = laws.iter().map(|l| l.pitch.cells()).chain(switches.iter().map(Switch::modes));
         let count = count.fold(1, usize::saturating_mul);
-        if count > CELLS_IN_ADVANCE {
+        if count.saturating_mul(equations.coordinates().pow(3)) > CELLS_IN_ADVANCE {
             let mut cells = Cells { cells: vec![], met: Some(HashMap::new()), present: 0, motions };
             cells.meet(equations, (laws, switches, k))?;
             return Ok(cells);

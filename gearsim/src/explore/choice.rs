@@ -9,6 +9,7 @@ use super::controls::offered;
 use super::text::{self, Text, with_unit};
 use crate::library::{usual_levels, usual_value};
 use crate::model::Role;
+use crate::page::run::View;
 use crate::scene::quantity::Quantity;
 use crate::scene::{Effects, Scene};
 
@@ -25,6 +26,8 @@ pub(super) struct Choice {
     /// The identifiers of the sections that a person sees: the answer to `run` has these sections, the answer to `rest` the others. If
     /// empty, the answer to `run` has all sections.
     pub seen: Vec<String>,
+    /// What a person sees of the plots over time: in the answer to `run` they have this alone, and that to `rest` has all sections.
+    pub view: Option<View>,
     /// A number of the choice, in the identifiers of the arrays of its plots.
     pub number: u32,
 }

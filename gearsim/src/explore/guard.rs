@@ -10,7 +10,7 @@ pub(super) enum Route {
     Page,
     /// A run.
     Run,
-    /// The sections of a run that are not seen.
+    /// The sections of a run that the first answer did not have whole.
     Rest,
     /// Cost and error of a run.
     Judge,

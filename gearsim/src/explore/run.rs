@@ -76,12 +76,12 @@ impl Explorer {
         Some(self.answer(&edited, mistakes, run))
     }
 
-    /// The sections of the run with a choice that are not seen; `None` if `go_on` ended it, or if there is no such run.
+    /// The sections of the run with a choice that the first answer did not have whole; `None` if `go_on` ended it, or if there is no such run.
     pub(super) fn rest(&self, choice: &Choice, go_on: &dyn Fn() -> bool) -> Option<page::Parts> {
         let text = self.edited(choice).to_string();
         let results = self.ran(&text, self.read(&text).ok()?, go_on)?.ok()?;
-        let is_wanted = |id: &str| !choice.seen.iter().any(|seen| seen == id);
-        parts(&results, format!("rest{}-", choice.number), &is_wanted, go_on).ok()?
+        let is_wanted = |id: &str| choice.view.is_some() || !choice.seen.iter().any(|seen| seen == id);
+        parts(&results, format!("rest{}-", choice.number), &is_wanted, None, go_on).ok()?
     }
 
     /// The answer without a run: it took longer than the page waits.
@@ -157,11 +157,13 @@ fn wrong(mistakes: &SceneMistakes, text: &str) -> Vec<Wrong> {
     mistakes.mistakes().iter().map(of).collect()
 }
 
-/// The first part of a run's page: the visible sections (`seen`), or all sections if `seen` is empty. `None` if `go_on` cancelled the run.
+/// The first part of a run's page: the visible sections (`seen`), or all sections if `seen` is empty, with what is in `view`. `None` if
+/// `go_on` cancelled the run.
 fn shown(results: &Results, choice: &Choice, go_on: &dyn Fn() -> bool) -> Result<Option<Shown>, Error> {
     let seen = &choice.seen;
     let is_wanted = |id: &str| seen.is_empty() || seen.iter().any(|seen| seen == id);
-    let Some(page) = parts(results, format!("run{}-", choice.number), &is_wanted, go_on)? else { return Ok(None) };
+    let name = format!("run{}-", choice.number);
+    let Some(page) = parts(results, name, &is_wanted, choice.view.as_ref(), go_on)? else { return Ok(None) };
     let Results { scene, outcome } = results;
     let summary = results.brief();
     let (residual, largest) = (summary.energy.residual.0, summary.energy.largest.0);
@@ -190,10 +192,11 @@ fn parts(
     results: &Results,
     name: String,
     is_wanted: &dyn Fn(&str) -> bool,
+    view: Option<&page::run::View>,
     go_on: &dyn Fn() -> bool,
 ) -> Result<Option<page::Parts>, Error> {
     let Results { scene, outcome } = results;
     let summary = results.brief();
     let run = page::run::Run { scene, outcome, summary: &summary };
-    Ok(page::run::live(&run, name, is_wanted, go_on)?)
+    Ok(page::run::live(&run, name, is_wanted, view, go_on)?)
 }

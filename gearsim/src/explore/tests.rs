@@ -97,6 +97,43 @@ fn visible_sections_come_first_and_the_others_after_them() {
     assert!(explorer.rest(&choice(json!({ "seen": ["motion"] })), &|| false).is_none());
 }
 
+/// With a view the first answer has only the curves that are seen, in few rows; `rest` has all.
+#[test]
+fn what_is_seen_comes_in_few_rows() {
+    let explorer = explorer("oh2005/energy_300rpm");
+    let view = json!({ "range": [0.01, 0.02], "parts": 50, "curves": [["Torques", "mesh_torque"]] });
+    let value = json!({ "seen": ["motion"], "view": view, "number": 7 });
+    let first = answer(&explorer, value.clone())["run"]["page"].clone();
+    let rest = serde_json::to_value(explorer.rest(&choice(value), &|| true).unwrap()).unwrap();
+    let (_, results) = explorer.last.lock().unwrap().clone().unwrap();
+    let rows = results.outcome.trajectory.len();
+    // Of each plot its title, and of each curve its name and its numbers of times and values.
+    let curves = |page: &Value| -> Vec<(String, String, [u64; 2])> {
+        let html = page["html"].as_str().unwrap();
+        let plots = html.split("<figure class=\"plot\">").skip(1).map(|plot| {
+            let text = plot.split_once("json\">").unwrap().1.split_once("</script>").unwrap().0;
+            serde_json::from_str::<Value>(text).unwrap()
+        });
+        let of = |plot: Value| {
+            let name = |curve: &Value| curve["name"].as_str().unwrap().to_owned();
+            let lengths = |curve: &Value| ["x", "y"].map(|axis| curve[axis]["length"].as_u64().unwrap());
+            let title = plot["title"].as_str().unwrap().to_owned();
+            plot["curves"].as_array().unwrap().iter().map(|c| (title.clone(), name(c), lengths(c))).collect::<Vec<_>>()
+        };
+        plots.filter(|plot| plot["group"] == "time").flat_map(of).collect()
+    };
+    let (some, all) = (curves(&first), curves(&rest));
+    assert!(some.len() > 5 && all.len() > some.len());
+    assert!(some.iter().any(|(title, name, _)| (&**title, &**name) == ("Torques", "mesh_torque")));
+    for (title, name, [times, values]) in some {
+        // Two for each part, and one for each end of the run.
+        assert!(times <= 2 * 50 + 2, "{times}");
+        let is_seen = (&*title, &*name) == ("Torques", "mesh_torque");
+        assert_eq!(values, if is_seen { times } else { 0 }, "{title}: {name}");
+    }
+    assert!(all.iter().all(|(_, _, lengths)| *lengths == [rows as u64; 2]));
+}
+
 #[test]
 fn a_saved_scene_has_the_bytes_of_the_page_and_keeps_its_comments() {
     let explorer = explorer("backlash");

@@ -1,7 +1,7 @@
 //! JSON files of the program: the name and version of their format, then their content.
 //!
-//! A change that a reader of a file could notice raises its version. Numbers are in SI units unless a name says otherwise; a number that
-//! is not finite is `null`.
+//! What a file contains is in its JSON schema, `schemas/FORMAT.schema.json`. A change that a reader of a file could notice raises its version,
+//! there and beside the code. Numbers are in SI units unless a name says otherwise; a number that is not finite is `null`.
 
 use serde::Serialize;
 use serde_json::{Map, Value};

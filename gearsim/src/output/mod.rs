@@ -32,4 +32,6 @@ pub use whole::Sink;
 pub(crate) use whole::WholeFiles;
 
 #[cfg(test)]
+pub(crate) mod conforms;
+#[cfg(test)]
 pub(crate) mod fixture;

@@ -2,7 +2,7 @@
 //!
 //! All numbers are in SI units, in the shortest form that reads back bit for bit. JSON has no infinite numbers and no NaN: such a
 //! number is `null`, and `missing` gives the reason, see [`Number`]. The format is described by the JSON Schema
-//! `summary.schema.json` beside this file. A change that a reader of the file could notice raises [`VERSION`].
+//! `schemas/summary.schema.json`. A change that a reader of the file could notice raises [`VERSION`].
 
 use std::collections::BTreeMap;
 

@@ -117,7 +117,7 @@ impl Html {
         let caption = escape(caption);
         let _ = write!(
             self.text,
-            "<div class=\"scroll\"><table class=\"sortable\"><caption>{caption}</caption>\n<thead><tr>{head}</tr></thead>\n<tbody>\n{rows}</tbody></table></div>\n"
+            "<div class=\"scroll\" tabindex=\"0\" role=\"group\" aria-label=\"{caption}\"><table class=\"sortable\"><caption>{caption}</caption>\n<thead><tr>{head}</tr></thead>\n<tbody>\n{rows}</tbody></table></div>\n"
         );
     }
 

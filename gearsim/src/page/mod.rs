@@ -15,6 +15,7 @@ pub mod explore;
 pub mod floquet;
 pub mod html;
 pub mod modes;
+mod pack;
 pub mod plot;
 pub mod response;
 pub mod run;

@@ -5,11 +5,16 @@ use super::shared::{self, Made, figure, table};
 use crate::output::{OutputError, Table};
 use crate::plot::Figure;
 
-/// The page of a response; `words` are its results in words, `points` its table. Errors: none.
-pub fn page(made: &Made<'_>, words: &str, drawn: Option<&Figure>, points: &Table) -> Result<Page, OutputError> {
+/// The page of a response; `facts` are names and words of its results, `points` its table. Errors: none.
+pub fn page(
+    made: &Made<'_>,
+    facts: &[(String, String)],
+    drawn: Option<&Figure>,
+    points: &Table,
+) -> Result<Page, OutputError> {
     let mut page = shared::begin(made.scene);
     page.section("result", "Result", |html| {
-        html.lines(words);
+        html.pairs(facts.iter().map(|(name, says)| (name, says)));
         if let Some(drawn) = drawn {
             figure::fill(html, "response", drawn);
         }

@@ -5,6 +5,7 @@ use base64::engine::general_purpose::STANDARD;
 
 use super::data::{self, BLOCK, Counts};
 use super::html::{Cell, escape};
+use super::pack::unpack;
 use super::{Page, script};
 
 const HOSTILE: &str = "</script><script>alert(1)</script><img src=x onerror='alert(2)'>\" & \u{2028}\u{1b}]0;";
@@ -12,15 +13,14 @@ const HOSTILE: &str = "</script><script>alert(1)</script><img src=x onerror='ale
 /// Decodes a column as `assets/data.js` does.
 fn decoded(column: &data::Column, base64: &str) -> Vec<f64> {
     let bytes = STANDARD.decode(base64).unwrap();
-    let (head, counts) = bytes.split_at(16 * column.length.div_ceil(BLOCK));
+    let (head, packed) = bytes.split_at(16 * column.length.div_ceil(BLOCK));
     let number = |i: usize| f64::from_le_bytes(head[8 * i..8 * i + 8].try_into().unwrap());
-    let count = |bytes: &[u8]| bytes.iter().rev().fold(0_u64, |count, byte| count << 8 | u64::from(*byte));
-    let none = (1_u64 << (8 * column.width)) - 1;
-    let value = |(i, count): (usize, u64)| match count {
-        _ if count == none => f64::NAN,
-        count => number(2 * (i / BLOCK)) + number(2 * (i / BLOCK) + 1) * count as f64,
+    let none = (1_u64 << column.bits) - 1;
+    let value = |(i, count): (usize, u32)| match count {
+        _ if u64::from(count) == none => f64::NAN,
+        count => number(2 * (i / BLOCK)) + number(2 * (i / BLOCK) + 1) * f64::from(count),
     };
-    counts.chunks(column.width).map(count).enumerate().map(value).collect()
+    unpack(packed, column.length).into_iter().enumerate().map(value).collect()
 }
 
 #[test]

@@ -23,7 +23,7 @@ mod picture;
 mod rainflow;
 pub(crate) mod response;
 mod run_up;
-mod spectrum;
+pub(crate) mod spectrum;
 mod text;
 mod ticks;
 pub(crate) mod waterfall;

@@ -111,12 +111,15 @@ fn abscissa<'a>(
             let end = LONGEST.max(MESHES * mesh / units[0]).min(longest / units[0]);
             (Axis::linear("frequency ω/ω_{d}", "").between(0.0, end), units)
         }
-        _ => {
-            let content = all.map(|s| 1.1 * s.highest(CONTENT)).fold(0.0, f64::max);
-            let end = content.max(MESHES * mesh).min(longest);
-            (Axis::linear("frequency f", "Hz").between(0.0, end), vec![1.0; runs.len()])
-        }
+        _ => (Axis::linear("frequency f", "Hz").between(0.0, reach(all, mesh)), vec![1.0; runs.len()]),
     }
+}
+
+/// The frequency up to which spectra and the first multiples of the mesh frequency `mesh` have something to show \[Hz\].
+pub(crate) fn reach<'a>(all: impl Iterator<Item = &'a Spectrum> + Clone, mesh: f64) -> f64 {
+    let longest = all.clone().filter_map(|s| s.frequency.last().copied()).fold(0.0, f64::max);
+    let content = all.map(|s| 1.1 * s.highest(CONTENT)).fold(0.0, f64::max);
+    content.max(MESHES * mesh).min(longest)
 }
 
 /// Power spectral density of a column of `run`, from its evenly spaced samples.

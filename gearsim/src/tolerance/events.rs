@@ -117,9 +117,10 @@ pub(crate) const EVENTS_AT_ONE_TIME: (u32, u32) = (4, 16);
 /// by this. Smaller: they rattle on. Larger: no effect on other motions.
 pub(crate) const EDGE_ROUNDING: f64 = 16.0 * f64::EPSILON;
 
-/// Largest number of cells that are computed before the run [cells]: their modes take about a second. With more, each is computed when it
-/// is first entered.
-pub(crate) const CELLS_IN_ADVANCE: usize = 1024;
+/// Most work before the run for the modes of all cells [cells times the cube of the coordinates]: they take some 50 ms. With more, each cell
+/// is computed when it is first entered. Smaller: scenes of few cells look them up by a hash. Larger: runs wait for cells that they never
+/// enter.
+pub(crate) const CELLS_IN_ADVANCE: usize = 100_000;
 
 /// Rounding error of a sum over the modes in a window [relative to the sum of absolute values]. Mode shapes have some hundred roundings.
 /// Smaller: the rounding errors of balanced forces part flanks. Larger: weak forces are neglected.

@@ -3,6 +3,7 @@
 use serde_json::Value;
 
 use super::*;
+use crate::output::conforms::conforms;
 use crate::output::fixture::oscillator;
 
 fn summary() -> Summary {
@@ -113,7 +114,7 @@ fn nulls(value: &Value, path: &str) -> Vec<String> {
 }
 
 fn schema() -> Value {
-    serde_json::from_str(include_str!("../summary.schema.json")).unwrap()
+    serde_json::from_str(include_str!("../schemas/summary.schema.json")).unwrap()
 }
 
 #[test]
@@ -142,39 +143,4 @@ fn the_schema_refuses_other_content() {
     assert!(wrong(|v| v["energy"]["heat"] = 1.into()).contains("energy.heat"));
     assert!(wrong(|v| v["version"] = 1.into()).contains("version"));
     assert!(wrong(|v| drop(v.as_object_mut().unwrap().remove("refuted"))).contains("refuted"));
-}
-
-/// Whether `value` is as `schema` says; the keywords of JSON Schema that the file uses.
-fn conforms(value: &Value, schema: &Value, path: &str) -> Result<(), String> {
-    let of = |name: &str| match (name, value) {
-        ("object", Value::Object(_)) | ("array", Value::Array(_)) | ("string", Value::String(_)) => true,
-        ("null", Value::Null) | ("boolean", Value::Bool(_)) | ("number", Value::Number(_)) => true,
-        ("integer", Value::Number(x)) => x.is_u64(),
-        _ => false,
-    };
-    let types = match &schema["type"] {
-        Value::Array(names) => names.iter().any(|name| of(name.as_str().unwrap())),
-        name => of(name.as_str().ok_or(format!("{path}: no type in the schema"))?),
-    };
-    let constant = schema.get("const").is_none_or(|constant| constant == value);
-    if !types || !constant {
-        return Err(format!("{path}: {value} is not as in the schema"));
-    }
-    if let (Some(items), Some(of)) = (value.as_array(), schema.get("items")) {
-        return items.iter().try_for_each(|item| conforms(item, of, path));
-    }
-    let Some(map) = value.as_object() else { return Ok(()) };
-    for key in schema["required"].as_array().into_iter().flatten() {
-        if !map.contains_key(key.as_str().unwrap()) {
-            return Err(format!("{path}.{key}: missing"));
-        }
-    }
-    for (key, value) in map {
-        let path = format!("{path}.{key}");
-        match schema["properties"].get(key).or(schema.get("additionalProperties")) {
-            Some(of) if of.is_object() => conforms(value, of, path.trim_start_matches('.'))?,
-            _ => return Err(format!("{path}: not in the schema")),
-        }
-    }
-    Ok(())
 }

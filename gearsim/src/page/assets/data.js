@@ -2,6 +2,8 @@
 
 // Values in a block of a column, as in data.rs.
 const BLOCK = 1024;
+// Counts in a group, as in pack.rs.
+const GROUP = 64;
 // Rows whose lowest and highest value are known ahead: the level above the rows themselves.
 const STEP = 64;
 
@@ -10,13 +12,13 @@ const decoded = new Map();
 const received = new Map();
 
 /** The column of a specification: its values, and the indices of the extremes of every STEP values. Decoded once, when first drawn. */
-function column({ id, length, width }) {
+function column({ id, length, bits }) {
   if (!decoded.has(id)) {
     const bytes = fromBase64(received.get(id) ?? document.getElementById(id).textContent);
     const blocks = Math.ceil(length / BLOCK);
     const head = new Float64Array(bytes.buffer, 0, 2 * blocks);
-    const counts = new (width === 2 ? Uint16Array : Uint32Array)(bytes.buffer, 16 * blocks, length);
-    const none = 256 ** width - 1;
+    const counts = unpack(bytes, 16 * blocks, length);
+    const none = 2 ** bits - 1;
     const values = new Float64Array(length);
     for (let block = 0; block < blocks; block++) {
       const offset = head[2 * block], scale = head[2 * block + 1];
@@ -26,6 +28,38 @@ function column({ id, length, width }) {
     decoded.set(id, { values, ...level(values) });
   }
   return decoded.get(id);
+}
+
+/** The counts that pack.rs has packed, from a byte on. */
+function unpack(bytes, at, length) {
+  const counts = new Uint32Array(length);
+  let last = 0, before = 0;
+  for (let i = 0; i < length;) {
+    const end = Math.min(length, i + GROUP), order = bytes[at] >> 6, width = bytes[at] & 63;
+    at++;
+    // Bits that are read and not taken yet, as a number; where an entry is wide they are more than the 32 of bitwise operators.
+    let open = 0, have = 0;
+    const wide = width > 24, size = 2 ** width;
+    for (; i < end; i++) {
+      let entry;
+      if (wide) {
+        for (; have < width; have += 8) open += bytes[at++] * 2 ** have;
+        entry = open % size;
+        open = Math.floor(open / size);
+      } else {
+        for (; have < width; have += 8) open |= bytes[at++] << have;
+        entry = open & (size - 1);
+        open >>>= width;
+      }
+      have -= width;
+      const difference = (entry >>> 1) ^ -(entry & 1);
+      const count = order === 0 ? entry : order === 1 ? last + difference : 2 * last - before + difference;
+      counts[i] = count;
+      before = last;
+      last = count;
+    }
+  }
+  return counts;
 }
 
 function fromBase64(text) {

@@ -2,9 +2,9 @@
 
 // After this time [ms] a newer choice ends the run of an older one; before, it waits for it.
 const PATIENCE = 250;
-// Time [ms] without a change after which the sections that are not seen follow, after which a run is judged, and after which advice begins by
+// Time [ms] without a change after which what is not seen follows, after which a run is judged, and after which advice begins by
 // itself.
-const REST = 80, QUIET = 120, CALM = 700;
+const REST = 150, QUIET = 120, CALM = 700;
 // Advice begins by itself where a run takes less [s].
 const QUICK = 0.02;
 
@@ -13,6 +13,8 @@ let waiting = false;
 let since = 0;
 let number = 0;
 let timer = null;
+// Processor time of the run that is shown [s].
+let seconds = 0;
 
 async function post(what) {
   const response = await fetch(what, { method: "POST", headers: { "Content-Type": "application/json" }, body: JSON.stringify(choice) });
@@ -36,7 +38,7 @@ async function send() {
   waiting = false;
   const mine = { began: performance.now(), since };
   flight = mine;
-  Object.assign(choice, { seen: inSight(byId("sections")), number });
+  Object.assign(choice, { seen: inSight(byId("sections")), view: inView(), number });
   const slow = setTimeout(() => { if (flight === mine) status("running ..."); }, PATIENCE);
   let answer = null;
   try {
@@ -50,11 +52,11 @@ async function send() {
   if (answer?.superseded) waiting = true;
   else if (answer) show(answer, mine.since);
   if (waiting) return send();
-  if (answer?.run) timer = setTimeout(() => rest(answer.run), REST);
+  if (answer?.run) timer = setTimeout(rest, REST);
 }
 
-/** Asks for the sections of the run that are not seen. */
-async function rest(run) {
+/** Asks for what is not seen of the run. */
+async function rest() {
   const mine = number;
   let parts = null;
   try { parts = await (await post("rest")).json(); } catch (error) { if (mine === number) lost(error); }
@@ -63,7 +65,7 @@ async function rest(run) {
   if (parts?.of) showSections(byId("sections"), parts, `rest${choice.number}-`);
   else drawAll(panels);
   whole();
-  timer = setTimeout(() => judge(run), QUIET);
+  timer = setTimeout(judge, QUIET);
 }
 
 function whole() {
@@ -96,6 +98,7 @@ function show(answer, from) {
 }
 
 function showRun(run) {
+  seconds = run.seconds;
   byId("about").textContent = run.subtitle;
   put("time", run.time, "");
   put("error", "\u2026", "");
@@ -123,7 +126,7 @@ function put(id, text, more) {
 }
 
 /** Asks for cost and error of the run that is shown. */
-async function judge(run) {
+async function judge() {
   const mine = number;
   let judgement = null;
   try { judgement = await (await post("judge")).json(); } catch (error) { if (mine === number) lost(error); return; }
@@ -143,7 +146,7 @@ async function judge(run) {
     }
   }
   document.body.dataset.judged = String(mine);
-  if (run.seconds < QUICK) timer = setTimeout(advise, CALM);
+  if (seconds < QUICK) timer = setTimeout(advise, CALM);
 }
 
 async function advise() {

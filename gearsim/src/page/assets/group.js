@@ -1,6 +1,8 @@
 // Plots with common limits of x and a common cursor.
 
 const groups = new Map();
+// Time [ms] without a change after which curves are drawn in all detail.
+const STILL_FOR = 120;
 
 class Group {
   /** The group of a panel, which joins it. A plot without a group is alone in its own. */
@@ -19,6 +21,8 @@ class Group {
     this.followers = [];
     this.cursor = null;
     this.revision = 0;
+    // The timer after which all detail is drawn.
+    this.detail = null;
   }
 
   /** Finds the limits of its panels. */
@@ -114,15 +118,28 @@ class Group {
     return element("div", { className: "bar", role: "toolbar", ariaLabel: `View over ${this.x.label}` }, ...buttons, readout);
   }
 
-  /** Draws once a frame, however often the view changed in between. */
+  /** Draws once a frame, however often the view changed in between, and in all detail once it rests. */
   later() {
+    clearTimeout(this.detail);
+    this.detail = setTimeout(() => {
+      this.detail = null;
+      this.draw(1);
+    }, STILL_FOR);
     if (this.waiting) return;
     this.waiting = true;
     requestAnimationFrame(() => {
       this.waiting = false;
-      this.panels.forEach((panel) => panel.draw());
+      if (this.detail) this.draw(COARSE);
       this.tell();
     });
+  }
+
+  /** Draws its panels in parts of so many pixels. */
+  draw(part) {
+    const before = Panel.part;
+    Panel.part = part;
+    this.panels.forEach((panel) => panel.draw());
+    Panel.part = before;
   }
 
   markLater() {

@@ -22,6 +22,8 @@ function suitable(units, largest) {
 // Dashes of the curves, so that they differ without colours too.
 const DASHES = ["solid", "7px,3px", "2px,4px", "8px,3px,2px,3px", "12px,4px"];
 const COLOURS = 7;
+// While a view or a run changes, curves are drawn in parts of this many pixels: plotly.js takes half the time.
+const COARSE = 4;
 // Width left of the frames, the same for all plots so that their times stand below each other.
 const MARGIN = 78;
 
@@ -58,6 +60,8 @@ class Panel {
   static axis = {};
   /** Pixels in each part of which a curve has its lowest and its highest value. */
   static part = 1;
+  /** Draws the curves of a plot that looks as before without plotly.js; whether it could. */
+  static sketch = () => false;
 
   constructor(figure) {
     this.figure = figure;
@@ -169,15 +173,19 @@ class Panel {
     this.frame.hidden = !this.shown.some((shown) => shown);
     if (this.menu) this.menu.hidden = this.frame.hidden;
     if (this.stale || this.frame.hidden) return;
+    // What a person did not see when the run was asked for follows in a second answer.
+    this.stale = this.plot.curves.some((curve, i) => this.shown[i] && curve.y.length < curve.x.length);
+    if (this.stale) return;
     this.part = Panel.part;
     if (this.menu && !this.drawn) this.suit();
     const range = this.group.range;
-    const pixels = Math.max(100, Math.round(this.canvas.clientWidth - MARGIN - 14));
+    const pixels = this.pixels();
     const traces = this.plot.curves.map((curve, i) => this.trace(curve, i, range, pixels)).filter((trace) => trace);
     traces.push(...this.events(range, pixels / Panel.part));
     const layout = this.layout(range);
     // New points in a plot that looks the same take half the time of a new plot.
     const look = JSON.stringify([layout, traces.map(({ x, y, ...rest }) => rest)]);
+    if (look === this.look && Panel.sketch(this.canvas, traces)) return this.mark();
     const done = look === this.look
       ? Plotly.restyle(this.canvas, { x: traces.map(({ x }) => x), y: traces.map(({ y }) => y) })
       : Plotly.react(this.canvas, traces, layout, { ...settings, displayModeBar: touch() ? false : "hover" });
@@ -188,6 +196,9 @@ class Panel {
     }
     this.mark();
   }
+
+  /** Width of the plot. */
+  pixels() { return Math.max(100, Math.round(this.canvas.clientWidth - MARGIN - 14)); }
 
   trace(curve, i, [from, to], pixels) {
     if (!this.shown[i]) return null;
@@ -211,17 +222,19 @@ class Panel {
     });
   }
 
-  /** The marks of events: one a pixel at most. */
+  /** The marks of events: one a pixel at most. One line whose way from mark to mark is below the plot: it is drawn faster than many marks. */
   events([from, to], pixels) {
     if (!this.plot.events) return [];
     const t = column(this.plot.events).values;
-    const x = [];
+    const x = [], y = [];
     for (let i = lowerBound(t, from); i < t.length && t[i] <= to;) {
-      x.push(t[i]);
+      x.push(t[i], t[i], t[i]);
+      y.push(-0.1, 0.04, -0.1);
       i = Math.max(i + 1, lowerBound(t, t[i] + (to - from) / pixels));
     }
-    const marker = { symbol: "line-ns-open", size: 7, color: css("--muted") };
-    return [{ x, y: x.map(() => 0.02), yaxis: "y2", mode: "markers", marker, hoverinfo: "skip", name: "events" }];
+    if (x.length === 0) return [];
+    const line = { color: css("--muted"), width: 1, simplify: false };
+    return [{ x, y, yaxis: "y2", mode: "lines", line, hoverinfo: "skip", name: "events" }];
   }
 
   layout(range) {

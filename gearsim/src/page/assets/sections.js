@@ -16,6 +16,17 @@ function inSight(main) {
   return seen.length ? seen.map(({ id }) => id) : ["motion"];
 }
 
+/** What a person sees of the plots over time, for an answer with that alone; null where none is seen. */
+function inView() {
+  const seen = panels.filter((panel) => panel.plot.group === "time" && panel.drawn && onScreen(panel));
+  if (seen.length === 0) return null;
+  const { range, first } = seen[0].group;
+  const curves = seen.flatMap(({ plot, shown }) => plot.curves.filter((_, i) => shown[i]).map(({ name }) => [plot.title, name]));
+  // Another run may be longer: the whole of this one means the whole of that one.
+  const whole = range[0] === first[0] && range[1] === first[1];
+  return { range: whole ? null : range, parts: Math.max(...seen.map((panel) => panel.pixels())), curves };
+}
+
 /** Shows some sections of a run, `of` the whole in its `order`, in place of those of the run before. `name` begins the identifiers of their arrays. */
 function showSections(main, { order, of, html, arrays }, name) {
   of.forEach((id) => names.set(id, name));
@@ -48,8 +59,38 @@ function showSections(main, { order, of, html, arrays }, name) {
   drawAll(panels.filter(({ figure, part }) => part > Panel.part || own.some((section) => section.contains(figure))));
 }
 
-// While a hand moves, curves are drawn in parts of this many pixels: plotly.js takes half the time.
-const COARSE = 4;
+Panel.sketch = (canvas, traces) => Panel.part === COARSE && sketch(canvas, traces);
+
+/** Gives the lines of a plot new points, if its axes suit them. plotly.js would take ten times as long. */
+function sketch(canvas, traces) {
+  const { xaxis, yaxis, yaxis2 } = canvas._fullLayout;
+  const paths = canvas.querySelectorAll(".scatterlayer path.js-line");
+  const lines = traces.every(({ mode }) => mode === "lines") && paths.length === traces.length;
+  if (!lines || !suits(yaxis, traces.filter((trace) => !trace.yaxis))) return false;
+  traces.forEach(({ x, y, yaxis: name }, i) => paths[i].setAttribute("d", outline(x, y, xaxis, name ? yaxis2 : yaxis)));
+  return true;
+}
+
+/** Whether an axis shows all of some curves, and these are not small in it. */
+function suits(axis, traces) {
+  if (!axis.autorange) return true;
+  let [low, high] = [Infinity, -Infinity];
+  for (const { y } of traces) for (const value of y) { if (value < low) low = value; if (value > high) high = value; }
+  const [bottom, top] = axis.range.map((value) => axis.r2c(value));
+  return low >= bottom && high <= top && high - low >= 0.5 * (top - bottom);
+}
+
+/** The path of a curve on the screen. */
+function outline(x, y, across, up) {
+  let path = "", pen = "M";
+  for (let i = 0; i < x.length; i++) {
+    const [right, down] = [across.d2p(x[i]), up.d2p(y[i])];
+    if (!Number.isFinite(down)) { pen = "M"; continue; }
+    path += `${pen}${right.toFixed(1)},${down.toFixed(1)}`;
+    pen = "L";
+  }
+  return path;
+}
 
 const onScreen = ({ figure }) => {
   const { top, bottom } = figure.getBoundingClientRect();

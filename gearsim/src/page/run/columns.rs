@@ -1,9 +1,8 @@
-//! The columns of a run's table, sorted by what a reader looks at first.
+//! The columns of a run, sorted by what a reader looks at first.
 
 use std::borrow::Cow;
 
-use crate::output::Table;
-use crate::output::table::{Column, Values};
+use crate::output::OutputError;
 use crate::plot::rotates;
 use crate::trajectory::Trajectory;
 
@@ -27,20 +26,20 @@ pub(super) enum Kind {
 /// Columns of one kind and one unit.
 pub(super) struct Group<'a> {
     pub kind: Kind,
-    pub unit: &'a str,
+    pub unit: Cow<'static, str>,
     pub columns: Vec<Named<'a>>,
 }
 
 /// A column with its numbers and its description, which may be empty.
 #[derive(Clone)]
 pub(super) struct Named<'a> {
-    pub name: &'a str,
+    pub name: Cow<'static, str>,
     pub doc: String,
     pub values: Cow<'a, [f64]>,
 }
 
-/// Units of outputs in the order in which people look at them: forces, transmission errors, speeds, torques. Others follow.
-const UNITS: [&str; 4] = ["N", "m", "rad/s", "N*m"];
+/// Units of outputs in the order in which people look at them: speeds, forces, transmission errors, loss of contact. Others follow.
+const UNITS: [&str; 6] = ["rad/s", "N", "N*m", "m", "rad", "1"];
 
 /// Curves of a group that are drawn at first.
 const FIRST: usize = 4;
@@ -58,15 +57,24 @@ const ENERGIES: [(&str, &str); 6] = [
 impl Group<'_> {
     /// A title for people.
     pub fn title(&self) -> &'static str {
-        match (self.kind, self.unit) {
+        match (self.kind, &*self.unit) {
             (Kind::Speed, _) => "Speeds of coordinates",
             (Kind::Signal, "N") => "Forces",
             (Kind::Signal, "N*m") => "Torques",
             (Kind::Signal, "m") => "Displacements",
             (Kind::Signal, "W") => "Powers",
             (Kind::Signal, "rad/s") => "Speeds",
-            (Kind::Signal, _) => "Signals",
+            (Kind::Signal, "rad") => "Angles",
+            (Kind::Signal, _) => {
+                if self.columns.iter().all(|column| column.name.starts_with("contact_loss")) {
+                    "Loss of contact"
+                } else {
+                    "Signals"
+                }
+            }
+            (Kind::Deflection, "rad") => "Angular deflections",
             (Kind::Deflection, _) => "Deflections",
+            (Kind::Rate, "rad/s") => "Rates of angular deflections",
             (Kind::Rate, _) => "Rates of deflections",
             (Kind::Rotation, _) => "Angles of rotation",
             (Kind::Energy, _) => "Energies",
@@ -81,28 +89,31 @@ impl Group<'_> {
     }
 }
 
-/// The columns of the run's table in groups of one kind and unit, in the order of [`Kind`]; in each group those of meshes first.
-pub(super) fn groups<'a>(trajectory: &Trajectory, table: &'a Table) -> Vec<Group<'a>> {
-    let mut groups: Vec<Group<'a>> = vec![];
-    for column in table.columns() {
-        let (Values::Number(values), Some((kind, doc))) = (&column.values, describe(trajectory, column)) else {
-            continue;
-        };
-        let named = Named { name: &column.name, doc, values: Cow::Borrowed(values) };
-        match groups.iter_mut().find(|group| (group.kind, group.unit) == (kind, &*column.unit)) {
+/// The columns of the run in groups of one kind and unit, in the order of [`Kind`]; in each group those of meshes first.
+///
+/// Errors: [`OutputError::Ragged`] if they differ in length.
+pub(super) fn groups(trajectory: &Trajectory) -> Result<Vec<Group<'_>>, OutputError> {
+    let mut groups: Vec<Group<'_>> = vec![];
+    for series in trajectory.columns() {
+        let Some((kind, doc)) = describe(trajectory, &series.name) else { continue };
+        let values = series.part(0..trajectory.len()).ok_or_else(|| {
+            let (column, rows) = (series.name.to_string(), series.rows());
+            OutputError::Ragged { column, rows, expected: trajectory.len() }
+        })?;
+        let named = Named { name: series.name, doc, values };
+        match groups.iter_mut().find(|group| (group.kind, &group.unit) == (kind, &series.unit)) {
             Some(group) => group.columns.push(named),
-            None => groups.push(Group { kind, unit: &column.unit, columns: vec![named] }),
+            None => groups.push(Group { kind, unit: series.unit, columns: vec![named] }),
         }
     }
     let unit = |group: &Group<'_>| UNITS.iter().position(|unit| *unit == group.unit).unwrap_or(UNITS.len());
     groups.sort_by_key(|group| (group.kind, if group.kind == Kind::Signal { unit(group) } else { 0 }));
     groups.iter_mut().for_each(|group| group.columns.sort_by_key(|column| !column.name.starts_with("mesh_")));
-    groups
+    Ok(groups)
 }
 
 /// The kind and the description of a column; `None` for the time.
-fn describe(trajectory: &Trajectory, column: &Column) -> Option<(Kind, String)> {
-    let name = &*column.name;
+fn describe(trajectory: &Trajectory, name: &str) -> Option<(Kind, String)> {
     if name == "t" {
         return None;
     }

@@ -32,15 +32,15 @@ pub(super) fn fill(report: &Report<'_>, html: &mut Html) {
     }
     table(all, html);
     losses::table(report, html);
-    let Group { kind, unit, ref columns } = *all;
+    let Group { kind, unit, columns } = all;
     let (residual, mut parts): (Vec<_>, Vec<_>) = columns.iter().cloned().partition(|c| c.name == "residual");
     for part in &mut parts {
         let start = part.values.first().copied().unwrap_or(0.0);
         part.values = part.values.iter().map(|x| x - start).collect();
     }
     parts.sort_by_key(|part| SHOWN.iter().position(|name| *name == part.name).unwrap_or(SHOWN.len()));
-    let shown: Vec<bool> = parts.iter().map(|part| SHOWN.contains(&part.name)).collect();
-    let group = |columns| Group { kind, unit, columns };
+    let shown: Vec<bool> = parts.iter().map(|part| SHOWN.contains(&&*part.name)).collect();
+    let group = |columns| Group { kind: *kind, unit: unit.clone(), columns };
     motion::plot(report, html, "Changes since the start", &group(parts), &|i| shown[i]);
     motion::plot(report, html, "Residual of the account", &group(residual), &|_| true);
 }
@@ -50,7 +50,7 @@ fn table(all: &Group<'_>, html: &mut Html) {
     let rows = all.columns.iter().filter_map(|column| {
         let (start, end) = (*column.values.first()?, *column.values.last()?);
         let numbers = [start, end, end - start].map(Cell::Number);
-        Some([Cell::text(column.name)].into_iter().chain(numbers).chain([Cell::text(&column.doc)]).collect())
+        Some([Cell::text(&*column.name)].into_iter().chain(numbers).chain([Cell::text(&column.doc)]).collect())
     });
     html.table(
         "Energy account",

@@ -84,7 +84,7 @@ pub(super) fn fill(report: &Report<'_>, html: &mut Html) {
     if meshes.is_empty() {
         return;
     }
-    let t = motion::times(report, html).rows.clone();
+    let t = motion::times(report, &report.all, html).rows.clone();
     html.figure("gears", "Gears in mesh", &Drawing { group: motion::GROUP, t, meshes });
 }
 
@@ -98,7 +98,7 @@ fn mesh(report: &Report<'_>, html: &mut Html, engaged: &Engaged<'_>) -> Option<M
     if !(turned.is_finite() && largest_lead.is_finite() && duration > 0.0) {
         return None;
     }
-    let mut embed = |values: &[f64], counts| html.embed(&report.rows.values(values), counts);
+    let mut embed = |values: &[f64], counts| html.embed(&report.all.rows.values(values), counts);
     let (rotation, lead) = (embed(&engaged.rotation, Counts::Long), embed(&engaged.lead, Counts::Short));
     let force = engaged.force.map(|(output, values)| Force {
         name: output.name,

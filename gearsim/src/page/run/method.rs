@@ -2,6 +2,7 @@
 
 use super::Report;
 use crate::output::number::{short, time};
+use crate::output::summary::Observed;
 use crate::page::html::Html;
 
 /// Writes the section.
@@ -18,6 +19,10 @@ pub(super) fn fill(report: &Report<'_>, html: &mut Html) {
         effects => effects.join(", "),
     };
     let method = format!("{}: {}", summary.method.name, summary.method.why);
+    let loss = |(name, observed): (&String, &Observed)| {
+        name.starts_with("contact_loss")
+            .then(|| (name.clone(), format!("{} % of the time", short(100.0 * observed.mean.0))))
+    };
     html.pairs([
         ("model", format!("{}, {}", scene.model.name, scene.model.title)),
         ("effects", effects),
@@ -28,6 +33,7 @@ pub(super) fn fill(report: &Report<'_>, html: &mut Html) {
         ("digits left", digits(report)),
         ("processor time", time(summary.cpu_seconds.0)),
     ]);
+    html.pairs(summary.outputs.iter().filter_map(loss));
 }
 
 /// The number of digits left of the end state, in words.

@@ -10,25 +10,26 @@ mod motion;
 mod numbers;
 mod orders;
 mod spectrum;
-
-use std::cell::OnceCell;
+mod view;
 
 use super::html::Html;
-use super::shared::rows::Rows;
+use super::shared::rows::{MOST, Rows};
 use super::{Page, Parts, shared};
-use crate::output::{OutputError, Summary, Table};
+use crate::output::{OutputError, Summary};
 use crate::run::Outcome;
 use crate::scene::Scene;
 use columns::Group;
+use view::Source;
+pub use view::View;
 
 /// The sections, from top to bottom.
 const SECTIONS: &[Section] = &[
     Section { id: "method", title: "Result", fill: method::fill },
     Section { id: "motion", title: "Motion", fill: motion::fill },
+    Section { id: "orders", title: "Orders", fill: orders::fill },
     Section { id: "gears", title: "Gears", fill: gears::fill },
     Section { id: "energy", title: "Energy", fill: energy::fill },
     Section { id: "spectra", title: "Spectra", fill: spectrum::fill },
-    Section { id: "orders", title: "Orders", fill: orders::fill },
     Section { id: "numbers", title: "Numbers", fill: numbers::fill },
     Section { id: "counts", title: "Counts", fill: counts::fill },
     Section { id: "scene", title: "Scene", fill: |report, html| shared::scene::fill(report.run.scene, html) },
@@ -54,26 +55,35 @@ pub struct Run<'a> {
     pub summary: &'a Summary,
 }
 
-/// What sections are made of: the run, the columns of its table, and the rows that the page has of them.
+/// What sections are made of: the run, its columns, and the rows that the page has of them.
 struct Report<'a> {
     run: &'a Run<'a>,
     groups: Vec<Group<'a>>,
-    rows: Rows,
-    /// The times of the rows and of the events, once a plot has them.
-    times: OnceCell<motion::Times>,
+    all: Source<'a>,
+    /// What the plots over time have instead of `all`.
+    seen: Option<Source<'a>>,
+}
+
+impl<'a> Report<'a> {
+    /// Where the plots over time have their rows.
+    fn plotted(&self) -> &Source<'a> {
+        self.seen.as_ref().unwrap_or(&self.all)
+    }
 }
 
 /// The page of a run. Errors: [`OutputError::Ragged`] if its columns differ in length.
 pub fn page(run: &Run<'_>) -> Result<Page, OutputError> {
-    filled(run, shared::begin(run.scene), SECTIONS.iter())
+    filled(run, shared::begin(run.scene), SECTIONS.iter(), None)
 }
 
 /// The wanted sections of a page that shows run after run, whose arrays have identifiers that begin with `name`; `None` if `goes_on` ended
-/// it. Without the first section: `gearsim explore` shows the result beside the plots. Errors: as of [`page`].
+/// it. Plots over time have only what is in `view`, if there is one. Without the first section: `gearsim explore` shows the result beside
+/// the plots. Errors: as of [`page`].
 pub fn live(
     run: &Run<'_>,
     name: String,
     is_wanted: &dyn Fn(&str) -> bool,
+    view: Option<&View>,
     goes_on: &dyn Fn() -> bool,
 ) -> Result<Option<Parts>, OutputError> {
     let wanted = || SECTIONS[1..].iter().filter(|section| is_wanted(section.id));
@@ -82,16 +92,22 @@ pub fn live(
         whole = goes_on();
         whole
     });
-    let page = filled(run, Page::new(run.scene.name.clone(), "").named(name), sections)?;
+    let page = filled(run, Page::new(run.scene.name.clone(), "").named(name), sections, view)?;
     let ids = |sections: &mut dyn Iterator<Item = &Section>| sections.map(|section| section.id).collect();
     Ok(whole.then(|| page.parts(ids(&mut SECTIONS.iter()), ids(&mut wanted()))))
 }
 
-fn filled<'a>(run: &Run<'_>, mut page: Page, sections: impl Iterator<Item = &'a Section>) -> Result<Page, OutputError> {
-    let table = Table::of_trajectory(&run.outcome.trajectory)?;
-    let rows = Rows::of(&table);
-    let groups = columns::groups(&run.outcome.trajectory, &table);
-    let report = Report { run, groups, rows, times: OnceCell::new() };
+fn filled<'a>(
+    run: &Run<'_>,
+    mut page: Page,
+    sections: impl Iterator<Item = &'a Section>,
+    view: Option<&View>,
+) -> Result<Page, OutputError> {
+    let trajectory = &run.outcome.trajectory;
+    let groups = columns::groups(trajectory)?;
+    let all = Source::of(Rows::at_most(MOST, trajectory.len(), trajectory.columns().count()));
+    let seen = view.map(|view| Source::seen(view, &trajectory.t));
+    let report = Report { run, groups, all, seen };
     for section in sections {
         page.section(section.id, section.title, |html| (section.fill)(&report, html));
     }

@@ -2,6 +2,7 @@
 
 use super::Report;
 use super::columns::{Group, Kind};
+use super::view::Source;
 use crate::page::data::{Column, Counts};
 use crate::page::html::Html;
 use crate::page::plot::{Axis, Curve, Plot};
@@ -24,10 +25,10 @@ pub(super) fn fill(report: &Report<'_>, html: &mut Html) {
     if trajectory.is_empty() {
         return html.note("The run recorded no rows.");
     }
-    if report.rows.every > 1 {
+    if report.all.rows.every > 1 {
         html.note(&format!(
             "This page has the extremes over every {} of the {} recorded rows. All rows are in trajectory.parquet.",
-            report.rows.every,
+            report.all.rows.every,
             trajectory.len()
         ));
     }
@@ -46,16 +47,18 @@ pub(super) fn plot(
     shown: &dyn Fn(usize) -> bool,
 ) {
     let outcome = report.run.outcome;
-    let times = times(report, html);
+    let source = report.plotted();
+    let times = times(report, source, html);
     let curves = group.columns.iter().enumerate().map(|(i, column)| {
-        let y = html.embed(&report.rows.values(&column.values), Counts::Short);
-        Curve::new(column.name, &column.doc, times.rows.clone(), y, shown(i))
+        let values = if source.has(title, &column.name) { source.rows.values(&column.values) } else { vec![] };
+        let y = html.embed(&values, Counts::Short);
+        Curve::new(&*column.name, &column.doc, times.rows.clone(), y, shown(i))
     });
     let curves = curves.collect();
     html.plot(&Plot {
         title: title.to_owned(),
         x: Axis::linear("time t", "s"),
-        y: Axis::linear("", group.unit),
+        y: Axis::linear("", &*group.unit),
         curves,
         group: Some(GROUP.into()),
         events: times.events.clone(),
@@ -64,11 +67,11 @@ pub(super) fn plot(
     });
 }
 
-/// The times, embedded when a plot first needs them.
-pub(super) fn times<'a>(report: &'a Report<'_>, html: &mut Html) -> &'a Times {
-    report.times.get_or_init(|| {
+/// The times of a source, embedded when a plot first needs them.
+pub(super) fn times<'a>(report: &Report<'_>, source: &'a Source<'_>, html: &mut Html) -> &'a Times {
+    source.times.get_or_init(|| {
         let events = events(report);
-        let rows = html.embed(&report.rows.times(&report.run.outcome.trajectory.t), Counts::Long);
+        let rows = html.embed(&source.rows.times(&report.run.outcome.trajectory.t), Counts::Long);
         Times { rows, events: (!events.is_empty()).then(|| html.embed(&events, Counts::Long)) }
     })
 }

@@ -12,9 +12,10 @@ pub(super) fn fill(report: &Report<'_>, html: &mut Html) {
     let row = |unit: &str, column: &Named<'_>| {
         let numbers = Statistics::of(&column.values[begin..], &run.moment[begin..])?.values();
         let numbers = numbers.into_iter().chain(column.values.last().copied()).map(Cell::Number);
-        Some([Cell::text(column.name), Cell::text(unit)].into_iter().chain(numbers).collect::<Vec<_>>())
+        Some([Cell::text(&*column.name), Cell::text(unit)].into_iter().chain(numbers).collect::<Vec<_>>())
     };
-    let rows = report.groups.iter().flat_map(|group| group.columns.iter().filter_map(|column| row(group.unit, column)));
+    let rows =
+        report.groups.iter().flat_map(|group| group.columns.iter().filter_map(|column| row(&group.unit, column)));
     let rows: Vec<_> = rows.collect();
     if rows.is_empty() {
         return;

@@ -55,7 +55,7 @@ fn plot(
         let x = html.embed(&spectrum.order, Counts::Long);
         let logarithms: Vec<f64> = spectrum.amplitude.iter().map(|x| x.log10()).collect();
         let y = html.embed(&logarithms, Counts::Short);
-        curves.push(Curve::new(column.name, &column.doc, x, y, group.shown(i)));
+        curves.push(Curve::new(&*column.name, &column.doc, x, y, group.shown(i)));
     }
     let highest = meshes.iter().map(|mesh| mesh.frequency / turning.frequency()).fold(0.0, f64::max);
     let end = if highest > 0.0 { longest.min(LONGEST * highest) } else { longest };
@@ -65,7 +65,7 @@ fn plot(
         y: Axis {
             log: true,
             range: (peak > 0.0).then_some((DECADES * peak, 2.0 * peak)),
-            ..Axis::linear("", group.unit)
+            ..Axis::linear("", &*group.unit)
         },
         curves,
         group: Some("order".into()),
@@ -97,7 +97,7 @@ fn table(report: &Report<'_>, html: &mut Html, turning: &Turning, meshes: &[Mesh
     let groups = report.groups.iter().filter(|group| matches!(group.kind, Kind::Signal | Kind::Deflection));
     let shown = groups.flat_map(|group| {
         let columns = group.columns.iter().enumerate().filter(|(i, _)| group.shown(*i));
-        columns.map(|(_, column)| (group.unit, column))
+        columns.map(|(_, column)| (&*group.unit, column))
     });
     let shown: Vec<_> = shown.collect();
     let columns: Vec<&[f64]> = shown.iter().map(|(_, column)| &*column.values).collect();
@@ -106,7 +106,7 @@ fn table(report: &Report<'_>, html: &mut Html, turning: &Turning, meshes: &[Mesh
         for ((unit, column), amplitude) in shown.iter().zip(amplitudes) {
             let numbers = [line.harmonic as f64, f64::from(line.sideband)].map(Cell::Number);
             let rest = [line.order, line.frequency, amplitude].map(Cell::Number);
-            let mut row = vec![Cell::text(column.name), Cell::text(line.mesh)];
+            let mut row = vec![Cell::text(&*column.name), Cell::text(line.mesh)];
             row.extend(numbers);
             row.push(Cell::text(line.rotor.unwrap_or("-")));
             row.extend(rest);

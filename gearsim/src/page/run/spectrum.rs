@@ -3,13 +3,14 @@
 use std::f64::consts::TAU;
 
 use super::Report;
-use super::columns::{Group, Kind};
-use crate::analysis::orders::meshes;
-use crate::analysis::spectrum::{SpectrumError, segment_length, uniform_samples, welch};
+use super::columns::{Group, Kind, Named};
+use crate::analysis::orders::{Mesh, meshes};
+use crate::analysis::spectrum::{Spectrum, SpectrumError, segment_length, uniform_samples, welch};
 use crate::output::number::short;
 use crate::page::data::Counts;
 use crate::page::html::Html;
 use crate::page::plot::{Axis, Curve, Line, Plot};
+use crate::plot::spectrum::reach;
 
 /// Decades shown below the highest peak. What is lower is rounding errors and leakage.
 const DECADES: f64 = 1e12;
@@ -32,25 +33,40 @@ pub(super) fn fill(report: &Report<'_>, html: &mut Html) {
         short(hertz),
     ));
     let kinds = [Kind::Speed, Kind::Signal, Kind::Deflection];
+    let mut found = vec![];
     for group in report.groups.iter().filter(|group| kinds.contains(&group.kind)) {
-        if let Err(error) = plot(report, html, group, &rows, rate) {
-            html.note(&format!("There is no spectrum of {}: {error}.", group.title().to_lowercase()));
+        match spectra(group, &rows, rate) {
+            Ok(spectra) => found.push((group, spectra)),
+            Err(error) => html.note(&format!("There is no spectrum of {}: {error}.", group.title().to_lowercase())),
         }
+    }
+    let meshes: Vec<Mesh> =
+        meshes(&report.run.outcome.trajectory, 0.0).into_iter().filter(|mesh| mesh.steady).collect();
+    let highest = meshes.iter().map(|mesh| mesh.frequency).fold(0.0, f64::max);
+    // What is 0 or 1 has content at all frequencies.
+    let shown = found.iter().filter(|(group, _)| group.unit != "1").flat_map(|(group, spectra)| {
+        spectra.iter().enumerate().filter(|(i, _)| group.shown(*i)).map(|(_, spectrum)| spectrum)
+    });
+    let end = reach(shown, highest);
+    let lines = lines(report, &meshes);
+    for (group, spectra) in &found {
+        plot(html, group, spectra, end, lines.clone());
     }
 }
 
-/// Adds the plot of a group.
-fn plot(
-    report: &Report<'_>,
-    html: &mut Html,
-    group: &Group<'_>,
-    rows: &[usize],
-    rate: f64,
-) -> Result<(), SpectrumError> {
-    let (mut curves, mut peak, mut lowest) = (vec![], 0.0_f64, f64::INFINITY);
-    for (i, column) in group.columns.iter().enumerate() {
+/// The spectra of the columns of a group.
+fn spectra(group: &Group<'_>, rows: &[usize], rate: f64) -> Result<Vec<Spectrum>, SpectrumError> {
+    let spectrum = |column: &Named<'_>| {
         let samples: Vec<f64> = rows.iter().map(|&row| column.values[row]).collect();
-        let spectrum = welch(&samples, rate, segment_length(samples.len()))?;
+        welch(&samples, rate, segment_length(samples.len()))
+    };
+    group.columns.iter().map(spectrum).collect()
+}
+
+/// Adds the plot of a group, at first up to the frequency `end`.
+fn plot(html: &mut Html, group: &Group<'_>, spectra: &[Spectrum], end: f64, lines: Vec<Line>) {
+    let (mut curves, mut peak, mut lowest) = (vec![], 0.0_f64, f64::INFINITY);
+    for (i, (column, spectrum)) in group.columns.iter().zip(spectra).enumerate() {
         if group.shown(i) {
             peak = spectrum.density.iter().fold(peak, |m, x| m.max(*x));
             lowest = spectrum.density.iter().filter(|x| **x > 0.0).fold(lowest, |m, x| m.min(*x));
@@ -58,20 +74,19 @@ fn plot(
         let x = html.embed(&spectrum.frequency, Counts::Long);
         let logarithms: Vec<f64> = spectrum.density.iter().map(|x| x.log10()).collect();
         let y = html.embed(&logarithms, Counts::Short);
-        curves.push(Curve::new(column.name, &column.doc, x, y, group.shown(i)));
+        curves.push(Curve::new(&*column.name, &column.doc, x, y, group.shown(i)));
     }
     let range = (lowest < peak).then(|| (lowest.max(peak / DECADES), 3.0 * peak));
     html.plot(&Plot {
         title: format!("{}: power spectral density", group.title()),
-        x: Axis::linear("frequency f", "Hz"),
-        y: Axis { log: true, range, ..Axis::linear("", density_unit(group.unit)) },
+        x: Axis { range: (end > 0.0).then_some((0.0, end)), ..Axis::linear("frequency f", "Hz") },
+        y: Axis { log: true, range, ..Axis::linear("", density_unit(&group.unit)) },
         curves,
         group: Some("frequency".into()),
         events: None,
-        lines: lines(report),
+        lines,
         shaded_from: None,
     });
-    Ok(())
 }
 
 /// The unit of the density of a quantity in `unit`.
@@ -83,14 +98,11 @@ fn density_unit(unit: &str) -> String {
     }
 }
 
-/// The damped natural frequency, and the mesh frequencies of phases that rotate steadily.
-fn lines(report: &Report<'_>) -> Vec<Line> {
-    let outcome = report.run.outcome;
-    let mut lines: Vec<Line> = vec![];
-    if let Some(w) = outcome.reference_frequency {
-        lines.push(Line { x: w / TAU, name: "natural".into() });
-    }
-    for mesh in meshes(&outcome.trajectory, 0.0).into_iter().filter(|mesh| mesh.steady) {
+/// The damped natural frequency, and the frequencies of steady meshes.
+fn lines(report: &Report<'_>, meshes: &[Mesh]) -> Vec<Line> {
+    let natural = report.run.outcome.reference_frequency.map(|w| Line { x: w / TAU, name: "natural".into() });
+    let mut lines: Vec<Line> = natural.into_iter().collect();
+    for mesh in meshes {
         let name = |n: usize| if n == 1 { "mesh".to_owned() } else { format!("{n} x mesh") };
         lines.extend((1..=MULTIPLES).map(|n| Line { x: n as f64 * mesh.frequency, name: name(n) }));
     }

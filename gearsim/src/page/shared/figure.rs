@@ -23,7 +23,7 @@ pub fn fill(html: &mut Html, group: &str, figure: &Figure) {
         if !panel.series.iter().any(has_points) {
             continue;
         }
-        let curves = curves(html, figure, panel, rows);
+        let curves = curves(html, figure, panel, &rows);
         html.plot(&Plot {
             title: panel.y.label.clone(),
             x: axis(&figure.x, figure.x.label.clone()),
@@ -38,7 +38,7 @@ pub fn fill(html: &mut Html, group: &str, figure: &Figure) {
 }
 
 /// The curves of a panel. A panel without a legend has that of the first panel.
-fn curves(html: &mut Html, figure: &Figure, panel: &plot::Panel, rows: Rows) -> Vec<Curve> {
+fn curves(html: &mut Html, figure: &Figure, panel: &plot::Panel, rows: &Rows) -> Vec<Curve> {
     let mut curves: Vec<Curve> = vec![];
     let legend = if panel.series.iter().all(|series| series.label.is_empty()) { &figure.panels[0] } else { panel };
     for (i, series) in panel.series.iter().enumerate() {
