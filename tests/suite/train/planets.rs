@@ -1,9 +1,10 @@
 //! The meshes of a derived planetary stage and of the same train, with play and with friction of the flanks.
 
 use gearsim::run::Outcome;
+use gearsim_tests::trains::{PLANETARY, Pair};
 
 use crate::common;
-use crate::same::{PLANETARY, Pair, events};
+use crate::same::{Compared, events};
 
 /// The meshes of the derived model; the train has them as `p_s1`, ...
 const MESHES: [&str; 6] = ["s1", "r1", "s2", "r2", "s3", "r3"];
