@@ -102,7 +102,9 @@ impl Modal {
         let damping = shapes.transpose() * &m.damping * &shapes;
         let rounding =
             MODAL_DAMPING_ROUNDINGS * f64::EPSILON * (shapes.abs().transpose() * m.damping.abs() * shapes.abs());
-        let significant = significant(&omega2, &damping, &rounding);
+        let mixed = |i: usize| if omega2[i] == 0.0 { mixed(&shapes.column(i).into_owned(), m) } else { 0.0 };
+        let mixed: Vec<f64> = (0..n).map(mixed).collect();
+        let significant = significant(&omega2, &damping, &rounding, &mixed);
         let modes = damped(&omega2, &significant)?;
         let coupled = if couples(&significant) { Some(Coupled::of(&omega2, &significant)?) } else { None };
         // Xᵀ K = omega² Xᵀ M.
@@ -140,20 +142,29 @@ fn couples(damping: &DMatrix<f64>) -> bool {
     })
 }
 
-/// The modal damping without its rounding errors, exactly symmetric.
+/// The damping that its rounding errors give to a rigid shape x. By K x = 0 it has no part in springs, up to rounding errors of the largest
+/// d_i x_i, where d_i² is the diagonal of K: so coordinates with stiff springs have small errors, those with soft ones large ones.
+fn mixed(x: &DVector<f64>, m: &Matrices) -> f64 {
+    let (eps, d) = (x.len() as f64 * f64::EPSILON, m.stiffness.diagonal().map(|k| k.max(0.0).sqrt()));
+    let largest = d.component_mul(x).amax();
+    let error = d.zip_map(x, |d, x| eps * if d > 0.0 { largest / d } else { x.abs() });
+    (m.damping.abs() * &error).dot(&error)
+}
+
+/// The modal damping without its rounding errors, exactly symmetric. `own` is what the errors of its shape give each mode.
 ///
 /// The rounding errors of C, transformed with X, are known for each entry: `rounding`. The rounding errors of X mix the shapes. A
 /// mode on which no damper acts gets a part eps of the most strongly damped shape; this gives it a damping of eps² and couplings
 /// of eps. Modes of equal frequencies were rotated until damping does not couple them, and their dampings have an error of eps
 /// times the largest among them.
-fn significant(omega2: &[f64], damping: &DMatrix<f64>, rounding: &DMatrix<f64>) -> DMatrix<f64> {
+fn significant(omega2: &[f64], damping: &DMatrix<f64>, rounding: &DMatrix<f64>, own: &[f64]) -> DMatrix<f64> {
     let n = damping.nrows();
     let mixed = (n as f64 * f64::EPSILON).powi(2) * damping.diagonal().amax();
     let turned = |i: usize| {
         let same = |j: &usize| (omega2[*j] - omega2[i]).abs() <= EQUAL_FREQUENCIES * omega2[i];
         n as f64 * f64::EPSILON * (0..n).filter(|j| *j != i).filter(same).map(|j| damping[(j, j)]).fold(0.0, f64::max)
     };
-    let is_rounding = |i: usize| damping[(i, i)] <= rounding[(i, i)].max(mixed).max(turned(i));
+    let is_rounding = |i: usize| damping[(i, i)] <= rounding[(i, i)].max(mixed).max(turned(i)).max(own[i]);
     DMatrix::from_fn(n, n, |i, j| {
         let mean = 0.5 * (damping[(i, j)] + damping[(j, i)]);
         if mean.abs() <= rounding[(i, j)] || is_rounding(i) || is_rounding(j) { 0.0 } else { mean }
