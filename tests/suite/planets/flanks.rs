@@ -132,8 +132,7 @@ fn friction_in_the_plane_is_that_of_forces_as_vectors() {
         let carrier = |x: &dyn Fn(&str) -> f64| x("theta") / z_r + x("theta_c");
         let sun = |x: &dyn Fn(&str) -> f64| carrier(x) + x("theta") / z_s;
         let planet = |x: &dyn Fn(&str) -> f64, i: usize| carrier(x) + (x(&format!("u{i}")) - h * x("theta")) / r_p;
-        let (here, rate): (&dyn Fn(&str) -> f64, &dyn Fn(&str) -> f64) =
-            (&|name| q[place(name)], &|name| v[place(name)]);
+        let [here, rate]: [&dyn Fn(&str) -> f64; 2] = [&|name| q[place(name)], &|name| v[place(name)]];
         let body = |centre: Vector, speed: f64| Body { centre, speed, force: [0.0; 2], moment: 0.0 };
         let (mut of_sun, mut of_ring) = (body([0.0; 2], sun(rate)), body([0.0; 2], rate("theta_r")));
         let mut of_planets = vec![];
