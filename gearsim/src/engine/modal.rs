@@ -102,9 +102,9 @@ impl Modal {
         let damping = shapes.transpose() * &m.damping * &shapes;
         let rounding =
             MODAL_DAMPING_ROUNDINGS * f64::EPSILON * (shapes.abs().transpose() * m.damping.abs() * shapes.abs());
-        let mixed = |i: usize| if omega2[i] == 0.0 { mixed(&shapes.column(i).into_owned(), m) } else { 0.0 };
-        let mixed: Vec<f64> = (0..n).map(mixed).collect();
-        let significant = significant(&omega2, &damping, &rounding, &mixed);
+        let of_shape = |i: usize| if omega2[i] == 0.0 { by_rounding(&shapes.column(i).into_owned(), m) } else { 0.0 };
+        let own: Vec<f64> = (0..n).map(of_shape).collect();
+        let significant = significant(&omega2, &damping, &rounding, &own);
         let modes = damped(&omega2, &significant)?;
         let coupled = if couples(&significant) { Some(Coupled::of(&omega2, &significant)?) } else { None };
         // Xᵀ K = omega² Xᵀ M.
@@ -142,9 +142,9 @@ fn couples(damping: &DMatrix<f64>) -> bool {
     })
 }
 
-/// The damping that its rounding errors give to a rigid shape x. By K x = 0 it has no part in springs, up to rounding errors of the largest
-/// d_i x_i, where d_i² is the diagonal of K: so coordinates with stiff springs have small errors, those with soft ones large ones.
-fn mixed(x: &DVector<f64>, m: &Matrices) -> f64 {
+/// The modal damping that the rounding errors of a rigid shape x can cause. Since K x = 0, the error of a coordinate is limited by its
+/// stiffness: with d_i² on the diagonal of K, each d_i x_i is wrong by roundings of the largest of them. Stiff coordinates have small errors.
+fn by_rounding(x: &DVector<f64>, m: &Matrices) -> f64 {
     let (eps, d) = (x.len() as f64 * f64::EPSILON, m.stiffness.diagonal().map(|k| k.max(0.0).sqrt()));
     let largest = d.component_mul(x).amax();
     let error = d.zip_map(x, |d, x| eps * if d > 0.0 { largest / d } else { x.abs() });

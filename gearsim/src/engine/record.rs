@@ -114,10 +114,7 @@ impl<'a> Recorder<'a> {
         let energy_at_start = equations.kinetic(&start.q, &start.q_dot) + equations.potential(&start.q, k);
         let outputs = scene.output.record.clone();
         let mut trajectory = Trajectory::new(scene.model, &outputs);
-        // T of one coordinate alone at the speed 1 is M_ii/2.
-        let n = start.q.len();
-        let alone = |i: usize| Vector::from_fn(n, |j| if i == j { 1.0 } else { 0.0 });
-        trajectory.inertia = (0..n).map(|i| 2.0 * equations.kinetic(&start.q, &alone(i))).collect();
+        trajectory.inertia = equations.mass(&start.q).diagonal().iter().copied().collect();
         Recorder {
             equations,
             values: vec![0.0; outputs.len()],

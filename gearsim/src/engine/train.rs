@@ -187,8 +187,7 @@ impl Equations for Assembly {
     }
 
     fn dissipation(&self, q: &[f64], q_dot: &[f64], k: &[f64]) -> f64 {
-        let of = |p: &Placed| p.at_state([q, q_dot, k], |equations, [x, x_dot, k]| equations.dissipation(x, x_dot, k));
-        self.linear.dissipation(q_dot) + self.varying().map(of).sum::<f64>()
+        self.linear.dissipation(q_dot) + self.varying().map(|p| p.dissipation([q, q_dot, k])).sum::<f64>()
     }
 
     fn torque_work(&self, i: usize, dq: &[f64]) -> f64 {
@@ -240,8 +239,7 @@ impl Equations for Assembly {
     }
 
     fn other_dissipation(&self, q: &[f64], q_dot: &[f64], k: &[f64]) -> f64 {
-        let of = |p: &Placed| p.at_state([q, q_dot, k], |equations, [x, x_dot, k]| equations.dissipation(x, x_dot, k));
-        self.nonlinear().map(of).sum()
+        self.nonlinear().map(|p| p.dissipation([q, q_dot, k])).sum()
     }
 
     fn jacobian(&self, q: &[f64], q_dot: &[f64], k: &[f64], dk: &[f64], ddk: &[f64]) -> [Matrix; 2] {

@@ -6,7 +6,7 @@ use crate::{common, meshes, run, unaccounted};
 
 const EFFECTS: &str = "effects=[\"stiffness_step\",\"torques\",\"damping\",\"sliding_friction\"]";
 
-/// Rolling takes energy at every row, at every mesh; the account closes.
+/// In each recorded row, rolling at each mesh has taken energy or none, and the energy account closes.
 #[test]
 fn rolling_takes_energy_at_every_mesh() {
     for model in ["planetary_3", "planar_planetary_3"] {

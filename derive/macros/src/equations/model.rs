@@ -170,7 +170,7 @@ pub struct Assignment {
 pub struct Switch {
     pub over: Ident,
     pub unit: LitStr,
-    /// Symbols that are constant in each mode, with their values without the effect.
+    /// The symbols, which are constant in each mode, each with its value in scenes without the effect.
     pub symbols: Vec<(Ident, f64)>,
     /// Without this effect there is no switch.
     pub effect: Ident,

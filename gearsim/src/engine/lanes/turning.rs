@@ -98,8 +98,8 @@ impl<const N: usize, const L: usize> Lanes<N, L> {
 }
 
 impl Phase {
-    /// The boundary that is crossed first (whether it is the upper one), and the approximate time of the crossing \[s\]. `gaps` are the
-    /// distances of the lower and of the upper boundary, `fastest` bounds the rates, and the run ends after the time `left` \[s\].
+    /// The first crossing: whether it is at the upper boundary, and its approximate time \[s\]. `gaps` are the distances to the lower and
+    /// the upper boundary, `fastest` bounds the rates, and the run ends after the time `left` \[s\].
     #[inline(never)]
     fn first(&self, gaps: [f64; 2], fastest: f64, left: f64) -> Option<(bool, f64)> {
         let size = (self.a[0] * self.a[0] + self.a[1] * self.a[1]).sqrt();

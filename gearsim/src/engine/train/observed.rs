@@ -33,7 +33,7 @@ pub(super) struct Observer<'a> {
     known: &'a Known,
     /// For outputs that need no reactions and powers.
     nothing: Known,
-    /// x, x' and the values of each part from its place on; x is not a number until the part is asked for.
+    /// x, x' and the values of each part from its place on; x is NaN until an output of the part is computed.
     numbers: Vec<f64>,
 }
 
@@ -59,8 +59,7 @@ impl<'a> Observer<'a> {
         if numbers[0].is_nan() {
             p.localise(self.state, numbers);
         }
-        let (x, rest) = numbers.split_at(p.rows.len());
-        let (x_dot, values) = rest.split_at(x.len());
+        let [x, x_dot, values] = p.split(numbers);
         let known = if of.known { &self.assembly.known_to(of.part, self.known) } else { &self.nothing };
         p.equations.output(of.output, x, x_dot, values, known)
     }

@@ -7,7 +7,7 @@ use crate::model::Model;
 use crate::scene::Effects;
 use crate::train::Part;
 
-/// Largest number of coordinates, speeds and values of an element for which no memory is asked for.
+/// Largest number of coordinates, speeds and values of an element that are kept on the stack.
 const NUMBERS: usize = 16;
 
 /// A part with its equations.
@@ -68,7 +68,16 @@ impl Placed {
         self.part.values.iter().zip(&mut numbers[2 * n..]).for_each(|(&i, x)| *x = k[i]);
     }
 
-    /// What `of` gives at a state of the train, from x, x' and the values. Called at every step, so that few numbers are in an array.
+    /// Splits these numbers into x, x' and the values.
+    #[inline]
+    pub fn split<'n>(&self, numbers: &'n [f64]) -> [&'n [f64]; 3] {
+        let (x, rest) = numbers.split_at(self.rows.len());
+        let (x_dot, values) = rest.split_at(x.len());
+        [x, x_dot, values]
+    }
+
+    /// Evaluates `of` with x, x' and the values at a state of the train. It is called at every step; a small element therefore has its
+    /// numbers in an array.
     #[inline]
     pub fn at_state<T>(&self, state: [&[f64]; 3], of: impl FnOnce(&dyn Equations, [&[f64]; 3]) -> T) -> T {
         let mut array = [0.0; NUMBERS];
@@ -81,9 +90,13 @@ impl Placed {
             &mut vector[..]
         };
         self.localise(state, numbers);
-        let (x, rest) = numbers.split_at(self.rows.len());
-        let (x_dot, values) = rest.split_at(x.len());
-        of(&*self.equations, [x, x_dot, values])
+        of(&*self.equations, self.split(numbers))
+    }
+
+    /// Its dissipation function [W] at a state of the train.
+    #[inline]
+    pub fn dissipation(&self, state: [&[f64]; 3]) -> f64 {
+        self.at_state(state, |equations, [x, x_dot, k]| equations.dissipation(x, x_dot, k))
     }
 
     /// Adds its forces; `dk` are the slopes of the laws of the train.
