@@ -147,12 +147,18 @@ fn stand(laws: &mut [LawState], switches: &mut [Switch], mut index: usize) {
 /// Writes the law values at the coordinates `q` and the time `t` \[s\] into `k`, then the values of the switches.
 #[inline]
 pub fn write((laws, switches): (&[LawState], &[Switch]), (q, t): (&[f64], f64), k: &mut [f64]) {
-    k.iter_mut().zip(laws).for_each(|(k, law)| *k = law.course(q[law.phase], t)[0]);
+    let of_laws = &mut k[..laws.len()];
+    for i in 0..laws.len() {
+        of_laws[i] = laws[i].course(q[laws[i].phase], t)[0];
+    }
     switches.iter().for_each(|switch| switch.write(k));
 }
 
 /// The same for laws that are constant within their cells.
 fn write_levels((laws, switches): (&[LawState], &[Switch]), k: &mut [f64]) {
-    k.iter_mut().zip(laws).for_each(|(k, law)| *k = law.level());
+    let of_laws = &mut k[..laws.len()];
+    for i in 0..laws.len() {
+        of_laws[i] = laws[i].level();
+    }
     switches.iter().for_each(|switch| switch.write(k));
 }

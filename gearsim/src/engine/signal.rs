@@ -79,14 +79,16 @@ impl Signal<'_> {
     #[inline]
     pub fn drift_and_oscillation(&self) -> (f64, f64) {
         let (mut drift, mut oscillation) = (0.0, 0.0);
-        for ((mode, v, a), c) in self.flight.motions_at_start().zip(self.on_moved) {
+        for i in 0..self.flight.n() {
+            let (mode, c) = (self.flight.mode(i), self.on_moved[i]);
+            let (v, a) = self.flight.rates_at_start(i);
             if mode.is_rigid() && a == 0.0 {
                 drift += c * v;
             } else if mode.omega2 == 0.0 && mode.sigma > 0.0 {
                 let excess = -a / (2.0 * mode.sigma);
                 drift += c * (v - excess);
                 oscillation += (c * excess).abs();
-            } else if *c != 0.0 {
+            } else if c != 0.0 {
                 oscillation += c.abs() * mode.rough_bound(v, a);
             }
         }
@@ -110,10 +112,11 @@ impl Signal<'_> {
     #[inline]
     pub fn derivatives(&self, point: &Point) -> [f64; 5] {
         let mut sum = [0.0; 5];
-        let motions = self.flight.motions(point).zip(&*point.moved).zip(self.on_moved);
-        for (((mode, v, a), moved), c) in motions {
+        for i in 0..self.flight.n() {
+            let (mode, c) = (self.flight.mode(i), self.on_moved[i]);
+            let (v, a) = self.flight.rates(i, point);
             let jerk = mode.next(v, a);
-            let derivatives = [*moved, v, a, jerk, mode.next(a, jerk)];
+            let derivatives = [point.moved[i], v, a, jerk, mode.next(a, jerk)];
             for k in 0..5 {
                 sum[k] += c * derivatives[k];
             }
@@ -140,13 +143,15 @@ impl Signal<'_> {
     /// Upper bounds of its second, third and fourth derivative from a point on.
     pub fn bounds(&self, point: &Point) -> [f64; 3] {
         let mut sum = [0.0; 3];
-        for (i, ((mode, v, a), c)) in self.flight.motions(point).zip(self.on_moved).enumerate() {
+        for i in 0..self.flight.n() {
+            let (mode, c) = (self.flight.mode(i), self.on_moved[i]);
+            let (v, a) = self.flight.rates(i, point);
             let jerk = mode.next(v, a);
             let snap = mode.next(a, jerk);
             let crackle = mode.next(jerk, snap);
             let derivatives = [a, jerk, snap, crackle, mode.next(snap, crackle)];
             for (k, sum) in sum.iter_mut().enumerate() {
-                if *c != 0.0 {
+                if c != 0.0 {
                     *sum += c.abs() * mode.bound(derivatives[k], derivatives[k + 1]);
                 }
                 if let Some(d) = self.on_speed.map(|d| d[i]).filter(|d| *d != 0.0) {
@@ -163,10 +168,11 @@ impl Signal<'_> {
     /// start.
     pub fn rounding(&self, point: &Point) -> Rounding {
         let mut sum = [0.0; 4];
-        let motions = self.flight.motions_at_start().zip(self.flight.motions(point));
-        for (i, ((mode, v, a), (_, v_now, a_now))) in motions.enumerate() {
-            let mut sizes = mode.sizes((v, a));
-            sizes.iter_mut().zip(mode.sizes((v_now, a_now))).for_each(|(size, now)| *size += now);
+        for i in 0..self.flight.n() {
+            let mode = self.flight.mode(i);
+            let (then, now) = (self.flight.rates_at_start(i), self.flight.rates(i, point));
+            let (then, now) = (mode.sizes(then), mode.sizes(now));
+            let sizes: [f64; 4] = std::array::from_fn(|k| then[k] + now[k]);
             let (c, d) = (self.on_moved[i].abs(), self.on_speed.map_or(0.0, |d| d[i].abs()));
             sum[0] += events::SIGNAL_ROUNDING * (c * point.moved[i].abs() + d * point.gained[i].abs());
             for k in 0..3 {
@@ -180,9 +186,10 @@ impl Signal<'_> {
     /// Its power series at the start.
     pub fn series(&self) -> Series {
         let mut series = Series { derivatives: [0.0; TERMS], rounding: [0.0; TERMS], bound: 0.0 };
-        for (i, ((mode, v, a), c)) in self.flight.motions_at_start().zip(self.on_moved).enumerate() {
-            let (c, d) = (*c, self.on_speed.map_or(0.0, |d| d[i]));
-            let (mut v, mut a) = (v, a);
+        for i in 0..self.flight.n() {
+            let mode = self.flight.mode(i);
+            let (c, d) = (self.on_moved[i], self.on_speed.map_or(0.0, |d| d[i]));
+            let (mut v, mut a) = self.flight.rates_at_start(i);
             let [mut v_size, mut a_size, ..] = mode.sizes((v, a));
             for k in 0..TERMS {
                 let (jerk, jerk_size) = (mode.next(v, a), 2.0 * mode.sigma * a_size + mode.omega2 * v_size);
@@ -205,8 +212,10 @@ impl Signal<'_> {
     /// The drift from a point on, and the oscillation about it.
     pub fn reach(&self, point: &Point) -> Reach {
         let mut reach = Reach { drift: 0.0, amplitude: 0.0, deviation: 0.0 };
-        for (i, ((mode, v, a), c)) in self.flight.motions(point).zip(self.on_moved).enumerate() {
-            let (c, d) = (*c, self.on_speed.map_or(0.0, |d| d[i]));
+        for i in 0..self.flight.n() {
+            let mode = self.flight.mode(i);
+            let (c, d) = (self.on_moved[i], self.on_speed.map_or(0.0, |d| d[i]));
+            let (v, a) = self.flight.rates(i, point);
             if (c == 0.0 && d == 0.0) || (v == 0.0 && a == 0.0) {
                 continue;
             }

@@ -1,4 +1,6 @@
 //! The motion in a cell from a given state on, in closed form.
+//!
+//! Loops over modes are loops over an index, for the reason that `vector.rs` gives.
 
 use smallvec::SmallVec;
 
@@ -36,6 +38,18 @@ impl<'a> Flight<'a> {
         &self.cell.modes
     }
 
+    /// The number of its modes.
+    #[inline]
+    pub fn n(&self) -> usize {
+        self.speed.len()
+    }
+
+    /// Mode `i`.
+    #[inline]
+    pub fn mode(&self, i: usize) -> &'a Mode {
+        &self.cell.modes[i]
+    }
+
     /// Modal speed and acceleration of mode `i` at the start.
     #[inline]
     pub fn rates_at_start(&self, i: usize) -> (f64, f64) {
@@ -49,24 +63,6 @@ impl<'a> Flight<'a> {
         let mode = &self.cell.modes[i];
         let v = self.speed[i] + point.gained[i];
         (v, self.force[i] - mode.omega2 * point.moved[i] - 2.0 * mode.sigma * v)
-    }
-
-    /// Each mode with its speed and acceleration at the start.
-    #[inline]
-    pub fn motions_at_start(&self) -> impl Iterator<Item = (&'a Mode, f64, f64)> {
-        let start = self.speed.iter().zip(&*self.force);
-        self.cell.modes.iter().zip(start).map(|(mode, (v, f))| (mode, *v, f - 2.0 * mode.sigma * v))
-    }
-
-    /// Each mode with its speed and acceleration at a `point` of the flight.
-    #[inline]
-    pub fn motions(&self, point: &Point) -> impl Iterator<Item = (&'a Mode, f64, f64)> {
-        let start = self.speed.iter().zip(&*self.force);
-        let since = point.moved.iter().zip(&*point.gained);
-        self.cell.modes.iter().zip(start.zip(since)).map(|(mode, ((v, f), (moved, gained)))| {
-            let v = v + gained;
-            (mode, v, f - mode.omega2 * moved - 2.0 * mode.sigma * v)
-        })
     }
 
     /// The point at the start.
@@ -103,14 +99,13 @@ impl<'a> Flight<'a> {
     /// Updates `point` with the new response of each mode, which `respond` computes.
     #[inline(always)]
     fn place(&self, point: &mut Point, respond: impl Fn(&Mode, &Response) -> Response) {
-        let Point { responses, moved, gained, .. } = point;
-        let start = self.speed.iter().zip(&*self.force);
-        let places = responses.iter_mut().zip(moved.iter_mut().zip(gained.iter_mut()));
-        for ((mode, (v, f)), (response, (moved, gained))) in self.cell.modes.iter().zip(start).zip(places) {
-            *response = respond(mode, response);
-            let Response { s1, s2, .. } = *response;
-            *moved = v * s1 + f * s2;
-            *gained = (f - 2.0 * mode.sigma * v) * s1 - mode.omega2 * s2 * v;
+        for i in 0..self.n() {
+            let (mode, v, f) = (self.mode(i), self.speed[i], self.force[i]);
+            let response = respond(mode, &point.responses[i]);
+            let Response { s1, s2, .. } = response;
+            point.responses[i] = response;
+            point.moved[i] = v * s1 + f * s2;
+            point.gained[i] = (f - 2.0 * mode.sigma * v) * s1 - mode.omega2 * s2 * v;
         }
     }
 

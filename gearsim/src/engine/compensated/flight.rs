@@ -6,7 +6,7 @@ use xprec::Df64;
 use super::State;
 use super::cell::Cell;
 use super::forces::Forces;
-use super::guard::{Guard, dot};
+use super::guard::{Guard, dot, product, transposed};
 use super::series::Series;
 use crate::tolerance::events::{COMPENSATED_CORRECTION, COMPENSATED_TAYLOR};
 
@@ -42,8 +42,8 @@ impl<'a> Flight<'a> {
     /// The motion from `start` on at the time `since` \[s\], under `forces` whose fastest angular frequency is `fastest` \[rad/s\]; if
     /// `flat`, they do not change.
     pub fn new(cell: &'a Cell, start: State, since: Df64, (forces, fastest, flat): (Forces<'a>, f64, bool)) -> Self {
-        let speed = &cell.momentum * &start.q_dot;
-        let mut force = &cell.load - &cell.springs * &start.q;
+        let speed = product(&cell.momentum, &start.q_dot);
+        let mut force = &cell.load - product(&cell.springs, &start.q);
         let course = match &cell.modes {
             Some(_) if flat => {
                 for (load, series) in forces.loads().zip(forces.series(since, 1.0)) {
@@ -80,7 +80,8 @@ impl<'a> Flight<'a> {
     }
 
     fn state(&self, moved: &DVector<Df64>, gained: &DVector<Df64>) -> State {
-        State { q: &self.start.q + &self.cell.shapes * moved, q_dot: &self.start.q_dot + &self.cell.shapes * gained }
+        let of_modes = |xi: &DVector<Df64>| product(&self.cell.shapes, xi);
+        State { q: &self.start.q + of_modes(moved), q_dot: &self.start.q_dot + of_modes(gained) }
     }
 
     /// The state after the time `t` [s].
@@ -91,9 +92,9 @@ impl<'a> Flight<'a> {
 
     /// The time near `t` [s] at which `guard` is zero, and the state there; `None` if it is not zero nearby, e.g. at a graze.
     pub fn meet(&mut self, guard: &Guard, t: f64) -> Option<(Df64, State)> {
-        let on_q = self.cell.shapes.tr_mul(&guard.on_q);
+        let on_q = transposed(&self.cell.shapes, &guard.on_q);
         let depends_on_speed = guard.on_speed.iter().any(|slope| slope.hi() != 0.0);
-        let on_speed = depends_on_speed.then(|| self.cell.shapes.tr_mul(&guard.on_speed));
+        let on_speed = depends_on_speed.then(|| transposed(&self.cell.shapes, &guard.on_speed));
         let along = |moved: &DVector<Df64>, gained: &DVector<Df64>| match &on_speed {
             Some(on_speed) => dot(&on_q, moved) + dot(on_speed, gained),
             None => dot(&on_q, moved),
@@ -118,8 +119,11 @@ impl<'a> Flight<'a> {
                 break;
             }
             if dt.hi().abs() * self.cell.rate <= COMPENSATED_TAYLOR && lacking.abs() <= COMPENSATED_TAYLOR {
-                moved += (v + &a * (dt * 0.5)) * dt;
-                gained += (a + jerk * (dt * 0.5)) * dt;
+                let half = dt * 0.5;
+                for i in 0..moved.len() {
+                    moved[i] += (v[i] + a[i] * half) * dt;
+                    gained[i] += (a[i] + jerk[i] * half) * dt;
+                }
                 return Some((t + dt, self.state(&moved, &gained)));
             }
             t += dt;

@@ -1,6 +1,6 @@
 //! A linear function of the state whose zero ends a motion, in double-double precision.
 
-use nalgebra::DVector;
+use nalgebra::{DMatrix, DVector};
 use xprec::Df64;
 
 use super::State;
@@ -55,7 +55,32 @@ impl Guard {
     }
 }
 
+/// The product of a matrix and a vector. That of nalgebra is made for large matrices.
+#[inline]
+pub fn product(a: &DMatrix<Df64>, x: &DVector<Df64>) -> DVector<Df64> {
+    let (n, mut y) = (a.nrows(), DVector::from_element(a.nrows(), Df64::from(0.0)));
+    for j in 0..a.ncols() {
+        for i in 0..n {
+            y[i] += a[(i, j)] * x[j];
+        }
+    }
+    y
+}
+
+/// The product of a transposed matrix and a vector.
+#[inline]
+pub fn transposed(a: &DMatrix<Df64>, x: &DVector<Df64>) -> DVector<Df64> {
+    let (columns, mut y) = (a.ncols(), DVector::from_element(a.ncols(), Df64::from(0.0)));
+    for j in 0..columns {
+        for i in 0..a.nrows() {
+            y[j] += a[(i, j)] * x[i];
+        }
+    }
+    y
+}
+
 /// The scalar product.
+#[inline]
 pub fn dot(a: &DVector<Df64>, b: &DVector<Df64>) -> Df64 {
     let (a, b) = (a.as_slice(), &b.as_slice()[..a.len()]);
     let mut sum = Df64::from(0.0);
