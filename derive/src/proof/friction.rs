@@ -85,8 +85,8 @@ fn sticking(
     sliding: &Atom,
 ) -> Result<(), Slip> {
     let what = format!(
-        "with {} the friction `{slide}` and `{roll}` together take energy or none, from the guards that hold in each mode of {}",
-        switch.effect, switch.over
+        "the friction `{slide}` takes with `{roll}` energy or none in every mode of {}, in scenes with {}: from the guards that hold in the mode",
+        switch.over, switch.effect
     );
     let force = all_present(&p.model.written_out(force)).expand();
     for mode in &switch.modes {

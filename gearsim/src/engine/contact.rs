@@ -14,7 +14,8 @@
 //!
 //! With the outward normals n of the held phases and the gradients of the held deflections as columns of N, the remaining motion has the
 //! mobility P = M⁻¹ - M⁻¹N (NᵀM⁻¹N)⁻¹ NᵀM⁻¹, and the reactions to the generalised forces F are R = (NᵀM⁻¹N)⁻¹ NᵀM⁻¹ F. N is constant. Where
-//! M depends on the coordinates, so do P and the factors of F in R; both are then computed where they are needed ([`held`]).
+//! M depends on the coordinates, so do P and the factors of F in R; both are then computed where they are needed ([`held`]). The same is done
+//! where a switch holds a rate in which friction laws are factors; N then changes with the motion ([`Turned`]).
 
 use nalgebra::linalg::Cholesky;
 use nalgebra::{DMatrix, DVector, Dyn};

@@ -381,7 +381,8 @@ equations! {
 // - the friction `roll_x` takes energy or none: its power is never positive
 // - the friction `slide_x` takes with `roll_x` energy or none where psi_x_dot and arm_x psi_x_dot + side_x tau_x_dot have one sign: where
 //   flanks slide as rolling makes them
-// - with flank_stiction_x the friction `slide_x` and `roll_x` together take energy or none, from the guards that hold in each mode of psi_x
+// - the friction `slide_x` takes with `roll_x` energy or none in every mode of psi_x, in scenes with flank_stiction_x: from the guards that
+//   hold in the mode
 // - every deflection equals the linear form by which the equations differentiate it
 // - without the jump terms the balance fails: energy is created at the rate dk_x*touchx*overx^2*phase_dot/2 -
 //   k_x*de_x*touchx*overx*phase_dot

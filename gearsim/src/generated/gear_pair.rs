@@ -420,7 +420,8 @@ equations! {
 // - the friction `roll` takes energy or none: its power is never positive
 // - the friction `slide` takes with `roll` energy or none where psi_dot and arm psi_dot + side tau_dot have one sign: where flanks slide as
 //   rolling makes them
-// - with flank_stiction the friction `slide` and `roll` together take energy or none, from the guards that hold in each mode of psi
+// - the friction `slide` takes with `roll` energy or none in every mode of psi, in scenes with flank_stiction: from the guards that hold in
+//   the mode
 // - every deflection equals the linear form by which the equations differentiate it
 // - without the jump terms the balance fails: energy is created at the rate dk*touch*over^2*theta_dot - 2*k*de*touch*over*theta_dot
 //

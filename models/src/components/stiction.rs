@@ -12,8 +12,7 @@
 //! each of two stuck modes. A single pair sticks at its point of contact, side v = xi psi' + tau'. Of several pairs the mean sliding sticks.
 //!
 //! v, not psi', is held: the reaction then does no work, and the force along tau passes from sticking to sliding without a step. Held psi' alone
-//! would break away at a moment that is wrong by mu tan(alpha), and then stick and slip in turn. While the flanks stick, their point
-//! of contact stays where it was when they began to: arm and side are those of that instant.
+//! would break away at a moment that is wrong by mu tan(alpha), and then stick and slip in turn.
 
 use gearsim_derive::{Expr, Model, Range};
 
