@@ -5,7 +5,7 @@ use symbolica::atom::{Atom, AtomCore, Symbol};
 
 use crate::expr::{Expr, Kind, kind_and_name, number, symbol, symbols, total};
 use crate::lagrange::{self, Motion, external, hessian, rows};
-use crate::markers::{all_present, markers, terms};
+use crate::markers::{all_present, markers, optional, terms, without};
 use crate::model::Model;
 use crate::print::{Style, print};
 use crate::symbols::{Place, Symbols};
@@ -31,10 +31,13 @@ pub(crate) fn derive(model: &Model, s: &Symbols, motion: &Motion) -> Cell {
             .extend(not_quadratic(pieces).into_iter().map(|(marks, term)| (marks, format!("{term} in the {energy}"))));
     }
     for torque in model.torques.iter().filter(|t| model.varies(t)) {
-        let value = model.written_out(&torque.value.atom());
-        let value_text = print(&Tree::new(&all_present(&torque.value.atom())), Style::Plain);
+        let value = torque.value.atom();
+        // Effects that only change the torque do not count.
+        let value = optional(&value).iter().fold(value, |value, effect| without(&value, effect));
+        let value_text = print(&Tree::new(&all_present(&value)), Style::Plain);
         let how = if torque.is_linear() { "" } else { ", whose displacement is not linear" };
-        culprits.push((markers(&value), format!("{value_text} in the torque `{}`{how}", torque.name)));
+        culprits
+            .push((markers(&model.written_out(&value)), format!("{value_text} in the torque `{}`{how}", torque.name)));
     }
     let bends = Bends::of(model, s);
     culprits.extend(bends.culprits.iter().cloned());

@@ -21,6 +21,16 @@ pub(crate) fn all_present(e: &Atom) -> Atom {
     })
 }
 
+/// The sum without the terms of an effect, expanded.
+pub(crate) fn without(e: &Atom, effect: &str) -> Atom {
+    e.replace(Atom::var(symbol(Kind::Marker, effect)).to_pattern()).with(number(0).to_pattern()).expand()
+}
+
+/// The effects that change a sum, which is not zero without them.
+pub(crate) fn optional(e: &Atom) -> Vec<String> {
+    markers(e).into_iter().filter(|effect| !without(e, effect).is_zero()).collect()
+}
+
 /// The terms of the expanded sum, grouped by condition; `order` gives the order of effects.
 pub(crate) fn grouped(e: &Atom, order: &[String]) -> Vec<Group> {
     collect(terms(&e.expand()), order)

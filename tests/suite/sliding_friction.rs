@@ -14,6 +14,8 @@ mod loss;
 mod standstill;
 #[path = "sliding_friction/steady.rs"]
 mod steady;
+#[path = "sliding_friction/sticking.rs"]
+mod sticking;
 
 use std::f64::consts::{PI, TAU};
 

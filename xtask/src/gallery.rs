@@ -9,7 +9,7 @@ use std::process::Command;
 use anyhow::{Context, bail};
 
 /// The scenes, by their paths under models/scenes, and the plot that is kept of each.
-const SCENES: [(&str, &str); 24] = [
+const SCENES: [(&str, &str); 25] = [
     ("backlash", "motion"),
     ("backlash_oscillator", "motion"),
     ("drives/fan_run_up", "outputs"),
@@ -23,6 +23,7 @@ const SCENES: [(&str, &str); 24] = [
     ("pitch_errors", "outputs"),
     ("rattle", "motion"),
     ("sliding_friction", "outputs"),
+    ("flank_stiction", "motion"),
     ("transmission_error", "outputs"),
     ("planetary_errors", "spectrum"),
     ("two_stage", "outputs"),

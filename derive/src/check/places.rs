@@ -6,9 +6,9 @@ use symbolica::atom::{Atom, AtomCore};
 
 use super::functions::functions;
 use super::names::what_it_is;
-use crate::expr::{Expr, Kind, number, speed_name, symbol, symbols};
+use crate::expr::{Expr, Kind, number, symbol, symbols};
 use crate::markers::markers;
-use crate::model::{Model, REACTION, Switch, Torque};
+use crate::model::{Exit, Mode, Model, REACTION, Switch, Torque};
 use crate::slip::Slip;
 
 use Kind::*;
@@ -122,8 +122,9 @@ impl Places<'_> {
             if switch.mode(&exit.to).is_none() {
                 return slip("an exit leads to a mode of the same switch", &exit.to);
             }
-            let why = "a guard may depend on deflections, rates, stiffnesses and constants, and on the reaction in a mode that holds";
-            let mut allowed = vec![Constant, Parameter, Mid, Law, Switched, Deflection, Rate];
+            let why = "a guard may depend on deflections, rates, stiffnesses, friction laws and constants, and on the reaction in a mode \
+                       that holds";
+            let mut allowed = vec![Constant, Parameter, Mid, Law, Friction, Switched, Deflection, Rate];
             allowed.extend(mode.held.then_some(Reaction));
             self.check(exit.guard, &place, &allowed, why)?;
             if !is_linear(&exit.guard.atom(), &[Deflection, Rate, Reaction]) {
@@ -136,11 +137,18 @@ impl Places<'_> {
             return slip("a mode that holds needs a deflection that is linear in the coordinates", &mode.name);
         }
         // A hold begins at rest: no energy is lost there.
-        let rate = symbol(Rate, &speed_name(&switch.over));
-        for (mode, exit) in switch.exits().filter(|(_, exit)| switch.mode(&exit.to).is_some_and(|to| to.held)) {
-            let rest = exit.guard.atom() - exit.guard.atom().derivative(rate) * Atom::var(rate);
-            if !rest.expand().is_zero() {
-                return slip("an exit to a mode that holds is a multiple of the rate of the deflection", &mode.name);
+        let into = |mode: &Mode, exit: &Exit| !mode.held && switch.mode(&exit.to).is_some_and(|to| to.held);
+        let mut held: Option<Atom> = None;
+        for (mode, exit) in switch.exits().filter(|(mode, exit)| into(mode, exit)) {
+            let guard = exit.guard.atom().expand();
+            let of_rates = symbols(&guard).into_iter().filter(|(kind, _)| *kind == Rate).map(|(kind, name)| {
+                let rate = symbol(kind, &name);
+                guard.derivative(rate) * Atom::var(rate)
+            });
+            let rest = of_rates.fold(guard.clone(), |rest, part| rest - part);
+            let first = held.get_or_insert_with(|| guard.clone());
+            if !rest.expand().is_zero() || ![&guard - &*first, &guard + &*first].iter().any(|e| e.expand().is_zero()) {
+                return slip("an exit to a mode that holds is the rate that is held, or its negative", &mode.name);
             }
         }
         let why = "the force of a switch may depend on its deflection, stiffnesses and constants";

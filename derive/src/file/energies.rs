@@ -17,7 +17,7 @@ pub(super) fn write(b: &mut Block, d: &Derivation) {
             let title = format!("{} {:?}", t.name, t.doc);
             if m.varies(t) {
                 b.row(2, &title, &[]);
-                b.sum(2, "power", &b.not_expanded(&[t.power()]));
+                b.sum(2, "power", &b.not_expanded(&t.powers()));
             } else {
                 b.row(2, &title, &b.not_expanded(&[t.value.atom() * lagrange::displacement(s, t)]));
             }

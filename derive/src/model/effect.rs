@@ -44,6 +44,11 @@ impl Model {
         own
     }
 
+    /// The term `e` in scenes with the effect `name`, otherwise nothing: for a term of one effect that another one changes.
+    pub fn only_with(&self, name: &str, e: Expr) -> Expr {
+        Expr::var(Kind::Marker, name) * e
+    }
+
     /// Declares that the effect `name`, declared before, needs each of `others`.
     pub fn require(&mut self, name: &str, others: &[&str]) {
         self.relate(name, others, |effect| &mut effect.requires);

@@ -154,7 +154,8 @@ impl Switching<'_> {
 }
 
 impl Describing<'_> {
-    /// In this mode x' = 0, by a reaction that does no work.
+    /// In this mode a rate stays zero, by a reaction that does no work: the guard of the modes that lead to it, x' or a sum of rates with friction
+    /// laws as factors. Friction laws may be factors in methods by steps only.
     pub fn holds(self) -> Self {
         self.0.held = true;
         self

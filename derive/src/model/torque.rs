@@ -4,6 +4,7 @@ use symbolica::atom::{Atom, AtomCore};
 
 use super::Model;
 use crate::expr::{Expr, Kind, symbol, symbols, varies};
+use crate::markers::{optional, terms};
 
 /// A named force, a factor in torques.
 pub(crate) struct Force {
@@ -26,6 +27,16 @@ impl Torque {
     /// Its power [W]: the value times the speed along which it works.
     pub fn power(&self) -> Atom {
         (self.value * self.along.unwrap_or_else(|| self.through.dot())).atom()
+    }
+
+    /// Its power in parts that sum to it [W]: one, or one a term of its value if an effect changes that value.
+    pub fn powers(&self) -> Vec<Atom> {
+        let value = self.value.atom();
+        if optional(&value).is_empty() {
+            return vec![self.power()];
+        }
+        let speed = self.along.unwrap_or_else(|| self.through.dot()).atom();
+        terms(&value.expand()).into_iter().map(|term| term * &speed).collect()
     }
 
     /// Whether it works through a displacement that is linear in the coordinates and deflections.

@@ -2,14 +2,17 @@
 //!
 //! The friction of a mesh has two torques: `roll` = -arm F through psi and `slide` = -side F through tau, with F = c psi_dot. Their
 //! power is -c psi_dot (arm psi_dot + side tau_dot).
+//!
+//! A switch with modes that hold may change F. With it F is c in a mode that lasts while arm psi_dot + side tau_dot >= 0, -c in one that lasts while
+//! it is <= 0, and zero in one that holds: the two torques together then always take energy or none.
 
 use symbolica::atom::{Atom, AtomCore};
 
 use super::Proof;
 use crate::check::never_negative;
-use crate::expr::{Kind, symbol, symbols};
-use crate::markers::all_present;
-use crate::model::{Factor, Law, Role, Torque};
+use crate::expr::{Kind, number, symbol, symbols};
+use crate::markers::{all_present, without};
+use crate::model::{Factor, Law, Role, Switch, Torque};
 use crate::slip::Slip;
 
 /// Proves the sign of the power of each friction.
@@ -21,7 +24,7 @@ pub(super) fn prove(p: &mut Proof) -> Result<(), Slip> {
     let (rolls, slides) = (of(Factor::Arm), of(Factor::Side));
     for (_, roll) in &rolls {
         let what = format!("the friction `{}` takes energy or none: its power is never positive", roll.name);
-        let power = all_present(&p.model.written_out(&roll.power()));
+        let power = smooth(p, &roll.power());
         if !never_negative(p.model, &-power.clone()) {
             return Err(p.unproved(&what, &power));
         }
@@ -41,15 +44,63 @@ pub(super) fn prove(p: &mut Proof) -> Result<(), Slip> {
             slide.name, roll.name, arm.name, side.name
         );
         // -F psi_dot, which must never be negative for the power -F psi_dot (..)/psi_dot to have the sign said.
-        let weight = all_present(&p.model.written_out(&(-&force * psi.atom())));
+        let weight = smooth(p, &(-&force * psi.atom()));
         if !never_negative(p.model, &weight) {
             return Err(p.unproved(&what, &weight));
         }
         let [arm, side] = [arm, side].map(|law| Atom::var(symbol(Kind::Friction, &law.name)));
         let sliding = arm * psi.atom() + side * tau.atom();
         let power = slide.power() + roll.power();
-        p.claim(&what, [power - force * sliding])?;
+        p.claim(&what, [power - &force * &sliding])?;
+        if let Some(switch) = changed_by(p, &force) {
+            sticking(p, switch, [&slide.name, &roll.name], &-force, &sliding)?;
+        }
     }
+    Ok(())
+}
+
+/// An expression without the effect of the switch that makes friction stick, all other effects present.
+fn smooth(p: &Proof<'_>, e: &Atom) -> Atom {
+    let e = p.model.written_out(e);
+    let changed = changed_by(p, &e).map_or_else(|| e.clone(), |switch| switch.neutral(&without(&e, &switch.effect)));
+    all_present(&changed)
+}
+
+/// The switch with modes that hold whose symbols are in an expression.
+fn changed_by<'a>(p: &Proof<'a>, e: &Atom) -> Option<&'a Switch> {
+    let names = symbols(&p.model.written_out(e));
+    let mut switches = p.model.switches.iter().filter(|switch| switch.modes.iter().any(|mode| mode.held));
+    switches.find(|switch| {
+        switch.symbols.iter().any(|s| names.iter().any(|(kind, name)| *kind == s.kind && *name == s.name))
+    })
+}
+
+/// The friction -F v, with v = `sliding`, takes energy or none in every mode of `switch`: F v is a guard of the mode times a factor that is
+/// never negative, or F is zero.
+fn sticking(
+    p: &mut Proof,
+    switch: &Switch,
+    [slide, roll]: [&str; 2],
+    force: &Atom,
+    sliding: &Atom,
+) -> Result<(), Slip> {
+    let what = format!(
+        "the friction `{slide}` takes with `{roll}` energy or none in every mode of {}, in scenes with {}: from the guards that hold in the mode",
+        switch.over, switch.effect
+    );
+    let force = all_present(&p.model.written_out(force)).expand();
+    for mode in &switch.modes {
+        let force = switch.within(mode, &force).expand();
+        let takes = |sign: i64| {
+            let guard = number(sign) * sliding;
+            never_negative(p.model, &(number(sign) * &force).expand())
+                && mode.exits.iter().any(|exit| (exit.guard.atom() - &guard).expand().is_zero())
+        };
+        if !(force.is_zero() || takes(1) || takes(-1)) {
+            return Err(p.unproved(&what, &-(force * sliding)));
+        }
+    }
+    p.proved.push(what);
     Ok(())
 }
 

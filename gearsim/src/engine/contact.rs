@@ -14,7 +14,8 @@
 //!
 //! With the outward normals n of the held phases and the gradients of the held deflections as columns of N, the remaining motion has the
 //! mobility P = M⁻¹ - M⁻¹N (NᵀM⁻¹N)⁻¹ NᵀM⁻¹, and the reactions to the generalised forces F are R = (NᵀM⁻¹N)⁻¹ NᵀM⁻¹ F. N is constant. Where
-//! M depends on the coordinates, so do P and the factors of F in R; both are then computed where they are needed ([`held`]).
+//! M depends on the coordinates, so do P and the factors of F in R; both are then computed where they are needed ([`held`]). The same is done
+//! where a switch holds a rate in which friction laws are factors; N then changes with the motion ([`Turned`]).
 
 use nalgebra::linalg::Cholesky;
 use nalgebra::{DMatrix, DVector, Dyn};
@@ -27,6 +28,7 @@ use crate::engine::hybrid::Hybrid;
 use crate::engine::law::{self, LawState};
 use crate::engine::motion::End;
 use crate::engine::record::State;
+use crate::engine::switch::Switch;
 use crate::engine::vector::{Matrix, Vector};
 use crate::tolerance::events::{DOUBLE_ZERO, HOLD_ENERGY, INDEPENDENT, ONE_DEFLECTION, RELEASE, SHORT_BOUNCE};
 
@@ -52,8 +54,27 @@ pub struct Contact {
     pub mobility: Matrix,
     /// The functions that can end the holds.
     pub watches: Vec<Watch>,
+    /// Those of `switches` whose held rates have friction laws as factors, which vary while the phase moves.
+    turning: Vec<(usize, usize)>,
     /// The switches whose deflections cannot move, because of their own hold or of other holds.
     pub locked: Vec<usize>,
+}
+
+/// Held motions whose gradients vary: Nᵀq' = 0 gives Nᵀq'' = -N'ᵀq'. With the force c = N (NᵀM⁻¹N)⁻¹ N'ᵀq' the reactions are those to F + c, and
+/// q'' = P F - M⁻¹ c.
+pub struct Turned {
+    /// N (n, one a column).
+    pub normals: DMatrix<f64>,
+    /// c (n).
+    pub force: Vector,
+}
+
+impl Turned {
+    /// The speeds without the errors of the held ones; `mobility` is M⁻¹.
+    pub fn still(&self, mobility: &Matrix, q_dot: &Vector) -> Vector {
+        let held = self.normals.transpose() * DVector::from(q_dot);
+        q_dot - &(mobility * &centripetal(mobility, &self.normals, &held))
+    }
 }
 
 /// A function of the state whose zero ends a hold.
@@ -128,7 +149,8 @@ impl Contact {
                 return Ok((None, 0.0));
             }
             let watches = holds.watches(now);
-            let (force, State { q, q_dot, .. }) = (now.force(), &now.state);
+            let State { q, q_dot, .. } = &now.state;
+            let force = now.force() + &holds.centripetal(now);
             let pulls = |watch: &&Watch| watch.form.value(q, q_dot, || force.clone()) <= 0.0;
             match watches.iter().filter(|watch| !matches!(watch.end, End::Hold(_, Ending::Slip))).find(pulls) {
                 Some(Watch { end: End::Loose(switch, mode), .. }) => {
@@ -142,6 +164,33 @@ impl Contact {
                 _ => return holds.begin(now, watches),
             }
         }
+    }
+
+    /// N at a state and the force c, where friction laws are factors of held rates; otherwise `None`. `k_dot` are the rates of the law values `k`.
+    pub fn turned(
+        &self,
+        (equations, switches): (&dyn Equations, &[Switch]),
+        (q, q_dot): (&[f64], &[f64]),
+        k: &[f64],
+        k_dot: &[f64],
+    ) -> Option<Turned> {
+        if self.turning.is_empty() {
+            return None;
+        }
+        let mut normals = self.normals.clone();
+        let mut drift = DVector::zeros(normals.ncols());
+        for &(switch, column) in &self.turning {
+            let switch = &switches[switch];
+            normals.set_column(column, &DVector::from(&switch.held(equations, q, k)));
+            drift[column] = switch.drift(equations, (q, q_dot), k_dot);
+        }
+        let force = centripetal(&equations.mobility(q), &normals, &drift);
+        Some(Turned { normals, force })
+    }
+
+    /// Whether friction laws are factors of held rates.
+    pub fn turns(&self) -> bool {
+        !self.turning.is_empty()
     }
 
     /// Whether a law's phase is held.
@@ -181,7 +230,7 @@ impl Holds {
         for one in laws.iter().map(|&(law, side)| Held::Law(law, side)).chain(stuck) {
             let normal = match one {
                 Held::Law(law, side) => &now.laws[law].surface.normal * side.sign(),
-                Held::Switch(switch) => now.switches[switch].normal.clone(),
+                Held::Switch(switch) => now.switches[switch].held(now.equations, &now.state.q, &now.k),
             };
             columns.push(DVector::from(&normal));
             if !is_free(&mass, &columns) {
@@ -243,6 +292,21 @@ impl Holds {
         reactions.into_iter().chain(slips).collect()
     }
 
+    /// The force c that varying factors of the held rates add to the reactions.
+    fn centripetal(&self, now: &Hybrid<'_>) -> Vector {
+        let State { q, q_dot, .. } = &now.state;
+        let k_dot = now.law_rates(q, q_dot);
+        let drift = self.held.iter().map(|held| match held {
+            Held::Law(..) => 0.0,
+            Held::Switch(switch) => now.switches[*switch].drift(now.equations, (q, q_dot), &k_dot),
+        });
+        let drift = DVector::from_iterator(self.held.len(), drift);
+        if drift.amax() == 0.0 {
+            return Vector::zeros(q.len());
+        }
+        centripetal(&now.equations.mobility(q), &self.normals, &drift)
+    }
+
     /// Sets the held speeds to zero.
     fn begin(self, now: &mut Hybrid<'_>, watches: Vec<Watch>) -> Result<(Option<Contact>, f64), Refusal> {
         let Holds { held, normals, mobility, compliance, to_reactions } = self;
@@ -263,17 +327,26 @@ impl Holds {
             Held::Switch(switch) => Some((*switch, column)),
             Held::Law(..) => None,
         });
-        let switches = switches.collect();
+        let switches: Vec<_> = switches.collect();
+        let turns = |&(switch, _): &(usize, usize)| now.switches[switch].turns(now.equations, &now.state.q, &now.k);
+        let turning = switches.iter().copied().filter(turns).collect();
         let mass = now.equations.mass(&now.state.q).cholesky().ok_or(Refusal::Mass)?;
         let columns: Vec<DVector<f64>> = normals.column_iter().map(|column| column.into_owned()).collect();
         let is_locked = |i: &usize| {
             let normal = DVector::from(&now.switches[*i].normal);
-            !is_free(&mass, &[&columns[..], &[normal]].concat())
+            held.contains(&Held::Switch(*i)) || !is_free(&mass, &[&columns[..], &[normal]].concat())
         };
         let locked = (0..now.switches.len()).filter(is_locked).collect();
         let mobility = now.equations.mobility(&now.state.q) - &mobility * &to_reactions;
-        Ok((Some(Contact { laws, switches, normals, mobility, watches, locked }), neglected))
+        Ok((Some(Contact { laws, switches, normals, mobility, watches, turning, locked }), neglected))
     }
+}
+
+/// N (NᵀM⁻¹N)⁻¹ d, from M⁻¹ = `mobility` and N = `normals`; NaN if NᵀM⁻¹N is not positive definite.
+fn centripetal(mobility: &Matrix, normals: &DMatrix<f64>, d: &DVector<f64>) -> Vector {
+    let compliance = (normals.transpose() * (mobility * normals)).cholesky();
+    let force = compliance.map(|compliance| normals * compliance.solve(d));
+    force.map_or_else(|| Vector::from_fn(normals.nrows(), |_| f64::NAN), |force| Vector::from(&force))
 }
 
 /// P and the factors of the forces in the reactions, from M⁻¹ = `mobility` and N = `normals`; NaN if NᵀM⁻¹N is not positive definite.

@@ -208,6 +208,12 @@ impl Hybrid<'_> {
         let (State { q, q_dot, .. }, Some(watch)) = (&self.state, contact.watches.get(which)) else {
             return f64::INFINITY;
         };
+        if let Some(turned) =
+            contact.turned((self.equations, &self.switches), (q, q_dot), &self.k, &self.law_rates(q, q_dot))
+        {
+            let (_, to_reactions) = contact::held(&self.equations.mobility(q), &turned.normals);
+            return watch.form.at(&to_reactions).value(q, q_dot, || self.force() + &turned.force);
+        }
         if self.equations.is_inertia_constant() {
             return watch.form.value(q, q_dot, || self.force());
         }
@@ -220,6 +226,15 @@ impl Hybrid<'_> {
     pub fn further_load(&self) -> Vector {
         let none = || Vector::zeros(self.state.q.len());
         self.forcing.as_ref().map_or_else(none, |forcing| forcing.load(self.clock.now()))
+    }
+
+    /// The rates of the law values along the motion `q`, `q_dot`.
+    pub fn law_rates(&self, q: &[f64], q_dot: &[f64]) -> Vec<f64> {
+        let mut rates = vec![0.0; self.k.len()];
+        for (rate, law) in rates.iter_mut().zip(&self.laws) {
+            *rate = law.course(q[law.phase], self.clock.now())[1] * q_dot[law.phase];
+        }
+        rates
     }
 
     /// All generalised forces (N).
@@ -280,6 +295,17 @@ impl Hybrid<'_> {
         self.contact = contact.map(Box::new);
         self.ignored += neglected;
         Ok(())
+    }
+
+    /// Removes the errors of held rates in which friction laws are factors: the motion after the hold would begin with them.
+    pub fn still(&mut self) {
+        let State { q, q_dot, .. } = &self.state;
+        let turned = self.contact.as_ref().and_then(|contact| {
+            contact.turned((self.equations, &self.switches), (q, q_dot), &self.k, &self.law_rates(q, q_dot))
+        });
+        if let Some(turned) = turned {
+            self.state.q_dot = turned.still(&self.equations.mobility(q), q_dot);
+        }
     }
 
     /// Whether the deflection of a switch cannot move.

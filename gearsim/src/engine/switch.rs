@@ -121,9 +121,34 @@ impl Switch {
         equations.exits(self.index, self.mode, q, k)
     }
 
-    /// Whether its deflection is at rest, up to the rounding errors of the speeds.
-    fn is_at_rest(&self, equations: &dyn Equations, q: &[f64], q_dot: &[f64]) -> bool {
-        let (rate, compliance) = (self.normal.dot(q_dot), self.normal.dot(&(&equations.mobility(q) * &self.normal)));
+    /// The gradient of what its present mode holds, at the coordinates `q` and the law values `k`: of the rate whose zero begins the hold. It is
+    /// that of the deflection, or of another rate in which friction laws are factors. Its direction is that of the motion which begins
+    /// when the reaction exceeds its bound.
+    pub fn held(&self, equations: &dyn Equations, q: &[f64], k: &[f64]) -> Vector {
+        let prevented = self.exits(equations, q, k).into_iter().find(|exit| exit.guard.on_reaction < 0.0);
+        let back = prevented.and_then(|exit| {
+            let exits = equations.exits(self.index, exit.beyond, q, k);
+            exits.into_iter().find(|back| self.modes.0[back.beyond].held)
+        });
+        back.map_or_else(|| self.normal.clone(), |back| back.guard.on_speed)
+    }
+
+    /// How fast the factors of the held rate change along the motion `q`, `q_dot`, times the speeds: N'ᵀq'. `k_dot` are the rates of the law values,
+    /// in which a rate is linear.
+    pub fn drift(&self, equations: &dyn Equations, (q, q_dot): (&[f64], &[f64]), k_dot: &[f64]) -> f64 {
+        let none = vec![0.0; k_dot.len()];
+        self.held(equations, q, k_dot).dot(q_dot) - self.held(equations, q, &none).dot(q_dot)
+    }
+
+    /// Whether laws are factors of the held rate.
+    pub fn turns(&self, equations: &dyn Equations, q: &[f64], k: &[f64]) -> bool {
+        (self.held(equations, q, k) - &self.held(equations, q, &vec![0.0; k.len()])).amax() > 0.0
+    }
+
+    /// Whether what it holds is at rest, up to the rounding errors of the speeds.
+    fn is_at_rest(&self, equations: &dyn Equations, q: &[f64], q_dot: &[f64], k: &[f64]) -> bool {
+        let normal = self.held(equations, q, k);
+        let (rate, compliance) = (normal.dot(q_dot), normal.dot(&(&equations.mobility(q) * &normal)));
         rate * rate <= AT_REST * AT_REST * 2.0 * equations.kinetic(q, q_dot) * compliance
     }
 }
@@ -218,8 +243,10 @@ pub fn settle(
             None => exit.guard.value(q, q_dot, k) < -exit.guard.rounding(k),
         };
         let exit = match switch.here().held {
-            // The reaction is not known before the hold begins. A motion along the deflection ends the hold.
-            true if crossed.is_some() || switch.is_at_rest(equations, q, q_dot) => None,
+            // The reaction is not known before the hold begins. A motion along what is held ends the hold.
+            true if crossed.is_some() || switch.is_at_rest(equations, q, q_dot, k) => {
+                exits.iter().find(|exit| exit.guard.on_reaction == 0.0 && violated(exit))
+            }
             true => exits.iter().find(|exit| admits(switch, equations, exit.beyond, (q, q_dot), k)),
             false => exits.iter().find(|exit| violated(exit)),
         };

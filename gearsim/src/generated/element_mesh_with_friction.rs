@@ -24,6 +24,8 @@ equations! {
         mu_x "1" required with sliding_friction_x, from 0.0 to inf, "coefficient of friction of the mesh {}";
         w_mix_x "rad/s" default 0.1, open 0.0 to inf,
             "rolling speed omega1 + omega2 of the mesh {} below which friction decreases to zero (mixed film)";
+        mu_rise_x "1" default 0.0, from 0.0 to inf,
+            "excess of the static coefficient of friction of the mesh {} over that of sliding, relative to that";
         beta_K "s" default 0.0, from 0.0 to inf, "damping in proportion to stiffness";
     }
     laws {
@@ -49,6 +51,8 @@ equations! {
         backlash_x of backlash "play between the flanks: contact on the drive or coast flank, free motion between";
         sliding_friction_x of sliding_friction requires(stiffness_step)
             "Coulomb friction between the flanks, against their sliding, which turns as a tooth pair passes the pitch point";
+        flank_stiction_x of flank_stiction requires(sliding_friction_x)
+            "flanks at rest stick, up to their static friction; sliding, their friction has its full size at any speed";
         damping "Rayleigh damping, C = alpha_M M + beta_K K at the mid stiffness";
     }
     switching {
@@ -59,12 +63,16 @@ equations! {
     conditions {
         jump_terms = stiffness_step, !rigid_kinematics, !frozen_phase;
         moving_phase = stiffness_step, !frozen_phase;
+        sliding_friction_x_and_flank_stiction_x = sliding_friction_x, flank_stiction_x;
         transmission_error_x_and_jump_terms = transmission_error_x, stiffness_step, !rigid_kinematics, !frozen_phase;
         transmission_error_x_and_backlash_x_and_moving_phase = transmission_error_x, backlash_x, stiffness_step, !frozen_phase;
+        transmission_error_x_and_sliding_friction_x_and_flank_stiction_x_and_moving_phase = transmission_error_x, sliding_friction_x,
+            flank_stiction_x, stiffness_step, !frozen_phase;
         transmission_error_x_and_sliding_friction_x_and_moving_phase = transmission_error_x, sliding_friction_x, stiffness_step,
             !frozen_phase;
         transmission_error_x_and_moving_phase = transmission_error_x, stiffness_step, !frozen_phase;
         backlash_x_and_moving_phase = backlash_x, stiffness_step, !frozen_phase;
+        sliding_friction_x_and_flank_stiction_x_and_moving_phase = sliding_friction_x, flank_stiction_x, stiffness_step, !frozen_phase;
         sliding_friction_x_and_moving_phase = sliding_friction_x, stiffness_step, !frozen_phase;
     }
 
@@ -82,6 +90,10 @@ equations! {
             sliding_friction_x => mu_x*k_x*touchx*psi_x_dot*(tiny_x.powi(2) + overx.powi(2)).sqrt()
                 /(w_mix_x.powi(2) + psi_x_dot.powi(2)).sqrt();
         }
+        F_dir_x {
+            flank_stiction_x => mu_x*k_x*slide_dir_x*touchx*(tiny_x.powi(2) + overx.powi(2)).sqrt()
+                - mu_x*k_x*touchx*psi_x_dot*(tiny_x.powi(2) + overx.powi(2)).sqrt()/(w_mix_x.powi(2) + psi_x_dot.powi(2)).sqrt();
+        }
     }
     partials {
         F_mu_x_by_overx {
@@ -96,6 +108,19 @@ equations! {
         F_mu_x_by_k_x {
             sliding_friction_x => mu_x*touchx*psi_x_dot*(tiny_x.powi(2) + overx.powi(2)).sqrt()
                 /(w_mix_x.powi(2) + psi_x_dot.powi(2)).sqrt();
+        }
+        F_dir_x_by_overx {
+            flank_stiction_x => mu_x*k_x*slide_dir_x*touchx*overx/(tiny_x.powi(2) + overx.powi(2)).sqrt()
+                - mu_x*k_x*touchx*overx*psi_x_dot/((tiny_x.powi(2) + overx.powi(2)).sqrt()*(w_mix_x.powi(2) + psi_x_dot.powi(2)).sqrt());
+        }
+        F_dir_x_by_psi_x_dot {
+            flank_stiction_x => mu_x*k_x*touchx*psi_x_dot.powi(2)*(tiny_x.powi(2) + overx.powi(2)).sqrt()
+                /(w_mix_x.powi(2) + psi_x_dot.powi(2)).powf(3.0/2.0)
+                - mu_x*k_x*touchx*(tiny_x.powi(2) + overx.powi(2)).sqrt()/(w_mix_x.powi(2) + psi_x_dot.powi(2)).sqrt();
+        }
+        F_dir_x_by_k_x {
+            flank_stiction_x => mu_x*slide_dir_x*touchx*(tiny_x.powi(2) + overx.powi(2)).sqrt()
+                - mu_x*touchx*psi_x_dot*(tiny_x.powi(2) + overx.powi(2)).sqrt()/(w_mix_x.powi(2) + psi_x_dot.powi(2)).sqrt();
         }
     }
     switches {
@@ -162,6 +187,42 @@ equations! {
             }
             loss { overx { _ => k_x*clipx*touchx; } }
         }
+        psi_x "rad" (slide_dir_x 0.0) with flank_stiction_x, "whether the flanks of the mesh {} stick" {
+            stuck (0.0) holds rests counts "stuck" {
+                unless stuck_coast { overx { _ => 1.0; } }
+                until forward {
+                    overx { _ => mu_rise_x*mu_x*k_x*touchx + mu_x*k_x*touchx; }
+                    reaction { _ => -1.0; }
+                }
+                until backward {
+                    overx { _ => mu_rise_x*mu_x*k_x*touchx + mu_x*k_x*touchx; }
+                    reaction { _ => 1.0; }
+                }
+            }
+            stuck_coast (0.0) holds rests counts "stuck" {
+                unless stuck { overx { _ => -1.0; } }
+                until forward {
+                    overx { _ => -mu_rise_x*mu_x*k_x*touchx - mu_x*k_x*touchx; }
+                    reaction { _ => -1.0; }
+                }
+                until backward {
+                    overx { _ => -mu_rise_x*mu_x*k_x*touchx - mu_x*k_x*touchx; }
+                    reaction { _ => 1.0; }
+                }
+            }
+            forward (1.0) {
+                until stuck {
+                    psi_x_dot { _ => arm_x; }
+                    tau_x_dot { _ => side_x; }
+                }
+            }
+            backward (-1.0) {
+                until stuck {
+                    psi_x_dot { _ => -arm_x; }
+                    tau_x_dot { _ => -side_x; }
+                }
+            }
+        }
     }
     energies {
         kinetic { _ => (J_phase*phase_dot.powi(2) + J_psi*psi_dot.powi(2) + J_s*s_dot.powi(2))/2.0; }
@@ -170,9 +231,15 @@ equations! {
     }
     torques {
         slide_x "friction of the mesh {}, through the sliding of the flanks at the pitch point" {}
-        power { sliding_friction_x => -side_x*F_mu_x*tau_x_dot; }
+        power {
+            sliding_friction_x => -side_x*F_mu_x*tau_x_dot;
+            sliding_friction_x_and_flank_stiction_x => -side_x*F_dir_x*tau_x_dot;
+        }
         roll_x "friction of the mesh {}, through the rolling of the gears" {}
-        power { sliding_friction_x => -arm_x*F_mu_x*psi_x_dot; }
+        power {
+            sliding_friction_x => -arm_x*F_mu_x*psi_x_dot;
+            sliding_friction_x_and_flank_stiction_x => -arm_x*F_dir_x*psi_x_dot;
+        }
     }
     work {
     }
@@ -190,9 +257,13 @@ equations! {
             _ => -k_x*touchx*overx;
             backlash_x => -k_x*clipx*touchx*overx;
             sliding_friction_x => -tan_a*side_x*F_mu_x;
+            sliding_friction_x_and_flank_stiction_x => -tan_a*side_x*F_dir_x;
             damping => -beta_K*k_x_mid*dampx*overx_dot;
         }
-        psi { sliding_friction_x => -arm_x*F_mu_x; }
+        psi {
+            sliding_friction_x => -arm_x*F_mu_x;
+            sliding_friction_x_and_flank_stiction_x => -arm_x*F_dir_x;
+        }
     }
     jacobian {
         phase phase {
@@ -205,9 +276,11 @@ equations! {
         }
         s phase {
             transmission_error_x_and_backlash_x_and_moving_phase => k_x*de_x*clipx*touchx;
+            transmission_error_x_and_sliding_friction_x_and_flank_stiction_x_and_moving_phase => tan_a*de_x*side_x*F_dir_x_by_overx;
             transmission_error_x_and_sliding_friction_x_and_moving_phase => tan_a*de_x*side_x*F_mu_x_by_overx;
             transmission_error_x_and_moving_phase => k_x*de_x*touchx;
             backlash_x_and_moving_phase => -dk_x*clipx*touchx*overx;
+            sliding_friction_x_and_flank_stiction_x_and_moving_phase => -tan_a*dk_x*side_x*F_dir_x_by_k_x - tan_a*dside_x*F_dir_x;
             sliding_friction_x_and_moving_phase => -tan_a*dk_x*side_x*F_mu_x_by_k_x - tan_a*dside_x*F_mu_x;
             moving_phase => -dk_x*touchx*overx;
         }
@@ -215,15 +288,27 @@ equations! {
             _ => -k_x*touchx;
             backlash_x => -k_x*clipx*touchx;
             sliding_friction_x => -tan_a*side_x*F_mu_x_by_overx;
+            sliding_friction_x_and_flank_stiction_x => -tan_a*side_x*F_dir_x_by_overx;
         }
         s s_dot { damping => -beta_K*k_x_mid*dampx; }
-        s psi_dot { sliding_friction_x => -tan_a*side_x*F_mu_x_by_psi_x_dot; }
+        s psi_dot {
+            sliding_friction_x => -tan_a*side_x*F_mu_x_by_psi_x_dot;
+            sliding_friction_x_and_flank_stiction_x => -tan_a*side_x*F_dir_x_by_psi_x_dot;
+        }
         psi phase {
+            transmission_error_x_and_sliding_friction_x_and_flank_stiction_x_and_moving_phase => de_x*arm_x*F_dir_x_by_overx;
             transmission_error_x_and_sliding_friction_x_and_moving_phase => de_x*arm_x*F_mu_x_by_overx;
+            sliding_friction_x_and_flank_stiction_x_and_moving_phase => -darm_x*F_dir_x - dk_x*arm_x*F_dir_x_by_k_x;
             sliding_friction_x_and_moving_phase => -darm_x*F_mu_x - dk_x*arm_x*F_mu_x_by_k_x;
         }
-        psi s { sliding_friction_x => -arm_x*F_mu_x_by_overx; }
-        psi psi_dot { sliding_friction_x => -arm_x*F_mu_x_by_psi_x_dot; }
+        psi s {
+            sliding_friction_x => -arm_x*F_mu_x_by_overx;
+            sliding_friction_x_and_flank_stiction_x => -arm_x*F_dir_x_by_overx;
+        }
+        psi psi_dot {
+            sliding_friction_x => -arm_x*F_mu_x_by_psi_x_dot;
+            sliding_friction_x_and_flank_stiction_x => -arm_x*F_dir_x_by_psi_x_dot;
+        }
     }
     cell {
         stiffness {
@@ -291,10 +376,13 @@ equations! {
 // - the force of the switch overx takes energy or none: f overx_dot >= 0 in every mode, from the guards that hold in it; of a damper that
 //   is clipped to f = c F, where F = dV/doverx and c = 1 or -1, since F overx >= 0, overx_dot dD/doverx_dot >= 0 and c overx dD/doverx_dot
 //   >= F overx
+// - V is the same on both sides of the exits of psi_x: no impulse there
 // - every damper takes energy or none: each term of D has a power q'.dD/dq' that is never negative
 // - the friction `roll_x` takes energy or none: its power is never positive
 // - the friction `slide_x` takes with `roll_x` energy or none where psi_x_dot and arm_x psi_x_dot + side_x tau_x_dot have one sign: where
 //   flanks slide as rolling makes them
+// - the friction `slide_x` takes with `roll_x` energy or none in every mode of psi_x, in scenes with flank_stiction_x: from the guards that
+//   hold in the mode
 // - every deflection equals the linear form by which the equations differentiate it
 // - without the jump terms the balance fails: energy is created at the rate dk_x*touchx*overx^2*phase_dot/2 -
 //   k_x*de_x*touchx*overx*phase_dot
@@ -304,6 +392,6 @@ equations! {
 // | output | sums | products, quotients | functions, roots |
 // | --- | --- | --- | --- |
 // | constants (once a scene) | 0 | 1 | 2 |
-// | named forces | 2 | 9 | 2 |
-// | force | 0 | 18 | 0 |
+// | named forces | 6 | 24 | 5 |
+// | force | 0 | 21 | 0 |
 // | energy steps, all laws | 1 | 11 | 0 |

@@ -27,6 +27,8 @@ equations! {
         mu "1" required with sliding_friction, from 0.0 to inf, "coefficient of friction of the mesh";
         w_mix "rad/s" default 0.1, open 0.0 to inf,
             "rolling speed omega1 + omega2 of the mesh below which friction decreases to zero (mixed film)";
+        mu_rise "1" default 0.0, from 0.0 to inf,
+            "excess of the static coefficient of friction of the mesh over that of sliding, relative to that";
     }
     laws {
         k "N*m" phase theta period 6.283185307179586 rolling,
@@ -53,6 +55,8 @@ equations! {
         torques "constant driving and load torque in balance";
         sliding_friction requires(stiffness_step)
             "Coulomb friction between the flanks, against their sliding, which turns as a tooth pair passes the pitch point";
+        flank_stiction requires(sliding_friction)
+            "flanks at rest stick, up to their static friction; sliding, their friction has its full size at any speed";
     }
     switching {
         stiffness_step => with_jump;
@@ -62,8 +66,12 @@ equations! {
     conditions {
         jump_terms = stiffness_step, !rigid_kinematics, !frozen_phase;
         moving_phase = stiffness_step, !frozen_phase;
+        sliding_friction_and_flank_stiction = sliding_friction, flank_stiction;
         transmission_error_and_jump_terms = transmission_error, stiffness_step, !rigid_kinematics, !frozen_phase;
+        transmission_error_and_sliding_friction_and_flank_stiction_and_moving_phase = transmission_error, sliding_friction,
+            flank_stiction, stiffness_step, !frozen_phase;
         transmission_error_and_sliding_friction_and_moving_phase = transmission_error, sliding_friction, stiffness_step, !frozen_phase;
+        sliding_friction_and_flank_stiction_and_moving_phase = sliding_friction, flank_stiction, stiffness_step, !frozen_phase;
         sliding_friction_and_moving_phase = sliding_friction, stiffness_step, !frozen_phase;
         transmission_error_and_backlash_and_moving_phase = transmission_error, backlash, stiffness_step, !frozen_phase;
         transmission_error_and_moving_phase = transmission_error, stiffness_step, !frozen_phase;
@@ -84,6 +92,10 @@ equations! {
     }
     forces {
         F_mu { sliding_friction => mu*k*touch*psi_dot*(tiny.powi(2) + over.powi(2)).sqrt()/(w_mix.powi(2) + psi_dot.powi(2)).sqrt(); }
+        F_dir {
+            flank_stiction => mu*k*slide_dir*touch*(tiny.powi(2) + over.powi(2)).sqrt()
+                - mu*k*touch*psi_dot*(tiny.powi(2) + over.powi(2)).sqrt()/(w_mix.powi(2) + psi_dot.powi(2)).sqrt();
+        }
     }
     partials {
         F_mu_by_over {
@@ -94,6 +106,19 @@ equations! {
                 - mu*k*touch*psi_dot.powi(2)*(tiny.powi(2) + over.powi(2)).sqrt()/(w_mix.powi(2) + psi_dot.powi(2)).powf(3.0/2.0);
         }
         F_mu_by_k { sliding_friction => mu*touch*psi_dot*(tiny.powi(2) + over.powi(2)).sqrt()/(w_mix.powi(2) + psi_dot.powi(2)).sqrt(); }
+        F_dir_by_over {
+            flank_stiction => mu*k*slide_dir*touch*over/(tiny.powi(2) + over.powi(2)).sqrt()
+                - mu*k*touch*over*psi_dot/((tiny.powi(2) + over.powi(2)).sqrt()*(w_mix.powi(2) + psi_dot.powi(2)).sqrt());
+        }
+        F_dir_by_psi_dot {
+            flank_stiction => mu*k*touch*psi_dot.powi(2)*(tiny.powi(2) + over.powi(2)).sqrt()
+                /(w_mix.powi(2) + psi_dot.powi(2)).powf(3.0/2.0)
+                - mu*k*touch*(tiny.powi(2) + over.powi(2)).sqrt()/(w_mix.powi(2) + psi_dot.powi(2)).sqrt();
+        }
+        F_dir_by_k {
+            flank_stiction => mu*slide_dir*touch*(tiny.powi(2) + over.powi(2)).sqrt()
+                - mu*touch*psi_dot*(tiny.powi(2) + over.powi(2)).sqrt()/(w_mix.powi(2) + psi_dot.powi(2)).sqrt();
+        }
     }
     switches {
         over "rad" (touch 1.0, edge 0.0, damp 1.0, clip 0.0) with backlash,
@@ -160,6 +185,42 @@ equations! {
             }
             loss { over { _ => 2.0*k*clip*touch; } }
         }
+        psi "rad" (slide_dir 0.0) with flank_stiction, "whether the flanks of the mesh stick" {
+            stuck (0.0) holds rests counts "stuck" {
+                unless stuck_coast { over { _ => 1.0; } }
+                until forward {
+                    over { _ => mu*mu_rise*k*touch + mu*k*touch; }
+                    reaction { _ => -1.0; }
+                }
+                until backward {
+                    over { _ => mu*mu_rise*k*touch + mu*k*touch; }
+                    reaction { _ => 1.0; }
+                }
+            }
+            stuck_coast (0.0) holds rests counts "stuck" {
+                unless stuck { over { _ => -1.0; } }
+                until forward {
+                    over { _ => -mu*mu_rise*k*touch - mu*k*touch; }
+                    reaction { _ => -1.0; }
+                }
+                until backward {
+                    over { _ => -mu*mu_rise*k*touch - mu*k*touch; }
+                    reaction { _ => 1.0; }
+                }
+            }
+            forward (1.0) {
+                until stuck {
+                    psi_dot { _ => arm; }
+                    tau_dot { _ => side; }
+                }
+            }
+            backward (-1.0) {
+                until stuck {
+                    psi_dot { _ => -arm; }
+                    tau_dot { _ => -side; }
+                }
+            }
+        }
     }
     energies {
         kinetic { _ => (I1*(phi_dot + theta_dot).powi(2)/N1.powi(2) + I2*(theta_dot - phi_dot).powi(2)/N2.powi(2))/2.0; }
@@ -170,9 +231,15 @@ equations! {
         drive "torque T0 N1 on the driving gear" { torques => T0*(phi + theta); }
         load "torque -T0 N2 on the driven gear" { torques => -T0*(theta - phi); }
         slide "friction of the mesh, through the sliding of the flanks at the pitch point" {}
-        power { sliding_friction => -side*F_mu*tau_dot; }
+        power {
+            sliding_friction => -side*F_mu*tau_dot;
+            sliding_friction_and_flank_stiction => -side*F_dir*tau_dot;
+        }
         roll "friction of the mesh, through the rolling of the gears" {}
-        power { sliding_friction => -arm*F_mu*psi_dot; }
+        power {
+            sliding_friction => -arm*F_mu*psi_dot;
+            sliding_friction_and_flank_stiction => -arm*F_dir*psi_dot;
+        }
     }
     work { phi { torques => 2.0*T0; } }
     mass {
@@ -189,6 +256,7 @@ equations! {
         theta {
             transmission_error_and_jump_terms => 2.0*k*de*touch*over;
             sliding_friction => -arm*F_mu/N1 - arm*F_mu/N2;
+            sliding_friction_and_flank_stiction => -arm*F_dir/N1 - arm*F_dir/N2;
             jump_terms => -dk*touch*over.powi(2);
         }
         phi {
@@ -197,30 +265,45 @@ equations! {
             damping => -2.0*C*damp*over_dot;
             torques => 2.0*T0;
             sliding_friction => arm*F_mu/N2 - 2.0*tan_a*side*F_mu - arm*F_mu/N1;
+            sliding_friction_and_flank_stiction => arm*F_dir/N2 - 2.0*tan_a*side*F_dir - arm*F_dir/N1;
         }
     }
     jacobian {
         theta theta {
+            transmission_error_and_sliding_friction_and_flank_stiction_and_moving_phase => de*arm*F_dir_by_over/N1
+                + de*arm*F_dir_by_over/N2;
             transmission_error_and_sliding_friction_and_moving_phase => de*arm*F_mu_by_over/N1 + de*arm*F_mu_by_over/N2;
             transmission_error_and_jump_terms => 2.0*k*dde*touch*over - 2.0*k*de.powi(2)*touch + 4.0*de*dk*touch*over;
+            sliding_friction_and_flank_stiction_and_moving_phase => -darm*F_dir/N1 - dk*arm*F_dir_by_k/N1 - darm*F_dir/N2
+                - dk*arm*F_dir_by_k/N2;
             sliding_friction_and_moving_phase => -darm*F_mu/N1 - dk*arm*F_mu_by_k/N1 - darm*F_mu/N2 - dk*arm*F_mu_by_k/N2;
             jump_terms => -ddk*touch*over.powi(2);
         }
         theta phi {
             transmission_error_and_jump_terms => 2.0*k*de*touch;
             sliding_friction => -arm*F_mu_by_over/N1 - arm*F_mu_by_over/N2;
+            sliding_friction_and_flank_stiction => -arm*F_dir_by_over/N1 - arm*F_dir_by_over/N2;
             jump_terms => -2.0*dk*touch*over;
         }
         theta theta_dot {
             sliding_friction => -arm*F_mu_by_psi_dot/N1.powi(2) - 2.0*arm*F_mu_by_psi_dot/(N1*N2) - arm*F_mu_by_psi_dot/N2.powi(2);
+            sliding_friction_and_flank_stiction => -arm*F_dir_by_psi_dot/N1.powi(2) - 2.0*arm*F_dir_by_psi_dot/(N1*N2)
+                - arm*F_dir_by_psi_dot/N2.powi(2);
         }
-        theta phi_dot { sliding_friction => arm*F_mu_by_psi_dot/N2.powi(2) - arm*F_mu_by_psi_dot/N1.powi(2); }
+        theta phi_dot {
+            sliding_friction => arm*F_mu_by_psi_dot/N2.powi(2) - arm*F_mu_by_psi_dot/N1.powi(2);
+            sliding_friction_and_flank_stiction => arm*F_dir_by_psi_dot/N2.powi(2) - arm*F_dir_by_psi_dot/N1.powi(2);
+        }
         phi theta {
             transmission_error_and_backlash_and_moving_phase => 2.0*k*de*clip*touch;
+            transmission_error_and_sliding_friction_and_flank_stiction_and_moving_phase => 2.0*tan_a*de*side*F_dir_by_over
+                + de*arm*F_dir_by_over/N1 - de*arm*F_dir_by_over/N2;
             transmission_error_and_sliding_friction_and_moving_phase => 2.0*tan_a*de*side*F_mu_by_over + de*arm*F_mu_by_over/N1
                 - de*arm*F_mu_by_over/N2;
             transmission_error_and_moving_phase => 2.0*k*de*touch;
             backlash_and_moving_phase => -2.0*dk*clip*touch*over;
+            sliding_friction_and_flank_stiction_and_moving_phase => darm*F_dir/N2 - 2.0*tan_a*dk*side*F_dir_by_k - 2.0*tan_a*dside*F_dir
+                - darm*F_dir/N1 - dk*arm*F_dir_by_k/N1 + dk*arm*F_dir_by_k/N2;
             sliding_friction_and_moving_phase => darm*F_mu/N2 - 2.0*tan_a*dk*side*F_mu_by_k - 2.0*tan_a*dside*F_mu - darm*F_mu/N1
                 - dk*arm*F_mu_by_k/N1 + dk*arm*F_mu_by_k/N2;
             moving_phase => -2.0*dk*touch*over;
@@ -229,15 +312,20 @@ equations! {
             _ => -2.0*k*touch;
             backlash => -2.0*k*clip*touch;
             sliding_friction => arm*F_mu_by_over/N2 - 2.0*tan_a*side*F_mu_by_over - arm*F_mu_by_over/N1;
+            sliding_friction_and_flank_stiction => arm*F_dir_by_over/N2 - 2.0*tan_a*side*F_dir_by_over - arm*F_dir_by_over/N1;
         }
         phi theta_dot {
             sliding_friction => arm*F_mu_by_psi_dot/N2.powi(2) - 2.0*tan_a*side*F_mu_by_psi_dot/N1 - 2.0*tan_a*side*F_mu_by_psi_dot/N2
                 - arm*F_mu_by_psi_dot/N1.powi(2);
+            sliding_friction_and_flank_stiction => arm*F_dir_by_psi_dot/N2.powi(2) - 2.0*tan_a*side*F_dir_by_psi_dot/N1
+                - 2.0*tan_a*side*F_dir_by_psi_dot/N2 - arm*F_dir_by_psi_dot/N1.powi(2);
         }
         phi phi_dot {
             damping => -2.0*C*damp;
             sliding_friction => 2.0*tan_a*side*F_mu_by_psi_dot/N2 - 2.0*tan_a*side*F_mu_by_psi_dot/N1 - arm*F_mu_by_psi_dot/N1.powi(2)
                 + 2.0*arm*F_mu_by_psi_dot/(N1*N2) - arm*F_mu_by_psi_dot/N2.powi(2);
+            sliding_friction_and_flank_stiction => 2.0*tan_a*side*F_dir_by_psi_dot/N2 - 2.0*tan_a*side*F_dir_by_psi_dot/N1
+                - arm*F_dir_by_psi_dot/N1.powi(2) + 2.0*arm*F_dir_by_psi_dot/(N1*N2) - arm*F_dir_by_psi_dot/N2.powi(2);
         }
     }
     cell {
@@ -327,10 +415,13 @@ equations! {
 // - V is the same on both sides of the exits of over: no impulse there
 // - the force of the switch over takes energy or none: f over_dot >= 0 in every mode, from the guards that hold in it; of a damper that is
 //   clipped to f = c F, where F = dV/dover and c = 1 or -1, since F over >= 0, over_dot dD/dover_dot >= 0 and c over dD/dover_dot >= F over
+// - V is the same on both sides of the exits of psi: no impulse there
 // - every damper takes energy or none: each term of D has a power q'.dD/dq' that is never negative
 // - the friction `roll` takes energy or none: its power is never positive
 // - the friction `slide` takes with `roll` energy or none where psi_dot and arm psi_dot + side tau_dot have one sign: where flanks slide as
 //   rolling makes them
+// - the friction `slide` takes with `roll` energy or none in every mode of psi, in scenes with flank_stiction: from the guards that hold in
+//   the mode
 // - every deflection equals the linear form by which the equations differentiate it
 // - without the jump terms the balance fails: energy is created at the rate dk*touch*over^2*theta_dot - 2*k*de*touch*over*theta_dot
 //
@@ -339,7 +430,7 @@ equations! {
 // | output | sums | products, quotients | functions, roots |
 // | --- | --- | --- | --- |
 // | constants (once a scene) | 2 | 16 | 3 |
-// | named forces | 2 | 9 | 2 |
-// | force | 3 | 29 | 0 |
-// | acceleration | 8 | 78 | 0 |
+// | named forces | 6 | 24 | 5 |
+// | force | 6 | 40 | 0 |
+// | acceleration | 16 | 116 | 0 |
 // | energy steps, all laws | 1 | 10 | 0 |

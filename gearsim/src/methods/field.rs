@@ -8,7 +8,7 @@ use std::sync::Arc;
 
 use nalgebra::DMatrix;
 
-use crate::engine::contact::{self, Form};
+use crate::engine::contact::{self, Contact, Form, Turned};
 use crate::engine::crossing::Side;
 use crate::engine::equations::{Equations, accelerated};
 use crate::engine::forcing::Forcing;
@@ -36,6 +36,8 @@ pub struct Field<'a> {
     linear: Option<LinearForces>,
     /// Gradients of the motions that are held (N, one a column).
     held: Option<DMatrix<f64>>,
+    /// The holds of rates in which friction laws are factors.
+    turning: Option<Box<Contact>>,
     /// Time at which the present step begins \[s\].
     pub begins: f64,
     /// Evaluations of the right-hand side so far.
@@ -62,6 +64,7 @@ impl<'a> Field<'a> {
             mobility: None,
             linear: None,
             held: None,
+            turning: None,
             begins: now.clock.now(),
             evaluations: 0,
             steps_only: now.steps_only(),
@@ -83,6 +86,7 @@ impl<'a> Field<'a> {
         let watches = now.contact.iter().flat_map(|contact| &contact.watches);
         self.holds = watches.map(|watch| watch.form.clone()).collect();
         self.held = now.contact.as_ref().map(|contact| contact.normals.clone());
+        self.turning = now.contact.clone().filter(|contact| contact.turns());
         self.linear = if self.steps_only { self.equations.linear_forces(&self.k) } else { None };
         self.mobility = self.equations.is_inertia_constant().then(|| now.mobility());
     }
@@ -92,11 +96,26 @@ impl<'a> Field<'a> {
     pub fn rate(&mut self, t: f64, y: &Flow) -> Flow {
         self.evaluations += 1;
         let force = self.force(t, y);
-        let v = match &self.mobility {
-            Some(mobility) => mobility * &force,
-            None => &self.mobility_at(&y.q) * &force,
+        let v = match (self.turned(y), &self.mobility) {
+            (Some(turned), _) => {
+                let free = self.equations.mobility(&y.q);
+                &contact::held(&free, &turned.normals).0 * &force - &(&free * &turned.force)
+            }
+            (None, Some(mobility)) => mobility * &force,
+            (None, None) => &self.mobility_at(&y.q) * &force,
         };
         Flow { q: y.v.clone(), v, lost: self.loss(y) }
+    }
+
+    /// The holds of rates in which friction laws are factors, at `y`, where the field was last evaluated.
+    #[inline]
+    fn turned(&self, y: &Flow) -> Option<Turned> {
+        let contact = self.turning.as_ref()?;
+        let mut rates = vec![0.0; self.k.len()];
+        for (i, law) in self.laws.iter().enumerate() {
+            rates[i] = self.dk[i] * y.v[law.phase];
+        }
+        contact.turned((self.equations, &self.switches), (&y.q, &y.v), &self.k, &rates)
     }
 
     /// P at the coordinates `q` (N x N).
@@ -195,7 +214,12 @@ impl<'a> Field<'a> {
                 if let (None, Some(normals)) = (&self.mobility, &self.held) {
                     form = form.at(&contact::held(&self.equations.mobility(&y.q), normals).1);
                 }
-                -side.sign() * form.value(&y.q, &y.v, || self.force(t, y))
+                let mut force = self.force(t, y);
+                if let Some(turned) = self.turned(y) {
+                    form = form.at(&contact::held(&self.equations.mobility(&y.q), &turned.normals).1);
+                    force += &turned.force;
+                }
+                -side.sign() * form.value(&y.q, &y.v, || force)
             }
         }
     }

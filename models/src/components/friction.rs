@@ -19,18 +19,16 @@
 //! the unit of delta is far below any deflection of interest. F is the force of the mesh spring without that of the damper.
 //! Friction acts on the coast flank as on the drive flank.
 //!
-//! There is no stiction. Turning gears do not stick: the sliding speed tau' + xi psi' follows from the rotation and passes zero at an
-//! instant. Gears at rest under load would stick, psi' = 0, while the moment of the other forces along psi is at most mu |F| arm. Here they
-//! creep with psi' = w_mix x/(1 - x²)^(1/2), where x is this moment over mu |F| arm. A switch of psi cannot state this limit. Its guards
-//! may not contain friction laws such as arm, and its force is linear in its own deflection, while |F| is the force of the mesh. The sign
-//! of its power would have to be proved from its guards and those of the flank in contact.
+//! With this law flanks do not stick: gears at rest under load creep with psi' = w_mix x/(1 - x²)^(1/2), where x is the moment of the other
+//! forces along psi over mu |F| arm. The effect `flank_stiction` ([`super::stiction`]) makes them stick.
 
 use std::f64::consts::TAU;
 
 use gearsim_derive::{Expr, Factor, Model, Range};
 
+use super::observed::of_part;
 use super::steps::{STIFFNESS_STEP, steps};
-use super::{Mesh, named};
+use super::{FLANK_STICTION, Mesh, Stiction, flank_stiction, named};
 
 /// The kinematics of the sliding between the flanks of a mesh.
 #[derive(Clone, Copy)]
@@ -46,6 +44,16 @@ pub struct Sliding {
 /// Friction in a mesh whose deflection has the unit `unit`. Declares the laws `side` [1] and `arm` [unit], both periodic in the
 /// phase, the coefficient of friction `mu`, and the rolling speed `w_mix` [rad/s] below which friction decreases.
 pub fn sliding_friction(m: &mut Model, part: &str, what: &str, unit: &str, mesh: Mesh, sliding: Sliding) {
+    friction(m, part, what, unit, mesh, sliding, false);
+}
+
+/// The same with the effect `flank_stiction`, by which the flanks stick.
+pub fn sliding_friction_with_sticking(m: &mut Model, part: &str, what: &str, unit: &str, mesh: Mesh, sliding: Sliding) {
+    let effect = friction(m, part, what, unit, mesh, sliding, true);
+    m.require(&of_part(FLANK_STICTION, part), &[&effect]);
+}
+
+fn friction(m: &mut Model, part: &str, what: &str, unit: &str, mesh: Mesh, sliding: Sliding, sticks: bool) -> String {
     friction_effect(m, part, |m| {
         let doc = format!("coefficient of friction of the {what}");
         let mu = m.parameter(&named("mu", part), "1", None, Range::NotNegative, &doc);
@@ -63,23 +71,30 @@ pub fn sliding_friction(m: &mut Model, part: &str, what: &str, unit: &str, mesh:
         let arm = law("arm", unit, Factor::Arm, &doc);
         let tiny = m.constant(&named("tiny", part), Expr::from(1) / 1_000_000_000_000);
         let tau = m.deflection(&named("tau", part), tau);
-        let psi = m.deflection(&named("psi", part), psi);
+        let stiction = Stiction { psi, tau, side, arm, mu };
+        let sticking = sticks.then(|| flank_stiction(m, part, what, mesh, stiction));
+        let psi = sticking.as_ref().map_or_else(|| m.deflection(&named("psi", part), psi), |sticking| sticking.psi);
         let direction = psi.dot() / (psi.dot().sq() + mixed.sq()).sqrt();
-        let friction = mu * mesh.stiffness * (mesh.delta.sq() + tiny.sq()).sqrt() * direction;
-        let friction = m.force(&named("F_mu", part), friction);
+        let size = mu * mesh.stiffness * (mesh.delta.sq() + tiny.sq()).sqrt();
+        let mut friction = m.force(&named("F_mu", part), size * direction);
+        if let Some(sticking) = sticking {
+            friction = friction + sticking.instead(m, part, size * direction, size);
+        }
         let doc = format!("friction of the {what}, through the sliding of the flanks at the pitch point");
         m.torque(&named("slide", part), -side * friction, tau, &doc);
         let doc = format!("friction of the {what}, through the rolling of the gears");
         m.torque(&named("roll", part), -arm * friction, psi, &doc);
-    });
+    })
 }
 
 /// Declares the effect `sliding_friction` of a part. The terms that `add` adds are in the equations only if a scene names this effect.
-pub fn friction_effect(m: &mut Model, part: &str, add: impl FnOnce(&mut Model)) {
+/// Returns its name.
+pub fn friction_effect(m: &mut Model, part: &str, add: impl FnOnce(&mut Model)) -> String {
     steps(m);
     let doc = "Coulomb friction between the flanks, against their sliding, which turns as a tooth pair passes the pitch point";
     let effect = m.part_effect("sliding_friction", part, doc, add);
     m.require(&effect, &[STIFFNESS_STEP]);
+    effect
 }
 
 /// The tangent of the pressure angle, for a model that needs it only for friction. Declares `alpha` [rad] and `tan_a`.

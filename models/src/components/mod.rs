@@ -25,6 +25,7 @@ pub mod rotor;
 pub mod shaft;
 pub mod slider_crank;
 pub mod steps;
+pub mod stiction;
 pub mod thrust_bearing;
 pub mod transmission_error;
 pub mod universal_joint;
@@ -37,7 +38,9 @@ pub use damping::damping;
 pub use drive::{drive, load};
 pub use dry_friction::dry_friction;
 pub use fan::fan;
-pub use friction::{Sliding, friction_effect, pressure_tangent, pressure_tangent_of, sliding_friction};
+pub use friction::{
+    Sliding, friction_effect, pressure_tangent, pressure_tangent_of, sliding_friction, sliding_friction_with_sticking,
+};
 pub use gear::{Direction, Gear, external, external_sliding, internal, internal_sliding};
 pub use governor::{dc_motor, governor};
 pub use mesh::{Mesh, mesh_on_centres, mesh_stiffness, mesh_with_play};
@@ -50,6 +53,7 @@ pub use rotor::{planar_rotor, rotor};
 pub use shaft::{ground, shaft, torsional_support};
 pub use slider_crank::slider_crank;
 pub use steps::steps;
+pub use stiction::{FLANK_STICTION, Stiction, flank_stiction};
 pub use thrust_bearing::thrust_bearing;
 pub use transmission_error::transmission_error;
 pub use universal_joint::universal_joint;

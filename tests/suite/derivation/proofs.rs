@@ -64,6 +64,7 @@ const FEEDING: &[Row] = &[
     ("V is the same on both sides of the exits of over", |m, o| shifted(m, o)),
     ("the friction `roll` takes energy or none", |m, o| friction(m, o, 1, -1)),
     ("the friction `slide`", |m, o| friction(m, o, -1, -2)),
+    ("the friction `slide` takes with `roll` energy or none in every mode of psi", |m, o| sticking(m, o, -1)),
 ];
 
 /// A contact with a spring `k` of this range and a damper.
@@ -107,6 +108,27 @@ fn friction(m: &mut Model, o: Oscillator, roll: i64, slide: i64) {
     });
 }
 
+/// Friction that sticks: sliding, it acts against the motion or, with the sign -1, along it.
+fn sticking(m: &mut Model, o: Oscillator, sign: i64) {
+    friction_effect(m, "", |m| {
+        let [side, arm] = [("side", Factor::Side), ("arm", Factor::Arm)]
+            .map(|(name, what)| m.factor_law(name, "1", o.x, 1.0, what, ""));
+        let tau = m.deflection("tau", 2 * o.x);
+        m.effect("flank_stiction", "", |_| {});
+        let mut slip = m.switch("psi", "m", o.x, "flank_stiction", "");
+        let (direction, psi, resisted) = (slip.factor("dir", 0), slip.over(), slip.reaction());
+        let sliding = arm * psi.dot() + side * tau.dot();
+        slip.mode("stuck", &[0.into()]).holds().until("forward", o.s - resisted).until("backward", o.s + resisted);
+        slip.mode("forward", &[1.into()]).until("stuck", sliding);
+        slip.mode("backward", &[Expr::from(-1)]).until("stuck", -sliding);
+        let smoothed = m.force("F_mu", o.m * psi.dot());
+        let instead = m.force("F_dir", sign * o.m * direction - o.m * psi.dot());
+        let force = smoothed + m.only_with("flank_stiction", instead);
+        m.torque("slide", -side * force, tau, "");
+        m.torque("roll", -arm * force, psi, "");
+    });
+}
+
 pub fn a_model_that_feeds_energy_is_refused() {
     let of = |describe: fn(&mut Model, Oscillator)| {
         Model::new("train", move |m| {
@@ -118,8 +140,12 @@ pub fn a_model_that_feeds_energy_is_refused() {
         let slip = derive(&of(*describe)).err().unwrap_or_else(|| panic!("{proof}: not refused")).to_string();
         assert!(slip.contains("proof failed") && slip.contains(proof), "{proof}: {slip}");
     }
-    let sound: [fn(&mut Model, Oscillator); 3] =
-        [|m, o| clipped(m, o, Range::NotNegative), |m, o| dry(m, o, 1), |m, o| friction(m, o, -1, -1)];
+    let sound: [fn(&mut Model, Oscillator); 4] = [
+        |m, o| clipped(m, o, Range::NotNegative),
+        |m, o| dry(m, o, 1),
+        |m, o| friction(m, o, -1, -1),
+        |m, o| sticking(m, o, 1),
+    ];
     for sound in sound {
         let model = of(sound);
         derive(&model).unwrap_or_else(|slip| panic!("{slip}"));

@@ -268,7 +268,7 @@ fn pulls(note: &mut String) -> f64 {
         while !over {
             over = simulation.step(&mut None).expect("a run");
             events += 1;
-            let ([k, .., edge, damp, clip], switch) = (&simulation.now.k[..], &simulation.now.switches[0]) else {
+            let ([k, .., edge, damp, clip, _], switch) = (&simulation.now.k[..], &simulation.now.switches[0]) else {
                 unreachable!()
             };
             let mode = switch.here().name;

@@ -83,6 +83,7 @@ impl Simulation<'_> {
                 Ok(())
             }
             End::Loose(switch, mode) => {
+                self.now.still();
                 self.now.set_mode(switch, mode);
                 self.follow_switch()
             }

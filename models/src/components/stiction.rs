@@ -1,0 +1,90 @@
+//! Flanks that stick, in the effect `flank_stiction`: Coulomb's law in place of the smoothed law of `sliding_friction`.
+//!
+//! The flanks slide on each other with the mean speed v = arm psi' + side tau'. Friction is F_mu along v: -arm F_mu along psi, -side F_mu along tau.
+//!
+//! | mode | while | friction F_mu |
+//! | --- | --- | --- |
+//! | stuck (on the drive flank), stuck_coast | the force R along v that the friction resists is at most mu (1 + mu_rise) F | R, so that v = 0 |
+//! | forward | v > 0 | mu F |
+//! | backward | v < 0 | -mu F |
+//!
+//! F is the force of the mesh spring, without that of the damper. Its sign is that of the flank in contact, so that the bound of R is linear in
+//! each of two stuck modes. A single pair sticks at its point of contact, side v = xi psi' + tau'. Of several pairs the mean sliding sticks.
+//!
+//! v, not psi', is held: the reaction then does no work, and the force along tau passes from sticking to sliding without a step. Held psi' alone
+//! would break away at a moment that is wrong by mu tan(alpha), and then stick and slip in turn.
+
+use gearsim_derive::{Expr, Model, Range};
+
+use super::{Mesh, named};
+
+/// Name of the effect.
+pub const FLANK_STICTION: &str = "flank_stiction";
+
+const DOC: &str =
+    "flanks at rest stick, up to their static friction; sliding, their friction has its full size at any speed";
+
+/// What decides whether the flanks of a mesh stick.
+#[derive(Clone, Copy)]
+pub struct Stiction {
+    /// The sum of the rotations of both gears [rad], linear in the coordinates.
+    pub psi: Expr,
+    /// Sliding distance at the pitch point [unit of the mesh deflection], a named deflection.
+    pub tau: Expr,
+    /// The friction laws.
+    pub side: Expr,
+    /// See `side`.
+    pub arm: Expr,
+    /// Coefficient of friction while the flanks slide.
+    pub mu: Expr,
+}
+
+/// The symbols of flanks that stick.
+#[derive(Clone)]
+pub struct Sticking {
+    /// The sum of the rotations of both gears, a named deflection.
+    pub psi: Expr,
+    /// 1 while the flanks slide forward, -1 while they slide backward, 0 while they stick.
+    direction: Expr,
+    effect: String,
+}
+
+/// Declares the effect `flank_stiction` of a part, the deflection `psi`, its switch, and the relative excess `mu_rise` of the static
+/// coefficient of friction.
+pub fn flank_stiction(m: &mut Model, part: &str, what: &str, mesh: Mesh, stiction: Stiction) -> Sticking {
+    let Stiction { psi, tau, side, arm, mu } = stiction;
+    let mut rise = Expr::from(0);
+    let effect = m.part_effect(FLANK_STICTION, part, DOC, |m| {
+        let doc = format!(
+            "excess of the static coefficient of friction of the {what} over that of sliding, relative to that"
+        );
+        rise = m.parameter(&named("mu_rise", part), "1", Some(0.0), Range::NotNegative, &doc);
+    });
+    let doc = format!("whether the flanks of the {what} stick");
+    let mut slip = m.switch(&named("psi", part), "rad", psi, &effect, &doc);
+    let direction = slip.factor(&named("slide_dir", part), 0);
+    let (psi, resisted) = (slip.over(), slip.reaction());
+    let sliding = arm * psi.dot() + side * tau.dot();
+    let force = mu * (1 + rise) * mesh.stiffness * mesh.delta;
+    for (flank, other, sign) in [("stuck", "stuck_coast", 1), ("stuck_coast", "stuck", -1)] {
+        slip.mode(flank, &[0.into()])
+            .holds()
+            .rests()
+            .counts("stuck")
+            .unless(other, sign * mesh.delta)
+            .until("forward", sign * force - resisted)
+            .until("backward", sign * force + resisted);
+    }
+    slip.mode("forward", &[1.into()]).until("stuck", sliding);
+    slip.mode("backward", &[Expr::from(-1)]).until("stuck", -sliding);
+    Sticking { psi, direction, effect }
+}
+
+impl Sticking {
+    /// What replaces the `smoothed` friction by one of a constant direction and the given `size`, in scenes with the effect.
+    pub fn instead(&self, m: &mut Model, part: &str, smoothed: Expr, size: Expr) -> Expr {
+        let mut sharp = Expr::from(0);
+        m.effect(&self.effect, DOC, |m| sharp = m.force(&named("F_dir", part), size * self.direction - smoothed));
+        m.only_with(&self.effect, sharp)
+    }
+}
