@@ -78,10 +78,15 @@ fn largest(column: &[f64]) -> f64 {
 }
 
 /// The rows before an event at which a speed or the strain energy jumps; the row after the event is the next one.
-fn jumps(t: &Trajectory) -> Vec<usize> {
-    let columns = || t.q_dot.iter().chain([&t.strain]);
-    let roundings: Vec<f64> = columns().map(|column| NO_JUMP * largest(column)).collect();
-    let jumps = |i: &usize| columns().zip(&roundings).any(|(x, rounding)| (x[i + 1] - x[*i]).abs() > *rounding);
+///
+/// A speed has the rounding errors of those from which it follows: a deflection is the difference of two rotations that are many times as
+/// fast. A change of a speed is therefore compared with the speed that the coordinate would have if it alone had the kinetic energy.
+pub(super) fn jumps(t: &Trajectory) -> Vec<usize> {
+    let kinetic = largest(&t.kinetic);
+    let possible = |i: usize| t.inertia.get(i).map_or(0.0, |inertia| (2.0 * kinetic / inertia).sqrt());
+    let speeds = t.q_dot.iter().enumerate().map(|(i, column)| (column, largest(column).max(possible(i))));
+    let columns: Vec<_> = speeds.chain([(&t.strain, largest(&t.strain))]).collect();
+    let jumps = |i: &usize| columns.iter().any(|(x, size)| (x[i + 1] - x[*i]).abs() > NO_JUMP * size);
     (0..t.len().saturating_sub(1)).filter(|&i| t.moment[i] == Moment::Before).filter(jumps).collect()
 }
 

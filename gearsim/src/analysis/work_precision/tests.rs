@@ -10,7 +10,7 @@ use crate::model::{Coordinate, Model, Start};
 use crate::output::fixture;
 use crate::scene::Scene;
 use crate::tolerance::analysis::AT_REST;
-use crate::trajectory::Trajectory;
+use crate::trajectory::{Moment, Trajectory};
 
 fn point(error: f64, seconds: f64, right_events: bool) -> Point {
     let errors = Errors { end: error, path: error, times: None, events: i64::from(!right_events), energy: error };
@@ -166,4 +166,22 @@ fn what_is_at_rest_has_the_size_that_the_energy_of_the_run_allows() {
     // What moves slowly does move.
     run.q_dot[1] = vec![0.0, 1e-7];
     assert_eq!(error::sizes(&run).1[1], 1e-7);
+}
+
+/// A rotor of 2 kg m^2 turns at 3 rad/s, and a mass of 0.5 kg moves at 1 mm/s. A change of its speed by 1e-15 m/s is a rounding error of the
+/// 6 m/s that it would have with all the energy, 9 J; a change by 1e-9 m/s is a jump.
+#[test]
+fn rounding_errors_of_faster_coordinates_are_no_jumps() {
+    let coordinate = |(name, unit)| Coordinate { name, unit, doc: "", start: Start::At(0.0) };
+    let coordinates = [("theta", "rad"), ("x", "m")].map(coordinate).to_vec().leak();
+    let mut run = Trajectory::new(Box::leak(Box::new(Model { coordinates, ..fixture::MODEL })), &[]);
+    run.inertia = vec![2.0, 0.5];
+    run.moment = vec![Moment::Before, Moment::After];
+    (run.t, run.kinetic, run.strain) = (vec![1.0; 2], vec![9.0; 2], vec![0.0; 2]);
+    let jumps_by = |change: f64| {
+        let mut run = run.clone();
+        (run.q, run.q_dot) = (vec![vec![3.0; 2], vec![1e-3; 2]], vec![vec![3.0; 2], vec![1e-3, 1e-3 + change]]);
+        error::jumps(&run)
+    };
+    assert_eq!((jumps_by(1e-15), jumps_by(1e-9)), (vec![], vec![0]));
 }
