@@ -6,7 +6,7 @@ use super::Writer;
 use crate::derivation::Derivation;
 use crate::expr::Expr;
 use crate::markers::all_present;
-use crate::model::{Law, Role, Switch};
+use crate::model::{Exit, Law, Mode, Role, Switch};
 use crate::print::{Style, print};
 use crate::tree::Tree;
 
@@ -62,10 +62,22 @@ fn switch_text(switch: &Switch) -> Vec<String> {
     let mut lines = vec![format!("{}: without {} {neutral}; its modes:", switch.doc, switch.effect.replace('_', " "))];
     for mode in &switch.modes {
         let values = list(&mut mode.values.iter().map(plain));
-        let held = if mode.held { format!(", {}_dot = 0", switch.over) } else { String::new() };
+        let held = match held_rate(switch, mode).map(|rate| [plain(&rate), plain(&-rate)]) {
+            _ if !mode.held => String::new(),
+            Some([rate, back]) => format!(", {} = 0", if rate.starts_with('-') { back } else { rate }),
+            None => format!(", {}_dot = 0", switch.over),
+        };
         let exits = mode.exits.iter().filter(|exit| !exit.sudden);
         let exits = exits.map(|exit| format!("{} once {} < 0", exit.to, plain(&exit.guard))).collect::<Vec<_>>();
         lines.push(format!("  {}: {values}{held}; {}", mode.name, exits.join(", ")));
     }
     lines
+}
+
+/// The rate that a mode holds: the one whose zero ends the motion that follows the mode. `None` if nothing follows it.
+fn held_rate(switch: &Switch, mode: &Mode) -> Option<Expr> {
+    let following =
+        mode.exits.iter().filter_map(|exit| switch.modes.iter().find(|next| next.name == exit.to && !next.held));
+    let holds = |exit: &&Exit| switch.modes.iter().any(|next| next.name == exit.to && next.held);
+    following.flat_map(|next| &next.exits).find(holds).map(|exit| exit.guard)
 }
