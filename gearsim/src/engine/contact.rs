@@ -166,23 +166,24 @@ impl Contact {
         }
     }
 
-    /// N at a state and the force c, where friction laws are factors of held rates; otherwise `None`. `k_dot` are the rates of the law values `k`.
+    /// N at a state and the force c, where friction laws are factors of held rates; otherwise `None`. `k_dot` gives the rates of the law values `k`.
     pub fn turned(
         &self,
         (equations, switches): (&dyn Equations, &[Switch]),
         (q, q_dot): (&[f64], &[f64]),
         k: &[f64],
-        k_dot: &[f64],
+        k_dot: impl FnOnce() -> Vec<f64>,
     ) -> Option<Turned> {
         if self.turning.is_empty() {
             return None;
         }
+        let k_dot = k_dot();
         let mut normals = self.normals.clone();
         let mut drift = DVector::zeros(normals.ncols());
         for &(switch, column) in &self.turning {
             let switch = &switches[switch];
             normals.set_column(column, &DVector::from(&switch.held(equations, q, k)));
-            drift[column] = switch.drift(equations, (q, q_dot), k_dot);
+            drift[column] = switch.drift(equations, (q, q_dot), &k_dot);
         }
         let force = centripetal(&equations.mobility(q), &normals, &drift);
         Some(Turned { normals, force })

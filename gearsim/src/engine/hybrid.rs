@@ -209,7 +209,7 @@ impl Hybrid<'_> {
             return f64::INFINITY;
         };
         if let Some(turned) =
-            contact.turned((self.equations, &self.switches), (q, q_dot), &self.k, &self.law_rates(q, q_dot))
+            contact.turned((self.equations, &self.switches), (q, q_dot), &self.k, || self.law_rates(q, q_dot))
         {
             let (_, to_reactions) = contact::held(&self.equations.mobility(q), &turned.normals);
             return watch.form.at(&to_reactions).value(q, q_dot, || self.force() + &turned.force);
@@ -301,7 +301,7 @@ impl Hybrid<'_> {
     pub fn still(&mut self) {
         let State { q, q_dot, .. } = &self.state;
         let turned = self.contact.as_ref().and_then(|contact| {
-            contact.turned((self.equations, &self.switches), (q, q_dot), &self.k, &self.law_rates(q, q_dot))
+            contact.turned((self.equations, &self.switches), (q, q_dot), &self.k, || self.law_rates(q, q_dot))
         });
         if let Some(turned) = turned {
             self.state.q_dot = turned.still(&self.equations.mobility(q), q_dot);

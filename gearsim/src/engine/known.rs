@@ -53,7 +53,7 @@ fn reactions(now: &Hybrid<'_>, t: f64, State { q, q_dot, .. }: &State, k: &[f64]
     if let Some(forcing) = &now.forcing {
         force += &forcing.load(t);
     }
-    let turned = held.turned((now.equations, &now.switches), (q, q_dot), k, &now.law_rates(q, q_dot));
+    let turned = held.turned((now.equations, &now.switches), (q, q_dot), k, || now.law_rates(q, q_dot));
     let normals = turned.as_ref().map_or(&held.normals, |turned| &turned.normals);
     let (_, to_reactions) = contact::held(&now.equations.mobility(q), normals);
     if let Some(turned) = &turned {

@@ -111,11 +111,14 @@ impl<'a> Field<'a> {
     #[inline]
     fn turned(&self, y: &Flow) -> Option<Turned> {
         let contact = self.turning.as_ref()?;
-        let mut rates = vec![0.0; self.k.len()];
-        for (i, law) in self.laws.iter().enumerate() {
-            rates[i] = self.dk[i] * y.v[law.phase];
-        }
-        contact.turned((self.equations, &self.switches), (&y.q, &y.v), &self.k, &rates)
+        let rates = || {
+            let mut rates = vec![0.0; self.k.len()];
+            for (i, law) in self.laws.iter().enumerate() {
+                rates[i] = self.dk[i] * y.v[law.phase];
+            }
+            rates
+        };
+        contact.turned((self.equations, &self.switches), (&y.q, &y.v), &self.k, rates)
     }
 
     /// P at the coordinates `q` (N x N).
