@@ -83,6 +83,9 @@ fn commands_print_their_results_as_json() {
         (sweep["points"]["done"].as_u64(), sweep["answers"]["limits"][0]["broken"].as_f64()),
         (Some(8), Some(0.0))
     );
+    let manifest = file("sweep", "sweep.json");
+    conforms(&manifest, &schema("sweep_manifest"), "").unwrap();
+    assert_eq!(sweep["sweep"], manifest);
     let csv = std::fs::read_to_string(root.path().join("sweep/sweep.csv")).unwrap();
     assert_eq!(csv.lines().count(), 1 + 8);
     let statistics = sweep["answers"]["statistics"].as_array().unwrap();

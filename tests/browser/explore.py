@@ -15,6 +15,7 @@ import subprocess
 import threading
 
 import common
+import gears
 from common import LAPTOP, PHONE, SCENES
 
 PAIR = SCENES / "oh2005" / "energy_300rpm.toml"
@@ -218,6 +219,18 @@ def works_with_keys_and_on_a_phone(browser, gearsim, folder):
             assert page.evaluate("document.documentElement.scrollWidth") <= 390
 
 
+def gears_are_drawn(browser, gearsim, folder):
+    """The gears of a run are drawn when they are in sight, and other gears after a change."""
+    with served(gearsim, SCENES / "gear_pair_teeth.toml") as url, opened(browser, url, **LAPTOP) as page:
+        drawn = []
+        for place in (500, 800):
+            after(page, slide, page, "parameters.T0", place)
+            gears.shown(page)
+            gears.scrub(page, 0.5)
+            drawn.append(gears.pixels(page))
+        assert all(part > 0.05 for part, _ in drawn) and drawn[0] != drawn[1], drawn
+
+
 def hostile_texts_stay_text(browser, gearsim, folder):
     """HTML in the name and in the text of a scene is shown, and not executed."""
     lines = [line for line in PAIR.read_text().splitlines() if not line.startswith("about")]
@@ -237,6 +250,7 @@ TESTS = [
     a_saved_scene_runs_to_the_same_bytes,
     another_page_gets_nothing,
     works_with_keys_and_on_a_phone,
+    gears_are_drawn,
     hostile_texts_stay_text,
 ]
 

@@ -309,4 +309,5 @@ def tests(gearsim, folder, pictures):
         yield from common.screens(fits, path, pictures)
 
 
-common.run_tests(tests)
+if __name__ == "__main__":
+    common.run_tests(tests)

@@ -212,6 +212,9 @@ impl Equations for Assembly {
     }
 
     fn write_outputs(&self, which: &[usize], q: &[f64], q_dot: &[f64], k: &[f64], known: &Known, values: &mut [f64]) {
+        if which.is_empty() {
+            return;
+        }
         let mut observer = Observer::new(self, [q, q_dot, k], known);
         which.iter().zip(values).for_each(|(&i, value)| *value = observer.output(i));
     }

@@ -63,31 +63,58 @@ pub struct Explicit {
     tableau: Tableau,
     /// Number of coordinates.
     n: usize,
-    /// The rates k_i of the stages, one after another: q', v' and the dissipated power (2n + 1 each).
+    /// The rates k_i of the stages, one after another: q', v' and the dissipated power, with zeros up to a multiple of [`BLOCK`].
     k: Vec<f64>,
+    /// A sum of such rates.
+    sum: Vec<f64>,
 }
+
+/// So many numbers of a sum stay in registers while the stages are added.
+const BLOCK: usize = 4;
 
 impl Explicit {
     /// The method with the given tableau.
     pub fn new(tableau: Tableau) -> Self {
-        Explicit { tableau, n: 0, k: vec![] }
+        Explicit { tableau, n: 0, k: vec![], sum: vec![] }
     }
 
-    fn sum(&self, row: Row) -> Flow {
-        let n = self.n;
-        let mut sum = Flow::zero(n);
-        for &(j, a) in row {
-            let k = self.stage(j);
-            sum.q.add_times(a, &k[..n]);
-            sum.v.add_times(a, &k[n..2 * n]);
-            sum.lost += a * k[2 * n];
+    /// The sum of the rates with the factors of a row.
+    fn add_up(&mut self, row: Row) {
+        let width = self.width();
+        for (i, sum) in self.sum.chunks_exact_mut(BLOCK).enumerate() {
+            let mut block = [0.0; BLOCK];
+            for &(j, a) in row {
+                let k = &self.k[j * width + i * BLOCK..][..BLOCK];
+                for l in 0..BLOCK {
+                    block[l] += a * k[l];
+                }
+            }
+            sum.copy_from_slice(&block);
         }
-        sum
+    }
+
+    fn sum(&mut self, row: Row) -> Flow {
+        self.add_up(row);
+        self.flow(&self.sum)
+    }
+
+    /// Sets `end` to the argument of a stage: `start`, plus `h` times the sum of a row.
+    fn advance(&mut self, end: &mut Flow, start: &Flow, h: f64, row: Row) {
+        self.add_up(row);
+        let n = self.n;
+        let add = |end: &mut [f64], start: &[f64], rates: &[f64]| {
+            for i in 0..n {
+                end[i] = start[i] + h * rates[i];
+            }
+        };
+        add(&mut end.q[..n], &start.q[..n], &self.sum[..n]);
+        add(&mut end.v[..n], &start.v[..n], &self.sum[n..2 * n]);
+        end.lost = start.lost + self.sum[2 * n] * h;
     }
 
     /// Length of a stage.
     fn width(&self) -> usize {
-        2 * self.n + 1
+        (2 * self.n + 1).next_multiple_of(BLOCK)
     }
 
     fn stage(&self, i: usize) -> &[f64] {
@@ -106,9 +133,10 @@ impl Explicit {
         stage[2 * n] = rate.lost;
     }
 
-    fn error(&self, h: f64, scale: &Scale) -> f64 {
-        let size = |row| h * scale.norm(&self.sum(row));
-        match self.tableau.error {
+    fn error(&mut self, h: f64, scale: &Scale) -> f64 {
+        let error = self.tableau.error;
+        let mut size = |row| h * scale.norm(&self.sum(row));
+        match error {
             Error::None => 0.0,
             Error::Single(row) => size(row),
             Error::Double { fifth, third } => {
@@ -136,12 +164,15 @@ impl Method for Explicit {
         let Tableau { rows, nodes, last, .. } = self.tableau;
         self.n = start.q.len();
         self.k.resize(rows.len() * self.width(), 0.0);
+        self.sum.resize(self.width(), 0.0);
         self.set(0, rate);
         let mut at_end = rate.clone();
         let (mut end, mut before) = (start.clone(), start.clone());
         for i in 1..=last {
-            before = end;
-            end = start.plus(h, &self.sum(rows[i]));
+            if i == last {
+                before = end.clone();
+            }
+            self.advance(&mut end, start, h, rows[i]);
             at_end = field.rate(nodes[i] * h, &end);
             self.set(i, &at_end);
         }
@@ -165,8 +196,9 @@ impl Method for Explicit {
                 Dense::new(c)
             }
             Interpolant::Nested(rows) => {
+                let mut argument = start.clone();
                 for i in self.tableau.last + 1..self.tableau.rows.len() {
-                    let argument = start.plus(h, &self.sum(self.tableau.rows[i]));
+                    self.advance(&mut argument, start, h, self.tableau.rows[i]);
                     let rate = field.rate(self.tableau.nodes[i] * h, &argument);
                     self.set(i, &rate);
                 }

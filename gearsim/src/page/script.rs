@@ -54,3 +54,18 @@ pub(super) fn policy(scripts: &[&str]) -> String {
         "default-src 'none'; script-src{hashes}; style-src 'unsafe-inline'; img-src data: blob:; base-uri 'none'; form-action 'none'"
     )
 }
+
+/// Scripts of one page share their global names: a second function of a name would replace the first one, for all of them.
+#[test]
+fn no_name_is_declared_twice() {
+    for text in [of_file(), of_explorer()] {
+        let mut seen = std::collections::HashSet::new();
+        for line in text.lines() {
+            let mut words = line.trim_start_matches("async ").split([' ', '(', ',', ';']);
+            if let (Some("function" | "class" | "const" | "let"), Some(name)) = (words.next(), words.next()) {
+                assert!(seen.insert(name), "`{name}` is declared twice");
+            }
+        }
+        assert!(seen.contains("outline") && seen.contains("Panel"), "{seen:?}");
+    }
+}

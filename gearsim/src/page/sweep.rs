@@ -83,7 +83,7 @@ fn scene(html: &mut Html, sweep: &Sweep<'_>) {
 fn made_by(manifest: &Manifest) -> Provenance {
     Provenance {
         program: manifest.program.clone(),
-        version: manifest.version.clone(),
+        version: manifest.program_version.clone(),
         commit: manifest.commit.clone(),
         scene_sha256: manifest.scene_sha256.clone(),
         solver: "that of each point".into(),

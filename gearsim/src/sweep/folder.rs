@@ -201,7 +201,7 @@ pub(super) fn write(
     let json = manifest.json()?;
     let provenance = [
         ("program", manifest.program.as_str()),
-        ("version", &manifest.version),
+        ("version", &manifest.program_version),
         ("commit", manifest.commit.as_deref().unwrap_or_default()),
         ("scene", &manifest.scene),
         ("scene_sha256", &manifest.scene_sha256),

@@ -1,4 +1,6 @@
 //! The definition of a sweep, stored as `sweep.json` in its folder. Results with equal manifests belong to the same sweep.
+//!
+//! What the file contains is in `output/schemas/sweep_manifest.schema.json`. A change that a reader of the file could notice raises [`VERSION`].
 
 use std::path::Path;
 
@@ -15,15 +17,23 @@ use crate::tolerance::scene::SWEEP_POINTS;
 
 /// File name of the manifest.
 pub const FILE: &str = "sweep.json";
+/// Name of the format.
+const FORMAT: &str = "gearsim.sweep_manifest";
+/// Version of the format.
+const VERSION: u32 = 1;
 
 /// The definition of a sweep, and the program that ran it.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Manifest {
+    /// Name of the format of the file.
+    pub format: String,
+    /// Version of this format.
+    pub version: u32,
     /// Program, e.g. `gearsim`.
     pub program: String,
     /// Its version.
-    pub version: String,
+    pub program_version: String,
     /// The commit it was built from, if known.
     pub commit: Option<String>,
     /// Name of the scene.
@@ -60,8 +70,10 @@ impl Manifest {
     /// The manifest of `sweep`, defined by `request`, run by the program built from `commit`.
     pub fn new(sweep: &Sweep, request: &Request, commit: Option<&str>) -> Manifest {
         Manifest {
+            format: FORMAT.into(),
+            version: VERSION,
             program: "gearsim".into(),
-            version: env!("CARGO_PKG_VERSION").into(),
+            program_version: env!("CARGO_PKG_VERSION").into(),
             commit: commit.map(Into::into),
             scene: sweep.scene().into(),
             scene_sha256: sweep.hash(),
@@ -86,8 +98,26 @@ impl Manifest {
         match std::fs::read(&path) {
             Err(error) if error.kind() == std::io::ErrorKind::NotFound => Ok(None),
             Err(error) => Err(failed(error.to_string())),
-            Ok(bytes) => serde_json::from_slice(&bytes).map(Some).map_err(|error| failed(error.to_string())),
+            Ok(bytes) => Manifest::parse(&bytes).map(Some).map_err(failed),
         }
+    }
+
+    /// Errors: why `bytes` are no manifest that this program reads.
+    fn parse(bytes: &[u8]) -> Result<Manifest, String> {
+        /// What is read first: a file of another version may have other keys.
+        #[derive(Deserialize)]
+        struct Head {
+            format: String,
+            version: u32,
+        }
+        let failed = |error: serde_json::Error| error.to_string();
+        let Head { format, version } = serde_json::from_slice(bytes).map_err(failed)?;
+        if (format.as_str(), version) != (FORMAT, VERSION) {
+            return Err(format!(
+                "it is of format {format}, version {version}; this program reads {FORMAT}, version {VERSION}"
+            ));
+        }
+        serde_json::from_slice(bytes).map_err(failed)
     }
 
     /// The text of `sweep.json`. Errors: [`OutputError::Format`].
@@ -140,7 +170,8 @@ impl Manifest {
             }
         };
         let list = |texts: &[String]| if texts.is_empty() { "none".into() } else { texts.join(", ") };
-        let build = |m: &Manifest| format!("{} {} ({})", m.program, m.version, m.commit.as_deref().unwrap_or("-"));
+        let build =
+            |m: &Manifest| format!("{} {} ({})", m.program, m.program_version, m.commit.as_deref().unwrap_or("-"));
         compare("program", build(self), build(other));
         compare("scene", self.scene.clone(), other.scene.clone());
         compare("model", self.model.clone(), other.model.clone());

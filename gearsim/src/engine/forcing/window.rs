@@ -136,28 +136,38 @@ impl<'a> Window<'a> {
         (&self.linear.shapes * &moved, &self.linear.shapes * &gained * (1.0 / self.width))
     }
 
-    /// Modal speeds times the width at `x`.
-    fn speed(&self, x: f64) -> Vector {
-        (1..TERMS).rev().fold(Vector::zeros(self.linear.omega2.len()), |mut sum, n| {
-            sum = sum * x;
-            sum.add_times(n as f64, &self.terms[n]);
-            sum
-        })
+    /// Modal speeds times the width at places in the window, mode by mode. The places are evaluated together, because a term of a single
+    /// one is a few operations in many.
+    fn speeds(&self, places: &[f64; NODES]) -> Vec<[f64; NODES]> {
+        let of_mode = |i: usize| {
+            let mut speeds = [0.0; NODES];
+            for n in (1..TERMS).rev() {
+                multiply_add(&mut speeds, places, n as f64 * self.terms[n][i]);
+            }
+            speeds
+        };
+        (0..self.linear.omega2.len()).map(of_mode).collect()
     }
 
     /// Terms of the energy account until the fraction `x`: integrals over the speeds by Gauss-Legendre quadrature, exact to rounding over
     /// so short a time.
     pub fn gains(&self, forcing: &Forcing, x: f64) -> Gains {
+        let m = self.linear.omega2.len();
+        let places: [f64; NODES] = std::array::from_fn(|j| 0.5 * x * (1.0 + node(j).0));
+        let speeds = self.speeds(&places);
+        let of_load = |load: &[f64; TERMS]| {
+            let mut values = [0.0; NODES];
+            load.iter().rev().for_each(|c| multiply_add(&mut values, &places, *c));
+            values
+        };
+        let loads: Vec<[f64; NODES]> = self.loads.iter().map(of_load).collect();
         let mut lost = 0.0;
-        let mut swept = vec![Vector::zeros(self.linear.omega2.len()); self.loads.len()];
-        for (node, weight) in GAUSS_16 {
-            for node in [-node, node] {
-                let at = 0.5 * x * (1.0 + node);
-                let speed = self.speed(at);
-                lost += weight * speed.dot(&(&self.linear.damping * &speed));
-                for (swept, load) in swept.iter_mut().zip(&self.loads) {
-                    swept.add_times(weight * load.iter().rev().fold(0.0, |sum, c| sum * at + c), &speed);
-                }
+        let mut swept = vec![Vector::zeros(m); loads.len()];
+        for j in 0..NODES {
+            let (weight, speed) = (node(j).1, Vector::from_fn(m, |i| speeds[i][j]));
+            lost += weight * speed.dot(&(&self.linear.damping * &speed));
+            for (swept, load) in swept.iter_mut().zip(&loads) {
+                swept.add_times(weight * load[j], &speed);
             }
         }
         let mut work = vec![0.0; forcing.torques];
@@ -167,6 +177,23 @@ impl<'a> Window<'a> {
         }
         // The speeds are derivatives by x = t/W: the square needs one division by W, the work none.
         Gains { lost: if self.width > 0.0 { lost * 0.5 * x / self.width } else { 0.0 }, work }
+    }
+}
+
+/// Nodes of the quadrature.
+const NODES: usize = 2 * GAUSS_16.len();
+
+/// A node of the quadrature in -1..1, and its weight.
+fn node(j: usize) -> (f64, f64) {
+    let (node, weight) = GAUSS_16[j / 2];
+    (if j % 2 == 0 { -node } else { node }, weight)
+}
+
+/// A step of Horner's rule at each place x: `sums` becomes `sums` x + `c`.
+#[inline]
+fn multiply_add(sums: &mut [f64; NODES], x: &[f64; NODES], c: f64) {
+    for j in 0..NODES {
+        sums[j] = sums[j] * x[j] + c;
     }
 }
 

@@ -33,26 +33,40 @@ pub(super) struct Observer<'a> {
     known: &'a Known,
     /// For outputs that need no reactions and powers.
     nothing: Known,
-    /// x, x' and the values of each part from its place on; x is NaN until an output of the part is computed.
+    /// x, x' and the values of each part from its place on; x is NaN until an output of the part is computed. After them the outputs,
+    /// NaN until they are computed.
     numbers: Vec<f64>,
+    /// Where the outputs begin.
+    first_output: usize,
 }
 
 impl<'a> Observer<'a> {
     pub fn new(assembly: &'a Assembly, state: [&'a [f64]; 3], known: &'a Known) -> Self {
-        let numbers = assembly.parts.last().map_or(0, |last| last.place + last.numbers());
-        Observer { assembly, state, known, nothing: Known::default(), numbers: vec![f64::NAN; numbers] }
+        let first_output = assembly.parts.last().map_or(0, |last| last.place + last.numbers());
+        let numbers = vec![f64::NAN; first_output + assembly.outputs.len()];
+        Observer { assembly, state, known, nothing: Known::default(), numbers, first_output }
     }
 
     /// The output `i`.
     pub fn output(&mut self, i: usize) -> f64 {
-        match &self.assembly.outputs[i] {
+        let value = match &self.assembly.outputs[i] {
             Observed::One(of) => self.of_part(of),
             Observed::Sum(parts) => parts.iter().map(|of| self.of_part(of)).sum(),
-            Observed::Product(of, speed) => self.output(*of) * speed.dot(self.state[1]),
-            Observed::Multiple(of, factor) => factor * self.output(*of),
-        }
+            Observed::Product(of, speed) => self.computed(*of) * speed.dot(self.state[1]),
+            Observed::Multiple(of, factor) => factor * self.computed(*of),
+        };
+        self.numbers[self.first_output + i] = value;
+        value
     }
 
+    /// The output `i`, which may be computed already.
+    fn computed(&mut self, i: usize) -> f64 {
+        let value = self.numbers[self.first_output + i];
+        if value.is_nan() { self.output(i) } else { value }
+    }
+
+    // Within `output`, for the many outputs of one part: a call of its own takes a fifth more instructions.
+    #[inline(always)]
     fn of_part(&mut self, of: &OfPart) -> f64 {
         let p = &self.assembly.parts[of.part];
         let numbers = &mut self.numbers[p.place..p.place + p.numbers()];
@@ -60,19 +74,23 @@ impl<'a> Observer<'a> {
             p.localise(self.state, numbers);
         }
         let [x, x_dot, values] = p.split(numbers);
-        let known = if of.known { &self.assembly.known_to(of.part, self.known) } else { &self.nothing };
-        p.equations.output(of.output, x, x_dot, values, known)
+        if of.known {
+            return self.assembly.known_output(of, [x, x_dot, values], self.known);
+        }
+        p.equations.output(of.output, x, x_dot, values, &self.nothing)
     }
 }
 
 impl Assembly {
-    /// What is known of the switches and the torques of a part.
-    fn known_to(&self, part: usize, known: &Known) -> Known {
-        let p = &self.parts[part];
-        let first = self.switches.partition_point(|of| of[0] < part);
-        Known {
-            reactions: (first..first + p.part.switches).map(|switch| known.reaction(switch)).collect(),
-            powers: p.part.torques.iter().map(|&torque| known.power(torque)).collect(),
-        }
+    /// An output that depends on what is known of the switches and the torques of its part. These are few, and their copy of what is known
+    /// would need the stack of every output.
+    #[inline(never)]
+    fn known_output(&self, of: &OfPart, [x, x_dot, values]: [&[f64]; 3], known: &Known) -> f64 {
+        let p = &self.parts[of.part];
+        let first = self.switches.partition_point(|switch| switch[0] < of.part);
+        let mut own = Known::default();
+        (first..first + p.part.switches).for_each(|switch| own.reactions.push(known.reaction(switch)));
+        p.part.torques.iter().for_each(|&torque| own.powers.push(known.power(torque)));
+        p.equations.output(of.output, x, x_dot, values, &own)
     }
 }

@@ -24,6 +24,8 @@ const DASHES = ["solid", "7px,3px", "2px,4px", "8px,3px,2px,3px", "12px,4px"];
 const COLOURS = 7;
 // While a view or a run changes, curves are drawn in parts of this many pixels: plotly.js takes half the time.
 const COARSE = 4;
+// Labels of vertical lines: their font, the height of a row of them [px], and most rows.
+const LABELS = { font: 11, row: 14, rows: 4 };
 // Width left of the frames, the same for all plots so that their times stand below each other.
 const MARGIN = 78;
 
@@ -43,6 +45,13 @@ function short(x) {
   if (!Number.isFinite(x)) return "-";
   const size = Math.abs(x);
   return size === 0 || (size >= 1e-3 && size < 1e6) ? String(Number(x.toPrecision(5))) : x.toExponential(4);
+}
+
+/** The width of a text in the font of the page [px]. */
+function textWidth(text, size) {
+  textWidth.context ??= document.createElement("canvas").getContext("2d");
+  textWidth.context.font = `${size}px ${getComputedStyle(document.body).fontFamily}`;
+  return textWidth.context.measureText(text).width;
 }
 
 /** A new element with attributes or properties, and children. */
@@ -222,6 +231,26 @@ class Panel {
     });
   }
 
+  /** The labels of vertical lines, which are in a linear range. Each is right of its line, or left of it where the frame ends, in the first
+   * row in which it covers no other label. What finds no row has no label: its line remains, and the table below has its number. */
+  labels(lines, [from, to]) {
+    const pixels = this.pixels();
+    const rows = Array.from({ length: LABELS.rows }, () => []);
+    return [...lines].sort((one, two) => one.x - two.x).map(({ x, name }) => {
+      const at = (x - from) / (to - from) * pixels;
+      const width = textWidth(name, LABELS.font) + 6;
+      const left = at + width > pixels;
+      const [begin, end] = left ? [at - width, at] : [at, at + width];
+      const row = rows.findIndex((taken) => taken.every(([first, last]) => end <= first || begin >= last));
+      if (row < 0) return null;
+      rows[row].push([begin, end]);
+      return {
+        x, y: 1, yref: "paper", yshift: -LABELS.row * row, xanchor: left ? "right" : "left", yanchor: "top", text: formula(name), showarrow: false,
+        borderpad: 0, bgcolor: css("--ground"), opacity: 0.85, font: { size: LABELS.font, color: css("--muted") },
+      };
+    }).filter((label) => label);
+  }
+
   /** The marks of events: one a pixel at most. One line whose way from mark to mark is below the plot: it is drawn faster than many marks. */
   events([from, to], pixels) {
     if (!this.plot.events) return [];
@@ -246,15 +275,15 @@ class Panel {
     const logarithmic = { type: "log", dtick: undefined, nticks: 7, exponentformat: "power", minexponent: 2 };
     if (this.plot.y.log) Object.assign(y, logarithmic);
     if (this.plot.y.range) y.range = this.plot.y.range.map((value) => this.plot.y.log ? Math.log10(value) : this.factor * value);
-    const line = (x, text) => ({ type: "line", x0: x, x1: x, y0: 0, y1: 1, yref: "paper", line: { color: css("--muted"), width: 1, dash: "dot" },
-      label: { text, textposition: "end", textangle: 0, xanchor: "left", yanchor: "top", font: { size: 11, color: css("--muted") } } });
+    const line = ({ x }) => ({ type: "line", x0: x, x1: x, y0: 0, y1: 1, yref: "paper", line: { color: css("--muted"), width: 1, dash: "dot" } });
     const data = (x) => this.plot.x.log ? 10 ** x : x;
-    const shapes = this.plot.lines.filter(({ x }) => x > range[0] && x < range[1]).map(({ x, name }) => line(x, name));
+    const lines = this.plot.lines.filter(({ x }) => x > range[0] && x < range[1]);
+    const shapes = lines.map(line);
     if (this.plot.shaded_from !== null) {
       shapes.push({ type: "rect", x0: this.plot.shaded_from, x1: data(this.group.all[1]), y0: 0, y1: 1, yref: "paper", line: { width: 0 }, fillcolor: css("--muted"), opacity: 0.15, layer: "below" });
     }
     return {
-      margin: { l: MARGIN, r: 14, t: 10, b: 44 }, height: 250, showlegend: false, hovermode: false, shapes, annotations: this.notes(),
+      margin: { l: MARGIN, r: 14, t: 10, b: 44 }, height: 250, showlegend: false, hovermode: false, shapes, annotations: [...this.notes(), ...this.labels(lines, range)],
       dragmode: touch() ? false : "zoom", paper_bgcolor: "rgba(0,0,0,0)", plot_bgcolor: "rgba(0,0,0,0)",
       font: { family: getComputedStyle(document.body).fontFamily, size: 12, color: ink },
       modebar: { bgcolor: "rgba(0,0,0,0)", color: css("--muted"), activecolor: ink },

@@ -67,7 +67,7 @@ function sketch(canvas, traces) {
   const paths = canvas.querySelectorAll(".scatterlayer path.js-line");
   const lines = traces.every(({ mode }) => mode === "lines") && paths.length === traces.length;
   if (!lines || !suits(yaxis, traces.filter((trace) => !trace.yaxis))) return false;
-  traces.forEach(({ x, y, yaxis: name }, i) => paths[i].setAttribute("d", outline(x, y, xaxis, name ? yaxis2 : yaxis)));
+  traces.forEach(({ x, y, yaxis: name }, i) => paths[i].setAttribute("d", curvePath(x, y, xaxis, name ? yaxis2 : yaxis)));
   return true;
 }
 
@@ -81,7 +81,7 @@ function suits(axis, traces) {
 }
 
 /** The path of a curve on the screen. */
-function outline(x, y, across, up) {
+function curvePath(x, y, across, up) {
   let path = "", pen = "M";
   for (let i = 0; i < x.length; i++) {
     const [right, down] = [across.d2p(x[i]), up.d2p(y[i])];

@@ -1,7 +1,7 @@
 //! Error messages on sweeps that are not valid.
 
 use super::{load, request};
-use crate::sweep::{Design, Error};
+use crate::sweep::{Design, Error, Manifest, manifest};
 
 fn message(error: Error) -> String {
     match error {
@@ -107,4 +107,23 @@ fn no_axis_text_causes_a_panic() {
             }
         }
     }
+}
+
+#[test]
+fn a_manifest_of_another_version_is_refused() {
+    let request = request(&["parameters.T0=1 N*m:2 N*m:3"]);
+    let folder = tempfile::tempdir().unwrap();
+    let read = |text: &str| {
+        std::fs::write(folder.path().join(manifest::FILE), text).unwrap();
+        Manifest::read(folder.path())
+    };
+    let written = Manifest::new(&load(&request).unwrap(), &request, None);
+    let text = written.json().unwrap();
+    assert_eq!(read(&text).unwrap(), Some(written));
+    let other = text.replace("\"version\": 1", "\"version\": 2").replace("\"seed\"", "\"seeds\"");
+    let refused = read(&other).unwrap_err().to_string();
+    assert!(
+        refused.contains("gearsim.sweep_manifest, version 2; this program reads gearsim.sweep_manifest, version 1"),
+        "{refused}"
+    );
 }

@@ -36,7 +36,7 @@ const fn path(
 
 /// A path of a train, beside the derived model of the same drivetrain.
 const fn as_train(name: &'static str, what: &'static str, derived: &'static str, prepare: fn() -> Job) -> Path {
-    Path { name, what, compared_with: Some(derived), at_most: Some(1.55), prepare }
+    Path { name, what, compared_with: Some(derived), at_most: Some(1.5), prepare }
 }
 
 /// All paths.
