@@ -7,7 +7,7 @@ the path in CHROMIUM. Every page is opened from its file and without network; an
 import subprocess
 
 import common
-from common import LAPTOP, SCENES, opened_file, settle
+from common import LAPTOP, PHONE, SCENES, opened_file, settle
 
 # A file name that is HTML, and quotes.
 HOSTILE = "<img src=x onerror=document.body.dataset.hurt=1> \"a\" 'b' \u2028"
@@ -164,6 +164,24 @@ def every_plot_is_drawn(browser, path, settings, scheme):
         assert page.evaluate("document.documentElement.scrollWidth") <= settings["viewport"]["width"]
 
 
+def labels_of_lines_stand_apart(browser, path, settings):
+    """The labels of the lines of orders and spectra cover none of one another and stay in their plots, however narrow these are."""
+    boxes = """() => panels.filter(({ plot, drawn }) => drawn && plot.lines.length > 0).map(({ canvas }) =>
+        [canvas, ...canvas.querySelectorAll(".annotation-text-g")].map((part) => part.getBoundingClientRect()).map(({ left, top, right, bottom }) => [left, top, right, bottom]))"""
+    with opened_file(browser, path, **settings) as page:
+        for section in ("orders", "spectra"):
+            page.locator(f"#{section} figure.plot").first.scroll_into_view_if_needed()
+            page.locator(f"#{section} figure.plot .main-svg").first.wait_for()
+        plots = page.evaluate(boxes)
+        assert len(plots) > 1, plots
+        for frame, *labels in plots:
+            assert len(labels) > 2, labels
+            for i, (left, top, right, bottom) in enumerate(labels):
+                assert frame[0] <= left and right <= frame[2], (frame, labels[i])
+                apart = [right <= other[0] + 1 or other[2] <= left + 1 or bottom <= other[1] + 1 or other[3] <= top + 1 for other in labels[:i]]
+                assert all(apart), (labels[i], labels[:i])
+
+
 def hostile_names_stay_text(browser, gearsim, folder):
     """HTML and script ends in the name and in the text of a scene are shown, and not executed."""
     text = (SCENES / "oh2005" / "energy_300rpm.toml").read_text()
@@ -191,6 +209,9 @@ def tests(gearsim, folder, pictures):
     yield cursor_and_keys, (small,), "small"
     yield columns_and_units_are_chosen, (small,), "small"
     yield from common.screens(every_plot_is_drawn, small)
+    stages = run(gearsim, SCENES / "two_stage.toml", folder / "stages")
+    for size in (LAPTOP, PHONE):
+        yield labels_of_lines_stand_apart, (stages, size), "stages"
     yield hostile_names_stay_text, (gearsim, folder), "hostile"
 
 
