@@ -150,7 +150,7 @@ fn every_format_has_a_schema_that_describes_its_keys() {
         formats.push(format);
     }
     formats.sort();
-    let used = "advise check compare floquet models modes response summary sweep work-precision";
+    let used = "advise check compare floquet models modes response summary sweep sweep_manifest work-precision";
     assert_eq!(formats.join(" "), used);
 }
 

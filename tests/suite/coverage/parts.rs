@@ -89,6 +89,7 @@ const BESIDE_A_PAIR: &[Part] = &[
     ("meshes.backlash", &[STEPS, "torques", "backlash"], "backlash = \"50 um\"|"),
     ("meshes.damping", &[STEPS, "torques", "viscous_friction"], "damping = \"300 N*s/m\"|"),
     ("meshes.friction", &[STEPS, "torques", "sliding_friction"], "friction = 0.06|"),
+    ("flank_stiction", &[STEPS, "torques", "sliding_friction", "flank_stiction"], "friction = 0.06|"),
     (
         "thrust_bearings",
         &[STEPS, "torques"],

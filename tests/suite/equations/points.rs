@@ -46,7 +46,7 @@ impl Point {
         let p = &self.pair;
         Generated::equations(
             effects,
-            &[p.n1, p.n2, p.i1, p.i2, p.zeta, p.t0, f64::NAN, 0.35, f64::NAN, f64::NAN],
+            &[p.n1, p.n2, p.i1, p.i2, p.zeta, p.t0, f64::NAN, 0.35, f64::NAN, f64::NAN, f64::NAN],
             &[p.k0()],
         )
         .expect("these effects go together")

@@ -28,7 +28,15 @@ fn what_is_in_comments_is_valid() {
         let text: String =
             starter(model).lines().map(|line| line.strip_prefix("# ").unwrap_or(line).to_string() + "\n").collect();
         for effect in model.effects.iter().filter(|effect| effect.of.is_none()) {
-            let names: Vec<_> = effect.requires.iter().copied().chain([effect.name]).collect();
+            let mut names = vec![effect.name];
+            // An effect that is required may require others.
+            let mut next = 0;
+            while let Some(&name) = names.get(next) {
+                let of = model.effects.iter().find(|effect| effect.name == name).unwrap();
+                let new: Vec<_> = of.requires.iter().copied().filter(|name| !names.contains(name)).collect();
+                names.extend(new);
+                next += 1;
+            }
             let set = [format!("effects={names:?}"), "run.t_end=0.1 ms".into(), "run.method=dop853".into()];
             let scene = Scene::from_toml_with("starter", &text, &set);
             scene.unwrap_or_else(|error| panic!("{} with {}: {error}", model.name, effect.name));

@@ -18,8 +18,8 @@ const DAMPING: u64 = 32;
 const TORQUES: u64 = 64;
 const SLIDING_FRICTION: u64 = 128;
 
-/// N1, N2, I1, I2, zeta, T0, b, alpha, mu, w_mix, and the mid value of k.
-const NUMBERS: [f64; 10] = [24.0, 96.0, 1.15e-4, 2.9e-2, 0.03, 10.0, f64::NAN, 0.35, f64::NAN, f64::NAN];
+/// N1, N2, I1, I2, zeta, T0, b, alpha, mu, w_mix, mu_rise, and the mid value of k.
+const NUMBERS: [f64; 11] = [24.0, 96.0, 1.15e-4, 2.9e-2, 0.03, 10.0, f64::NAN, 0.35, f64::NAN, f64::NAN, f64::NAN];
 const MID: f64 = 2.5e4;
 
 /// A point: q, q', k, dk and ddk.
@@ -229,7 +229,7 @@ fn model() {
     assert_eq!([m.coordinates[0].name, m.coordinates[1].name], ["theta", "phi"]);
     assert_eq!((m.coordinates[0].start, m.coordinates[1].start), (Start::At(0.0), Start::Static));
     let names: Vec<_> = m.parameters.iter().map(|p| p.name).collect();
-    assert_eq!(names, ["N1", "N2", "I1", "I2", "zeta", "T0", "b", "alpha", "mu", "w_mix"]);
+    assert_eq!(names, ["N1", "N2", "I1", "I2", "zeta", "T0", "b", "alpha", "mu", "w_mix", "mu_rise"]);
     assert_eq!((m.parameters[0].default, m.parameters[2].default), (Some(24.0), None));
     let ranges = [m.parameters[0], m.parameters[4], m.parameters[5]].map(|p| p.range.to_string());
     assert_eq!(ranges, ["(0, inf)", "[0, inf)", "(-inf, inf)"]);
