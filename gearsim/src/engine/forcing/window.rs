@@ -186,7 +186,7 @@ const NODES: usize = 2 * GAUSS_16.len();
 /// A node of the quadrature in -1..1, and its weight.
 fn node(j: usize) -> (f64, f64) {
     let (node, weight) = GAUSS_16[j / 2];
-    (if j % 2 == 0 { -node } else { node }, weight)
+    (if j.is_multiple_of(2) { -node } else { node }, weight)
 }
 
 /// A step of Horner's rule at each place x: `sums` becomes `sums` x + `c`.
