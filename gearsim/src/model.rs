@@ -208,6 +208,13 @@ pub struct Mode {
     pub counts: Option<&'static str>,
 }
 
+impl Mode {
+    /// Whether its entry from the mode `before` counts.
+    pub fn counts_after(&self, before: &Mode) -> bool {
+        !self.held && self.counts.is_some() && self.counts != before.counts
+    }
+}
+
 impl Model {
     /// Vector of law values with every switch as without its effect, so with every play in contact and its width 0: the values
     /// `laws`, padded with 0 to the number of laws, then the neutral values of each switch.

@@ -31,7 +31,7 @@ pub struct Counts {
     pub reflections: u64,
     /// Times that a phase was held at a step.
     pub holds: u64,
-    /// Impacts: flanks met that had separated by more than the rounding error of their distance.
+    /// Impacts: flanks met that had parted.
     pub impacts: u64,
     /// Times that a clutch or dry friction locked.
     pub sticks: u64,
@@ -188,14 +188,6 @@ impl Hybrid<'_> {
         dt == 0.0 || dt > 0.0 && self.guards.exits.iter().flatten().all(still)
     }
 
-    /// Whether a guard that is zero now was away from zero by more than its rounding error since the time `t` \[s\]. The product of its
-    /// rate and the elapsed time is two to four times its largest value in between. Smaller values are ignored: an unloaded flank at rest
-    /// at its edge separates by rounding errors, which depend on the method.
-    fn has_moved_from(&self, guard: &Affine, t: f64) -> bool {
-        let rate = guard.on_q.dot(&self.state.q_dot);
-        (rate * (self.clock.now() - t)).abs() > 4.0 * guard.rounding(&self.k)
-    }
-
     /// What is added to the value of a guard while a switch rattles.
     pub fn slack_of(&self, exit: &Exit) -> f64 {
         let (each, all) = EVENTS_AT_ONE_TIME;
@@ -262,16 +254,14 @@ impl Hybrid<'_> {
 
     /// Puts a switch into a mode, then into the one in which the state violates no guard; `crossed` is the guard that became zero.
     pub fn put(&mut self, switch: usize, mode: usize, crossed: Option<&Affine>) {
-        let before = self.switches[switch].here();
-        let parted = crossed.is_none_or(|guard| self.has_moved_from(guard, self.switches[switch].since()));
-        self.set_mode(switch, mode);
         let place = &mut self.switches[switch];
+        let (before, modes) = (place.mode, place.all_modes());
+        place.mode = mode;
+        place.write(&mut self.k);
         let state = (&self.state.q[..], &self.state.q_dot[..]);
         switch::settle(place, self.equations, state, &mut self.k, crossed);
-        let after = place.here();
-        if !after.held && after.counts.is_some() && after.counts != before.counts && parted {
-            self.counts.impacts += 1;
-        }
+        self.counts.impacts += u64::from(place.parted && place.here().counts_after(&modes[before]));
+        place.leave(before, self.clock.now());
     }
 
     /// Puts every switch into the mode that the state admits, after a sudden change.
@@ -281,9 +271,10 @@ impl Hybrid<'_> {
 
     /// Puts a switch into a mode, whatever the state is.
     pub fn set_mode(&mut self, switch: usize, mode: usize) {
-        self.switches[switch].spend(self.clock.now());
-        self.switches[switch].mode = mode;
-        self.switches[switch].write(&mut self.k);
+        let place = &mut self.switches[switch];
+        let before = std::mem::replace(&mut place.mode, mode);
+        place.write(&mut self.k);
+        place.leave(before, self.clock.now());
     }
 
     /// Holds the phases of `laws` and the deflections of switches if their reactions admit it.

@@ -22,6 +22,7 @@ use crate::trajectory::Moment;
 mod events;
 mod late;
 mod locate;
+mod parting;
 mod plain;
 mod recording;
 
@@ -150,7 +151,9 @@ impl<'a> Simulation<'a> {
         if let Some(recording) = recording {
             recording.samples(now, &mut *motion, t.hi());
         }
+        let parted = parting::parted(now, &mut *motion, (t.hi(), &reached.state));
         drop(motion);
+        parted.into_iter().for_each(|switch| self.now.switches[switch].parted = true);
         self.now.take(t, reached);
         self.now.counts.cost = cost;
         self.now.require_finite()?;

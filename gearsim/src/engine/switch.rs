@@ -40,6 +40,8 @@ pub struct Switch {
     spent: Vec<f64>,
     /// When the present mode began [s].
     since: f64,
+    /// Whether its deflection has been away from the modes whose entry counts, by more than rounding errors, since the present mode began.
+    pub parted: bool,
 }
 
 impl Switch {
@@ -54,7 +56,7 @@ impl Switch {
                 let modes = Arc::new((switch.modes, values));
                 let spent = vec![0.0; switch.modes.len()];
                 let shifted = !errors.is_empty();
-                all.push(Switch { index, at, normal, shifted, mode: 0, modes, spent, since: 0.0 });
+                all.push(Switch { index, at, normal, shifted, mode: 0, modes, spent, since: 0.0, parted: false });
             }
             at += switch.neutral.len();
         }
@@ -64,6 +66,11 @@ impl Switch {
     /// Where its values begin among the law values.
     pub fn place(&self) -> usize {
         self.at
+    }
+
+    /// Its modes.
+    pub fn all_modes(&self) -> &'static [Mode] {
+        self.modes.0
     }
 
     /// Number of its modes.
@@ -79,6 +86,19 @@ impl Switch {
     /// When its present mode began \[s\].
     pub fn since(&self) -> f64 {
         self.since
+    }
+
+    /// Whether an exit to `mode` counts.
+    pub fn counts(&self, mode: usize) -> bool {
+        self.modes.0[mode].counts_after(self.here())
+    }
+
+    /// Notes that the mode `before` ended at the time `now` \[s\], if the present mode is another one.
+    pub fn leave(&mut self, before: usize, now: f64) {
+        if self.mode != before {
+            self.spent[before] += now - self.since;
+            (self.since, self.parted) = (now, false);
+        }
     }
 
     /// Adds the time until `now` \[s\] to that of the present mode, which may end now.
@@ -148,9 +168,15 @@ impl Switch {
     /// Whether what it holds is at rest, up to the rounding errors of the speeds.
     fn is_at_rest(&self, equations: &dyn Equations, q: &[f64], q_dot: &[f64], k: &[f64]) -> bool {
         let normal = self.held(equations, q, k);
-        let (rate, compliance) = (normal.dot(q_dot), normal.dot(&(&equations.mobility(q) * &normal)));
-        rate * rate <= AT_REST * AT_REST * 2.0 * equations.kinetic(q, q_dot) * compliance
+        normal.dot(q_dot).abs() <= rest(equations, (q, q_dot), &normal)
     }
+}
+
+/// The rate along `normal` (n) up to which it is at rest in the state `q`, `q_dot`: an impulse that does not act on it leaves rounding
+/// errors of the speeds.
+pub fn rest(equations: &dyn Equations, (q, q_dot): (&[f64], &[f64]), normal: &Vector) -> f64 {
+    let compliance = normal.dot(&(&equations.mobility(q) * normal));
+    AT_REST * (2.0 * equations.kinetic(q, q_dot) * compliance).sqrt()
 }
 
 /// The guards of the present modes of switches.

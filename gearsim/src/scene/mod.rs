@@ -181,7 +181,7 @@ pub struct InitialState {
 /// What a run records and draws.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Output {
-    /// Samples per second of model time [1/s]; the default gives 10000 samples over the run.
+    /// Samples per second of model time [1/s]; the default gives 10000 samples over the run. 0 in a scene without `[run]`.
     pub rate: f64,
     /// Whether the left and right limits at every event are recorded as well.
     pub events: bool,

@@ -142,9 +142,10 @@ pub(crate) const END_OF_RUN: f64 = 2.0;
 /// this [relative to the coefficient]. Coefficients are products of a few numbers, whose rounding errors are 1e3 times smaller.
 pub(crate) const SAME_GUARD: f64 = 1e-12;
 
-/// A held deflection is still at rest after an impulse if its rate is smaller [relative to the rate that the kinetic energy of the
-/// whole train allows]: an impulse that does not act on it leaves rounding errors of the speeds, 1e4 times smaller. Larger: slow slip
-/// is taken for rest, and its energy is in the account as neglected.
+/// A deflection is at rest if its rate is smaller [relative to the rate that the kinetic energy of the whole train allows]: rounding errors
+/// of the speeds are 1e4 times smaller. It decides whether a held deflection is still at rest after an impulse, and by how much flanks must
+/// part before they can meet: this rate times the time. Larger: slow slip is taken for rest, with its energy in the account as neglected,
+/// and impacts after slow separations are not counted.
 pub(crate) const AT_REST: f64 = 1e-12;
 
 /// A motion is possible beside others that are held if its compliance is larger [relative to its compliance without them]. The rounding

@@ -109,8 +109,12 @@ pub fn check(data: &[u8]) {
     // either sign.
     let largest = rows.kinetic.iter().chain(&rows.strain).fold(0.0, |m: f64, x| m.max(*x));
     let overflows = rows.kinetic.iter().chain(&rows.strain).any(|x| !x.is_finite()) || largest > 1e290;
+    // A deflection is known to the rounding error of phi, which is large at the edge of a large play.
+    let stiffest = scene.laws[0].steps.iter().fold(0.0, |m: f64, step| m.max(step.value));
+    let farthest = rows.q[1].iter().fold(0.0, |m: f64, phi| m.max(phi.abs()));
+    let rounding = stiffest * (f64::EPSILON * farthest).powi(2);
     assert!(
-        overflows || simulation.now.dissipated >= -1e-12 * largest,
+        overflows || simulation.now.dissipated >= -1e-12 * largest - rounding,
         "damping adds {:e} J",
         -simulation.now.dissipated
     );

@@ -1,0 +1,46 @@
+//! Which flanks have parted: an impact counts only after that. An unloaded flank that rests at its edge separates by rounding errors, and
+//! whether it does depends on the method.
+
+use smallvec::SmallVec;
+
+use crate::engine::equations::{Affine, Exit};
+use crate::engine::hybrid::Hybrid;
+use crate::engine::motion::Motion;
+use crate::engine::record::State;
+use crate::engine::switch::{self, Guards};
+
+/// Where a motion is looked at, beside its ends [relative to its length].
+const PLACES: [f64; 3] = [0.5, 0.25, 0.75];
+
+/// The switches that have not parted before, and are away from the modes whose entry counts by more than rounding errors somewhere in a
+/// `motion`. It begins in the state of `now`, and ends in the state `last` after the time `t` \[s\].
+#[inline]
+pub fn parted(now: &Hybrid<'_>, motion: &mut dyn Motion, (t, last): (f64, &State)) -> SmallVec<[usize; 2]> {
+    let waits = |i: &usize| {
+        let switch = &now.switches[*i];
+        !switch.parted && now.guards.exits[*i].iter().any(|exit| switch.counts(exit.beyond))
+    };
+    let waiting = (0..now.switches.len()).filter(waits);
+    waiting
+        .filter(|&i| {
+            is_away(now, i, &now.state, 0.0)
+                || is_away(now, i, last, t)
+                || PLACES.iter().any(|place| is_away(now, i, &motion.at(place * t).state, place * t))
+        })
+        .collect()
+}
+
+/// Whether a switch is away from the modes whose entry counts, in a `state` that the motion reaches after the time `t` \[s\].
+fn is_away(now: &Hybrid<'_>, switch: usize, state: &State, t: f64) -> bool {
+    let (t, State { q, q_dot, .. }) = (now.clock.now() + t, state);
+    let k = now.levels_at(state, t);
+    let there = now.equations.bends().then(|| Guards::of(now.equations, &now.switches, q, &k));
+    let exits = &there.as_ref().unwrap_or(&now.guards).exits[switch];
+    let switch = &now.switches[switch];
+    // Rounding errors of the speeds move flanks that are at rest.
+    let drift = |guard: &Affine| (t - switch.since()) * switch::rest(now.equations, (q, q_dot), &guard.on_q);
+    exits.iter().filter(|exit| switch.counts(exit.beyond)).all(|Exit { guard, .. }| {
+        let away = guard.value(q, q_dot, &k) - guard.rounding(&k);
+        away > 0.0 && away > drift(guard)
+    })
+}
