@@ -55,10 +55,10 @@ impl fmt::Display for Account {
     }
 }
 
-/// The strain energy of the rounding errors of the coordinates `q`, each off by some units of its last place, at the law values `k`
-/// \[J\].
+/// The strain energy of the rounding errors of the coordinates `q` (n), at the law values `k` \[J\]. Each is a sum of n modal coordinates, and
+/// these are sums of n coordinates.
 pub fn rounding(equations: &dyn Equations, q: &[f64], k: &[f64]) -> f64 {
-    let off: Vec<f64> = q.iter().map(|q| methods::COORDINATE_ROUNDING * q.abs()).collect();
+    let off: Vec<f64> = q.iter().map(|x| methods::COORDINATE_ROUNDING * q.len() as f64 * x.abs()).collect();
     let stiffness = equations.stiffness(k);
     let row = |i: usize| (0..q.len()).map(|j| stiffness[(i, j)].abs() * off[j]).sum::<f64>();
     (0..q.len()).map(|i| 0.5 * off[i] * row(i)).sum()
