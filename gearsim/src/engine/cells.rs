@@ -1,6 +1,8 @@
 //! The cells of a scene. A cell is one combination of a level of each law and a mode of each switch. Its vibration modes are computed once: all
 //! in advance, or, if there are many combinations, when a run first enters the cell.
 
+mod number;
+
 use std::collections::HashMap;
 use std::sync::Arc;
 
@@ -15,12 +17,14 @@ use crate::engine::vector::Vector;
 use crate::engine::watch::Watch;
 use crate::tolerance::events::CELLS_IN_ADVANCE;
 
+pub use number::Number;
+
 /// The cells of a scene.
 #[derive(Debug, Clone)]
 pub struct Cells {
     cells: Vec<Prepared>,
     /// The index in `cells` of each combination met so far; `None` if all combinations were computed in advance, in their order.
-    met: Option<HashMap<usize, usize>>,
+    met: Option<HashMap<Number, usize>>,
     /// The index of the present cell.
     present: usize,
     /// Number of rigid motions of the model.
@@ -67,7 +71,7 @@ impl Cells {
             Ok(Prepared::new(cell, equations, (&laws, &switches, &k)))
         };
         let cells = (0..count).map(prepare).collect::<Result<_, _>>()?;
-        Ok(Cells { cells, met: None, present: index(laws, switches), motions })
+        Ok(Cells { cells, met: None, present: Number::of(laws, switches).index(), motions })
     }
 
     /// Makes the cell of these laws and switches the present one. Computes it if it is met for the first time.
@@ -76,14 +80,17 @@ impl Cells {
     /// If its modes cannot be computed.
     #[inline]
     pub fn meet(&mut self, equations: &dyn Equations, (laws, switches, k): Stand<'_>) -> Result<(), Refusal> {
-        self.present = index(laws, switches);
-        let Some(met) = &mut self.met else { return Ok(()) };
-        self.present = match met.get(&self.present) {
+        let number = Number::of(laws, switches);
+        let Some(met) = &mut self.met else {
+            self.present = number.index();
+            return Ok(());
+        };
+        self.present = match met.get(&number) {
             Some(place) => *place,
             None => {
                 let cell = cell(equations, self.motions, (switches, k))?;
                 self.cells.push(Prepared::new(cell, equations, (laws, switches, k)));
-                met.insert(self.present, self.cells.len() - 1);
+                met.insert(number, self.cells.len() - 1);
                 self.cells.len() - 1
             }
         };
@@ -120,20 +127,7 @@ fn cell(equations: &dyn Equations, motions: usize, (switches, k): (&[Switch], &[
     Ok(Cell::of(&matrices)?.conserving(equations, &matrices, motions))
 }
 
-/// The number of the cell of these laws and switches. The index of the first law varies fastest.
-#[inline]
-pub fn index(laws: &[LawState], switches: &[Switch]) -> usize {
-    number(laws, switches, |law| laws[law].cell)
-}
-
-/// The same with the laws in the given cells.
-#[inline]
-pub fn number(laws: &[LawState], switches: &[Switch], cell: impl Fn(usize) -> usize) -> usize {
-    let of_switches = switches.iter().rev().fold(0, |index, switch| index * switch.modes() + switch.mode);
-    laws.iter().enumerate().rev().fold(of_switches, |index, (i, law)| index * law.pitch.cells() + cell(i))
-}
-
-/// Puts laws and switches into the cell with this number.
+/// Puts laws and switches into the cell with this index.
 fn stand(laws: &mut [LawState], switches: &mut [Switch], mut index: usize) {
     let mut digit = |base: usize| {
         let digit = index % base;

@@ -1,5 +1,7 @@
 //! Errors of the engine: why a scene is refused before a run, and why a run stops early.
 
+use crate::engine::cells::Number;
+
 /// Why a scene cannot be simulated. It is detected before the run starts.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[allow(missing_docs)] // the messages are the documentation
@@ -58,32 +60,32 @@ pub enum Stop {
         "at t = {} s the state is no longer finite ({state}) in cell {cell}: the motion grew beyond the range of floating-point numbers",
         at(*t)
     )]
-    NotFinite { t: f64, state: String, cell: usize },
+    NotFinite { t: f64, state: String, cell: Number },
     #[error(
         "at t = {} s, {events} events followed one another within {span:e} s ({state}, cell {cell}): a phase is pressed against a step of the stiffness that its energy cannot pass, or it turns so fast that these steps take no time compared with the vibration: check the speeds in [start]",
         at(*t)
     )]
-    Cascade { t: f64, events: usize, span: f64, state: String, cell: usize },
+    Cascade { t: f64, events: usize, span: f64, state: String, cell: Number },
     #[error(
         "at t = {} s ({state}, cell {cell}) a phase is held at a step, and the modes of the motion with this phase held cannot be computed: {reason}",
         at(*t)
     )]
-    Held { t: f64, state: String, cell: usize, reason: Refusal },
+    Held { t: f64, state: String, cell: Number, reason: Refusal },
     #[error(
         "at t = {} s ({state}, cell {cell}) the modes of the cell entered there cannot be computed: {reason}",
         at(*t)
     )]
-    Cell { t: f64, state: String, cell: usize, reason: Refusal },
+    Cell { t: f64, state: String, cell: Number, reason: Refusal },
     #[error(
         "at t = {} s the search for the next crossing did not end within {steps} steps ({state}, cell {cell})",
         at(*t)
     )]
-    Search { t: f64, steps: usize, state: String, cell: usize },
+    Search { t: f64, steps: usize, state: String, cell: Number },
     #[error(
         "at t = {} s {method} does not meet the tolerance with steps down to {h:e} s ({state}, cell {cell}): the motion is singular there, or the tolerance is below the rounding error",
         at(*t)
     )]
-    Step { t: f64, h: f64, method: &'static str, state: String, cell: usize },
+    Step { t: f64, h: f64, method: &'static str, state: String, cell: Number },
     #[error(
         "at t = {} s the run has recorded {rows} rows, the limit output.most_rows: record less (output.events = false, a lower output.rate), end the run earlier, or raise output.most_rows",
         at(*t)
@@ -93,7 +95,7 @@ pub enum Stop {
         "at t = {} s the run has reached the limit of {steps} steps ({state}, cell {cell}): raise run.tolerance or run.step, or end the run earlier",
         at(*t)
     )]
-    Steps { t: f64, steps: u64, state: String, cell: usize },
+    Steps { t: f64, steps: u64, state: String, cell: Number },
 }
 
 /// A time [s], short for very small ones.

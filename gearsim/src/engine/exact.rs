@@ -5,7 +5,7 @@ use std::collections::hash_map::Entry;
 use std::sync::Arc;
 
 use crate::engine::cell::Cell;
-use crate::engine::cells::{Cells, Prepared};
+use crate::engine::cells::{Cells, Number, Prepared};
 use crate::engine::contact::{Contact, Form};
 use crate::engine::crossing::{Delay, Side};
 use crate::engine::error::{Refusal, Stop};
@@ -30,7 +30,7 @@ use window::InWindow;
 pub struct Exact {
     cells: Cells,
     /// The cells in their undamped modes, for windows, by their numbers.
-    linear: HashMap<usize, Linear>,
+    linear: HashMap<Number, Linear>,
     /// The present cell with what is held in it.
     held: Option<Arc<Held>>,
     /// The cells met so far in which something was held, by their numbers and the phases held.
@@ -40,7 +40,7 @@ pub struct Exact {
 }
 
 /// The number of a cell, and the phases held in it.
-type Place = (usize, Vec<(usize, Side)>);
+type Place = (Number, Vec<(usize, Side)>);
 
 /// A cell in which phases or deflections are held.
 #[derive(Debug, Clone)]

@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use xprec::Df64;
 
-use crate::engine::cells;
+use crate::engine::cells::{self, Number};
 use crate::engine::clock::Clock;
 use crate::engine::contact::{self, Contact};
 use crate::engine::crossing::{Cost, SearchError, Side};
@@ -20,7 +20,7 @@ use crate::engine::start::Initial;
 use crate::engine::switch::{self, Guards, Switch};
 use crate::engine::vector::{Matrix, Vector};
 use crate::scene::Scene;
-use crate::tolerance::events::EVENTS_AT_ONE_TIME;
+use crate::tolerance::events::{DOUBLINGS, EVENTS_AT_ONE_TIME, NO_TIME};
 
 /// Event counts and search cost of a run.
 #[derive(Debug, Clone, Default, PartialEq)]
@@ -112,9 +112,9 @@ impl<'a> Hybrid<'a> {
 }
 
 impl Hybrid<'_> {
-    /// The number of the cell: the first law's cell counts fastest, then the other laws', then the modes of the switches.
-    pub fn cell(&self) -> usize {
-        cells::index(&self.laws, &self.switches)
+    /// The number of the cell.
+    pub fn cell(&self) -> Number {
+        Number::of(&self.laws, &self.switches)
     }
 
     /// Updates the law values from the laws, at the present state and time, and the switches.
@@ -182,16 +182,22 @@ impl Hybrid<'_> {
     }
 
     /// Whether the guards of the switches have changed by at most their rounding errors in the last `dt` \[s\]. Their signs then say nothing
-    /// about the side on which the deflections are.
-    pub fn has_not_moved(&self, dt: f64) -> bool {
-        let still = |exit: &Exit| (exit.guard.on_q.dot(&self.state.q_dot) * dt).abs() <= exit.guard.rounding(&self.k);
+    /// about the side on which the deflections are. `rate` bounds the rates of the motion \[1/s\].
+    pub fn has_not_moved(&self, dt: f64, rate: f64) -> bool {
+        let still = |Exit { guard, .. }: &Exit| {
+            let by_speed = guard.on_speed.amax() == 0.0 || dt * rate <= NO_TIME;
+            by_speed && (guard.on_q.dot(&self.state.q_dot) * dt).abs() <= guard.rounding(&self.k)
+        };
         dt == 0.0 || dt > 0.0 && self.guards.exits.iter().flatten().all(still)
     }
 
-    /// What is added to the value of a guard while a switch rattles.
-    pub fn slack_of(&self, exit: &Exit) -> f64 {
+    /// What is added to the value of a guard while a switch rattles: the rounding error of the guard. It doubles with each further change, since
+    /// a method by steps has larger errors.
+    pub fn slack_of(&self, Exit { guard, .. }: &Exit) -> f64 {
         let (each, all) = EVENTS_AT_ONE_TIME;
-        if self.rattle.1 >= all.min(each * self.switches.len() as u32) { exit.guard.rounding(&self.k) } else { 0.0 }
+        let Some(further) = self.rattle.1.checked_sub(all.min(each * self.switches.len() as u32)) else { return 0.0 };
+        let rate = switch::rest(self.equations, (&self.state.q, &self.state.q_dot), &guard.on_speed);
+        2f64.powi(further.min(DOUBLINGS) as i32) * (guard.rounding(&self.k) + rate)
     }
 
     /// Value of a function that ends a hold, by its number; it may have either sign.

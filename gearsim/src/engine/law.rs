@@ -3,7 +3,7 @@
 
 use xprec::Df64;
 
-use crate::engine::cells::{self, Stand};
+use crate::engine::cells::{Number, Stand};
 use crate::engine::crossing::Side;
 use crate::engine::equations::{Equations, Switching};
 use crate::engine::error::Refusal;
@@ -297,10 +297,10 @@ pub fn beyond(
 }
 
 /// The number of the cell beyond the boundary, with the switches in the given modes.
-pub fn number_beyond(laws: &[LawState], switches: &[Switch], law: usize, side: Side, state: &State) -> usize {
+pub fn number_beyond(laws: &[LawState], switches: &[Switch], law: usize, side: Side, state: &State) -> Number {
     let met = |i: usize| i == law || laws[i].joins(&laws[law], side, state);
     let cell = |i: usize| if met(i) { laws[i].pitch.beyond(laws[i].cell, side).0 } else { laws[i].cell };
-    cells::number(laws, switches, cell)
+    Number::with(laws, switches, cell)
 }
 
 /// The switches in the modes that follow beyond the boundary; `None` if no mode can change there.

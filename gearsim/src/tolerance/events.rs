@@ -112,6 +112,14 @@ pub(crate) const ORDER: f64 = 1e-9;
 /// error of its deflection. Larger: flanks rattle by rounding errors for longer.
 pub(crate) const EVENTS_AT_ONE_TIME: (u32, u32) = (4, 16);
 
+/// Time in which a rate does not change [1: time times the fastest rate]. A clutch or dry friction that changes its mode twice within it does so
+/// by errors of the rate. Smaller: it rattles on. Larger: fast stick-slip is taken for rattling.
+pub(crate) const NO_TIME: f64 = 1e-9;
+
+/// How often the allowance for a guard that rattles is doubled: up to 1e6 times its rounding error, the error of a method by steps with a loose
+/// tolerance. Smaller: it rattles until the run is stopped. Larger: no effect, since the first allowance that suffices ends the rattling.
+pub(crate) const DOUBLINGS: u32 = 20;
+
 /// Rounding error of the guard of a switch near zero [relative to its constant part plus that of transmission errors: of a play, half the
 /// play plus its offset]. Flanks that meet and part without passing time must pass the edge by this, and an impulse must violate a guard
 /// by this. Smaller: they rattle on. Larger: no effect on other motions.

@@ -145,7 +145,7 @@ fn a_comparison_writes_three_runs_and_their_plots() {
 
 #[test]
 fn a_run_that_stopped_early_has_exit_code_3() {
-    let stop = Box::new(Stop::Search { t: 0.1, steps: 7, state: "q = [0]".into(), cell: 1 });
+    let stop = Box::new(Stop::Search { t: 0.1, steps: 7, state: "q = [0]".into(), cell: 1.into() });
     let failure = Failure::Stopped { run: "scene x".into(), stop, folder: "out/x".into() };
     assert_eq!(failure.code(), 3);
     let text = failure.to_string();

@@ -10,6 +10,7 @@ use super::cell::Cell;
 use super::held::{self, Held};
 use super::step::Step;
 use crate::engine::cell;
+use crate::engine::cells::Number;
 use crate::engine::contact::Contact;
 use crate::engine::crossing::Side;
 use crate::engine::equations::ExactCells;
@@ -22,11 +23,11 @@ use crate::engine::switch::Switch;
 /// The cells.
 pub struct Cells {
     /// The cells met so far, by number.
-    met: HashMap<usize, Arc<Cell>>,
+    met: HashMap<Number, Arc<Cell>>,
     /// The cells in which motions are held.
     held: HashMap<Place, Arc<Held>>,
     /// Steps from one cell to another one.
-    steps: HashMap<(usize, usize), Step>,
+    steps: HashMap<(Number, Number), Step>,
     /// Geometry of the steps of each law.
     surfaces: Vec<Surface>,
     /// The present cell.
@@ -36,7 +37,7 @@ pub struct Cells {
 }
 
 /// The number of a cell, and the phases and switches held in it.
-type Place = (usize, Vec<(usize, Side)>, Vec<(usize, usize)>);
+type Place = (Number, Vec<(usize, Side)>, Vec<(usize, usize)>);
 
 /// Geometry of the steps of a law.
 pub struct Surface {
@@ -82,7 +83,7 @@ impl Cells {
         &mut self,
         exact: &dyn ExactCells,
         now: &Hybrid<'_>,
-        number: usize,
+        number: Number,
         stand: (&[Switch], &[f64]),
     ) -> Result<Arc<Cell>, Refusal> {
         if let Some(cell) = self.met.get(&number) {
@@ -128,16 +129,16 @@ impl Cells {
         let stand = (&now.laws[..], &now.switches[..], &now.k[..]);
         let switches = law::switches_beyond(now.equations, stand, law, side, &now.state);
         let switches = switches.as_deref().unwrap_or(&now.switches);
-        let (here, beyond) = (now.cell(), law::number_beyond(&now.laws, switches, law, side, &now.state));
-        if !self.steps.contains_key(&(here, beyond)) {
+        let step = (now.cell(), law::number_beyond(&now.laws, switches, law, side, &now.state));
+        if !self.steps.contains_key(&step) {
             let mut k = now.k.clone();
             law::met(&now.laws, law, side, &now.state).for_each(|i| k[i] = now.laws[i].level_beyond(side));
             switches.iter().for_each(|switch| switch.write(&mut k));
-            let from = self.cell(exact, now, here, (&now.switches, &now.k)).ok()?;
-            let to = self.cell(exact, now, beyond, (switches, &k)).ok()?;
-            self.steps.insert((here, beyond), Step::between(&from.matrices, &to.matrices));
+            let from = self.cell(exact, now, step.0.clone(), (&now.switches, &now.k)).ok()?;
+            let to = self.cell(exact, now, step.1.clone(), (switches, &k)).ok()?;
+            self.steps.insert(step.clone(), Step::between(&from.matrices, &to.matrices));
         }
-        self.steps.get(&(here, beyond))
+        self.steps.get(&step)
     }
 }
 
