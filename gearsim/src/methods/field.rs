@@ -53,7 +53,7 @@ pub struct Field<'a> {
 impl<'a> Field<'a> {
     /// The equations of a run in the mode of `now`.
     pub fn new(now: &Hybrid<'a>) -> Self {
-        let none = vec![0.0; now.laws.len()];
+        let none = vec![0.0; now.k.len()];
         let mut field = Field {
             equations: now.equations,
             laws: vec![],
