@@ -208,17 +208,19 @@ impl Hybrid<'_> {
         let (State { q, q_dot, .. }, Some(watch)) = (&self.state, contact.watches.get(which)) else {
             return f64::INFINITY;
         };
+        let form =
+            if self.steps_only() { watch.form.clone() } else { watch.at(self.equations, &self.switches, q, &self.k) };
         if let Some(turned) =
             contact.turned((self.equations, &self.switches), (q, q_dot), &self.k, || self.law_rates(q, q_dot))
         {
             let (_, to_reactions) = contact::held(&self.equations.mobility(q), &turned.normals);
-            return watch.form.at(&to_reactions).value(q, q_dot, || self.force() + &turned.force);
+            return form.at(&to_reactions).value(q, q_dot, || self.force() + &turned.force);
         }
         if self.equations.is_inertia_constant() {
-            return watch.form.value(q, q_dot, || self.force());
+            return form.value(q, q_dot, || self.force());
         }
         let (_, to_reactions) = contact::held(&self.equations.mobility(q), &contact.normals);
-        watch.form.at(&to_reactions).value(q, q_dot, || self.force())
+        form.at(&to_reactions).value(q, q_dot, || self.force())
     }
 
     /// Generalised forces of the torques that vary, beyond those of the start (N).
