@@ -8,7 +8,7 @@ pub use crate::engine::vector::{Matrix, Vector};
 pub mod equations {
     pub use crate::engine::equations::{
         Affine, Deflection, Derived, Equations, ExactCells, Exit, Known, Matrices, On, Switching, array, array_mut,
-        compliance, direction, exits, gradient, matrix, no_such, numbers, vector,
+        compliance, direction, exits, gradient, matrix, no_such, numbers, values, vector,
     };
 
     pub use crate::engine::equations::{DerivedModel, accelerated, mobility};

@@ -48,7 +48,7 @@ fn largest_error(effects: u64, change: impl Fn(&mut GearPair)) -> f64 {
         let (expected, scale) = by_hand(&pair, &p, effects & (RIGID_KINEMATICS | FROZEN_PHASE) == 0);
         // The classical equation keeps theta' constant; only phi'' is compared.
         let from = if effects & FROZEN_PHASE == 0 { 0 } else { 1 };
-        let found = equations.acceleration(&p.q(), &p.q_dot(), &[p.k], &[p.dk]);
+        let found = equations.acceleration(&p.q(), &p.q_dot(), &p.values(), &p.slopes());
         for i in from..2 {
             worst = worst.max((found[i] - expected[i]).abs() / scale[i]);
         }
@@ -73,7 +73,7 @@ fn without_effects_the_slope_of_the_stiffness_is_not_read() {
     for p in points(POINTS) {
         let equations = p.equations(0);
         let (expected, scale) = by_hand(&p.pair(0), &p, false);
-        let found = equations.acceleration(&p.q(), &p.q_dot(), &[p.k], &[f64::NAN]);
+        let found = equations.acceleration(&p.q(), &p.q_dot(), &p.values(), &[f64::NAN; 4]);
         for i in 0..2 {
             assert!((found[i] - expected[i]).abs() < TOLERANCE * scale[i], "{p:?}");
         }
@@ -85,8 +85,8 @@ fn generated_forces_equal_mass_times_acceleration() {
     // M q'' = F with the mass matrix by hand; the residual is compared with the largest term of its sum.
     for p in points(POINTS) {
         let equations = p.equations(STIFFNESS_STEP | DAMPING | TORQUES);
-        let a = equations.acceleration(&p.q(), &p.q_dot(), &[p.k], &[p.dk]);
-        let f = equations.force(&p.q(), &p.q_dot(), &[p.k], &[p.dk]);
+        let a = equations.acceleration(&p.q(), &p.q_dot(), &p.values(), &p.slopes());
+        let f = equations.force(&p.q(), &p.q_dot(), &p.values(), &p.slopes());
         let pair = p.pair(DAMPING | TORQUES);
         let (m1, m2) = (pair.i1 / pair.n1.powi(2), pair.i2 / pair.n2.powi(2));
         let sums = [(m1 + m2) * a[0] + (m1 - m2) * a[1] - f[0], (m1 - m2) * a[0] + (m1 + m2) * a[1] - f[1]];
@@ -117,7 +117,7 @@ fn a_wrong_coefficient_is_detected() {
     }
     let exact = largest_error(STIFFNESS_STEP, |_| {});
     let mixed = points(POINTS).any(|p| {
-        let found = p.equations(STIFFNESS_STEP).acceleration(&p.q(), &p.q_dot(), &[p.k], &[p.dk]);
+        let found = p.equations(STIFFNESS_STEP).acceleration(&p.q(), &p.q_dot(), &p.values(), &p.slopes());
         let (expected, scale) = by_hand(&p.pair(0), &p, false);
         (found[0] - expected[0]).abs() > TOLERANCE * scale[0]
     });

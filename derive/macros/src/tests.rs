@@ -231,6 +231,28 @@ fn each_effect_adds_one_block() {
     assert!(many.abs_diff(few) < few / 10, "12 effects add {few} characters to 0 effects, {many} to 24");
 }
 
+/// The functions that are called at every step have a variant for each kind of values that effects bring, not for each effect.
+#[test]
+fn variants_do_not_multiply_with_effects() {
+    let variants = |sample: &str| expand(tokens(sample)).to_string().matches("Self :: force_in :: <").count();
+    assert_eq!([sample(), with_effects(24)].map(|sample| variants(&sample)), [5, 5]);
+}
+
+/// A variant has no test of effects whose values it does not have.
+#[test]
+fn variants_are_chosen_by_the_values_of_effects() {
+    let code = expand(tokens(&sample())).to_string();
+    for said in [
+        "if ! (met . transmission_error) && ! (met . backlash || met . flank_stiction) \
+         && ! (met . sliding_friction) { \
+         (Self :: force_in :: < false , false , false >",
+        "if met . transmission_error && ERRORS { let e = k [1] ; over = over - e ; }",
+        "let arm = if met . sliding_friction && OTHERS { k [3] } else { 0f64 . into () }",
+    ] {
+        assert!(code.contains(said), "{said} is not there: {code}");
+    }
+}
+
 #[test]
 fn all_errors_are_reported_at_once() {
     let all = errors("I1*(phi_dot", "nought.abs()*2*I1*(nix").into_iter().map(|(place, _)| place);

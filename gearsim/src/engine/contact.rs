@@ -97,15 +97,37 @@ pub struct Form {
     pub on_force: Vector,
     /// The number of that row, and the multiple; `None` if the function does not depend on reactions.
     reaction: Option<(usize, f64)>,
-    /// Its value where all of them are zero.
-    pub constant: f64,
+    /// Its value where all of them are zero, without the margin.
+    constant: f64,
+    /// The margin by which a reaction may pull; 0 if the function does not depend on reactions.
+    margin: f64,
+}
+
+impl Watch {
+    /// Its function at the coordinates `q` and the law values `k`. The guards of a switch change within a mode where their factors do: those
+    /// of curved laws.
+    pub fn at(&self, equations: &dyn Equations, switches: &[Switch], q: &[f64], k: &[f64]) -> Form {
+        let (End::Loose(switch, beyond), Some((_, factor))) = (self.end, self.form.reaction) else {
+            return self.form.clone();
+        };
+        let exits = switches[switch].exits(equations, q, k);
+        let exit = exits.into_iter().find(|exit| exit.beyond == beyond && exit.guard.on_reaction == factor);
+        let guard = exit.expect("the guard of which the hold was made").guard;
+        let constant = guard.constant_at(k);
+        Form { on_q: guard.on_q, on_speed: guard.on_speed, constant, ..self.form.clone() }
+    }
 }
 
 impl Form {
     /// R plus the margin by which it may pull: the forces times row `which` of the factors, plus the margin.
-    fn reaction(on_force: Vector, which: usize, constant: f64) -> Self {
+    fn reaction(on_force: Vector, which: usize, margin: f64) -> Self {
         let none = Vector::zeros(on_force.len());
-        Form { on_q: none.clone(), on_speed: none, on_force, reaction: Some((which, 1.0)), constant }
+        Form { on_q: none.clone(), on_speed: none, on_force, reaction: Some((which, 1.0)), constant: 0.0, margin }
+    }
+
+    /// Its value where coordinates, speeds and forces are zero.
+    pub fn constant(&self) -> f64 {
+        self.constant + self.margin
     }
 
     /// The same function where the factors of the reactions are `to_reactions` (one a row).
@@ -118,12 +140,12 @@ impl Form {
     /// A deflection less the value `at`.
     fn deflection(on_q: Vector, at: f64) -> Self {
         let none = Vector::zeros(on_q.len());
-        Form { on_q, on_speed: none.clone(), on_force: none, reaction: None, constant: -at }
+        Form { on_q, on_speed: none.clone(), on_force: none, reaction: None, constant: -at, margin: 0.0 }
     }
 
     /// Its value at coordinates and speeds, with the generalised forces that `force` gives.
     pub fn value(&self, q: &[f64], q_dot: &[f64], force: impl FnOnce() -> Vector) -> f64 {
-        self.on_q.dot(q) + self.on_speed.dot(q_dot) + self.on_force.dot(&force()) + self.constant
+        self.on_q.dot(q) + self.on_speed.dot(q_dot) + self.on_force.dot(&force()) + self.constant()
     }
 }
 
@@ -276,7 +298,7 @@ impl Holds {
                         .filter(|exit| exit.guard.on_reaction != 0.0)
                     {
                         let Affine { on_reaction, .. } = exit.guard;
-                        let constant = exit.guard.constant_at(k) + RELEASE * on_reaction.abs() * forces;
+                        let (constant, margin) = (exit.guard.constant_at(k), RELEASE * on_reaction.abs() * forces);
                         let (on_q, on_speed) = (exit.guard.on_q.clone(), exit.guard.on_speed.clone());
                         let form = Form {
                             on_q,
@@ -284,6 +306,7 @@ impl Holds {
                             on_force: &row * on_reaction,
                             reaction: Some((c, on_reaction)),
                             constant,
+                            margin,
                         };
                         reactions.push(Watch { end: End::Loose(i, exit.beyond), form });
                     }

@@ -21,7 +21,8 @@ use crate::tolerance::events::EDGE_ROUNDING;
 /// The equations of one model with one set of effects and given parameter values.
 ///
 /// `q` and `q_dot` are coordinates and speeds (n each). `k` holds the present value of each law [unit of the law] (L), followed
-/// by the values of the symbols of each switch. `dk` and `ddk` hold derivatives of the laws only (L).
+/// by the values of the symbols of each switch. `dk` and `ddk` hold derivatives of the laws (L); what follows them is not read. All laws and
+/// symbols of the model have a place, also those of absent effects.
 ///
 /// # Panics
 /// All functions, if the length of a vector does not match the model.
@@ -410,7 +411,21 @@ pub fn array<R, const N: usize>(numbers: &[R]) -> &[R; N] {
     numbers.try_into().unwrap_or_else(|_| wrong_length(N, numbers.len()))
 }
 
-/// The same, mutable.
+/// The values of the laws and symbols of a model, or the slopes of its laws, for code that knows how many there are.
+///
+/// # Panics
+/// If there are too few.
+#[inline]
+pub fn values<R, const L: usize>(values: &[R]) -> &[R; L] {
+    values.first_chunk().unwrap_or_else(|| too_few_values(L, values.len()))
+}
+
+#[cold]
+fn too_few_values(l: usize, given: usize) -> ! {
+    panic!("{l} values of laws and switches are needed, {given} are given")
+}
+
+/// [`array`], mutable.
 ///
 /// # Panics
 /// Those of [`array`].

@@ -50,7 +50,7 @@ impl Forcing {
         let varies = scene.model.parameters.iter().map(|p| p.varies);
         let bare: Vec<f64> =
             scene.parameters.iter().zip(varies).map(|(x, varies)| if varies { 0.0 } else { *x }).collect();
-        let (k, flat) = (scene.model.in_contact(mids.iter().copied()), vec![0.0; mids.len()]);
+        let (k, flat) = (scene.model.in_contact(mids.iter().copied()), vec![0.0; scene.model.laws.len()]);
         let drive = |(p, course): &(usize, TimeHistory)| {
             // The forces are linear in the parameter: B_p is the difference of those at 1 and at 0.
             let mut unit = bare.clone();

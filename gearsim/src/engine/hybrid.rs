@@ -206,17 +206,19 @@ impl Hybrid<'_> {
         let (State { q, q_dot, .. }, Some(watch)) = (&self.state, contact.watches.get(which)) else {
             return f64::INFINITY;
         };
+        let form =
+            if self.steps_only() { watch.form.clone() } else { watch.at(self.equations, &self.switches, q, &self.k) };
         if let Some(turned) =
             contact.turned((self.equations, &self.switches), (q, q_dot), &self.k, || self.law_rates(q, q_dot))
         {
             let (_, to_reactions) = contact::held(&self.equations.mobility(q), &turned.normals);
-            return watch.form.at(&to_reactions).value(q, q_dot, || self.force() + &turned.force);
+            return form.at(&to_reactions).value(q, q_dot, || self.force() + &turned.force);
         }
         if self.equations.is_inertia_constant() {
-            return watch.form.value(q, q_dot, || self.force());
+            return form.value(q, q_dot, || self.force());
         }
         let (_, to_reactions) = contact::held(&self.equations.mobility(q), &contact.normals);
-        watch.form.at(&to_reactions).value(q, q_dot, || self.force())
+        form.at(&to_reactions).value(q, q_dot, || self.force())
     }
 
     /// Generalised forces of the torques that vary, beyond those of the start (N).
@@ -228,18 +230,26 @@ impl Hybrid<'_> {
 
     /// The rates of the law values along the motion `q`, `q_dot`.
     pub fn law_rates(&self, q: &[f64], q_dot: &[f64]) -> Vec<f64> {
-        let mut rates = vec![0.0; self.k.len()];
+        let mut rates = self.slopes(q, self.clock.now());
         for (rate, law) in rates.iter_mut().zip(&self.laws) {
-            *rate = law.course(q[law.phase], self.clock.now())[1] * q_dot[law.phase];
+            *rate *= q_dot[law.phase];
         }
         rates
+    }
+
+    /// The derivatives of the law values by their phases, at the coordinates `q` and the time `t` \[s\], in the places of the values.
+    pub fn slopes(&self, q: &[f64], t: f64) -> Vec<f64> {
+        let mut slopes = vec![0.0; self.k.len()];
+        for (slope, law) in slopes.iter_mut().zip(&self.laws) {
+            *slope = law.course(q[law.phase], t)[1];
+        }
+        slopes
     }
 
     /// All generalised forces (N).
     pub fn force(&self) -> Vector {
         let State { q, q_dot, .. } = &self.state;
-        let slopes: Vec<f64> = self.laws.iter().map(|law| law.course(q[law.phase], self.clock.now())[1]).collect();
-        let mut force = self.equations.force(q, q_dot, &self.k, &slopes);
+        let mut force = self.equations.force(q, q_dot, &self.k, &self.slopes(q, self.clock.now()));
         if self.forcing.is_some() {
             force += &self.further_load();
         }
@@ -249,7 +259,7 @@ impl Hybrid<'_> {
     /// The generalised forces of a linear cell at the present coordinates, without those of speeds and of torques that vary (N).
     pub fn force_at_rest(&self) -> Vector {
         let n = self.state.q.len();
-        self.equations.force(&self.state.q, &Vector::zeros(n), &self.k, &Vector::zeros(self.laws.len()))
+        self.equations.force(&self.state.q, &Vector::zeros(n), &self.k, &vec![0.0; self.k.len()])
     }
 
     /// Energy that the forces of switches dissipate while the coordinates move by `dq` \[J\].

@@ -48,8 +48,7 @@ impl Known {
 fn reactions(now: &Hybrid<'_>, t: f64, State { q, q_dot, .. }: &State, k: &[f64]) -> Numbers {
     let mut reactions = Numbers::new();
     let Some(held) = now.contact.as_ref().filter(|contact| !contact.switches.is_empty()) else { return reactions };
-    let slopes: Vec<f64> = now.laws.iter().map(|law| law.course(q[law.phase], t)[1]).collect();
-    let mut force = now.equations.force(q, q_dot, k, &slopes);
+    let mut force = now.equations.force(q, q_dot, k, &now.slopes(q, t));
     if let Some(forcing) = &now.forcing {
         force += &forcing.load(t);
     }

@@ -8,7 +8,7 @@ use std::sync::Arc;
 
 use nalgebra::DMatrix;
 
-use crate::engine::contact::{self, Contact, Form, Turned};
+use crate::engine::contact::{self, Contact, Turned, Watch};
 use crate::engine::crossing::Side;
 use crate::engine::equations::{Equations, accelerated};
 use crate::engine::forcing::Forcing;
@@ -29,7 +29,7 @@ pub struct Field<'a> {
     guards: Arc<Guards>,
     forcing: Option<Box<Forcing>>,
     /// The functions that end holds.
-    holds: Vec<Form>,
+    holds: Vec<Watch>,
     /// P (N x N); `None` where M depends on q.
     mobility: Option<Matrix>,
     /// The linear forces of the present mode, if the model puts them together from parts.
@@ -53,7 +53,7 @@ pub struct Field<'a> {
 impl<'a> Field<'a> {
     /// The equations of a run in the mode of `now`.
     pub fn new(now: &Hybrid<'a>) -> Self {
-        let none = vec![0.0; now.laws.len()];
+        let none = vec![0.0; now.k.len()];
         let mut field = Field {
             equations: now.equations,
             laws: vec![],
@@ -83,8 +83,7 @@ impl<'a> Field<'a> {
         self.guards.clone_from(&now.guards);
         self.k.clone_from(&now.k);
         self.forcing.clone_from(&now.forcing);
-        let watches = now.contact.iter().flat_map(|contact| &contact.watches);
-        self.holds = watches.map(|watch| watch.form.clone()).collect();
+        self.holds = now.contact.iter().flat_map(|contact| &contact.watches).cloned().collect();
         self.held = now.contact.as_ref().map(|contact| contact.normals.clone());
         self.turning = now.contact.clone().filter(|contact| contact.turns());
         self.linear = if self.steps_only { self.equations.linear_forces(&self.k) } else { None };
@@ -213,11 +212,14 @@ impl<'a> Field<'a> {
                 guards.exits[i][which].guard.value(&y.q, &y.v, &self.k)
             }
             Guard::Hold(which) => {
-                let mut form = self.holds[which].clone();
+                let mut force = self.force(t, y);
+                let mut form = match self.steps_only {
+                    true => self.holds[which].form.clone(),
+                    false => self.holds[which].at(self.equations, &self.switches, &y.q, &self.k),
+                };
                 if let (None, Some(normals)) = (&self.mobility, &self.held) {
                     form = form.at(&contact::held(&self.equations.mobility(&y.q), normals).1);
                 }
-                let mut force = self.force(t, y);
                 if let Some(turned) = self.turned(y) {
                     form = form.at(&contact::held(&self.equations.mobility(&y.q), &turned.normals).1);
                     force += &turned.force;

@@ -16,7 +16,7 @@ fn matrices_of_a_cell_equal_those_of_the_paper() {
                 assert!((found - expected).abs() <= TOLERANCE * scale, "{found:e} is not {expected:e} at {p:?}");
             };
             let (a, b) = (pair.i1 / pair.n1.powi(2), pair.i2 / pair.n2.powi(2));
-            let (mass, k) = (equations.mass(&[0.0; 2]), [p.k, 1.0, 0.0, 1.0, 0.0]);
+            let (mass, k) = (equations.mass(&[0.0; 2]), p.values());
             for (i, j, expected) in [(0, 0, a + b), (0, 1, a - b), (1, 0, a - b), (1, 1, a + b)] {
                 same(mass[(i, j)], expected, a + b);
             }
@@ -34,7 +34,7 @@ fn matrices_of_a_cell_equal_those_of_the_paper() {
 /// that are summed in (12), (13). The cell is underdamped. At w t = 10 the angle w t itself adds ten rounding errors.
 fn error_of_motion(p: &Point, pair: &GearPair, turn: f64) -> f64 {
     let equations = p.equations(STIFFNESS_STEP | DAMPING | TORQUES);
-    let cell = Cell::new(&*equations, &[p.k]).expect("a sound cell");
+    let cell = Cell::new(&*equations, &p.values()).expect("a sound cell");
     let sigma = pair.zeta * pair.w0();
     let w = (pair.m2() * p.k - sigma * sigma).sqrt();
     // theta starts at rest. A drift of theta would hide the other terms here; the energy tests check it.

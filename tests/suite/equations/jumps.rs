@@ -22,11 +22,8 @@ fn speeds_after_a_step_equal_those_of_the_paper() {
         let theta_dot = (ratio * critical).copysign(p.theta_dot);
         let mut q_dot = [theta_dot, p.phi_dot].into();
         let side = if theta_dot > 0.0 { Side::Upper } else { Side::Lower };
-        let passage = Surface::new(&*equations, 0, &p.q()).pass(
-            &mut q_dot,
-            side,
-            equations.step(0, &p.q(), &[p.k, 1.0, 0.0, 1.0, 0.0], p.dk),
-        );
+        let passage =
+            Surface::new(&*equations, 0, &p.q()).pass(&mut q_dot, side, equations.step(0, &p.q(), &p.values(), p.dk));
         let by_hand = pair.jump(p.dk, p.phi, theta_dot, p.phi_dot);
         let (passed, theta_after, phi_after) = match by_hand {
             Jump::Transmit { theta_dot, phi_dot } => (true, theta_dot, phi_dot),
@@ -69,7 +66,7 @@ fn a_wrong_compliance_is_detected() {
         let mut surface = Surface::new(&*equations, 0, &p.q());
         surface.compliance *= 1.0 + 1e-12;
         let mut q_dot = [theta_dot, p.phi_dot].into();
-        surface.pass(&mut q_dot, Side::Upper, equations.step(0, &p.q(), &[p.k, 1.0, 0.0, 1.0, 0.0], p.dk));
+        surface.pass(&mut q_dot, Side::Upper, equations.step(0, &p.q(), &p.values(), p.dk));
         let Jump::Transmit { theta_dot: expected, .. } = pair.jump(p.dk, p.phi, theta_dot, p.phi_dot) else {
             return false;
         };

@@ -35,6 +35,16 @@ impl Point {
         [self.theta_dot, self.phi_dot]
     }
 
+    /// The values of laws and switches: that of the stiffness, and NaN for those that exist only with other effects.
+    pub fn values(&self) -> [f64; 9] {
+        std::array::from_fn(|i| if i == 0 { self.k } else { f64::NAN })
+    }
+
+    /// The slopes of the laws.
+    pub fn slopes(&self) -> [f64; 4] {
+        [self.dk, f64::NAN, f64::NAN, f64::NAN]
+    }
+
     /// The hand-written gear pair, with zeta and T0 zero where their effects are absent.
     pub fn pair(&self, effects: u64) -> GearPair {
         let keep = |effect, x| if effects & effect == 0 { 0.0 } else { x };

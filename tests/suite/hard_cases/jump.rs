@@ -61,14 +61,14 @@ pub const CASES: &[Case] = &[
     },
 ];
 
-/// Law values of the gear pair without play. Only the step of the stiffness matters here.
-const IN_CONTACT: &[f64] = &[0.0, 1.0, 0.0, 1.0, 0.0];
+/// Values of the laws and switches of the gear pair. Only the step of the stiffness matters here.
+const VALUES: &[f64] = &[0.0; 9];
 
 /// The engine's decision at a step, and the speeds after it.
 fn pass(equations: &dyn Equations, q: [f64; 2], v: [f64; 2], dk: f64) -> (Passage, [f64; 2]) {
     let mut q_dot = Vector::from(v);
     let side = if v[0] >= 0.0 { Side::Upper } else { Side::Lower };
-    let passage = Surface::new(equations, 0, &q).pass(&mut q_dot, side, equations.step(0, &q, IN_CONTACT, dk));
+    let passage = Surface::new(equations, 0, &q).pass(&mut q_dot, side, equations.step(0, &q, VALUES, dk));
     (passage, [q_dot[0], q_dot[1]])
 }
 
@@ -129,7 +129,7 @@ fn energy(_: &mut String) -> f64 {
         let (q, dk) = ([0.0, 0.1 * noise.even()], noise.power(0.0, 5.0).copysign(noise.even()));
         let v = [noise.power(0.0, 3.0) * noise.even(), noise.power(0.0, 3.0) * noise.even()];
         let (passage, after) = pass(&*equations, q, v, dk);
-        let gain = if passage == Passage::Transmitted { equations.step(0, &q, IN_CONTACT, dk) } else { 0.0 };
+        let gain = if passage == Passage::Transmitted { equations.step(0, &q, VALUES, dk) } else { 0.0 };
         let (before, after) = (equations.kinetic(&q, &v), equations.kinetic(&q, &after));
         (after - before + gain).abs() / (f64::EPSILON * (before + gain.abs()))
     }))

@@ -44,6 +44,11 @@ pub fn equations(pair: &GearPair) -> Box<dyn Equations> {
         .expect("effects that go together")
 }
 
+/// The values of its laws and switches in a cell of stiffness `k` \[N m\]; the others are not read.
+pub fn values(k: f64) -> [f64; 9] {
+    std::array::from_fn(|i| if i == 0 { k } else { f64::NAN })
+}
+
 /// Runs a gear pair in the engine. A run that stops early has the events until then.
 pub fn run(pair: &GearPair, start: &State, t_end: f64) -> Run {
     of(&scene(pair, start, t_end))

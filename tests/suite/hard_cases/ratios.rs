@@ -95,7 +95,7 @@ fn against(note: &mut String, pairs: impl Iterator<Item = GearPair>) -> f64 {
 fn flight(_: &mut String) -> f64 {
     let mut noise = Noise::new(501);
     let equations = pair::equations(&GearPair::paper(0.0, 0.0));
-    let cell = Cell::new(&*equations, &[0.0]).expect("a cell without stiffness");
+    let cell = Cell::new(&*equations, &pair::values(0.0)).expect("a cell without stiffness");
     largest((0..1000).map(|_| {
         let v = Vector::from([noise.even(), noise.even()]);
         let (flight, t) = (cell.flight(&Vector::from([noise.even(), noise.even()]), &v), noise.power(-9.0, 9.0));
@@ -109,8 +109,10 @@ fn momentum(_: &mut String) -> f64 {
     let mut noise = Noise::new(502);
     largest(powers().flat_map(|ratio| {
         let equations = pair::equations(&GearPair { i2: 2.89e-3 * ratio, ..GearPair::paper(0.0, 3.0) });
-        let (cell, m) =
-            (Cell::new(&*equations, &[2000.0]).expect("a cell"), equations.mass(&[0.0; 2]).row(0).clone_owned());
+        let (cell, m) = (
+            Cell::new(&*equations, &pair::values(2000.0)).expect("a cell"),
+            equations.mass(&[0.0; 2]).row(0).clone_owned(),
+        );
         [(); 50].map(|()| {
             let [q, v] = [(); 2].map(|()| Vector::from([noise.even(), noise.even()]));
             let flight = cell.flight(&q, &v);

@@ -92,7 +92,7 @@ fn chain(note: &mut String) -> f64 {
 fn rolling(_: &mut String) -> f64 {
     let equations = pair::equations(&GearPair::paper(0.05, 0.0));
     largest([1430.0, 2780.0].map(|k| {
-        let cell = Cell::new(&*equations, &[k]).expect("a cell of the paper's");
+        let cell = Cell::new(&*equations, &pair::values(k)).expect("a cell of the paper's");
         let flight = cell.flight(&Vector::zeros(2), &Vector::from([1500.0, 0.0]));
         let (dq, _) = flight.increments(&flight.at(1e-3));
         (dq[1] / dq[0]).abs()

@@ -23,7 +23,7 @@ pub fn cells(m: &Model) -> Vec<Cold> {
     // A function of the values of laws and switches.
     let of_values = |cold: Cold| {
         let body = with_lets(m, cold.body);
-        Cold { takes: &[Takes::Laws("k")], body, ..cold }
+        Cold { takes: &[Takes::Values("k")], body, ..cold }
     };
     let mut all = vec![at(square("mass", &m.mass))];
     all.extend(m.mobility.as_ref().map(|entries| at(square("mobility", entries))));
@@ -40,7 +40,7 @@ pub fn cells(m: &Model) -> Vec<Cold> {
     }));
     all.push(Cold {
         name: "potential",
-        takes: &[Takes::Coordinates("q"), Takes::Laws("k")],
+        takes: &[Takes::Coordinates("q"), Takes::Values("k")],
         returns: Returns::In(Clone::clone),
         body: in_any_number(with_lets(m, body(&m.potential))),
     });
@@ -58,11 +58,12 @@ pub fn matrices(m: &Model) -> TokenStream {
         None => quote!(None),
     };
     let n = Index::from(m.coordinates.len());
+    let values = m.values();
     let each = cells(m).into_iter().map(|f| f.define(m, &quote!(R)));
     quote! {
         #(#each)*
 
-        fn matrices(&self, met: &Met, k: &[R]) -> equations::Matrices<R> {
+        fn matrices(&self, met: &Met, k: &[R; #values]) -> equations::Matrices<R> {
             // In linear cells M is the same everywhere.
             let q = [R::from(0.0); #n];
             equations::Matrices {

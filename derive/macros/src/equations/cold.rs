@@ -6,7 +6,7 @@ use proc_macro2::{Group, Literal, TokenStream, TokenTree};
 use quote::{format_ident, quote};
 use syn::{Index, Lit};
 
-use self::Takes::{Coordinates, Laws};
+use self::Takes::{Coordinates, Slopes, Values};
 use crate::equations::effects::is_met;
 use crate::equations::jumps::jumps;
 use crate::equations::lets::with_lets;
@@ -28,8 +28,10 @@ pub struct Cold {
 pub enum Takes {
     /// Coordinates or speeds: n numbers.
     Coordinates(&'static str),
-    /// Values of the laws.
-    Laws(&'static str),
+    /// Values of the laws and of the symbols of switches.
+    Values(&'static str),
+    /// Derivatives of the laws.
+    Slopes(&'static str),
     /// An index.
     Index(&'static str),
     /// A number.
@@ -56,9 +58,11 @@ impl Cold {
     /// Itself, in numbers of type `r`.
     pub fn define(&self, m: &Model, r: &TokenStream) -> TokenStream {
         let (name, body, n) = (format_ident!("{}", self.name), &self.body, Index::from(m.coordinates.len()));
+        let (values, laws) = (m.values(), Index::from(m.laws.len()));
         let takes = self.takes.iter().map(|takes| match takes {
             Takes::Coordinates(name) => argument(name, quote!(&[#r; #n])),
-            Takes::Laws(name) => argument(name, quote!(&[#r])),
+            Takes::Values(name) => argument(name, quote!(&[#r; #values])),
+            Takes::Slopes(name) => argument(name, quote!(&[#r; #laws])),
             Takes::Index(name) => argument(name, quote!(usize)),
             Takes::Number(name) => argument(name, r.clone()),
             Takes::Known(name) => argument(name, quote!(&equations::Known)),
@@ -80,19 +84,24 @@ impl Cold {
     pub fn call(&self) -> TokenStream {
         let name = format_ident!("{}", self.name);
         let takes = self.takes.iter().map(|takes| match takes {
-            Takes::Coordinates(name) | Takes::Laws(name) => argument(name, quote!(&[f64])),
+            Takes::Coordinates(name) | Takes::Values(name) | Takes::Slopes(name) => argument(name, quote!(&[f64])),
             Takes::Index(name) => argument(name, quote!(usize)),
             Takes::Number(name) => argument(name, quote!(f64)),
             Takes::Known(name) => argument(name, quote!(&equations::Known)),
         });
         let given = self.takes.iter().map(|takes| {
             let (Takes::Coordinates(name)
-            | Takes::Laws(name)
+            | Takes::Values(name)
+            | Takes::Slopes(name)
             | Takes::Index(name)
             | Takes::Number(name)
             | Takes::Known(name)) = takes;
             let name = format_ident!("{name}");
-            if let Takes::Coordinates(_) = takes { quote!(equations::array(#name)) } else { quote!(#name) }
+            match takes {
+                Takes::Coordinates(_) => quote!(equations::array(#name)),
+                Takes::Values(_) | Takes::Slopes(_) => quote!(equations::values(#name)),
+                _ => quote!(#name),
+            }
         });
         let value = quote!(self.numbers.#name(&self.met, #(#given),*));
         let (returns, value) = match &self.returns {
@@ -156,7 +165,7 @@ pub fn cold(m: &Model) -> Vec<Cold> {
         cold("work", &[Coordinates("dq")], number(), work),
         cold(
             "jacobian",
-            &[Coordinates("q"), Coordinates("q_dot"), Laws("k"), Laws("dk"), Laws("ddk")],
+            &[Coordinates("q"), Coordinates("q_dot"), Values("k"), Slopes("dk"), Slopes("ddk")],
             Returns::Matrices,
             jacobian,
         ),
@@ -179,7 +188,7 @@ fn output(m: &Model) -> Option<Cold> {
     let output = by_index("output", format_ident!("i"), outputs);
     (!m.outputs.is_empty()).then(|| Cold {
         name: "output",
-        takes: &[Takes::Index("i"), Coordinates("q"), Coordinates("q_dot"), Laws("k"), Takes::Known("known")],
+        takes: &[Takes::Index("i"), Coordinates("q"), Coordinates("q_dot"), Values("k"), Takes::Known("known")],
         returns: Returns::Plain(quote!(f64)),
         body: quote!(let output: f64 = #output; output + 0.0),
     })
@@ -197,7 +206,7 @@ fn powers(m: &Model) -> Vec<Cold> {
     vec![
         Cold {
             name: "torque_power",
-            takes: &[Takes::Index("i"), Coordinates("q"), Coordinates("q_dot"), Laws("k")],
+            takes: &[Takes::Index("i"), Coordinates("q"), Coordinates("q_dot"), Values("k")],
             returns: Returns::Plain(quote!(f64)),
             body: with_lets(m, power),
         },

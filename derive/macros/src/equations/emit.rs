@@ -11,6 +11,7 @@ use crate::equations::effects;
 use crate::equations::hoist::hoist;
 use crate::equations::model::*;
 use crate::equations::terms::{Terms, functions};
+use crate::equations::variants::Variants;
 
 /// All items that the macro defines for a model.
 pub fn emit(mut m: Model) -> TokenStream {
@@ -26,11 +27,13 @@ pub fn emit(mut m: Model) -> TokenStream {
     let coefficients = hoist(variables.chain(forces).chain(terms).collect());
     let m = &m;
     let numbers = numbers(m, &coefficients);
-    let functions = functions(m, &force, &dissipation);
+    let variants = Variants::of(m);
+    let functions = functions(m, &variants, &force, &dissipation);
     let cold = cold(m);
     let calls = cells(m).iter().chain(&cold).map(Cold::call).collect::<Vec<_>>();
     let cold = cold.iter().map(|f| f.define(m, &quote!(f64)));
     let met = effects::met(m);
+    let equations = equations(&variants);
     let exactly = exactly(m);
     quote! {
         use ::gearsim::__private::{Matrix, Vector, equations, real};
@@ -45,12 +48,12 @@ pub fn emit(mut m: Model) -> TokenStream {
             const MODEL: model::Model = #describe;
 
             fn equations(effects: u64, parameters: &[f64], mids: &[f64]) -> Option<Box<dyn equations::Equations>> {
-                let equations = || Equations { numbers: Numbers::new(parameters, mids), met: Met::new(effects) };
+                let equations = || Equations::new(Numbers::new(parameters, mids), Met::new(effects));
                 Self::MODEL.admits(effects).then(|| Box::new(equations()) as Box<dyn equations::Equations>)
             }
 
             fn matrices<R: real::Real>(effects: u64, parameters: &[R], mids: &[R], k: &[R]) -> equations::Matrices<R> {
-                Numbers::<R>::new(parameters, mids).matrices(&Met::new(effects), k)
+                Numbers::<R>::new(parameters, mids).matrices(&Met::new(effects), equations::values(k))
             }
 
             fn exactly(
@@ -67,11 +70,7 @@ pub fn emit(mut m: Model) -> TokenStream {
 
         #exactly
 
-        /// The equations of a scene.
-        struct Equations {
-            numbers: Numbers<f64>,
-            met: Met,
-        }
+        #equations
 
         #[allow(
             non_snake_case, unused_variables, clippy::all,
@@ -85,13 +84,47 @@ pub fn emit(mut m: Model) -> TokenStream {
         impl equations::Equations for Equations {
             fn coordinates(&self) -> usize { #n }
             fn write_force(&self, q: &[f64], q_dot: &[f64], k: &[f64], dk: &[f64], force: &mut [f64]) {
-                let (q, q_dot) = (equations::array(q), equations::array(q_dot));
-                self.numbers.force(&self.met, q, q_dot, k, dk, equations::array_mut(force));
+                (self.force)(self, q, q_dot, k, dk, force);
             }
             fn dissipation(&self, q: &[f64], q_dot: &[f64], k: &[f64]) -> f64 {
-                self.numbers.dissipation(&self.met, equations::array(q), equations::array(q_dot), k)
+                (self.dissipation)(self, q, q_dot, k)
             }
             #(#calls)*
+        }
+    }
+}
+
+/// `struct Equations`, with the functions that are called at every step in the variant of a scene.
+fn equations(variants: &Variants) -> TokenStream {
+    let (parameters, arguments) = (variants.parameters(), variants.arguments());
+    let choice = variants.choice(|variant| quote!((Self::force_in::<#variant>, Self::dissipation_in::<#variant>)));
+    quote! {
+        /// The equations of a scene.
+        struct Equations {
+            numbers: Numbers<f64>,
+            met: Met,
+            force: Force,
+            dissipation: Dissipation,
+        }
+
+        type Force = fn(&Equations, &[f64], &[f64], &[f64], &[f64], &mut [f64]);
+        type Dissipation = fn(&Equations, &[f64], &[f64], &[f64]) -> f64;
+
+        impl Equations {
+            fn new(numbers: Numbers<f64>, met: Met) -> Self {
+                let (force, dissipation): (Force, Dissipation) = #choice;
+                Self { numbers, met, force, dissipation }
+            }
+
+            fn force_in<#parameters>(&self, q: &[f64], q_dot: &[f64], k: &[f64], dk: &[f64], force: &mut [f64]) {
+                let (q, q_dot, force) = (equations::array(q), equations::array(q_dot), equations::array_mut(force));
+                self.numbers.force::<#arguments>(&self.met, q, q_dot, equations::values(k), equations::values(dk), force);
+            }
+
+            fn dissipation_in<#parameters>(&self, q: &[f64], q_dot: &[f64], k: &[f64]) -> f64 {
+                let (q, q_dot, k) = (equations::array(q), equations::array(q_dot), equations::values(k));
+                self.numbers.dissipation::<#arguments>(&self.met, q, q_dot, k)
+            }
         }
     }
 }
@@ -106,13 +139,13 @@ fn exactly(m: &Model) -> TokenStream {
             }
             fn exits(&self, i: usize, mode: usize, k: &[real::Df64]) -> Vec<equations::Exit<real::Df64>> {
                 let at = [real::Double::from(0.0); #n];
-                let exits = self.numbers.exits(&self.met, i, mode, &at, &equations::numbers(k));
+                let exits = self.numbers.exits(&self.met, i, mode, &at, equations::values(&equations::numbers(k)));
                 exits.iter().map(equations::Exit::in_numbers).collect()
             }
             fn switched(&self, i: usize, k: &[real::Df64]) -> equations::Deflection<real::Df64> {
                 let at = [real::Double::from(0.0); #n];
                 let switched = self.numbers.switched(&self.met, i);
-                self.numbers.deflection(&self.met, switched, &at, &equations::numbers(k)).in_numbers()
+                self.numbers.deflection(&self.met, switched, &at, equations::values(&equations::numbers(k))).in_numbers()
             }
         }
     });
@@ -125,15 +158,15 @@ fn exactly(m: &Model) -> TokenStream {
 
         impl equations::ExactCells for Exactly {
             fn matrices(&self, k: &[real::Df64]) -> equations::Matrices<real::Df64> {
-                self.numbers.matrices(&self.met, &equations::numbers(k)).in_numbers()
+                self.numbers.matrices(&self.met, equations::values(&equations::numbers(k))).in_numbers()
             }
             fn potential(&self, q: &[real::Df64], k: &[real::Df64]) -> real::Df64 {
                 let (q, k) = (equations::numbers(q), equations::numbers(k));
-                self.numbers.potential(&self.met, equations::array(&q), &k).into()
+                self.numbers.potential(&self.met, equations::array(&q), equations::values(&k)).into()
             }
             fn step(&self, law: usize, q: &[real::Df64], k: &[real::Df64], dk: real::Df64) -> real::Df64 {
                 let (q, k) = (equations::numbers(q), equations::numbers(k));
-                self.numbers.step(&self.met, law, equations::array(&q), &k, dk.into()).into()
+                self.numbers.step(&self.met, law, equations::array(&q), equations::values(&k), dk.into()).into()
             }
             #switches
         }

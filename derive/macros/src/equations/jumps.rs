@@ -39,7 +39,7 @@ pub fn step(m: &Model) -> Cold {
     let step = by_law(m, otherwise, |_, jump| jump?.step.as_ref().map(|sum| with_lets(m, block(sum))));
     Cold {
         name: "step",
-        takes: &[Takes::Index("law"), Takes::Coordinates("q"), Takes::Laws("k"), Takes::Number("dk")],
+        takes: &[Takes::Index("law"), Takes::Coordinates("q"), Takes::Values("k"), Takes::Number("dk")],
         returns: Returns::In(Clone::clone),
         body: in_any_number(step),
     }

@@ -21,6 +21,7 @@ mod sums;
 mod switches;
 mod terms;
 mod tokens;
+mod variants;
 mod varies;
 
 use proc_macro2::TokenStream;

@@ -1,7 +1,7 @@
 //! The contents of a file of derived equations as plain structs; `parse` and `items` fill them.
 
 use quote::format_ident;
-use syn::{Expr, Ident, LitStr};
+use syn::{Expr, Ident, Index, LitStr};
 
 /// One file of derived equations.
 pub struct Model {
@@ -269,6 +269,11 @@ impl Model {
     /// The stiffnesses. They are the first laws, and the only ones with mid values.
     pub fn stiffnesses(&self) -> impl Iterator<Item = &Law> {
         self.laws.iter().filter(|law| law.with.is_none())
+    }
+
+    /// Number of the values of all laws and symbols of switches.
+    pub fn values(&self) -> Index {
+        Index::from(self.laws.len() + self.switches.iter().map(|switch| switch.symbols.len()).sum::<usize>())
     }
 
     /// The effect with which laws switch in this way.

@@ -63,7 +63,7 @@ pub fn cells(m: &Model) -> Vec<Cold> {
         ),
         cold(
             "exits",
-            &[Takes::Index("i"), Takes::Index("mode"), Takes::Coordinates("q"), Takes::Laws("k")],
+            &[Takes::Index("i"), Takes::Index("mode"), Takes::Coordinates("q"), Takes::Values("k")],
             Returns::In(|r| quote!(Vec<equations::Exit<#r>>)),
             in_any_number(with_lets(m, exits)),
         ),
@@ -82,7 +82,7 @@ pub fn lost(m: &Model) -> Option<Cold> {
     });
     (!m.switches.is_empty()).then(|| Cold {
         name: "lost",
-        takes: &[Takes::Index("i"), Takes::Laws("k")],
+        takes: &[Takes::Index("i"), Takes::Values("k")],
         returns: Returns::Plain(quote!([f64; 2])),
         body: with_lets(m, lost),
     })
@@ -152,7 +152,7 @@ fn deflection(m: &Model) -> Cold {
     });
     Cold {
         name: "deflection",
-        takes: &[Takes::Index("i"), Takes::Coordinates("q"), Takes::Laws("k")],
+        takes: &[Takes::Index("i"), Takes::Coordinates("q"), Takes::Values("k")],
         returns: Returns::In(|r| quote!(equations::Deflection<#r>)),
         body: in_any_number(quote!(match i { #(#arms)* _ => equations::no_such("deflection", i) })),
     }

@@ -1,6 +1,6 @@
-//! The functions that are called at every step, and the Jacobian. Each is compiled once for a model: one block of code for each effect or condition,
-//! with all terms that it adds, behind one test. Code grows with the number of effects, not with that of their sets, and a
-//! scene executes no terms of absent effects.
+//! The functions that are called at every step, and the Jacobian. They have one block of code for each effect or condition, with all terms
+//! that it adds, behind one test. Code grows with the number of effects, not with that of their sets, and a scene executes no terms
+//! of absent effects. Of the functions that are called at every step there are variants without some of these blocks.
 
 use proc_macro2::TokenStream;
 use quote::quote;
@@ -11,6 +11,7 @@ use crate::equations::lets::lets;
 use crate::equations::model::{Model, Sum};
 use crate::equations::scope::speed;
 use crate::equations::sums::position;
+use crate::equations::variants::Variants;
 
 /// The terms of a sum or of a vector of sums.
 pub struct Terms {
@@ -94,19 +95,19 @@ fn place(m: &Model, name: &Ident) -> usize {
 }
 
 /// The functions `force` and `dissipation` of `Numbers`, of these terms.
-pub fn functions(m: &Model, force: &Terms, dissipation: &Terms) -> TokenStream {
+pub fn functions(m: &Model, variants: &Variants, force: &Terms, dissipation: &Terms) -> TokenStream {
     let n = Index::from(m.coordinates.len());
-    let stiffnesses = Index::from(m.stiffnesses().count());
+    let (values, laws) = (m.values(), Index::from(m.laws.len()));
     let force = force.add(m, |i| {
         let i = Index::from(i);
         quote!(v[#i])
     });
     let dissipation = dissipation.add(m, |_| quote!(v));
+    let (force, dissipation, parameters) =
+        (variants.tested(force), variants.tested(dissipation), variants.parameters());
     quote! {
         #[inline(always)]
-        fn force(&self, met: &Met, q: &[f64; #n], q_dot: &[f64; #n], k: &[f64], dk: &[f64], force: &mut [f64; #n]) {
-            // One bounds check for all stiffnesses.
-            assert!(k.len() >= #stiffnesses, "there are too few laws");
+        fn force<#parameters>(&self, met: &Met, q: &[f64; #n], q_dot: &[f64; #n], k: &[f64; #values], dk: &[f64; #laws], force: &mut [f64; #n]) {
             // -0.0 + x is x for every x, so that the compiler drops the addition; 0.0 + x is not for x = -0.0.
             let mut v = [-0.0; #n];
             #force
@@ -114,7 +115,7 @@ pub fn functions(m: &Model, force: &Terms, dissipation: &Terms) -> TokenStream {
         }
 
         #[inline(always)]
-        fn dissipation(&self, met: &Met, q: &[f64; #n], q_dot: &[f64; #n], k: &[f64]) -> f64 {
+        fn dissipation<#parameters>(&self, met: &Met, q: &[f64; #n], q_dot: &[f64; #n], k: &[f64; #values]) -> f64 {
             let mut v = 0.0;
             #dissipation
             v

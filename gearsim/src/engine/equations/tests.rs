@@ -25,9 +25,22 @@ const MID: f64 = 2.5e4;
 /// A point: q, q', k, dk and ddk.
 const Q: [f64; 2] = [0.7, 3.0e-4];
 const V: [f64; 2] = [31.0, -0.4];
-const K: [f64; 5] = [3.1e4, 1.0, 0.0, 1.0, 0.0];
-const DK: [f64; 1] = [1.7e5];
-const DDK: [f64; 1] = [-2.3e6];
+const K: [f64; VALUES] = values([3.1e4]);
+const DK: [f64; VALUES] = values([1.7e5]);
+const DDK: [f64; VALUES] = values([-2.3e6]);
+
+/// The number of laws of the gear pair and of symbols of its switches.
+const VALUES: usize = 9;
+
+/// The values of its first laws; NaN for those of absent effects.
+const fn values<const L: usize>(laws: [f64; L]) -> [f64; VALUES] {
+    let (mut values, mut i) = ([f64::NAN; VALUES], 0);
+    while i < L {
+        values[i] = laws[i];
+        i += 1;
+    }
+    values
+}
 
 fn gear_pair(effects: u64) -> Box<dyn Equations> {
     GearPair::equations(effects, &NUMBERS, &[MID]).unwrap()
@@ -81,8 +94,8 @@ fn jacobian() {
     let e = gear_pair(STIFFNESS_STEP | DAMPING | TORQUES);
     let [by_q, by_v] = accelerated(&e.mobility(&Q), e.jacobian(&Q, &V, &K, &DK, &DDK));
     let at = |theta: f64, phi: f64, phi_dot: f64| {
-        let k = [K[0] + theta * DK[0] + theta * theta / 2.0 * DDK[0]];
-        e.acceleration(&[Q[0], Q[1] + phi], &[V[0], V[1] + phi_dot], &k, &[DK[0] + theta * DDK[0]])
+        let (k, dk) = (K[0] + theta * DK[0] + theta * theta / 2.0 * DDK[0], DK[0] + theta * DDK[0]);
+        e.acceleration(&[Q[0], Q[1] + phi], &[V[0], V[1] + phi_dot], &values([k]), &values([dk]))
     };
     let slope = |[a, b]: [Vector; 2], h: f64| [(a[0] - b[0]) / (2.0 * h), (a[1] - b[1]) / (2.0 * h)];
     let near = |found: [f64; 2], expected: [f64; 2]| {
@@ -120,9 +133,9 @@ fn jacobian_of_a_larger_model() {
     let law = |order: usize, s: f64| courses.map(|c| [c[0] + c[1] * s + c[2] * s * s / 2.0, c[1] + c[2] * s][order]);
     let at = |q: [f64; 3], v: [f64; 3]| {
         let s = q[0] - 0.3;
-        e.acceleration(&q, &v, &law(0, s), &law(1, s))
+        e.acceleration(&q, &v, &model.in_contact(law(0, s)), &law(1, s))
     };
-    let found = e.jacobian(&q, &v, &law(0, 0.0), &law(1, 0.0), &courses.map(|c| c[2]));
+    let found = e.jacobian(&q, &v, &model.in_contact(law(0, 0.0)), &law(1, 0.0), &courses.map(|c| c[2]));
     let found = accelerated(&e.mobility(&q), found);
     let h = 1e-5;
     for j in 0..3 {
@@ -143,20 +156,20 @@ fn jacobian_of_a_larger_model() {
 #[test]
 fn transmission_error() {
     let (k, e, de) = (K[0], 1.7e-4, 0.02);
-    let over = Q[1] - e;
+    let (over, k_and_e) = (Q[1] - e, values([k, e]));
     let with = gear_pair(STIFFNESS_STEP | TRANSMISSION_ERROR);
     let (m1, m2, _) = constants();
-    close(&[with.potential(&Q, &[k, e])], &[k * over * over]);
-    close(&with.load(&[k, e]), &[0.0, 2.0 * k * e]);
+    close(&[with.potential(&Q, &k_and_e)], &[k * over * over]);
+    close(&with.load(&k_and_e), &[0.0, 2.0 * k * e]);
     let (spring, jump) = (2.0 * k * over, -DK[0] * over * over + 2.0 * k * over * de);
     let expected = [m2 / 2.0 * jump - m1 / 2.0 * spring, m1 / 2.0 * jump - m2 / 2.0 * spring];
-    close(&with.acceleration(&Q, &V, &[k, e], &[DK[0], de]), &expected);
+    close(&with.acceleration(&Q, &V, &k_and_e, &values([DK[0], de])), &expected);
     let step = 3e-4;
-    close(&[with.step(1, &Q, &[k, e], step)], &[k * ((over - step).powi(2) - over * over)]);
-    close(&[with.step(0, &Q, &[k, e], 1e3)], &[1e3 * over * over]);
+    close(&[with.step(1, &Q, &k_and_e, step)], &[k * ((over - step).powi(2) - over * over)]);
+    close(&[with.step(0, &Q, &k_and_e, 1e3)], &[1e3 * over * over]);
     let without = gear_pair(STIFFNESS_STEP);
-    close(&[without.potential(&Q, &[k, e])], &[k * Q[1] * Q[1]]);
-    close(&without.load(&[k, e]), &[0.0, 0.0]);
+    close(&[without.potential(&Q, &k_and_e)], &[k * Q[1] * Q[1]]);
+    close(&without.load(&k_and_e), &[0.0, 0.0]);
     assert_eq!([with.switching(1), without.switching(1)], [Switching::WithJump, Switching::Never]);
 }
 
@@ -188,13 +201,13 @@ fn terms_of_absent_effects_are_not_evaluated() {
     for effects in [0, STIFFNESS_STEP | RIGID_KINEMATICS, STIFFNESS_STEP | FROZEN_PHASE] {
         let e = GearPair::equations(effects, &numbers, &[f64::NAN]).unwrap();
         let (m1, m2, _) = constants();
-        let a = e.acceleration(&Q, &V, &K, &[f64::INFINITY]);
+        let a = e.acceleration(&Q, &V, &K, &values([f64::INFINITY]));
         close(&a, &[-m1 * K[0] * Q[1], -m2 * K[0] * Q[1]]);
-        close(&e.force(&Q, &V, &K, &[f64::NAN]), &[0.0, -2.0 * K[0] * Q[1]]);
+        close(&e.force(&Q, &V, &K, &values([])), &[0.0, -2.0 * K[0] * Q[1]]);
         assert_eq!([e.dissipation(&Q, &V, &K), e.work(&Q), e.torque_work(0, &Q)], [0.0; 3]);
         // Rigid kinematics keeps the moving phase: its forces change with theta by the slope of k.
         let slope = if effects & RIGID_KINEMATICS > 0 { 0.0 } else { f64::NAN };
-        let [by_q, by_v] = accelerated(&e.mobility(&Q), e.jacobian(&Q, &V, &K, &[slope], &[f64::NAN]));
+        let [by_q, by_v] = accelerated(&e.mobility(&Q), e.jacobian(&Q, &V, &K, &values([slope]), &values([])));
         close(by_q.transpose().as_slice(), &[0.0, -m1 * K[0], 0.0, -m2 * K[0]]);
         assert_eq!(by_v.amax(), 0.0);
         assert_eq!([e.damping(&K).amax(), e.load(&K).amax()], [0.0; 2]);
@@ -262,7 +275,10 @@ mod two_masses {
 fn the_smallest_valid_file() {
     let e = two_masses::TwoMasses::equations(0, &[3.0], &[7.0]).unwrap();
     assert!(two_masses::TwoMasses::equations(1, &[3.0], &[7.0]).is_none());
-    assert_eq!((e.kinetic(&Q, &[1.0, 1.0]), e.dissipation(&Q, &[1.0, 1.0], &[]), e.work(&[1.0, 1.0])), (0.0, 0.0, 0.0));
+    assert_eq!(
+        (e.kinetic(&Q, &[1.0, 1.0]), e.dissipation(&Q, &[1.0, 1.0], &[7.0]), e.work(&[1.0, 1.0])),
+        (0.0, 0.0, 0.0)
+    );
     assert_eq!(e.potential(&[2.0, 1.0], &[7.0]), 4.0);
     assert_eq!(e.force(&[2.0, 1.0], &[0.0; 2], &[7.0], &[0.0]), [-1.0, -6.0]);
     // M⁻¹ = [[4, -2], [-2, 4]]/9 for M = [[3, 1.5], [1.5, 3]].

@@ -25,8 +25,8 @@ fn pair(effects: &str, by_hand: impl ByHand<2> + 'static) -> Side<2> {
         by_hand: Box::new(by_hand),
         q: [0.1, 7e-3],
         q_dot: [1800.0, 0.3],
-        // Values of the laws k, e, side, arm; then touch, edge, damp, clip of the dead band.
-        k: vec![1430.0, 1e-4, 0.3, 0.02, 1.0, 5e-4, 1.0, 0.0],
+        // Values of the laws k, e, side, arm; then touch, edge, damp, clip of the dead band, and the direction of sliding.
+        k: vec![1430.0, 1e-4, 0.3, 0.02, 1.0, 5e-4, 1.0, 0.0, 0.0],
         dk: vec![7.0, 1e-5, 0.0, 0.0],
     }
 }

@@ -1,5 +1,6 @@
 //! Right-hand sides of trains: a chain of discs, an idler, a planetary stage.
 
+use gearsim::__private::equations::Derived;
 use gearsim::__private::models::{Chain5, Idler, Planetary3};
 
 use super::{Side, derived};
@@ -48,8 +49,8 @@ pub fn idler() -> Side<3> {
         by_hand: Box::new(by_hand),
         q: [0.1, 7e-6, 6e-6],
         q_dot: [1800.0, 3e-3, 2e-3],
-        k: vec![1.8e8, 3.1e8, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0],
-        dk: vec![1e6, 2e6, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0],
+        k: Idler::MODEL.in_contact([1.8e8, 3.1e8]),
+        dk: Idler::MODEL.in_contact([1e6, 2e6]),
     }
 }
 
@@ -66,7 +67,7 @@ pub fn planetary() -> Side<6> {
         by_hand: Box::new(by_hand),
         q: [0.1, 2e-5, 1e-5, 7e-6, 6e-6, 5e-6],
         q_dot: [1800.0, 3e-3, 2e-3, 1e-3, 2e-3, 3e-3],
-        k: vec![3.5e8, 6e8, 3.6e8, 5e8, 4e8, 4.5e8],
-        dk: vec![1e6, 2e6, 3e6, 4e6, 5e6, 6e6],
+        k: Planetary3::MODEL.in_contact([3.5e8, 6e8, 3.6e8, 5e8, 4e8, 4.5e8]),
+        dk: Planetary3::MODEL.in_contact([1e6, 2e6, 3e6, 4e6, 5e6, 6e6]),
     }
 }

@@ -1,0 +1,124 @@
+//! Variants of the functions that are called at every step. Some effects bring values of their own: laws, the symbols of switches, functions
+//! of positions. A scene without any value of a kind has a variant that is compiled without the terms which need this kind, so that it does
+//! not even test whether they are present. There are at most five variants, whatever the number of effects: code still grows in
+//! proportion to that number. Which variant a scene has is decided when its equations are made.
+
+use std::collections::BTreeSet;
+
+use proc_macro2::{Group, TokenStream, TokenTree};
+use quote::{format_ident, quote};
+use syn::Ident;
+
+use crate::equations::model::{Model, Role};
+
+/// A kind of values that effects bring.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+enum Kind {
+    /// Offsets of deflections that are laws.
+    Errors,
+    /// The symbols of switches.
+    Switches,
+    /// Factors of torques that are laws, and functions of positions.
+    Others,
+}
+
+use Kind::{Errors, Others, Switches};
+
+/// The kinds that variants have, where the model has them. A scene has the first variant that contains all its kinds.
+const VARIANTS: [&[Kind]; 5] = [&[], &[Errors], &[Switches], &[Errors, Switches], &[Errors, Switches, Others]];
+
+/// The variants of a model, the last one with all its kinds.
+pub struct Variants<'a> {
+    model: &'a Model,
+    each: Vec<BTreeSet<Kind>>,
+}
+
+impl<'a> Variants<'a> {
+    pub fn of(model: &'a Model) -> Self {
+        let all: BTreeSet<Kind> = model.effects.iter().flat_map(|e| kinds(model, &e.name)).collect();
+        let each = VARIANTS.iter().filter(|kinds| kinds.iter().all(|kind| all.contains(kind)));
+        let mut each: Vec<BTreeSet<Kind>> = each.map(|kinds| kinds.iter().copied().collect()).collect();
+        if each.last() != Some(&all) {
+            each.push(all);
+        }
+        Self { model, each }
+    }
+
+    /// The kinds of the model.
+    fn kinds(&self) -> impl Iterator<Item = Kind> {
+        self.each.iter().flatten().copied().collect::<BTreeSet<_>>().into_iter()
+    }
+
+    /// The constant parameters of a function that has variants.
+    pub fn parameters(&self) -> TokenStream {
+        let names = self.kinds().map(|kind| kind.parameter());
+        quote!(#(const #names: bool),*)
+    }
+
+    /// Those that a variant gives to another function.
+    pub fn arguments(&self) -> TokenStream {
+        let names = self.kinds().map(|kind| kind.parameter());
+        quote!(#(#names),*)
+    }
+
+    /// The expression `of` the constant arguments of the variant that a scene has, in a function that has `met`.
+    pub fn choice(&self, of: impl Fn(&TokenStream) -> TokenStream) -> TokenStream {
+        let has = |kind: Kind| {
+            let effects = self.model.effects.iter().map(|e| &e.name);
+            let effects = effects.filter(|effect| kinds(self.model, effect).contains(&kind));
+            quote!((#(met.#effects)||*))
+        };
+        let mut choice = quote!();
+        for variant in &self.each {
+            let absent: Vec<_> = self.kinds().filter(|kind| !variant.contains(kind)).map(has).collect();
+            let arguments = self.kinds().map(|kind| variant.contains(&kind));
+            let variant = of(&quote!(#(#arguments),*));
+            choice.extend(if absent.is_empty() {
+                quote!({ #variant })
+            } else {
+                quote!(if #(!#absent)&&* { #variant } else)
+            });
+        }
+        choice
+    }
+
+    /// The code of a function with its tests of effects behind those of the kinds of values that they need.
+    pub fn tested(&self, code: TokenStream) -> TokenStream {
+        let (mut tested, mut before) = (quote!(), [String::new(), String::new()]);
+        for token in code {
+            let text = token.to_string();
+            if let (["met", "."], TokenTree::Ident(condition)) = (before.each_ref().map(String::as_str), &token) {
+                let named = self.model.conditions.iter().find(|c| c.name == *condition);
+                let effects = named.map_or(vec![condition], |c| {
+                    c.effects.iter().filter(|(present, _)| *present).map(|(_, effect)| effect).collect()
+                });
+                let needed: BTreeSet<Kind> = effects.iter().flat_map(|effect| kinds(self.model, effect)).collect();
+                let needed = needed.iter().map(Kind::parameter);
+                tested.extend(quote!(#condition #(&& #needed)*));
+            } else if let TokenTree::Group(group) = token {
+                tested.extend([TokenTree::Group(Group::new(group.delimiter(), self.tested(group.stream())))]);
+            } else {
+                tested.extend([token]);
+            }
+            before = [std::mem::take(&mut before[1]), text];
+        }
+        tested
+    }
+}
+
+impl Kind {
+    /// The constant parameter that says whether a variant has it.
+    fn parameter(&self) -> Ident {
+        format_ident!("{}", format!("{self:?}").to_uppercase())
+    }
+}
+
+/// The kinds of values that exist only with an effect.
+fn kinds(m: &Model, effect: &Ident) -> BTreeSet<Kind> {
+    let with = |with: &Option<Ident>| with.as_ref() == Some(effect);
+    let laws = m.laws.iter().filter(|law| with(&law.with));
+    let laws = laws.map(|law| if law.role == Role::Error { Errors } else { Others });
+    let switches = m.switches.iter().filter(|switch| switch.effect == *effect).map(|_| Switches);
+    let functions = m.functions.iter().filter(|function| with(&function.with)).map(|_| Others);
+    laws.chain(switches).chain(functions).collect()
+}
