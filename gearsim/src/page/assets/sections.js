@@ -16,14 +16,16 @@ function inSight(main) {
   return seen.length ? seen.map(({ id }) => id) : ["motion"];
 }
 
-/** What a person sees of the plots over time, for an answer with that alone; null where none is seen. */
+/** What a person sees of the plots, for an answer with that alone; null where none is seen. */
 function inView() {
-  const seen = panels.filter((panel) => panel.plot.group === "time" && panel.drawn && onScreen(panel));
+  const seen = panels.filter((panel) => panel.drawn && onScreen(panel));
   if (seen.length === 0) return null;
-  const { range, first } = seen[0].group;
-  const curves = seen.flatMap(({ plot, shown }) => plot.curves.filter((_, i) => shown[i]).map(({ name }) => [plot.title, name]));
+  // The common limits of spectra over frequency follow from all of them.
+  const wanted = panels.filter((panel) => seen.includes(panel) || panel.plot.group === "frequency");
+  const curves = wanted.flatMap(({ plot, shown }) => plot.curves.filter((_, i) => shown[i]).map(({ name }) => [plot.title, name]));
+  const { range, first } = seen.find(({ plot }) => plot.group === "time")?.group ?? {};
   // Another run may be longer: the whole of this one means the whole of that one.
-  const whole = range[0] === first[0] && range[1] === first[1];
+  const whole = !range || (range[0] === first[0] && range[1] === first[1]);
   return { range: whole ? null : range, parts: Math.max(...seen.map((panel) => panel.pixels())), curves };
 }
 

@@ -31,36 +31,42 @@ pub(super) fn fill(report: &Report<'_>, html: &mut Html) {
     ));
     let meshes = meshes(run, 0.0);
     for group in report.groups.iter().filter(|group| matches!(group.kind, Kind::Signal | Kind::Deflection)) {
-        if let Err(error) = plot(html, group, (shaft.name, &turning), &meshes) {
+        if let Err(error) = plot(report, html, group, (shaft.name, &turning), &meshes) {
             html.note(&format!("There are no orders of {}: {error}.", group.title().to_lowercase()));
         }
     }
     table(report, html, &turning, &meshes);
 }
 
-/// Adds the plot of a group.
+/// Adds the plot of a group, with the curves that the report shows.
 fn plot(
+    report: &Report<'_>,
     html: &mut Html,
     group: &Group<'_>,
     (shaft, turning): (&str, &Turning),
     meshes: &[Mesh],
 ) -> Result<(), SpectrumError> {
-    let (mut curves, mut peak, mut longest) = (vec![], 0.0_f64, 0.0_f64);
+    let title = format!("{}: amplitudes of orders", group.title());
+    let orders = turning.axis()?;
+    let x = html.embed(&orders, Counts::Long);
+    let (mut curves, mut peak) = (vec![], 0.0_f64);
     for (i, column) in group.columns.iter().enumerate() {
-        let spectrum = turning.orders(&column.values)?;
+        let amplitude = match report.plotted().has(&title, &column.name) {
+            true => turning.orders(&column.values)?.amplitude,
+            false => vec![],
+        };
         if group.shown(i) {
-            peak = spectrum.amplitude.iter().skip(1).fold(peak, |m, x| m.max(*x));
+            peak = amplitude.iter().skip(1).fold(peak, |m, x| m.max(*x));
         }
-        longest = longest.max(spectrum.order.last().copied().unwrap_or(0.0));
-        let x = html.embed(&spectrum.order, Counts::Long);
-        let logarithms: Vec<f64> = spectrum.amplitude.iter().map(|x| x.log10()).collect();
+        let logarithms: Vec<f64> = amplitude.iter().map(|x| x.log10()).collect();
         let y = html.embed(&logarithms, Counts::Short);
-        curves.push(Curve::new(&*column.name, &column.doc, x, y, group.shown(i)));
+        curves.push(Curve::new(&*column.name, &column.doc, x.clone(), y, group.shown(i)));
     }
+    let longest = orders.last().copied().unwrap_or(0.0);
     let highest = meshes.iter().map(|mesh| mesh.frequency / turning.frequency()).fold(0.0, f64::max);
     let end = if highest > 0.0 { longest.min(LONGEST * highest) } else { longest };
     html.plot(&Plot {
-        title: format!("{}: amplitudes of orders", group.title()),
+        title,
         x: Axis { range: (end > 0.0).then_some((0.0, end)), ..Axis::linear(format!("order of {shaft}"), "") },
         y: Axis {
             log: true,

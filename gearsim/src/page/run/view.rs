@@ -1,4 +1,4 @@
-//! What a person sees of the plots over time. `gearsim explore` first sends that alone.
+//! What a person sees of the plots over time, orders and frequencies. `gearsim explore` first sends that alone.
 
 use std::cell::OnceCell;
 
@@ -7,7 +7,7 @@ use serde::Deserialize;
 use super::motion::Times;
 use crate::page::shared::rows::Rows;
 
-/// The curves over time that are on the screen, and the part of the run that they show.
+/// The curves that are on the screen, and the part of the run that those over time show.
 #[derive(Debug, Clone, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct View {
@@ -19,7 +19,7 @@ pub struct View {
     curves: Vec<(String, String)>,
 }
 
-/// From where the plots over time have their rows.
+/// Which curves are wanted, and from where those over time have their rows.
 pub(super) struct Source<'a> {
     /// `None`: all curves have rows.
     pub(super) view: Option<&'a View>,
@@ -44,7 +44,7 @@ impl<'a> Source<'a> {
         Source { view: Some(view), rows, times: OnceCell::new() }
     }
 
-    /// Whether a curve has rows.
+    /// Whether a curve is wanted.
     pub(super) fn has(&self, title: &str, name: &str) -> bool {
         self.view.is_none_or(|view| view.curves.iter().any(|(plot, curve)| plot == title && curve == name))
     }
