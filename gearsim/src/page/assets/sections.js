@@ -26,7 +26,9 @@ function inView() {
   const { range, first } = seen.find(({ plot }) => plot.group === "time")?.group ?? {};
   // Another run may be longer: the whole of this one means the whole of that one.
   const whole = !range || (range[0] === first[0] && range[1] === first[1]);
-  return { range: whole ? null : range, parts: Math.max(...seen.map((panel) => panel.pixels())), curves };
+  const tables = [...document.querySelectorAll("main table")].filter((table) => onScreen({ figure: table }));
+  const captions = tables.map((table) => table.caption?.textContent ?? "");
+  return { range: whole ? null : range, parts: Math.max(...seen.map((panel) => panel.pixels())), curves, tables: captions };
 }
 
 /** Shows some sections of a run, `of` the whole in its `order`, in place of those of the run before. `name` begins the identifiers of their arrays. */
@@ -127,6 +129,8 @@ function renew(old, section) {
   const open = new Set([...old.querySelectorAll(":scope > details[open] > summary")].map((summary) => summary.textContent));
   const known = panels.filter(({ figure }) => old.contains(figure));
   const wanted = [...section.children].map((child) => {
+    // A table that is not seen comes with the next answer.
+    if (child.dataset.later) return [...old.children].find((known) => known.querySelector("caption")?.textContent === child.dataset.later) ?? child;
     if (child.matches("details")) child.open = open.has(child.querySelector("summary").textContent);
     if (!child.matches("figure.plot")) return child;
     const plot = JSON.parse(child.querySelector("script").textContent);

@@ -12,6 +12,9 @@ use crate::plot::orders::{DECADES, LONGEST};
 /// Multiples of a mesh order that are marked.
 const MULTIPLES: usize = 4;
 
+/// Caption of the table.
+const LINES: &str = "Mesh orders and their sidebands";
+
 /// Writes the section.
 pub(super) fn fill(report: &Report<'_>, html: &mut Html) {
     let run = &report.run.outcome.trajectory;
@@ -98,6 +101,9 @@ fn marks(meshes: &[Mesh], turning: &Turning) -> Vec<Line> {
 
 /// The table of the lines of steady meshes, with the amplitudes of the curves that are drawn at first.
 fn table(report: &Report<'_>, html: &mut Html, turning: &Turning, meshes: &[Mesh]) {
+    if !report.plotted().has_table(LINES) {
+        return html.later(LINES);
+    }
     let steady: Vec<Mesh> = meshes.iter().filter(|mesh| mesh.steady).cloned().collect();
     let lines = orders::lines(turning, &steady);
     let groups = report.groups.iter().filter(|group| matches!(group.kind, Kind::Signal | Kind::Deflection));
@@ -121,5 +127,5 @@ fn table(report: &Report<'_>, html: &mut Html, turning: &Turning, meshes: &[Mesh
         }
     }
     let head = ["column", "mesh", "multiple", "sideband", "of rotor", "order", "frequency [Hz]", "amplitude", "unit"];
-    html.table("Mesh orders and their sidebands", &head, &rows);
+    html.table(LINES, &head, &rows);
 }

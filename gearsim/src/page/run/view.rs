@@ -17,6 +17,9 @@ pub struct View {
     parts: usize,
     /// The curves that are drawn: title of the plot and name.
     curves: Vec<(String, String)>,
+    /// The captions of the tables that are on the screen.
+    #[serde(default)]
+    tables: Vec<String>,
 }
 
 /// Which curves are wanted, and from where those over time have their rows.
@@ -47,5 +50,10 @@ impl<'a> Source<'a> {
     /// Whether a curve is wanted.
     pub(super) fn has(&self, title: &str, name: &str) -> bool {
         self.view.is_none_or(|view| view.curves.iter().any(|(plot, curve)| plot == title && curve == name))
+    }
+
+    /// Whether a table is wanted.
+    pub(super) fn has_table(&self, caption: &str) -> bool {
+        self.view.is_none_or(|view| view.tables.iter().any(|table| table == caption))
     }
 }
