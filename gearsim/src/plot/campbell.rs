@@ -11,7 +11,7 @@ const HARMONICS: usize = 4;
 /// Two lines of frequencies closer than this are one [relative].
 const SAME: f64 = 1e-6;
 /// Natural frequencies closer than this share of the height of the diagram have one name.
-const CLOSE: f64 = 0.035;
+const CLOSE: f64 = 0.031;
 /// Place of the numbers of modes along the abscissa.
 const NAMES: f64 = 0.05;
 /// Colours of the orders of each mesh.
