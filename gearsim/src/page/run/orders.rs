@@ -101,11 +101,11 @@ fn marks(meshes: &[Mesh], turning: &Turning) -> Vec<Line> {
 
 /// The table of the lines of steady meshes, with the amplitudes of the curves that are drawn at first.
 fn table(report: &Report<'_>, html: &mut Html, turning: &Turning, meshes: &[Mesh]) {
-    if !report.plotted().has_table(LINES) {
-        return html.later(LINES);
-    }
     let steady: Vec<Mesh> = meshes.iter().filter(|mesh| mesh.steady).cloned().collect();
     let lines = orders::lines(turning, &steady);
+    if !lines.is_empty() && !report.plotted().has_table(LINES) {
+        return html.later(LINES);
+    }
     let groups = report.groups.iter().filter(|group| matches!(group.kind, Kind::Signal | Kind::Deflection));
     let shown = groups.flat_map(|group| {
         let columns = group.columns.iter().enumerate().filter(|(i, _)| group.shown(*i));
