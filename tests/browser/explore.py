@@ -9,6 +9,7 @@ import csv
 import functools
 import http.server
 import json
+import math
 import signal
 import statistics
 import subprocess
@@ -92,7 +93,8 @@ def a_slider_gives_what_the_command_line_gives(browser, gearsim, folder):
         run(gearsim, PAIR, folder / "plotted", zeta, "output.csv=true")
         with open(folder / "plotted" / "trajectory.csv", newline="") as file:
             *_, end = csv.DictReader(file)
-        assert page.evaluate(last) != before and abs(page.evaluate(last) / float(end["rotor_speed_1 [rad/s]"]) - 1) < 1e-3
+        rpm = 30 / math.pi * float(end["rotor_speed_1 [rad/s]"])
+        assert page.evaluate(last) != before and abs(page.evaluate(last) / rpm - 1) < 1e-3
 
         after(page, page.get_by_label("speed", exact=True).fill, "450")
         sets = [zeta, "start.speed=450 rpm"]

@@ -4,6 +4,7 @@ GEARSIM is the program built with the feature `html`. Needs the Python package i
 the path in CHROMIUM. Every page is opened from its file and without network; any console message of a level above "info" fails its test.
 """
 
+import math
 import subprocess
 
 import common
@@ -139,15 +140,15 @@ def columns_and_units_are_chosen(browser, path):
         closed = page.locator("figure.plot").nth(index)
         closed.locator("input").first.check()
         closed.locator(".main-svg").first.wait_for()
-        index = page.evaluate("panels.findIndex((panel) => panel.unit === 'rad/s' && !panel.plot.y.log)")
+        index = page.evaluate("panels.findIndex((panel) => panel.unit === 'rpm' && !panel.plot.y.log)")
         speeds = page.locator("figure.plot").nth(index)
         speeds.scroll_into_view_if_needed()
         speeds.locator(".main-svg").first.wait_for()
         before = page.evaluate(f"panels[{index}].canvas.data[0].y[0]")
-        speeds.locator("select").select_option("rpm")
+        speeds.locator("select").select_option("rad/s")
         settle(page)
         after = page.evaluate(f"panels[{index}].canvas.data[0].y[0]")
-        assert abs(after / before - 30 / 3.141592653589793) < 1e-9
+        assert abs(before / after - 30 / math.pi) < 1e-9
         table = page.locator("#numbers table")
         table.get_by_role("button", name="lowest").click()
         lowest = [float(cell.get_attribute("data-value")) for cell in table.locator("tbody tr td:nth-child(3)").all()]

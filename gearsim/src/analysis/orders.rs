@@ -117,6 +117,22 @@ impl Turning {
         self.angle.last().map_or(0, |angle| angle.floor() as usize)
     }
 
+    /// The orders of all its spectra.
+    ///
+    /// # Errors
+    /// [`SpectrumError::TooShort`] if there is less than one revolution.
+    pub fn axis(&self) -> Result<Vec<f64>, SpectrumError> {
+        let n = self.values()?;
+        Ok((0..n / 2 + 1).map(|m| m as f64 / self.revolutions() as f64).collect())
+    }
+
+    /// How many values at equal angles a spectrum is made of: no more than samples, since the interpolation adds no content.
+    fn values(&self) -> Result<usize, SpectrumError> {
+        let revolutions = self.revolutions();
+        let n = (self.rows.len() as f64 * revolutions as f64 / self.angle[self.angle.len() - 1]) as usize / 2 * 2;
+        if revolutions < 1 || n < 4 { Err(SpectrumError::TooShort { samples: n }) } else { Ok(n) }
+    }
+
     /// The order spectrum of a column of the trajectory.
     ///
     /// # Errors
@@ -126,15 +142,9 @@ impl Turning {
         if let Some(index) = x.iter().position(|v| !v.is_finite()) {
             return Err(SpectrumError::NotFinite { index, value: x[index] });
         }
-        let revolutions = self.revolutions();
-        // No more values than samples: the interpolation adds no content.
-        let n = (x.len() as f64 * revolutions as f64 / self.angle[self.angle.len() - 1]) as usize / 2 * 2;
-        if revolutions < 1 || n < 4 {
-            return Err(SpectrumError::TooShort { samples: n });
-        }
+        let (n, revolutions) = (self.values()?, self.revolutions());
         let amplitude = amplitudes(&at_equal_angles(&x, &self.angle, revolutions as f64 / n as f64, n));
-        let order = (0..amplitude.len()).map(|m| m as f64 / revolutions as f64).collect();
-        Ok(Orders { order, amplitude, revolutions })
+        Ok(Orders { order: self.axis()?, amplitude, revolutions })
     }
 }
 

@@ -78,7 +78,7 @@ impl Verb for Compare {
         let path = self.source.folder(&scene, "_compare")?;
         let mut members = vec![];
         for (set, scene) in scenes {
-            members.push(ComparedRun { set, results: simulate(&scene, self.printing.quiet)? });
+            members.push(ComparedRun { set, results: simulate(&scene, self.printing.quiet())? });
         }
         let mut folder = OutputFolder::create(path)?;
         let (summaries, json) = write(&mut folder, &scene, &members, page)?;

@@ -43,7 +43,11 @@ pub(super) fn text(evaluated: &Evaluated, scene: &Scene, summary: &Summary, widt
     }
     for (signal, sound) in &evaluated.sounds {
         let Sound { stretch, unit, full_scale, .. } = sound;
-        let time = if stretch.0 == 1.0 { "true time".into() } else { format!("{} times as slow", short(stretch.0)) };
+        let time = if stretch.0 == 1.0 {
+            "true time".into()
+        } else {
+            format!("true time slowed down {} times", short(stretch.0))
+        };
         let says = format!("{signal} in {time}; loudness is relative: full scale is {} {unit}", short(full_scale.0));
         text += &report::line("sound", &says, width);
     }

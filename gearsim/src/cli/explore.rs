@@ -5,6 +5,7 @@ use std::path::PathBuf;
 use clap::Parser;
 
 use super::failure::Failure;
+use super::printing::Quiet;
 use super::{Verb, page};
 
 /// Change the values of a scene in a browser, and see each run at once
@@ -17,7 +18,8 @@ for its effects, a menu for its method. Each change is run and drawn at once, wi
 its error at the end, the energy unaccounted for and the digits left. \"Save as scene\" writes a scene that
 `gearsim run` runs to the same bytes. Ends with Ctrl-C.
 
-The page is served on 127.0.0.1 alone, to whoever knows the address.
+The page is served on 127.0.0.1 alone, to whoever knows the address. With -q the address alone is
+printed.
 
 Examples:
   gearsim explore models/scenes/oh2005/energy_300rpm.toml
@@ -29,6 +31,8 @@ pub(super) struct Explore {
     /// Port of 127.0.0.1; without it, any that is free
     #[arg(long, value_parser = clap::value_parser!(u16).range(1024..))]
     port: Option<u16>,
+    #[command(flatten)]
+    quiet: Quiet,
 }
 
 impl Verb for Explore {
@@ -57,9 +61,12 @@ impl Verb for Explore {
             what: format!("cannot wait for Ctrl-C: {error}"),
             help: "start it in a terminal".into(),
         })?;
-        terminal::print_out(&format!("open {}\nCtrl-C ends it\n", service.url()));
+        // Without its address the page cannot be opened.
+        let said = |text: String, alone: String| if self.quiet.quiet { alone } else { text };
+        let url = service.url();
+        terminal::print_out(&said(format!("open {url}\nCtrl-C ends it\n"), format!("{url}\n")));
         service.serve();
-        terminal::print_out("\nended\n");
+        terminal::print_out(&said("\nended\n".into(), String::new()));
         Ok(())
     }
 }

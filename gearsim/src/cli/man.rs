@@ -6,6 +6,7 @@ use clap::Parser;
 use clap_mangen::Man;
 
 use super::failure::Failure;
+use super::printing::Quiet;
 use super::{Verb, program, terminal};
 use crate::output::{OutputError, OutputFolder};
 
@@ -20,9 +21,8 @@ Examples:
 pub(super) struct ManCommand {
     /// Folder for the pages; created if missing
     folder: PathBuf,
-    /// Print nothing but warnings and errors
-    #[arg(long, short)]
-    quiet: bool,
+    #[command(flatten)]
+    quiet: Quiet,
 }
 
 impl Verb for ManCommand {
@@ -35,7 +35,7 @@ impl Verb for ManCommand {
             page(&mut files, format!("gearsim-{}", command.get_name()), command)?;
         }
         files.commit("gearsim.1")?;
-        if !self.quiet {
+        if !self.quiet.quiet {
             terminal::print_out(&format!("{} pages in {}\n", files.files().len(), self.folder.display()));
         }
         Ok(())

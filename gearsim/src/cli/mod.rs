@@ -104,7 +104,11 @@ Exit codes:
   2  refused: the command line, the scene or its numbers are not valid; nothing was run
   3  a run stopped before its end, or its energy account does not close; its results are written"
 )]
-struct Program;
+struct Program {
+    #[command(flatten)]
+    #[allow(dead_code, reason = "each command reads it among its own arguments")]
+    quiet: printing::Quiet,
+}
 
 /// The whole command line.
 fn program() -> clap::Command {

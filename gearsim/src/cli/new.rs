@@ -5,6 +5,7 @@ use std::path::{Path, PathBuf};
 use clap::Parser;
 
 use super::failure::Failure;
+use super::printing::Quiet;
 use super::{Verb, terminal};
 use crate::output::staging::Staging;
 use crate::output::{OutputError, WholeFiles};
@@ -27,9 +28,8 @@ pub(super) struct New {
     /// The checkout of gearsim on which the crate depends [default: the one that this program was built from]
     #[arg(long, value_name = "DIR")]
     gearsim: Option<PathBuf>,
-    /// Print nothing but warnings and errors
-    #[arg(long, short)]
-    quiet: bool,
+    #[command(flatten)]
+    quiet: Quiet,
 }
 
 /// The files of the crate: path, and text with the names of the template.
@@ -85,7 +85,7 @@ impl Verb for New {
             written.map_err(|error| error.moved(&from, &self.crate_folder))?;
         }
         std::fs::rename(files.path(), &self.crate_folder).map_err(failed)?;
-        if self.quiet {
+        if self.quiet.quiet {
             return Ok(());
         }
         let shown = self.crate_folder.display();

@@ -1,22 +1,34 @@
-//! What a command prints on the standard output: a text, its results as JSON, or nothing.
+//! What a command prints on the standard output: a report, its results as JSON, or nothing.
 
 use clap::Args;
 
 use super::failure::Failure;
 use super::terminal;
 
-/// The options that choose what is printed.
+/// The option that all commands have. `models`, `scene` and `completions` print with it too: their text is what they are asked for.
 #[derive(Args)]
-pub(super) struct Printing {
-    /// Print the results as JSON, in SI units, instead of the text
-    #[arg(long, conflicts_with = "quiet")]
-    json: bool,
-    /// Print nothing but warnings and errors
-    #[arg(long, short)]
+pub(super) struct Quiet {
+    /// Print no report and no progress; warnings and errors remain
+    #[arg(long, short, global = true)]
     pub(super) quiet: bool,
 }
 
+/// The options that choose what is printed.
+#[derive(Args)]
+pub(super) struct Printing {
+    /// Print the results as JSON, in SI units, instead of the report
+    #[arg(long)]
+    json: bool,
+    #[command(flatten)]
+    quiet: Quiet,
+}
+
 impl Printing {
+    /// Whether progress is not shown.
+    pub(super) fn quiet(&self) -> bool {
+        self.quiet.quiet
+    }
+
     /// Prints the results.
     ///
     /// # Errors
@@ -29,7 +41,7 @@ impl Printing {
     where
         Failure: From<E>,
     {
-        match (self.json, self.quiet) {
+        match (self.json, self.quiet()) {
             (true, _) => terminal::print_out(&json()?),
             (false, true) => {}
             (false, false) => terminal::print_out(&text()),

@@ -10,7 +10,7 @@ use super::{number, terminal};
 use crate::analysis::from_teeth;
 use crate::engine::system::{Motion, Steady};
 use crate::output::summary::{Digits, Number, Observed, Summary};
-use crate::plot::outputs::is_first;
+use crate::plot::outputs::{engineering, is_first};
 use crate::scene::Scene;
 
 /// Width of the names at the beginning of lines [columns].
@@ -89,7 +89,10 @@ fn outputs(summary: &Summary, width: usize) -> String {
     let mut moving: Vec<_> = summary.outputs.iter().filter(|(_, o)| o.min.0 != 0.0 || o.max.0 != 0.0).collect();
     moving.sort_by_key(|(name, o)| (o.unit == "W", !is_first(name)));
     for (name, Observed { unit, min, max, mean, .. }) in moving.iter().take(MOST_OUTPUTS) {
-        let says = format!("{} {unit} in the mean, from {} to {}", short(mean.0), short(min.0), short(max.0));
+        // Speeds of rotors are read in revolutions a minute.
+        let (unit, scale) = if unit == "rad/s" { engineering("rad/s") } else { (unit.as_str(), 1.0) };
+        let [mean, min, max] = [mean, min, max].map(|value| short(scale * value.0));
+        let says = format!("{mean} {unit} in the mean, from {min} to {max}");
         text += &line(name, &says, width);
     }
     if let Some(more) = moving.len().checked_sub(MOST_OUTPUTS).filter(|more| *more > 0) {

@@ -12,6 +12,7 @@ use super::progress::PointsBar;
 use super::{Verb, files, known, number, page, report, terminal};
 use crate::output::{OutputFolder, csv, document, parquet};
 use crate::plot;
+use crate::plot::outputs::engineering;
 use crate::sweep::response::{Hold, MEASURES, Response};
 use crate::sweep::{Request, Status, Sweep};
 
@@ -20,8 +21,8 @@ use crate::sweep::{Request, Status, Sweep};
 #[command(
     name = "response",
     after_help = "\
-The scene runs at the first value, then at the next one from the state in which it has settled, up to
-the last value and down again. Where two steady motions exist, the two ways differ.
+The scene runs at the first value, then at the next one from the state in which it has settled, up
+to the last value and down again. Where two steady motions exist, the two ways differ.
 
 A varied speed is held by the scene itself: by the set point of its governor, else by a torque,
 which is found for each point so that the mean speed stays (--hold). The column mean_speed says
@@ -31,7 +32,8 @@ measured over whole periods of the slowest excitation; the columns periods and p
 Writes response.parquet, response.csv and the plot.
 
 Examples:
-  gearsim response models/scenes/response.toml --over start.speed=\"1500 rpm:6000 rpm:46\" --output dte
+  gearsim response models/scenes/response.toml \\
+      --over start.speed=\"2200 rpm:4200 rpm:51\" --output dte_12 --settle \"0.1 s\"
   gearsim response models/scenes/two_stage.toml --over start.speed=\"500 rpm:3000 rpm:50\" \\
       --output dte_12,mesh_force_34 --measure peak_to_peak --settle \"0.2 s\""
 )]
@@ -102,7 +104,7 @@ impl Verb for ResponseCommand {
         let path = self.out.clone().unwrap_or_else(|| Path::new("out").join(format!("{}_response", sweep.scene())));
         OutputFolder::probe(&path)?;
 
-        let mut bar = PointsBar::new(sweep.points * if self.up { 1 } else { 2 }, self.printing.quiet);
+        let mut bar = PointsBar::new(sweep.points * if self.up { 1 } else { 2 }, self.printing.quiet());
         let response = sweep.response(!self.up, &self.hold(), &mut |done| bar.at(done))?;
         drop(bar);
         let mut folder = OutputFolder::create(path)?;
@@ -114,12 +116,13 @@ impl Verb for ResponseCommand {
         let figure = files::figure(&mut folder, "response", Ok(figure), terminal::warn)?;
         folder.write("response.csv", |sink| csv::write(&table, sink))?;
         if let Some(page) = page {
-            page.response(&mut folder, &sweep.first()?, &facts(&response), figure.as_ref(), &table)?;
+            page.response(&mut folder, &sweep.first()?, &self.facts(&response), figure.as_ref(), &table)?;
         }
         folder.commit("response.csv")?;
         let width = terminal::width();
         let text = || {
-            let facts: String = facts(&response).iter().map(|(name, says)| report::line(name, says, width)).collect();
+            let facts = self.facts(&response);
+            let facts: String = facts.iter().map(|(name, says)| report::line(name, says, width)).collect();
             facts + "\n" + &report::files(folder.path(), folder.files(), width)
         };
         let json = || {
@@ -145,23 +148,32 @@ impl ResponseCommand {
             Some(parameter) => Hold::By(parameter.into()),
         }
     }
-}
 
-/// What holds the speed, what was measured, the largest value of each output on each way, and where it is: names, and what is said of each.
-fn facts(response: &Response) -> Vec<(String, String)> {
-    let mut facts = vec![("speed".into(), response.holding.clone()), ("measured".into(), measured(response))];
-    for (i, output) in response.outputs.iter().enumerate() {
-        for (way, upward) in [("up", true), ("down", false)] {
-            let points = response.points.iter().filter(|point| point.upward == upward);
-            let rms = points.filter_map(|point| Some((point.observed[i].as_ref()?.rms, point.value)));
-            if let Some((rms, at)) = rms.max_by(|a, b| a.0.total_cmp(&b.0)) {
-                let (rms, at) = (number::short(rms), number::short(at));
-                let says = format!("largest rms on the way {way}: {rms} {} at {at} {}", output.unit, response.unit);
-                facts.push((output.name.into(), says));
+    /// What holds the speed, what was measured, the largest value of each output on each way, and where it is: names, and what is said of
+    /// each.
+    fn facts(&self, response: &Response) -> Vec<(String, String)> {
+        let mut facts = vec![("speed".into(), response.holding.clone()), ("measured".into(), measured(response))];
+        let words = self.measure.replace('_', " ");
+        let Some((_, value)) = MEASURES.iter().find(|(name, _)| *name == self.measure) else { return facts };
+        let (unit, scale) = match response.unit.as_str() {
+            "rad/s" => engineering("rad/s"),
+            other => (other, 1.0),
+        };
+        for (i, output) in response.outputs.iter().enumerate() {
+            let (own, factor) = engineering(output.unit);
+            for (way, upward) in [("up", true), ("down", false)] {
+                let points = response.points.iter().filter(|point| point.upward == upward);
+                let values = points.filter_map(|point| Some((value(point.observed[i].as_ref()?), point.value)));
+                if let Some((value, at)) = values.max_by(|a, b| a.0.total_cmp(&b.0)) {
+                    let (value, at) = (number::short(factor * value), number::short(scale * at));
+                    let value = format!("{value} {}", if own == "1" { "" } else { own });
+                    let says = format!("largest {words} on the way {way}: {} at {at} {unit}", value.trim_end());
+                    facts.push((output.name.into(), says.trim_end().into()));
+                }
             }
         }
+        facts
     }
-    facts
 }
 
 /// What the points were measured over, in words.

@@ -50,7 +50,7 @@ impl Verb for Run {
         let page = self.html.asked()?;
         let scene = self.source.load()?;
         let path = self.source.folder(&scene, "")?;
-        let results = simulate(&scene, self.printing.quiet)?;
+        let results = simulate(&scene, self.printing.quiet())?;
         let mut folder = OutputFolder::create(path)?;
         self.write(&mut folder, &results, page)?;
         Failure::of(&format!("scene {}", scene.name), &results.outcome, folder.path())

@@ -144,7 +144,7 @@ impl Verb for SweepCommand {
         drop(there);
         let threads = self.threads.and_then(|n| NonZeroUsize::new(n.into()));
         let threads = threads.unwrap_or_else(|| std::thread::available_parallelism().unwrap_or(NonZeroUsize::MIN));
-        let mut bar = PointsBar::new(todo.len(), self.printing.quiet);
+        let mut bar = PointsBar::new(todo.len(), self.printing.quiet());
         let watch = |count| {
             bar.at(count);
             ControlFlow::Continue(())

@@ -91,7 +91,7 @@ impl WorkPrecision {
         };
         let scenes = Scenes { exact: scene.clone(), cheaper };
         let mut say = |what: &str| {
-            if !self.printing.quiet {
+            if !self.printing.quiet() {
                 terminal::print_err(&format!("{}: {what}", scene.name));
             }
         };

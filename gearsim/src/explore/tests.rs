@@ -101,14 +101,17 @@ fn visible_sections_come_first_and_the_others_after_them() {
 #[test]
 fn what_is_seen_comes_in_few_rows() {
     let explorer = explorer("oh2005/energy_300rpm");
-    let view = json!({ "range": [0.01, 0.02], "parts": 50, "curves": [["Torques", "mesh_torque"]] });
-    let value = json!({ "seen": ["motion"], "view": view, "number": 7 });
+    let seen = ["Torques", "Torques: amplitudes of orders", "Torques: power spectral density"];
+    let view = json!({ "range": [0.01, 0.02], "parts": 50, "curves": seen.map(|title| [title, "mesh_torque"]) });
+    // Orders need whole revolutions.
+    let values = json!({ "run.t_end": 0.5 });
+    let value = json!({ "values": values, "seen": ["motion", "orders", "spectra"], "view": view, "number": 7 });
     let first = answer(&explorer, value.clone())["run"]["page"].clone();
     let rest = serde_json::to_value(explorer.rest(&choice(value), &|| true).unwrap()).unwrap();
     let (_, results) = explorer.last.lock().unwrap().clone().unwrap();
     let rows = results.outcome.trajectory.len();
     // Of each plot its title, and of each curve its name and its numbers of times and values.
-    let curves = |page: &Value| -> Vec<(String, String, [u64; 2])> {
+    let curves = |page: &Value, group: &str| -> Vec<(String, String, [u64; 2])> {
         let html = page["html"].as_str().unwrap();
         let plots = html.split("<figure class=\"plot\">").skip(1).map(|plot| {
             let text = plot.split_once("json\">").unwrap().1.split_once("</script>").unwrap().0;
@@ -120,9 +123,9 @@ fn what_is_seen_comes_in_few_rows() {
             let title = plot["title"].as_str().unwrap().to_owned();
             plot["curves"].as_array().unwrap().iter().map(|c| (title.clone(), name(c), lengths(c))).collect::<Vec<_>>()
         };
-        plots.filter(|plot| plot["group"] == "time").flat_map(of).collect()
+        plots.filter(|plot| plot["group"] == group).flat_map(of).collect()
     };
-    let (some, all) = (curves(&first), curves(&rest));
+    let (some, all) = (curves(&first, "time"), curves(&rest, "time"));
     assert!(some.len() > 5 && all.len() > some.len());
     assert!(some.iter().any(|(title, name, _)| (&**title, &**name) == ("Torques", "mesh_torque")));
     for (title, name, [times, values]) in some {
@@ -132,6 +135,19 @@ fn what_is_seen_comes_in_few_rows() {
         assert_eq!(values, if is_seen { times } else { 0 }, "{title}: {name}");
     }
     assert!(all.iter().all(|(_, _, lengths)| *lengths == [rows as u64; 2]));
+    // The table of orders is not on the screen; without a steady mesh there is none.
+    let has = |part: &Value, text: &str| part["html"].as_str().unwrap().contains(text);
+    assert_eq!(has(&first, "<div data-later=\"Mesh orders"), has(&rest, "<caption>Mesh orders"));
+    assert!(!has(&first, "<caption>Mesh orders") && !has(&rest, "data-later"));
+    for group in ["order", "frequency"] {
+        let (some, all) = (curves(&first, group), curves(&rest, group));
+        assert!(some.len() > 3, "{some:?}");
+        for ((title, name, [x, y]), whole) in some.iter().zip(&all) {
+            assert_eq!((title, name, [*x, *x]), (&whole.0, &whole.1, whole.2));
+            let is_seen = seen.contains(&&**title) && name == "mesh_torque";
+            assert_eq!(*y, if is_seen { *x } else { 0 }, "{title}: {name}");
+        }
+    }
 }
 
 #[test]

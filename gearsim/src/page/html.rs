@@ -121,6 +121,11 @@ impl Html {
         );
     }
 
+    /// The place of a table that follows with the next answer; until then the page keeps the one that it has.
+    pub fn later(&mut self, caption: &str) {
+        let _ = writeln!(self.text, "<div data-later=\"{}\"></div>", escape(caption));
+    }
+
     /// Embeds a column, and returns its name for plots. Equal columns are embedded once.
     pub fn embed(&mut self, values: &[f64], counts: Counts) -> Column {
         let (mut column, base64) = data::encode(format!("{}array-{}", self.name, self.arrays.len()), values, counts);

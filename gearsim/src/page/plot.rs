@@ -32,6 +32,8 @@ pub struct Axis {
     pub label: String,
     /// Its unit; empty for a plain number.
     pub unit: String,
+    /// The unit in which its numbers are read at first, of those that the page knows for `unit`; `None`: one that suits their size.
+    pub usual: Option<&'static str>,
     /// Whether the axis is logarithmic.
     pub log: bool,
     /// Limits at first; `None`: those of the data.
@@ -43,7 +45,7 @@ pub struct Axis {
 impl Axis {
     /// A linear axis with the limits of its data.
     pub fn linear(label: impl Into<String>, unit: impl Into<String>) -> Self {
-        Axis { label: label.into(), unit: unit.into(), log: false, range: None, names: vec![] }
+        Axis { label: label.into(), unit: unit.into(), usual: None, log: false, range: None, names: vec![] }
     }
 }
 

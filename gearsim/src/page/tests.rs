@@ -1,5 +1,7 @@
 //! Tests of pages: what they embed, and that texts stay texts.
 
+mod palette;
+
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
 

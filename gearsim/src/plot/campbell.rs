@@ -11,9 +11,11 @@ const HARMONICS: usize = 4;
 /// Two lines of frequencies closer than this are one [relative].
 const SAME: f64 = 1e-6;
 /// Natural frequencies closer than this share of the height of the diagram have one name.
-const CLOSE: f64 = 0.025;
+const CLOSE: f64 = 0.031;
 /// Place of the numbers of modes along the abscissa.
 const NAMES: f64 = 0.05;
+/// Colours of the orders of each mesh.
+const COLOURS: [&str; 6] = ["#0072b2", "#d55e00", "#009e73", "#cc79a7", "#57330f", "#200080"];
 /// Points of a line.
 const POINTS: usize = 200;
 
@@ -61,6 +63,8 @@ pub fn draw(scene: &Scene, courses: &[SteadyLaw], cell: &CellModes) -> Result<Fi
                 String::new()
             };
             let mut line = Series::new(n, label, x, y);
+            // Natural frequencies alone are black.
+            line.style.colour = COLOURS[n % COLOURS.len()];
             let (at, end) = (line.x[POINTS], line.y[POINTS]);
             line.style = Style { dashes: &[], width: if harmonic == 1 { 1.5 } else { 0.9 }, ..line.style };
             // Names that would cover each other are one.
@@ -74,7 +78,7 @@ pub fn draw(scene: &Scene, courses: &[SteadyLaw], cell: &CellModes) -> Result<Fi
             series.push(line);
         }
     }
-    let style = Style { colour: "#d55e00", dashes: &[7.0, 3.0], width: 1.3, marker: Marker::None };
+    let style = Style { colour: "#777777", dashes: &[7.0, 3.0], width: 1.3, marker: Marker::None };
     series.push(Series { style, ..Series::new(0, "speed of the scene", vec![now, now], vec![0.0, top]) });
     Ok(Figure {
         title: "Natural frequencies and mesh orders".into(),

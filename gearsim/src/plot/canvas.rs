@@ -20,6 +20,9 @@ const GAP: f64 = 14.0;
 pub(super) const TEXT: f64 = 13.0;
 pub(super) const SMALL: f64 = 12.0;
 const SAMPLE: f64 = 34.0;
+/// Height of a row of names below an axis, and most of such rows.
+const NAME_ROW: f64 = 15.0;
+const NAME_ROWS: usize = 6;
 
 /// The figure as a picture.
 pub(super) fn draw(figure: &Figure) -> Picture {
@@ -41,9 +44,17 @@ pub(super) fn draw(figure: &Figure) -> Picture {
         frame(&mut body, panel, (&x, figure.x.shaded_from), last, y, height);
         y += height + GAP;
     }
-    y += 14.0;
+    y += 14.0 + NAME_ROW * (name_rows(&x) - 1) as f64;
     body.text((LEFT + FRAME / 2.0, y + 10.0), Anchor::Middle, TEXT, "", &x.label(&figure.x));
     body.finish(&figure.title, y + 24.0)
+}
+
+/// In how many rows the names below an axis stand, so that neighbours do not cover each other.
+fn name_rows(x: &Ruler) -> usize {
+    let ticks = if x.is_named() { x.ticks() } else { vec![] };
+    let widest = ticks.iter().map(|(_, name)| SMALL * ems(name) + 8.0).fold(0.0, f64::max);
+    let apart = ticks.windows(2).map(|pair| FRAME * (pair[1].0 - pair[0].0)).fold(f64::INFINITY, f64::min);
+    ((widest / apart).ceil() as usize).clamp(1, NAME_ROWS)
 }
 
 /// Names the curves above a frame, in as many rows as they need; returns where the frame begins.
@@ -80,12 +91,13 @@ fn frame(out: &mut Drawing, panel: &Panel, (x, shaded): (&Ruler, Option<f64>), l
 
     let mut grid = String::new();
     let mut marks = String::new();
-    for (at, number) in x.ticks() {
+    let rows = name_rows(x);
+    for (i, (at, number)) in x.ticks().into_iter().enumerate() {
         let px = LEFT + at * FRAME;
         let _ = write!(grid, "M{px:.1} {top:.1}V{bottom:.1}");
         let _ = write!(marks, "M{px:.1} {bottom:.1}v-6M{px:.1} {top:.1}v6");
         if last {
-            out.text((px, bottom + 17.0), Anchor::Middle, SMALL, "", &number);
+            out.text((px, bottom + 17.0 + NAME_ROW * (i % rows) as f64), Anchor::Middle, SMALL, "", &number);
         }
     }
     for (at, number) in y.ticks() {
@@ -132,8 +144,9 @@ fn frame(out: &mut Drawing, panel: &Panel, (x, shaded): (&Ruler, Option<f64>), l
         let inside = |p: &&(f64, f64)| (LEFT..=right).contains(&p.0) && (top..=bottom).contains(&p.1);
         if let Some(&(x, y)) = points.iter().rfind(inside).filter(|_| !series.note.is_empty()) {
             let fill = format!("fill=\"{}\"", series.style.colour);
-            // Below what ends at the top, and to the left of what ends at the right.
-            let at = (x.min(right) - 5.0, (y - 4.0).max(top + 13.0));
+            // Below what ends at the top, to the left of what ends at the right, and within the frame.
+            let first = LEFT + 4.0 + SMALL * ems(&series.note);
+            let at = ((x.min(right) - 5.0).max(first), (y - 4.0).max(top + 13.0));
             out.text(at, Anchor::End, SMALL, &fill, &series.note);
         }
     }

@@ -154,9 +154,9 @@ impl Style {
 
     /// The `index`-th of a series of line styles that differ in colour and in dashes. Colour-blind readers can distinguish the colours.
     ///
-    /// Colours: M. Okabe, K. Ito, "Color universal design" (2008), the dark ones first, without yellow.
+    /// Colours: M. Okabe, K. Ito, "Color universal design" (2008), the dark ones; a brown and a dark blue after them.
     pub fn nth(index: usize) -> Self {
-        const COLOURS: [&str; 7] = ["#0072b2", "#d55e00", "#000000", "#009e73", "#cc79a7", "#e69f00", "#56b4e9"];
+        const COLOURS: [&str; 7] = ["#0072b2", "#d55e00", "#000000", "#009e73", "#cc79a7", "#57330f", "#200080"];
         const DASHES: [&[f64]; 5] = [&[], &[7.0, 3.0], &[1.8, 4.0], &[8.0, 2.5, 1.8, 2.5], &[12.0, 4.0]];
         Style {
             colour: COLOURS[index % COLOURS.len()],

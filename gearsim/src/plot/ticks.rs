@@ -86,6 +86,11 @@ impl Ruler {
         self.multiples(self.step).map(|x| (self.fraction(x), self.number(x))).collect()
     }
 
+    /// Whether it shows names instead of numbers.
+    pub fn is_named(&self) -> bool {
+        !self.names.is_empty()
+    }
+
     /// Positions of the minor ticks: whole decades on a logarithmic axis, a fifth of the tick distance on a linear one.
     pub fn minor(&self) -> Vec<f64> {
         if !self.names.is_empty() {

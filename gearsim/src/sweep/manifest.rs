@@ -180,7 +180,8 @@ impl Manifest {
             compare("text of the scene (SHA-256)", self.scene_sha256.clone(), other.scene_sha256.clone());
         }
         compare("axes", list(&self.vary), list(&other.vary));
-        compare("samples", format!("{:?}", self.samples), format!("{:?}", other.samples));
+        let samples = |m: &Manifest| m.samples.map_or("none".into(), |samples| samples.to_string());
+        compare("samples", samples(self), samples(other));
         compare("design", self.design.name().into(), other.design.name().into());
         compare("seed", self.seed.to_string(), other.seed.to_string());
         compare("points", self.points.to_string(), other.points.to_string());

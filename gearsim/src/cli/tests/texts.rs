@@ -30,6 +30,74 @@ fn help_texts_equal_their_snapshots() {
     }
 }
 
+/// The words of a command line, as a shell splits it.
+fn words(line: &str) -> Vec<String> {
+    let (mut words, mut quote, mut gap) = (vec![String::new()], None, false);
+    for c in line.chars() {
+        match c {
+            _ if quote == Some(c) => quote = None,
+            '"' | '\'' if quote.is_none() => quote = Some(c),
+            ' ' if quote.is_none() => gap = true,
+            _ => {
+                if std::mem::take(&mut gap) {
+                    words.push(String::new());
+                }
+                words.last_mut().unwrap().push(c);
+            }
+        }
+    }
+    words
+}
+
+#[test]
+fn the_examples_of_help_texts_are_command_lines() {
+    let mut found = 0;
+    for command in program().get_subcommands() {
+        let help = command.get_after_help().map(ToString::to_string).unwrap_or_default().replace("\\\n     ", "");
+        for line in help.lines().filter_map(|line| line.strip_prefix("  ")).filter(|line| line.starts_with("gearsim "))
+        {
+            // Without the file that gets the output, and without what the example is.
+            let line = line.split(" > ").next().unwrap().split("    ").next().unwrap();
+            let parsed = program().try_get_matches_from(words(line));
+            assert!(parsed.is_ok(), "{line}: {}", parsed.unwrap_err());
+            found += 1;
+        }
+    }
+    assert!(found > 30, "{found}");
+}
+
+#[test]
+fn quiet_is_an_option_of_all_commands() {
+    let commands = [
+        "run s",
+        "compare s",
+        "explore s",
+        "advise s",
+        "sweep s --vary a=1:2:2",
+        "merge d --out o",
+        "response s --over a=1:2:2 --settle 1",
+        "modes s",
+        "floquet s",
+        "work-precision s",
+        "check s",
+        "scene m",
+        "models",
+        "new d",
+        "completions bash",
+        "man d",
+    ];
+    assert_eq!(commands.len(), program().get_subcommands().count());
+    for command in commands {
+        for line in
+            [format!("gearsim -q {command}"), format!("gearsim {command} -q"), format!("gearsim {command} --quiet")]
+        {
+            let matches =
+                program().try_get_matches_from(words(&line)).unwrap_or_else(|error| panic!("{line}: {error}"));
+            assert!(matches.subcommand().unwrap().1.get_flag("quiet"), "{line}");
+        }
+    }
+}
+
 #[test]
 fn the_list_and_the_description_of_models_equal_their_snapshots() {
     assert_snapshot!("models", models::all());

@@ -157,7 +157,8 @@ class Panel {
       if (y.values.length === 0) return;
       extremes(y, 0, y.values.length).forEach((i) => { largest = Math.max(largest, Math.abs(y.values[i]) || 0); });
     });
-    this.choose(suitable(this.units, largest));
+    const usual = this.units.find((unit) => unit && unit[0] === this.plot.y.usual);
+    this.choose(usual ?? suitable(this.units, largest));
   }
 
   listen() {

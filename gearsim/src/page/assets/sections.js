@@ -16,15 +16,19 @@ function inSight(main) {
   return seen.length ? seen.map(({ id }) => id) : ["motion"];
 }
 
-/** What a person sees of the plots over time, for an answer with that alone; null where none is seen. */
+/** What a person sees of the plots, for an answer with that alone; null where none is seen. */
 function inView() {
-  const seen = panels.filter((panel) => panel.plot.group === "time" && panel.drawn && onScreen(panel));
+  const seen = panels.filter((panel) => panel.drawn && onScreen(panel));
   if (seen.length === 0) return null;
-  const { range, first } = seen[0].group;
-  const curves = seen.flatMap(({ plot, shown }) => plot.curves.filter((_, i) => shown[i]).map(({ name }) => [plot.title, name]));
+  // The common limits of spectra over frequency follow from all of them.
+  const wanted = panels.filter((panel) => seen.includes(panel) || panel.plot.group === "frequency");
+  const curves = wanted.flatMap(({ plot, shown }) => plot.curves.filter((_, i) => shown[i]).map(({ name }) => [plot.title, name]));
+  const { range, first } = seen.find(({ plot }) => plot.group === "time")?.group ?? {};
   // Another run may be longer: the whole of this one means the whole of that one.
-  const whole = range[0] === first[0] && range[1] === first[1];
-  return { range: whole ? null : range, parts: Math.max(...seen.map((panel) => panel.pixels())), curves };
+  const whole = !range || (range[0] === first[0] && range[1] === first[1]);
+  const tables = [...document.querySelectorAll("main table")].filter((table) => onScreen({ figure: table }));
+  const captions = tables.map((table) => table.caption?.textContent ?? "");
+  return { range: whole ? null : range, parts: Math.max(...seen.map((panel) => panel.pixels())), curves, tables: captions };
 }
 
 /** Shows some sections of a run, `of` the whole in its `order`, in place of those of the run before. `name` begins the identifiers of their arrays. */
@@ -125,6 +129,8 @@ function renew(old, section) {
   const open = new Set([...old.querySelectorAll(":scope > details[open] > summary")].map((summary) => summary.textContent));
   const known = panels.filter(({ figure }) => old.contains(figure));
   const wanted = [...section.children].map((child) => {
+    // A table that is not seen comes with the next answer.
+    if (child.dataset.later) return [...old.children].find((known) => known.querySelector("caption")?.textContent === child.dataset.later) ?? child;
     if (child.matches("details")) child.open = open.has(child.querySelector("summary").textContent);
     if (!child.matches("figure.plot")) return child;
     const plot = JSON.parse(child.querySelector("script").textContent);

@@ -60,12 +60,12 @@ struct Report<'a> {
     run: &'a Run<'a>,
     groups: Vec<Group<'a>>,
     all: Source<'a>,
-    /// What the plots over time have instead of `all`.
+    /// What the plots have instead of `all`.
     seen: Option<Source<'a>>,
 }
 
 impl<'a> Report<'a> {
-    /// Where the plots over time have their rows.
+    /// Which curves the plots have, and where those over time have their rows.
     fn plotted(&self) -> &Source<'a> {
         self.seen.as_ref().unwrap_or(&self.all)
     }
@@ -77,7 +77,7 @@ pub fn page(run: &Run<'_>) -> Result<Page, OutputError> {
 }
 
 /// The wanted sections of a page that shows run after run, whose arrays have identifiers that begin with `name`; `None` if `goes_on` ended
-/// it. Plots over time have only what is in `view`, if there is one. Without the first section: `gearsim explore` shows the result beside
+/// it. Plots have only what is in `view`, if there is one. Without the first section: `gearsim explore` shows the result beside
 /// the plots. Errors: as of [`page`].
 pub fn live(
     run: &Run<'_>,

@@ -55,10 +55,12 @@ pub(super) fn plot(
         Curve::new(&*column.name, &column.doc, times.rows.clone(), y, shown(i))
     });
     let curves = curves.collect();
+    // Speeds of rotors are read in revolutions a minute.
+    let usual = (group.kind == Kind::Signal && group.unit == "rad/s").then_some("rpm");
     html.plot(&Plot {
         title: title.to_owned(),
         x: Axis::linear("time t", "s"),
-        y: Axis::linear("", &*group.unit),
+        y: Axis { usual, ..Axis::linear("", &*group.unit) },
         curves,
         group: Some(GROUP.into()),
         events: times.events.clone(),

@@ -12,6 +12,9 @@ use crate::plot::orders::{DECADES, LONGEST};
 /// Multiples of a mesh order that are marked.
 const MULTIPLES: usize = 4;
 
+/// Caption of the table.
+const LINES: &str = "Mesh orders and their sidebands";
+
 /// Writes the section.
 pub(super) fn fill(report: &Report<'_>, html: &mut Html) {
     let run = &report.run.outcome.trajectory;
@@ -31,36 +34,42 @@ pub(super) fn fill(report: &Report<'_>, html: &mut Html) {
     ));
     let meshes = meshes(run, 0.0);
     for group in report.groups.iter().filter(|group| matches!(group.kind, Kind::Signal | Kind::Deflection)) {
-        if let Err(error) = plot(html, group, (shaft.name, &turning), &meshes) {
+        if let Err(error) = plot(report, html, group, (shaft.name, &turning), &meshes) {
             html.note(&format!("There are no orders of {}: {error}.", group.title().to_lowercase()));
         }
     }
     table(report, html, &turning, &meshes);
 }
 
-/// Adds the plot of a group.
+/// Adds the plot of a group, with the curves that the report shows.
 fn plot(
+    report: &Report<'_>,
     html: &mut Html,
     group: &Group<'_>,
     (shaft, turning): (&str, &Turning),
     meshes: &[Mesh],
 ) -> Result<(), SpectrumError> {
-    let (mut curves, mut peak, mut longest) = (vec![], 0.0_f64, 0.0_f64);
+    let title = format!("{}: amplitudes of orders", group.title());
+    let orders = turning.axis()?;
+    let x = html.embed(&orders, Counts::Long);
+    let (mut curves, mut peak) = (vec![], 0.0_f64);
     for (i, column) in group.columns.iter().enumerate() {
-        let spectrum = turning.orders(&column.values)?;
+        let amplitude = match report.plotted().has(&title, &column.name) {
+            true => turning.orders(&column.values)?.amplitude,
+            false => vec![],
+        };
         if group.shown(i) {
-            peak = spectrum.amplitude.iter().skip(1).fold(peak, |m, x| m.max(*x));
+            peak = amplitude.iter().skip(1).fold(peak, |m, x| m.max(*x));
         }
-        longest = longest.max(spectrum.order.last().copied().unwrap_or(0.0));
-        let x = html.embed(&spectrum.order, Counts::Long);
-        let logarithms: Vec<f64> = spectrum.amplitude.iter().map(|x| x.log10()).collect();
+        let logarithms: Vec<f64> = amplitude.iter().map(|x| x.log10()).collect();
         let y = html.embed(&logarithms, Counts::Short);
-        curves.push(Curve::new(&*column.name, &column.doc, x, y, group.shown(i)));
+        curves.push(Curve::new(&*column.name, &column.doc, x.clone(), y, group.shown(i)));
     }
+    let longest = orders.last().copied().unwrap_or(0.0);
     let highest = meshes.iter().map(|mesh| mesh.frequency / turning.frequency()).fold(0.0, f64::max);
     let end = if highest > 0.0 { longest.min(LONGEST * highest) } else { longest };
     html.plot(&Plot {
-        title: format!("{}: amplitudes of orders", group.title()),
+        title,
         x: Axis { range: (end > 0.0).then_some((0.0, end)), ..Axis::linear(format!("order of {shaft}"), "") },
         y: Axis {
             log: true,
@@ -94,6 +103,9 @@ fn marks(meshes: &[Mesh], turning: &Turning) -> Vec<Line> {
 fn table(report: &Report<'_>, html: &mut Html, turning: &Turning, meshes: &[Mesh]) {
     let steady: Vec<Mesh> = meshes.iter().filter(|mesh| mesh.steady).cloned().collect();
     let lines = orders::lines(turning, &steady);
+    if !lines.is_empty() && !report.plotted().has_table(LINES) {
+        return html.later(LINES);
+    }
     let groups = report.groups.iter().filter(|group| matches!(group.kind, Kind::Signal | Kind::Deflection));
     let shown = groups.flat_map(|group| {
         let columns = group.columns.iter().enumerate().filter(|(i, _)| group.shown(*i));
@@ -115,5 +127,5 @@ fn table(report: &Report<'_>, html: &mut Html, turning: &Turning, meshes: &[Mesh
         }
     }
     let head = ["column", "mesh", "multiple", "sideband", "of rotor", "order", "frequency [Hz]", "amplitude", "unit"];
-    html.table("Mesh orders and their sidebands", &head, &rows);
+    html.table(LINES, &head, &rows);
 }

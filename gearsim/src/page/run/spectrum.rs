@@ -35,7 +35,7 @@ pub(super) fn fill(report: &Report<'_>, html: &mut Html) {
     let kinds = [Kind::Speed, Kind::Signal, Kind::Deflection];
     let mut found = vec![];
     for group in report.groups.iter().filter(|group| kinds.contains(&group.kind)) {
-        match spectra(group, &rows, rate) {
+        match spectra(report, group, &rows, rate) {
             Ok(spectra) => found.push((group, spectra)),
             Err(error) => html.note(&format!("There is no spectrum of {}: {error}.", group.title().to_lowercase())),
         }
@@ -45,40 +45,62 @@ pub(super) fn fill(report: &Report<'_>, html: &mut Html) {
     let highest = meshes.iter().map(|mesh| mesh.frequency).fold(0.0, f64::max);
     // What is 0 or 1 has content at all frequencies.
     let shown = found.iter().filter(|(group, _)| group.unit != "1").flat_map(|(group, spectra)| {
-        spectra.iter().enumerate().filter(|(i, _)| group.shown(*i)).map(|(_, spectrum)| spectrum)
+        spectra.iter().enumerate().filter(|(i, _)| group.shown(*i)).filter_map(|(_, spectrum)| spectrum.as_ref())
     });
     let end = reach(shown, highest);
     let lines = lines(report, &meshes);
+    let frequencies: Vec<f64> = (0..segment / 2 + 1).map(|m| m as f64 * rate / segment as f64).collect();
     for (group, spectra) in &found {
-        plot(html, group, spectra, end, lines.clone());
+        plot(html, group, (&frequencies, spectra), end, lines.clone());
     }
 }
 
-/// The spectra of the columns of a group.
-fn spectra(group: &Group<'_>, rows: &[usize], rate: f64) -> Result<Vec<Spectrum>, SpectrumError> {
+/// The title of the plot of a group.
+fn title(group: &Group<'_>) -> String {
+    format!("{}: power spectral density", group.title())
+}
+
+/// The spectra of the columns of a group that the report shows.
+fn spectra(
+    report: &Report<'_>,
+    group: &Group<'_>,
+    rows: &[usize],
+    rate: f64,
+) -> Result<Vec<Option<Spectrum>>, SpectrumError> {
+    let title = title(group);
     let spectrum = |column: &Named<'_>| {
+        if !report.plotted().has(&title, &column.name) {
+            return Ok(None);
+        }
         let samples: Vec<f64> = rows.iter().map(|&row| column.values[row]).collect();
-        welch(&samples, rate, segment_length(samples.len()))
+        welch(&samples, rate, segment_length(samples.len())).map(Some)
     };
     group.columns.iter().map(spectrum).collect()
 }
 
 /// Adds the plot of a group, at first up to the frequency `end`.
-fn plot(html: &mut Html, group: &Group<'_>, spectra: &[Spectrum], end: f64, lines: Vec<Line>) {
+fn plot(
+    html: &mut Html,
+    group: &Group<'_>,
+    (frequencies, spectra): (&[f64], &[Option<Spectrum>]),
+    end: f64,
+    lines: Vec<Line>,
+) {
     let (mut curves, mut peak, mut lowest) = (vec![], 0.0_f64, f64::INFINITY);
+    let x = html.embed(frequencies, Counts::Long);
     for (i, (column, spectrum)) in group.columns.iter().zip(spectra).enumerate() {
+        let density = spectrum.as_ref().map_or(&[][..], |spectrum| &spectrum.density);
         if group.shown(i) {
-            peak = spectrum.density.iter().fold(peak, |m, x| m.max(*x));
-            lowest = spectrum.density.iter().filter(|x| **x > 0.0).fold(lowest, |m, x| m.min(*x));
+            peak = density.iter().fold(peak, |m, x| m.max(*x));
+            lowest = density.iter().filter(|x| **x > 0.0).fold(lowest, |m, x| m.min(*x));
         }
-        let x = html.embed(&spectrum.frequency, Counts::Long);
-        let logarithms: Vec<f64> = spectrum.density.iter().map(|x| x.log10()).collect();
+        let logarithms: Vec<f64> = density.iter().map(|x| x.log10()).collect();
         let y = html.embed(&logarithms, Counts::Short);
-        curves.push(Curve::new(&*column.name, &column.doc, x, y, group.shown(i)));
+        curves.push(Curve::new(&*column.name, &column.doc, x.clone(), y, group.shown(i)));
     }
     let range = (lowest < peak).then(|| (lowest.max(peak / DECADES), 3.0 * peak));
     html.plot(&Plot {
-        title: format!("{}: power spectral density", group.title()),
+        title: title(group),
         x: Axis { range: (end > 0.0).then_some((0.0, end)), ..Axis::linear("frequency f", "Hz") },
         y: Axis { log: true, range, ..Axis::linear("", density_unit(&group.unit)) },
         curves,

@@ -1,4 +1,4 @@
-//! What a person sees of the plots over time. `gearsim explore` first sends that alone.
+//! What a person sees of the plots over time, orders and frequencies. `gearsim explore` first sends that alone.
 
 use std::cell::OnceCell;
 
@@ -7,7 +7,7 @@ use serde::Deserialize;
 use super::motion::Times;
 use crate::page::shared::rows::Rows;
 
-/// The curves over time that are on the screen, and the part of the run that they show.
+/// The curves that are on the screen, and the part of the run that those over time show.
 #[derive(Debug, Clone, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct View {
@@ -17,9 +17,12 @@ pub struct View {
     parts: usize,
     /// The curves that are drawn: title of the plot and name.
     curves: Vec<(String, String)>,
+    /// The captions of the tables that are on the screen.
+    #[serde(default)]
+    tables: Vec<String>,
 }
 
-/// From where the plots over time have their rows.
+/// Which curves are wanted, and from where those over time have their rows.
 pub(super) struct Source<'a> {
     /// `None`: all curves have rows.
     pub(super) view: Option<&'a View>,
@@ -44,8 +47,13 @@ impl<'a> Source<'a> {
         Source { view: Some(view), rows, times: OnceCell::new() }
     }
 
-    /// Whether a curve has rows.
+    /// Whether a curve is wanted.
     pub(super) fn has(&self, title: &str, name: &str) -> bool {
         self.view.is_none_or(|view| view.curves.iter().any(|(plot, curve)| plot == title && curve == name))
+    }
+
+    /// Whether a table is wanted.
+    pub(super) fn has_table(&self, caption: &str) -> bool {
+        self.view.is_none_or(|view| view.tables.iter().any(|table| table == caption))
     }
 }

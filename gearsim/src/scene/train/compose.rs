@@ -203,7 +203,7 @@ impl<'a> Composer<'a> {
             outputs: self.outputs.leak(),
             switches: self.switches.leak(),
             nonlinear_with: self.nonlinear_with.leak(),
-            equations: leak(text::equations(self.draft, self.basis)),
+            equations: leak(text::equations(self.bare, self.draft, self.basis)),
             ..*self.bare
         }
     }

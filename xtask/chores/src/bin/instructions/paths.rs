@@ -8,6 +8,7 @@ use gearsim::scene::Scene;
 use gearsim_tests::oh2005;
 use gearsim_tests::trains::{PLANETARY, Pair, TWO_STAGE};
 
+use crate::bare::{BarePair, WatchedPair};
 use crate::sides;
 
 /// One path.
@@ -54,6 +55,25 @@ pub const PATHS: &[Path] = &[
         || cells("spectrum_4500rpm_exact", &[]),
     ),
     path("cell_unwatched", "the same, if nothing is recorded", Some("cell_by_hand"), unwatched),
+    path(
+        "row_of_no_outputs",
+        "a row of the pair at 4500 rpm by exact cells, whose model declares no outputs",
+        None,
+        || recorded::<BarePair>(None),
+    ),
+    // What is left is the call that finds no output to compute.
+    Path {
+        at_most: Some(1.005),
+        ..path(
+            "row_of_outputs_not_asked",
+            "the same, from a model that declares five, of which the scene records none",
+            Some("row_of_no_outputs"),
+            || recorded::<WatchedPair>(Some("[]")),
+        )
+    },
+    path("row_of_outputs", "the same, where the scene records all five", Some("row_of_no_outputs"), || {
+        recorded::<WatchedPair>(None)
+    }),
     path("cell_undamped", "the same without damping", None, || {
         cells("spectrum_4500rpm_exact", &["effects=[\"stiffness_step\", \"torques\"]"])
     }),
@@ -161,6 +181,23 @@ fn steps<D: Derived>(name: &str, overrides: &[&str]) -> Job {
     Box::new(move || {
         let outcome = Entry::new::<D>().run(&scene, &mut |_| {}).expect("the scene is sound");
         outcome.solver.steps + outcome.solver.rejected
+    })
+}
+
+/// A run by exact cells of a pair with stiffness steps and torques alone, at 4500 rpm; its items are the rows.
+fn recorded<D: Derived>(record: Option<&str>) -> Job {
+    let entry = Entry::new::<D>();
+    gearsim::add_models(&[entry]);
+    let scene = Scene::of_model(D::MODEL.name).effects(&["stiffness_step", "torques"]);
+    let scene = scene.set("parameters.I1", "2890 kg*mm^2").set("parameters.I2", "740200 kg*mm^2");
+    let scene = scene.set("parameters.T0", "10 N*m").set("start.theta_dot", "11310 rad/s").set("run.t_end", "0.1 s");
+    let steps = "[{ value = \"1.43 kN*m\", width = \"1.73 rad\" }, { value = \"2.78 kN*m\" }]";
+    let scene = scene.set("laws.k.steps", steps).set("output.rate", "20 kHz").set("output.events", false);
+    let scene = record.into_iter().fold(scene, |scene, record| scene.set("output.record", record)).build();
+    let scene = scene.expect("the scene is sound");
+    Box::new(move || {
+        let outcome = entry.run(&scene, &mut |_| {}).expect("the scene is sound");
+        outcome.trajectory.len() as u64
     })
 }
 
