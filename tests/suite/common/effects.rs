@@ -40,9 +40,12 @@ pub fn of(model: &str) -> Vec<(&'static str, Result<Scene, String>)> {
     names.into_iter().map(|effect| (effect, scene(&base, effect))).collect()
 }
 
-/// The first committed scene of a model, cut to at most `T_END`.
+/// The first committed scene of a model that starts with a speed, or else the first one, cut to at most `T_END`: phases that do not move
+/// have no multipliers.
 fn base(model: &str) -> Scene {
-    committed(model, T_END).remove(0)
+    let mut scenes = committed(model, T_END);
+    let turns = |scene: &Scene| scene.start.motions.iter().any(|speed| *speed != 0.0);
+    scenes.swap_remove(scenes.iter().position(turns).unwrap_or(0))
 }
 
 /// The committed scenes of a model, cut to at most `t_end` [s], without their choice of methods.

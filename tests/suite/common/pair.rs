@@ -106,7 +106,7 @@ impl Pair {
         };
         let (state, cell, laws, counts) = (
             simulation.now.state.clone(),
-            simulation.now.cell(),
+            simulation.now.cell().index(),
             simulation.now.laws.clone(),
             simulation.now.counts.clone(),
         );
