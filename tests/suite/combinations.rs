@@ -5,7 +5,7 @@
 //! `COMBINATIONS=N` runs N scenes instead of 1,000, `COMBINATIONS_FROM=I` begins with scene I: `cargo xtask combinations`. The command of
 //! a single scene is shown before it runs.
 //!
-//! Scenes 0 to 13,499 have been run, in parts of 500: `COMBINATIONS_FROM=I COMBINATIONS=500`.
+//! Scenes 0 to 99,999 have been run, in parts of 500: `COMBINATIONS_FROM=I COMBINATIONS=500`.
 
 #[path = "combinations/checks.rs"]
 mod checks;
