@@ -12,7 +12,7 @@ use crate::engine::order;
 use crate::tolerance::events::END_OF_RUN;
 use crate::trajectory::Moment;
 
-use super::{Recording, Simulation};
+use super::{Recording, Simulation, parting};
 
 impl Simulation<'_> {
     /// Passes the steps that a phase reaches just at the end of the run, so that a run split at this time equals the whole run.
@@ -156,6 +156,7 @@ impl Simulation<'_> {
         if !self.now.switches.is_empty() {
             self.now.set_levels();
             self.now.settle();
+            parting::forget(&mut self.now);
         }
         self.proceed(held)
     }

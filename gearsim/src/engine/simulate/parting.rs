@@ -30,6 +30,27 @@ pub fn parted(now: &Hybrid<'_>, motion: &mut dyn Motion, (t, last): (f64, &State
         .collect()
 }
 
+/// Forgets that flanks had parted which a sudden change has brought to rest at their edges: a step of a transmission error away from a flank
+/// and back does not move it.
+pub fn forget(now: &mut Hybrid<'_>) {
+    for i in 0..now.switches.len() {
+        if now.switches[i].parted && rests_at_edge(now, i) {
+            now.switches[i].parted = false;
+        }
+    }
+}
+
+/// Whether a switch is at rest at the edge to a mode whose entry counts.
+fn rests_at_edge(now: &Hybrid<'_>, switch: usize) -> bool {
+    let (exits, switch) = (&now.guards.exits[switch], &now.switches[switch]);
+    let State { q, q_dot, .. } = &now.state;
+    exits.iter().filter(|exit| switch.counts(exit.beyond)).any(|Exit { guard, .. }| {
+        let rest = switch::rest(now.equations, (q, q_dot), &guard.on_q);
+        let near = guard.rounding(&now.k) + (now.clock.now() - switch.since()) * rest;
+        guard.on_q.dot(q_dot).abs() <= rest && guard.value(q, q_dot, &now.k).abs() <= near
+    })
+}
+
 /// Whether a switch is away from the modes whose entry counts, in a `state` that the motion reaches after the time `t` \[s\].
 fn is_away(now: &Hybrid<'_>, switch: usize, state: &State, t: f64) -> bool {
     let (t, State { q, q_dot, .. }) = (now.clock.now() + t, state);

@@ -48,4 +48,18 @@ fn a_flank_that_rests_at_its_edge_has_no_impacts() {
         assert_eq!(outcome.counts.impacts, 0, "{method}: {:?}", outcome.counts);
         assert!(outcome.counts.cell_changes >= 2, "{method}: {:?}", outcome.counts);
     }
+    // Here the error steps back until the flank touches its edge.
+    let touches = [
+        "effects=[\"damping\", \"backlash\", \"transmission_error\", \"stiffness_step\"]",
+        "parameters.b=\"1e-3 rad\"",
+        "laws.e.steps=[{ value = \"1e-4 rad\", width = \"3.7699 rad\" }, { value = \"-1e-4 rad\" }]",
+        "start.speed=\"942.477796076938 rad/s\"",
+        "start.theta=\"-2.2561193629346716 rad\"",
+        "run.t_end=\"0.5 ms\"",
+    ];
+    for method in ["exact", "dop853", "radau"] {
+        let outcome = run(&[&touches[..], &[&format!("run.method={method}")]].concat());
+        assert_eq!(outcome.counts.impacts, 0, "{method}: {:?}", outcome.counts);
+        assert!(outcome.counts.cell_changes >= 4, "{method}: {:?}", outcome.counts);
+    }
 }
