@@ -81,7 +81,8 @@ impl Explicit {
     /// The sum of the rates with the factors of a row.
     fn add_up(&mut self, row: Row) {
         let width = self.width();
-        for (i, sum) in self.sum.chunks_exact_mut(BLOCK).enumerate() {
+        let (blocks, _) = self.sum.as_chunks_mut::<BLOCK>();
+        for (i, sum) in blocks.iter_mut().enumerate() {
             let mut block = [0.0; BLOCK];
             for &(j, a) in row {
                 let k = &self.k[j * width + i * BLOCK..][..BLOCK];
@@ -89,7 +90,7 @@ impl Explicit {
                     block[l] += a * k[l];
                 }
             }
-            sum.copy_from_slice(&block);
+            *sum = block;
         }
     }
 
