@@ -231,7 +231,7 @@ fn each_effect_adds_one_block() {
     assert!(many.abs_diff(few) < few / 10, "12 effects add {few} characters to 0 effects, {many} to 24");
 }
 
-/// The functions that are called at every step have a variant for each kind of values that effects bring, not for each effect.
+/// The functions that are called at every step have variants by kinds of values, not by effects: their number does not grow with the effects.
 #[test]
 fn variants_do_not_multiply_with_effects() {
     let variants = |sample: &str| expand(tokens(sample)).to_string().matches("Self :: force_in :: <").count();

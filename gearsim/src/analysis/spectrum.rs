@@ -171,8 +171,12 @@ pub fn welch(x: &[f64], rate: f64, segment: usize) -> Result<Spectrum, SpectrumE
         let sides = if m == 0 || Some(m) == nyquist { 1.0 } else { 2.0 };
         *p *= sides / segments as f64;
     }
-    let frequency = (0..density.len()).map(|m| m as f64 * rate / segment as f64).collect();
-    Ok(Spectrum { frequency, density, segments })
+    Ok(Spectrum { frequency: frequencies(rate, segment), density, segments })
+}
+
+/// The frequencies \[Hz\] of the spectra of segments of this length, of samples at a `rate` \[1/s\].
+pub fn frequencies(rate: f64, segment: usize) -> Vec<f64> {
+    (0..segment / 2 + 1).map(|m| m as f64 * rate / segment as f64).collect()
 }
 
 /// The periodic Hann window of length `n`.

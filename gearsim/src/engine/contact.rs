@@ -99,13 +99,13 @@ pub struct Form {
     reaction: Option<(usize, f64)>,
     /// Its value where all of them are zero, without the margin.
     constant: f64,
-    /// The margin by which a reaction may pull; 0 if the function does not depend on reactions.
+    /// How far a reaction may pull before the hold ends. It is 0 if the function does not depend on reactions.
     margin: f64,
 }
 
 impl Watch {
-    /// Its function at the coordinates `q` and the law values `k`. The guards of a switch change within a mode where their factors do: those
-    /// of curved laws.
+    /// Its function at the coordinates `q` and the law values `k`. Curved laws are factors of the guards of a switch, so that these change
+    /// within a mode.
     pub fn at(&self, equations: &dyn Equations, switches: &[Switch], q: &[f64], k: &[f64]) -> Form {
         let (End::Loose(switch, beyond), Some((_, factor))) = (self.end, self.form.reaction) else {
             return self.form.clone();

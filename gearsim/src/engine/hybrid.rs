@@ -271,12 +271,11 @@ impl Hybrid<'_> {
     /// Puts a switch into a mode, then into the one in which the state violates no guard; `crossed` is the guard that became zero.
     pub fn put(&mut self, switch: usize, mode: usize, crossed: Option<&Affine>) {
         let place = &mut self.switches[switch];
-        let (before, modes) = (place.mode, place.all_modes());
-        place.mode = mode;
+        let before = std::mem::replace(&mut place.mode, mode);
         place.write(&mut self.k);
         let state = (&self.state.q[..], &self.state.q_dot[..]);
         switch::settle(place, self.equations, state, &mut self.k, crossed);
-        self.counts.impacts += u64::from(place.parted && place.here().counts_after(&modes[before]));
+        self.counts.impacts += u64::from(place.parted && place.counted(before));
         place.leave(before, self.clock.now());
     }
 

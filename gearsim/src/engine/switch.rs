@@ -68,11 +68,6 @@ impl Switch {
         self.at
     }
 
-    /// Its modes.
-    pub fn all_modes(&self) -> &'static [Mode] {
-        self.modes.0
-    }
-
     /// Number of its modes.
     pub fn modes(&self) -> usize {
         self.modes.0.len()
@@ -93,17 +88,26 @@ impl Switch {
         self.modes.0[mode].counts_after(self.here())
     }
 
+    /// Whether the exit from the mode `before` to the present mode counts.
+    pub fn counted(&self, before: usize) -> bool {
+        self.here().counts_after(&self.modes.0[before])
+    }
+
     /// Notes that the mode `before` ended at the time `now` \[s\], if the present mode is another one.
     pub fn leave(&mut self, before: usize, now: f64) {
         if self.mode != before {
-            self.spent[before] += now - self.since;
-            (self.since, self.parted) = (now, false);
+            self.spend_in(before, now);
+            self.parted = false;
         }
     }
 
     /// Adds the time until `now` \[s\] to that of the present mode, which may end now.
     pub fn spend(&mut self, now: f64) {
-        self.spent[self.mode] += now - self.since;
+        self.spend_in(self.mode, now);
+    }
+
+    fn spend_in(&mut self, mode: usize, now: f64) {
+        self.spent[mode] += now - self.since;
         self.since = now;
     }
 
@@ -172,8 +176,8 @@ impl Switch {
     }
 }
 
-/// The rate along `normal` (n) up to which it is at rest in the state `q`, `q_dot`: an impulse that does not act on it leaves rounding
-/// errors of the speeds.
+/// The rate along `normal` (n) up to which a deflection counts as at rest in the state `q`, `q_dot`: rounding errors of the speeds are
+/// smaller.
 pub fn rest(equations: &dyn Equations, (q, q_dot): (&[f64], &[f64]), normal: &Vector) -> f64 {
     let compliance = normal.dot(&(&equations.mobility(q) * normal));
     AT_REST * (2.0 * equations.kinetic(q, q_dot) * compliance).sqrt()

@@ -32,7 +32,7 @@ pub struct Axis {
     pub label: String,
     /// Its unit; empty for a plain number.
     pub unit: String,
-    /// The unit in which its numbers are read at first, of those that the page knows for `unit`; `None`: one that suits their size.
+    /// The unit that the page shows at first, one of those into which it converts `unit`. `None`: the one that suits the size of the numbers.
     pub usual: Option<&'static str>,
     /// Whether the axis is logarithmic.
     pub log: bool,

@@ -1,5 +1,5 @@
-//! Which flanks have parted: an impact counts only after that. An unloaded flank that rests at its edge separates by rounding errors, and
-//! whether it does depends on the method.
+//! Which flanks have parted: an impact counts only if they have. A flank that rests at its edge under no load separates by rounding errors,
+//! and whether it does depends on the method.
 
 use smallvec::SmallVec;
 
@@ -30,8 +30,8 @@ pub fn parted(now: &Hybrid<'_>, motion: &mut dyn Motion, (t, last): (f64, &State
         .collect()
 }
 
-/// Forgets that flanks had parted which a sudden change has brought to rest at their edges: a step of a transmission error away from a flank
-/// and back does not move it.
+/// Forgets the parting of flanks that rest at their edges after a sudden change. Example: a step of a transmission error moves the edge away
+/// from a flank at rest, and another step moves it back.
 pub fn forget(now: &mut Hybrid<'_>) {
     for i in 0..now.switches.len() {
         if now.switches[i].parted && rests_at_edge(now, i) {
@@ -42,12 +42,13 @@ pub fn forget(now: &mut Hybrid<'_>) {
 
 /// Whether a switch is at rest at the edge to a mode whose entry counts.
 fn rests_at_edge(now: &Hybrid<'_>, switch: usize) -> bool {
-    let (exits, switch) = (&now.guards.exits[switch], &now.switches[switch]);
     let State { q, q_dot, .. } = &now.state;
+    let (exits, switch) = (&now.guards.exits[switch], &now.switches[switch]);
     exits.iter().filter(|exit| switch.counts(exit.beyond)).any(|Exit { guard, .. }| {
         let rest = switch::rest(now.equations, (q, q_dot), &guard.on_q);
-        let near = guard.rounding(&now.k) + (now.clock.now() - switch.since()) * rest;
-        guard.on_q.dot(q_dot).abs() <= rest && guard.value(q, q_dot, &now.k).abs() <= near
+        let at_edge =
+            guard.value(q, q_dot, &now.k).abs() <= edge(guard, &now.k, now.clock.now() - switch.since(), rest);
+        at_edge && guard.on_q.dot(q_dot).abs() <= rest
     })
 }
 
@@ -58,10 +59,14 @@ fn is_away(now: &Hybrid<'_>, switch: usize, state: &State, t: f64) -> bool {
     let there = now.equations.bends().then(|| Guards::of(now.equations, &now.switches, q, &k));
     let exits = &there.as_ref().unwrap_or(&now.guards).exits[switch];
     let switch = &now.switches[switch];
-    // Rounding errors of the speeds move flanks that are at rest.
-    let drift = |guard: &Affine| (t - switch.since()) * switch::rest(now.equations, (q, q_dot), &guard.on_q);
     exits.iter().filter(|exit| switch.counts(exit.beyond)).all(|Exit { guard, .. }| {
-        let away = guard.value(q, q_dot, &k) - guard.rounding(&k);
-        away > 0.0 && away > drift(guard)
+        let rest = switch::rest(now.equations, (q, q_dot), &guard.on_q);
+        guard.value(q, q_dot, &k) > edge(guard, &k, t - switch.since(), rest)
     })
+}
+
+/// The value of a guard up to which its deflection is at the edge: its rounding error, and the way that the rate `rest` makes in the time
+/// `elapsed` \[s\] since the mode began. Rounding errors of the speeds move flanks at rest by less.
+fn edge(guard: &Affine, k: &[f64], elapsed: f64, rest: f64) -> f64 {
+    guard.rounding(k) + elapsed * rest
 }

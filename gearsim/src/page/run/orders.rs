@@ -41,7 +41,7 @@ pub(super) fn fill(report: &Report<'_>, html: &mut Html) {
     table(report, html, &turning, &meshes);
 }
 
-/// Adds the plot of a group, with the curves that the report shows.
+/// Adds the plot of a group. Only the curves that the report shows have values.
 fn plot(
     report: &Report<'_>,
     html: &mut Html,

@@ -5,7 +5,7 @@ use std::f64::consts::TAU;
 use super::Report;
 use super::columns::{Group, Kind, Named};
 use crate::analysis::orders::{Mesh, meshes};
-use crate::analysis::spectrum::{Spectrum, SpectrumError, segment_length, uniform_samples, welch};
+use crate::analysis::spectrum::{Spectrum, SpectrumError, frequencies, segment_length, uniform_samples, welch};
 use crate::output::number::short;
 use crate::page::data::Counts;
 use crate::page::html::Html;
@@ -49,7 +49,7 @@ pub(super) fn fill(report: &Report<'_>, html: &mut Html) {
     });
     let end = reach(shown, highest);
     let lines = lines(report, &meshes);
-    let frequencies: Vec<f64> = (0..segment / 2 + 1).map(|m| m as f64 * rate / segment as f64).collect();
+    let frequencies = frequencies(rate, segment);
     for (group, spectra) in &found {
         plot(html, group, (&frequencies, spectra), end, lines.clone());
     }

@@ -22,7 +22,7 @@ pub struct View {
     tables: Vec<String>,
 }
 
-/// Which curves are wanted, and from where those over time have their rows.
+/// The curves that get values, and the rows of those over time.
 pub(super) struct Source<'a> {
     /// `None`: all curves have rows.
     pub(super) view: Option<&'a View>,

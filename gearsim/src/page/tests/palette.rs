@@ -7,7 +7,7 @@ const SEEN: [(&str, [[f64; 3]; 3]); 3] = [
     ("no red", [[0.152286, 1.052583, -0.204868], [0.114503, 0.786281, 0.099216], [-0.003882, -0.048116, 1.051998]]),
     ("no green", [[0.367322, 0.860646, -0.227968], [0.280085, 0.672501, 0.047413], [-0.011820, 0.042940, 0.968881]]),
 ];
-/// Least distance of two colours in CIELAB, where 2.3 is just noticed beside each other.
+/// Least distance of two colours in CIELAB. A distance of 2.3 is just noticeable where the colours touch.
 const APART: f64 = 17.0;
 /// Least contrast of a line to its ground, as WCAG 2.1 (1.4.11) asks of graphics.
 const CONTRAST: f64 = 3.0;
