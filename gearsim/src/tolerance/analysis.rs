@@ -127,8 +127,12 @@ pub(crate) const SAME_EQUATIONS: f64 = 1e-9;
 pub(crate) const TURN_PITCHES: u32 = 20_000;
 /// Error of a step of the propagator of small disturbances along a motion [1]. Larger: multipliers lose digits. Smaller: more steps.
 pub(crate) const MAGNUS_ERROR: f64 = 1e-9;
+/// The same while the motion that repeats is farther away than [`ORBIT_NEAR`] [1]. It decides the cost, not the multipliers.
+pub(crate) const MAGNUS_FIRST_ERROR: f64 = 1e-5;
 /// Tolerance of the runs of a turn [relative]: the motion and its derivatives have ten digits.
 pub(crate) const ORBIT_TOLERANCE: f64 = 1e-12;
+/// The same while the motion that repeats is farther away than [`ORBIT_NEAR`] [relative]. It decides the cost, not the motion.
+pub(crate) const ORBIT_FIRST_TOLERANCE: f64 = 1e-8;
 /// A turn is closed if speeds and places return to this [relative to the rotation, by kinetic energy]. Larger: multipliers are those of a
 /// motion that does not repeat. Smaller: the errors of the run decide.
 pub(crate) const ORBIT_CLOSED: f64 = 1e-9;

@@ -33,7 +33,8 @@ use crate::model::Start;
 use crate::scene::Scene;
 use crate::scene::solver::Method;
 use crate::tolerance::analysis::{
-    ORBIT_ACCEPTED, ORBIT_CLOSED, ORBIT_NEAR, ORBIT_RANK, ORBIT_ROUNDS, ORBIT_SPEED_STEP, ORBIT_TOLERANCE,
+    MAGNUS_ERROR, MAGNUS_FIRST_ERROR, ORBIT_ACCEPTED, ORBIT_CLOSED, ORBIT_FIRST_TOLERANCE, ORBIT_NEAR, ORBIT_RANK,
+    ORBIT_ROUNDS, ORBIT_SPEED_STEP, ORBIT_TOLERANCE,
 };
 
 use variational::{Carried, Variational};
@@ -63,6 +64,21 @@ struct Shot {
     /// Phi, not scaled (2n x 2n).
     phi: DMatrix<f64>,
     trouble: Option<&'static str>,
+}
+
+/// The accuracy of a shot.
+#[derive(Debug, Clone, Copy, PartialEq)]
+struct Digits {
+    /// Tolerance of the run [relative].
+    run: f64,
+    /// Error of a step of the propagator of disturbances [1].
+    disturbances: f64,
+}
+
+impl Digits {
+    /// Far from the motion that repeats: the shots lead towards it, and take a fraction of the time.
+    const FEW: Digits = Digits { run: ORBIT_FIRST_TOLERANCE, disturbances: MAGNUS_FIRST_ERROR };
+    const ALL: Digits = Digits { run: ORBIT_TOLERANCE, disturbances: MAGNUS_ERROR };
 }
 
 /// The multipliers of a scene along whose motion the equations change.
@@ -111,17 +127,23 @@ impl Shooting<'_> {
     /// The motion that repeats: its start, and the end of its turn.
     fn close(&self, about: &Steady) -> Result<(Place, Shot), FloquetError> {
         let n = about.q.len();
+        let mut digits = Digits::FEW;
         let mut place = (self.aside(about)?, about.q_dot.clone());
-        let mut shot = self.shoot(&place)?;
+        let mut shot = self.shoot(&place, digits)?;
         let mut gap = self.gap(&place, &shot);
         'rounds: for _ in 0..ORBIT_ROUNDS {
+            if gap <= ORBIT_NEAR && digits == Digits::FEW {
+                digits = Digits::ALL;
+                shot = self.shoot(&place, digits)?;
+                gap = self.gap(&place, &shot);
+            }
             if gap <= ORBIT_CLOSED {
                 break;
             }
             // Far from the solution, the end of a turn is closer to it if vibrations decay.
             if gap > ORBIT_NEAR {
                 let next = self.onwards(&place, &shot);
-                let tried = self.shoot(&next).ok().map(|shot| (self.gap(&next, &shot), shot));
+                let tried = self.shoot(&next, digits).ok().map(|shot| (self.gap(&next, &shot), shot));
                 if let Some((next_gap, tried)) = tried.filter(|(next_gap, _)| *next_gap < 0.7 * gap) {
                     (place, shot, gap) = (next, tried, next_gap);
                     continue;
@@ -133,7 +155,7 @@ impl Shooting<'_> {
             loop {
                 let moved = |x: &Vector, from: usize| Vector::from_fn(n, |i| x[i] + part * step[from + i]);
                 let next = (moved(&place.0, 0), moved(&place.1, n));
-                let tried = self.shoot(&next).ok();
+                let tried = self.shoot(&next, digits).ok();
                 let next_gap = tried.as_ref().map_or(f64::INFINITY, |shot| self.gap(&next, shot));
                 match tried {
                     Some(tried) if next_gap < gap || (part < 0.1 && gap > ORBIT_ACCEPTED) => {
@@ -192,10 +214,10 @@ impl Shooting<'_> {
     }
 
     /// A run of a turn from a place.
-    fn shoot(&self, (q, v): &Place) -> Result<Shot, FloquetError> {
+    fn shoot(&self, (q, v): &Place, digits: Digits) -> Result<Shot, FloquetError> {
         let mut scene = self.scene.clone();
         scene.t_end = self.turn.time;
-        scene.solver.tolerance = scene.solver.tolerance.min(ORBIT_TOLERANCE);
+        scene.solver.tolerance = scene.solver.tolerance.min(digits.run);
         for i in 0..q.len() {
             (scene.start.q[i], scene.start.q_dot[i]) = (Start::At(q[i]), Some(v[i]));
         }
@@ -208,7 +230,7 @@ impl Shooting<'_> {
         let solver = BySteps::new(&now, method, settings);
         let carried = Carried::new(&now, crate::engine::motion::Solver::rate(&solver));
         let frictions = (0..scene.model.laws.len()).filter(|&i| scene.model.laws[i].role.is_friction()).collect();
-        let solver = Variational::new(&now, solver, Rc::clone(&carried), frictions);
+        let solver = Variational::new(&now, solver, Rc::clone(&carried), frictions, digits.disturbances);
         let mut simulation = Simulation::with(now, Box::new(solver))?;
         simulation.run(None, &mut |_| {}).map_err(|stop| FloquetError::Stopped { why: stop.to_string() })?;
         let lengths = simulation.turn_lengths();

@@ -20,7 +20,7 @@ use crate::engine::vector::Vector;
 use crate::methods::field::Field;
 use crate::methods::flow::Flow;
 use crate::methods::steps::BySteps;
-use crate::tolerance::analysis::{MAGNUS_ERROR, MAGNUS_STEPS};
+use crate::tolerance::analysis::MAGNUS_STEPS;
 
 /// Most terms of a series: it is shorter for exponents up to size ten.
 const MOST_TERMS: u32 = 60;
@@ -61,12 +61,20 @@ pub struct Variational<'a> {
     carried: Rc<RefCell<Carried>>,
     /// The laws of friction among the laws of the model.
     frictions: Vec<usize>,
+    /// Error of a step of the propagator [1].
+    error: f64,
 }
 
 impl<'a> Variational<'a> {
-    /// The solver of a run that begins with `now`, around `inner`.
-    pub fn new(now: &Hybrid<'a>, inner: BySteps<'a>, carried: Rc<RefCell<Carried>>, frictions: Vec<usize>) -> Self {
-        Variational { inner, field: Field::new(now), carried, frictions }
+    /// The solver of a run that begins with `now`, around `inner`. `error` is that of a step of the propagator [1].
+    pub fn new(
+        now: &Hybrid<'a>,
+        inner: BySteps<'a>,
+        carried: Rc<RefCell<Carried>>,
+        frictions: Vec<usize>,
+        error: f64,
+    ) -> Self {
+        Variational { inner, field: Field::new(now), carried, frictions, error }
     }
 }
 
@@ -93,7 +101,7 @@ impl Solver for Variational<'_> {
     fn solve<'s>(&'s mut self, now: &'s Hybrid<'_>, horizon: f64) -> Result<Box<dyn Motion + 's>, Stop> {
         self.field.begins = now.clock.now();
         let (inner, carried) = (self.inner.solve(now, horizon)?, self.carried.clone());
-        Ok(Box::new(Carrier { inner, now, field: &mut self.field, carried }))
+        Ok(Box::new(Carrier { inner, now, field: &mut self.field, carried, error: self.error }))
     }
 
     fn rate(&self) -> f64 {
@@ -111,6 +119,7 @@ struct Carrier<'s, 'a, 'f> {
     now: &'s Hybrid<'a>,
     field: &'s mut Field<'f>,
     carried: Rc<RefCell<Carried>>,
+    error: f64,
 }
 
 impl Carrier<'_, '_, '_> {
@@ -134,7 +143,7 @@ impl Carrier<'_, '_, '_> {
         let (first, last) = (self.generator(0.0), self.generator(t));
         let (size, change) = (t * first.norm().max(last.norm()), t * (&last - &first).norm());
         // The error of one step is about (h |A|)^5 h |dA|/1e5, and of m steps m⁻⁶ of that.
-        let steps = (size.powi(5) * change / 1e5 / MAGNUS_ERROR).powf(1.0 / 6.0).ceil().clamp(1.0, MAGNUS_STEPS);
+        let steps = (size.powi(5) * change / 1e5 / self.error).powf(1.0 / 6.0).ceil().clamp(1.0, MAGNUS_STEPS);
         let h = t / steps;
         let apart = h * 15f64.sqrt() / 10.0;
         for step in 0..steps as usize {
