@@ -14,14 +14,15 @@ pub struct Cascade {
 }
 
 impl Cascade {
-    /// Ends a run whose events come ever faster; `rate` bounds the rates of the motion \[1/s\].
+    /// Ends a run whose events come ever faster; `rate` bounds the rates of the motion \[1/s\]. At enormous rates, as of a damper of 1e37 times the
+    /// critical damping, a time that a number of 64 bits does not resolve is long for the motion: such events are a cascade too.
     ///
     /// # Errors
     /// [`Stop::Cascade`].
     #[inline]
     pub fn require_progress(&mut self, now: &Hybrid<'_>, rate: f64) -> Result<(), Stop> {
         let span = now.clock.until_about(self.since).abs();
-        if span * rate > CASCADE_SPAN {
+        if span * rate > CASCADE_SPAN && span > f64::EPSILON * self.since {
             (self.since, self.events) = (now.clock.now(), 0);
             return Ok(());
         }
