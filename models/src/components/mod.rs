@@ -10,6 +10,7 @@ pub mod constraint;
 pub mod damping;
 pub mod drive;
 pub mod dry_friction;
+pub mod end_stop;
 pub mod fan;
 pub mod friction;
 pub mod gear;
@@ -38,6 +39,7 @@ pub use constraint::geared;
 pub use damping::damping;
 pub use drive::{drive, load};
 pub use dry_friction::dry_friction;
+pub use end_stop::end_stop;
 pub use fan::fan;
 pub use friction::{
     Sliding, friction_effect, pressure_tangent, pressure_tangent_of, sliding_friction, sliding_friction_with_sticking,
