@@ -9,8 +9,8 @@
 //! max(1, |x|) = (|1 + x| + |1 - x|)/2,   T = 2 d Tp/(((1 + x)² + r²)^(1/2) + ((1 - x)² + r²)^(1/2)),
 //! ```
 //!
-//! where r rounds the corners: the torque is lower by the share r/2 at the base speed, and by less than r²/2 at other speeds that differ
-//! from it by the share r or more of it. It makes the cells nonlinear: they are integrated by a stepping method.
+//! where r rounds the corners: the torque is lower by the share r/2 at the base speed, and by less than r²/(2 |1 - x²|) at any other speed
+//! (r²/2 at rest). It makes the cells nonlinear: they are integrated by a stepping method.
 
 use gearsim_derive::{Expr, Model, Range};
 
