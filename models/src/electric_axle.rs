@@ -3,8 +3,7 @@
 use gearsim_derive::{Model, Start};
 
 use crate::components::{
-    damping, driven, dry_friction, loaded, overrunning_clutch, pair, pressure_tangent, rotor,
-    shaft, viscous,
+    damping, driven, dry_friction, loaded, overrunning_clutch, pair, pressure_tangent, rotor, shaft, viscous,
 };
 
 /// Coordinates: the rotation of the motor, the mean rotation and the deflection of each mesh, and the twist of the half shaft.

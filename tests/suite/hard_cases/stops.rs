@@ -65,15 +65,19 @@ fn bounces(method: Method) -> f64 {
     let (v, hi, lo, w) = (2.0, 0.1, -0.05, 30.0f64);
     let (way, half) = (hi - lo, PI / w);
     let period = 2.0 * (way / v + half);
-    let outcome = run(method, r#"["end_stop"]"#, &[
-        ("parameters.k", 0.0, "N*m/rad"),
-        ("parameters.ks", w * w, "N*m/rad"),
-        ("parameters.hi", hi, "rad"),
-        ("parameters.lo", lo, "rad"),
-        ("start.phi", 0.0, "rad"),
-        ("start.speed", v, "rad/s"),
-        ("run.t_end", 10.0 * period, "s"),
-    ]);
+    let outcome = run(
+        method,
+        r#"["end_stop"]"#,
+        &[
+            ("parameters.k", 0.0, "N*m/rad"),
+            ("parameters.ks", w * w, "N*m/rad"),
+            ("parameters.hi", hi, "rad"),
+            ("parameters.lo", lo, "rad"),
+            ("start.phi", 0.0, "rad"),
+            ("start.speed", v, "rad/s"),
+            ("run.t_end", 10.0 * period, "s"),
+        ],
+    );
     let place = |t: f64| {
         let mut s = t % period;
         for (from, to, stop) in [(0.0, hi, hi), (hi, lo, lo)] {
@@ -110,16 +114,20 @@ fn impact(method: Method) -> f64 {
     let x2 = fallen * (a * (w * t2).cos() + b * (w * t2).sin());
     let v2 = fallen * ((w * b - decay * a) * (w * t2).cos() - (w * a + decay * b) * (w * t2).sin());
     let end = hi + x2 + v2 * (t_end - hi / v - t1 - t2);
-    let outcome = run(method, r#"["end_stop"]"#, &[
-        ("parameters.k", 0.0, "N*m/rad"),
-        ("parameters.ks", k, "N*m/rad"),
-        ("parameters.cs", c, "N*m*s/rad"),
-        ("parameters.hi", hi, "rad"),
-        ("parameters.lo", -5.0, "rad"),
-        ("start.phi", 0.0, "rad"),
-        ("start.speed", v, "rad/s"),
-        ("run.t_end", t_end, "s"),
-    ]);
+    let outcome = run(
+        method,
+        r#"["end_stop"]"#,
+        &[
+            ("parameters.k", 0.0, "N*m/rad"),
+            ("parameters.ks", k, "N*m/rad"),
+            ("parameters.cs", c, "N*m*s/rad"),
+            ("parameters.hi", hi, "rad"),
+            ("parameters.lo", -5.0, "rad"),
+            ("start.phi", 0.0, "rad"),
+            ("start.speed", v, "rad/s"),
+            ("run.t_end", t_end, "s"),
+        ],
+    );
     let t = &outcome.trajectory;
     let last = |column: &[f64]| *column.last().expect("a row");
     let lost = (v * v - v2 * v2) / 2.0;
