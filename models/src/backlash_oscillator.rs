@@ -2,7 +2,7 @@
 
 use gearsim_derive::{Model, Range, Start, half};
 
-use crate::components::{play, rotor};
+use crate::components::{driven, fan, play, rotor};
 
 /// Coordinate: the rotation phi of the rotor. Without the effect `backlash` the spring always acts.
 pub fn backlash_oscillator(m: &mut Model) {
@@ -18,6 +18,8 @@ pub fn backlash_oscillator(m: &mut Model) {
         let d = m.parameter("d", "N*m*s/rad", None, Range::NotNegative, "damping of the contact");
         m.dissipation(half(d * gap.damp * gap.over.dot().sq()));
     });
+    driven(m, "motor", "rotor", phi);
+    fan(m, "load", "rotor", phi, phi.dot());
     m.output(
         "contact_torque",
         "N*m",

@@ -2,7 +2,7 @@
 
 use gearsim_derive::{Expr, Model, Range, Start, half};
 
-use crate::components::{damping, drive, ground, load, rotor};
+use crate::components::{damping, driven, end_stop, ground, loaded, rotor};
 
 /// Coordinates: the rotation of the crankshaft, which grows, and two small ones: the stretch of the pulling span and the
 /// rotation of the tensioner arm.
@@ -37,8 +37,9 @@ pub fn belt_drive(m: &mut Model) {
     span(m, "_p", "pulling", s);
     span(m, "_s", "slack", a * psi - s);
     ground(m, "t", "spring of the tensioner arm", psi);
-    drive(m, "crank", "crankshaft", theta);
-    load(m, "load", "accessory", theta2);
+    end_stop(m, "t", "tensioner arm", ["rad", "N*m"], psi);
+    driven(m, "crank", "crankshaft", theta);
+    loaded(m, "load", "accessory", theta2);
     damping(m);
     m.motion("speed", "rad/s", &[(theta, 1.into())], "rotational speed of the crankshaft");
 }

@@ -2,7 +2,7 @@
 
 use gearsim_derive::{Model, Range, half};
 
-use crate::components::{damping, drive, pair, pressure_tangent, rotor, universal_joint};
+use crate::components::{damping, driven, fan, pair, pressure_tangent, rotor, universal_joint};
 
 /// Coordinates: those of the gear pair. The shaft behind the joint is rigid: its speed follows from the rotation of the driven gear.
 pub fn cardan_drive(m: &mut Model) {
@@ -17,12 +17,15 @@ pub fn cardan_drive(m: &mut Model) {
     m.kinetic(half(inertia * speed.sq()));
     let tangent = pressure_tangent(m);
     gears.mesh(m, "12", "mesh", tangent);
-    drive(m, "motor", "driving gear", gears.theta1);
+    driven(m, "motor", "driving gear", gears.theta1);
     m.effect("torques", "constant torques of motor and load", |m| {
         let doc = "load torque behind the joint, against its rotation";
         let load = m.parameter("T_load", "N*m", None, Range::Any, doc);
         m.torque_along("load", load, -speed, doc);
     });
+    // On the shaft before the joint, where its speed is linear in those of the coordinates.
+    let omega = m.deflection("theta_fan", gears.theta2).dot();
+    fan(m, "fan", "driven gear", gears.theta2, omega);
     damping(m);
     m.motion("speed", "rad/s", &[(gears.theta, gears.n1)], "rotational speed of the driving gear");
 }

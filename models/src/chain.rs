@@ -2,7 +2,7 @@
 
 use gearsim_derive::{Expr, Model, Start};
 
-use crate::components::{damping, drive, load, rotor, shaft};
+use crate::components::{damping, driven, loaded, rotor, shaft};
 
 /// `n` discs, driven at the first and loaded at the last. Coordinates: the rotations of the discs.
 pub fn chain(m: &mut Model, n: usize) {
@@ -21,8 +21,8 @@ pub fn chain(m: &mut Model, n: usize) {
     for (i, ends) in (1..).zip(theta.windows(2)) {
         shaft(m, &i.to_string(), &format!("shaft between discs {i} and {}", i + 1), ends[0] - ends[1], ends[0]);
     }
-    drive(m, "motor", "first disc", theta[0]);
-    load(m, "load", "last disc", theta[n - 1]);
+    driven(m, "motor", "first disc", theta[0]);
+    loaded(m, "load", "last disc", theta[n - 1]);
     damping(m);
     let speeds: Vec<_> = theta.iter().map(|theta| (*theta, 1.into())).collect();
     m.motion("speed", "rad/s", &speeds, "rotational speed of the shaft");

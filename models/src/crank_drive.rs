@@ -2,7 +2,7 @@
 
 use gearsim_derive::{Model, Range};
 
-use crate::components::{damping, drive, load, pair, pressure_tangent, rotor, slider_crank};
+use crate::components::{damping, driven, loaded, pair, pressure_tangent, rotor, slider_crank};
 
 /// Coordinates: those of the gear pair. The crank is on the driven gear's shaft; the place of its piston follows from that rotation.
 pub fn crank_drive(m: &mut Model) {
@@ -15,8 +15,8 @@ pub fn crank_drive(m: &mut Model) {
     let x = slider_crank(m, "p", "piston", gears.theta2);
     let tangent = pressure_tangent(m);
     gears.mesh(m, "12", "mesh", tangent);
-    drive(m, "motor", "driving gear", gears.theta1);
-    load(m, "load", "driven gear", gears.theta2);
+    driven(m, "motor", "driving gear", gears.theta1);
+    loaded(m, "load", "driven gear", gears.theta2);
     m.effect("torques", "constant torques of motor and load", |m| {
         let force = m.parameter("F_p", "N", Some(0.0), Range::Any, "force on the piston, towards the crank");
         m.torque("piston", force, -x, "force on the piston, towards the crank");

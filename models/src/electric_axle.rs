@@ -3,8 +3,7 @@
 use gearsim_derive::{Model, Start};
 
 use crate::components::{
-    damping, dc_motor, drive, dry_friction, induction_motor, load, overrunning_clutch, pair, pressure_tangent, rotor,
-    shaft, viscous,
+    damping, driven, dry_friction, loaded, overrunning_clutch, pair, pressure_tangent, rotor, shaft, viscous,
 };
 
 /// Coordinates: the rotation of the motor, the mean rotation and the deflection of each mesh, and the twist of the half shaft.
@@ -31,11 +30,8 @@ pub fn electric_axle(m: &mut Model) {
     first.mesh(m, "12", "mesh of gears 1 and 2", tangent);
     second.mesh(m, "34", "mesh of gears 3 and 4", tangent);
 
-    drive(m, "motor", "motor", theta_m);
-    dc_motor(m, "", "motor", theta_m, theta_m.dot());
-    induction_motor(m, "", "motor", theta_m, theta_m.dot());
-    m.exclude("dc_motor", &["induction_motor"]);
-    load(m, "load", "wheel, by slope and air", wheel);
+    driven(m, "motor", "motor", theta_m);
+    loaded(m, "load", "wheel, by slope and air", wheel);
     dry_friction(m, "w", "rolling wheel", ["rad", "N*m"], wheel);
     viscous(m, "w", "wheel", wheel);
     damping(m);

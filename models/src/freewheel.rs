@@ -2,7 +2,7 @@
 
 use gearsim_derive::{Model, Start};
 
-use crate::components::{drive, dry_friction, load, overrunning_clutch, rotor, viscous};
+use crate::components::{driven, dry_friction, loaded, overrunning_clutch, rotor, viscous};
 
 /// Coordinates: the rotations of both rotors.
 pub fn freewheel(m: &mut Model) {
@@ -16,7 +16,7 @@ pub fn freewheel(m: &mut Model) {
     overrunning_clutch(m, "", "clutch", theta1 - theta2);
     dry_friction(m, "2", "bearings of the driven rotor", ["rad", "N*m"], theta2);
     viscous(m, "2", "driven rotor", theta2);
-    drive(m, "motor", "motor", theta1);
-    load(m, "load", "driven rotor", theta2);
+    driven(m, "motor", "motor", theta1);
+    loaded(m, "load", "driven rotor", theta2);
     m.motion("speed", "rad/s", &[(theta1, 1.into()), (theta2, 1.into())], "rotational speed of both rotors");
 }

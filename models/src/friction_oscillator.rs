@@ -2,7 +2,7 @@
 
 use gearsim_derive::{Model, Start};
 
-use crate::components::{drive, dry_friction, rotor, shaft};
+use crate::components::{driven, dry_friction, end_stop, fan, rotor, shaft};
 
 /// Coordinate: the rotation phi of the rotor. A torque acts on it, which may vary in time.
 pub fn friction_oscillator(m: &mut Model) {
@@ -13,6 +13,8 @@ pub fn friction_oscillator(m: &mut Model) {
     rotor(m, "", "rotor", phi);
     shaft(m, "", "spring", phi, phi);
     dry_friction(m, "", "bearing", ["rad", "N*m"], phi);
-    drive(m, "motor", "rotor", phi);
+    end_stop(m, "", "rotor", ["rad", "N*m"], phi);
+    driven(m, "motor", "rotor", phi);
+    fan(m, "load", "rotor", phi, phi.dot());
     m.motion("speed", "rad/s", &[(phi, 1.into())], "rotational speed");
 }

@@ -3,7 +3,7 @@
 use gearsim_derive::{Model, Range, Start};
 
 use crate::components::{
-    Direction, Gear, Sliding, bearing, damping, drive, external, external_sliding, load, mesh_on_centres,
+    Direction, Gear, Sliding, bearing, damping, driven, external, external_sliding, loaded, mesh_on_centres,
     moving_centres, pair, planar_rotor, sliding_friction,
 };
 
@@ -39,8 +39,8 @@ pub fn gear_pair_bearings(m: &mut Model) {
     let tau = external_sliding(one, line, two, line, alpha.sin / alpha.cos);
     let psi = gears.theta1 + gears.theta2;
     sliding_friction(m, "12", "mesh", "m", mesh, Sliding { phase: gears.theta, tau, psi });
-    drive(m, "motor", "driving gear", gears.theta1);
-    load(m, "load", "driven gear", gears.theta2);
+    driven(m, "motor", "driving gear", gears.theta1);
+    loaded(m, "load", "driven gear", gears.theta2);
     damping(m);
     m.motion("speed", "rad/s", &[(gears.theta, gears.n1)], "rotational speed of the driving gear");
 }

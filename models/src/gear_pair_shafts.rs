@@ -2,9 +2,7 @@
 
 use gearsim_derive::{Model, Start};
 
-use crate::components::{
-    damping, dc_motor, drive, fan, governor, induction_motor, load, pair, pressure_tangent, rotor, shaft,
-};
+use crate::components::{damping, driven, loaded, pair, pressure_tangent, rotor, shaft};
 
 /// Coordinates: the mean rotation and the mesh deflection of the pair, and the twists of the two shafts.
 pub fn gear_pair_shafts(m: &mut Model) {
@@ -24,17 +22,8 @@ pub fn gear_pair_shafts(m: &mut Model) {
     shaft(m, "l", "load's shaft", psi_l, gears.theta2);
     let tangent = pressure_tangent(m);
     gears.mesh(m, "12", "mesh", tangent);
-    drive(m, "motor", "motor", theta_m);
-    load(m, "load", "load", theta_l);
-    // The speeds on which motors and fan depend: named, so that the equations are written in them.
-    let (omega_m, omega_l) = (m.deflection("theta_m", theta_m).dot(), m.deflection("theta_l", theta_l).dot());
-    governor(m, "motor", "motor", theta_m, omega_m);
-    dc_motor(m, "motor", "motor", theta_m, omega_m);
-    induction_motor(m, "motor", "motor", theta_m, omega_m);
-    fan(m, "load", "load", theta_l, omega_l);
+    driven(m, "motor", "motor", theta_m);
+    loaded(m, "load", "load", theta_l);
     damping(m);
-    // One motor at most.
-    m.exclude("speed_governor", &["dc_motor", "induction_motor"]);
-    m.exclude("dc_motor", &["induction_motor"]);
     m.motion("speed", "rad/s", &[(gears.theta, gears.n1)], "rotational speed of the driving gear");
 }

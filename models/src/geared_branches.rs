@@ -2,7 +2,7 @@
 
 use gearsim_derive::{Model, Range, Start};
 
-use crate::components::{damping, drive, geared, load, rotor, shaft};
+use crate::components::{damping, driven, geared, loaded, rotor, shaft};
 
 /// Coordinates: the rotations of motor, gear and disc of the first shaft, and of the disc of the second shaft.
 #[allow(non_snake_case)] // the field's symbols
@@ -26,8 +26,8 @@ pub fn geared_branches(m: &mut Model) {
     shaft(m, "m", "motor's shaft", theta_m - theta1, theta_m);
     shaft(m, "a", "shaft to the first disc", theta1 - theta_a, theta1);
     shaft(m, "b", "shaft to the second disc", theta2 - theta_b, theta2);
-    drive(m, "motor", "motor", theta_m);
-    load(m, "load", "second shaft's disc", theta_b);
+    driven(m, "motor", "motor", theta_m);
+    loaded(m, "load", "second shaft's disc", theta_b);
     damping(m);
     let speeds = [(theta_m, 1.into()), (theta1, 1.into()), (theta_a, 1.into()), (theta_b, N1 / N2)];
     m.motion("speed", "rad/s", &speeds, "rotational speed of the first shaft");

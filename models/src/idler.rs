@@ -2,7 +2,7 @@
 
 use gearsim_derive::{Model, Range, Start};
 
-use crate::components::{Sliding, damping, drive, load, mesh_with_play, pressure_tangent, rotor, sliding_friction};
+use crate::components::{Sliding, damping, driven, loaded, mesh_with_play, pressure_tangent, rotor, sliding_friction};
 
 /// Coordinates: the rotation of the idler times its number of teeth, which is the phase of both meshes, and the deflections of
 /// the two meshes.
@@ -30,8 +30,8 @@ pub fn idler(m: &mut Model) {
     let sliding = |delta, psi| Sliding { phase: theta, tau: tangent * delta, psi };
     sliding_friction(m, "12", "mesh of gears 1 and 2", "m", mesh1, sliding(delta1, theta1 + theta / N2));
     sliding_friction(m, "23", "mesh of gears 2 and 3", "m", mesh2, sliding(delta2, theta / N2 + theta3));
-    drive(m, "motor", "driving gear", theta1);
-    load(m, "load", "driven gear", theta3);
+    driven(m, "motor", "driving gear", theta1);
+    loaded(m, "load", "driven gear", theta3);
     damping(m);
     m.motion("speed", "rad/s", &[(theta, N1)], "rotational speed of the driving gear");
 }

@@ -2,7 +2,7 @@
 
 use gearsim_derive::{Model, Start};
 
-use crate::components::{Gear, bearing, damping, drive, ground, load, planar_rotor, stage, torsional_support};
+use crate::components::{Gear, bearing, damping, driven, ground, loaded, planar_rotor, stage, torsional_support};
 
 /// Sun, ring and carrier on bearings, `n` planets on bearings on the carrier.
 pub fn planar_planetary(m: &mut Model, n: usize) {
@@ -26,8 +26,8 @@ pub fn planar_planetary(m: &mut Model, n: usize) {
     let gear = |[x, y]: [_; 2], u| Gear { x, y, u };
     let (sun, ring) = (gear(sun, stage.r_s * stage.theta_s), gear(ring, stage.r_r * theta_r));
     stage.planets_on_bearings(m, n, sun, (ring, theta_r), gear(carrier, stage.a * stage.theta_c));
-    drive(m, "motor", "sun", stage.theta_s);
-    load(m, "load", "carrier", stage.theta_c);
+    driven(m, "motor", "sun", stage.theta_s);
+    loaded(m, "load", "carrier", stage.theta_c);
     damping(m);
     m.motion("speed", "rad/s", &[(stage.theta, stage.per_sun)], "rotational speed of the sun, ring at rest");
 }

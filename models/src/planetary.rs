@@ -2,7 +2,7 @@
 
 use gearsim_derive::{Model, Start};
 
-use crate::components::{damping, drive, ground, load, rotor, stage, torsional_support};
+use crate::components::{damping, driven, ground, loaded, rotor, stage, torsional_support};
 
 /// Coordinates: the phase, the rotation of the ring, and the rotations of the carrier and of each of `n` planets in excess of
 /// rigid rolling.
@@ -19,8 +19,8 @@ pub fn planetary(m: &mut Model, n: usize) {
     torsional_support(m, "s", "sun's torsional support", stage.theta_s);
     torsional_support(m, "c", "carrier's torsional support", stage.theta_c);
     stage.planets(m, n, theta_r);
-    drive(m, "motor", "sun", stage.theta_s);
-    load(m, "load", "carrier", stage.theta_c);
+    driven(m, "motor", "sun", stage.theta_s);
+    loaded(m, "load", "carrier", stage.theta_c);
     damping(m);
     m.motion("speed", "rad/s", &[(stage.theta, stage.per_sun)], "rotational speed of the sun, ring at rest");
 }

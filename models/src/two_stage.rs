@@ -2,7 +2,7 @@
 
 use gearsim_derive::{Model, Start};
 
-use crate::components::{damping, drive, load, pair, pressure_tangent, rotor, shaft};
+use crate::components::{damping, driven, loaded, pair, pressure_tangent, rotor, shaft};
 
 /// Coordinates: the mean rotation and the deflection of each mesh, and the twists of the shafts of motor and load.
 pub fn two_stage(m: &mut Model) {
@@ -26,8 +26,8 @@ pub fn two_stage(m: &mut Model) {
     let tangent = pressure_tangent(m);
     first.mesh(m, "12", "mesh of gears 1 and 2", tangent);
     second.mesh(m, "34", "mesh of gears 3 and 4", tangent);
-    drive(m, "motor", "motor", theta_m);
-    load(m, "load", "load", theta_l);
+    driven(m, "motor", "motor", theta_m);
+    loaded(m, "load", "load", theta_l);
     damping(m);
     let speeds = [(first.theta, first.n1), (second.theta, first.n1 / first.n2 * second.n1)];
     m.motion("speed", "rad/s", &speeds, "rotational speed of the first gear");

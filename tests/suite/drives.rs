@@ -164,3 +164,106 @@ fn a_dc_motor_moves_as_the_equivalent_governor() {
     };
     assert!(off(&governor.trajectory.q, &dc.trajectory.q) < 1e-11);
 }
+
+/// Every model has every drive and every load, one motor at a time. A train has those that its tables list.
+#[test]
+fn every_model_has_every_drive_and_load() {
+    const MOTORS: [&str; 4] = ["speed_governor", "dc_motor", "induction_motor", "traction_motor"];
+    for model in common::models().into_iter().filter(|model| model.elements.is_empty()) {
+        for name in MOTORS.iter().chain(&["fan_load"]) {
+            assert!(model.effects.iter().any(|effect| effect.name == *name), "{} has no {name}", model.name);
+        }
+        let excludes = |a: &str, b: &str| {
+            let lists = |a: &str, b: &str| model.effects.iter().any(|e| e.name == a && e.excludes.contains(&b));
+            lists(a, b) || lists(b, a)
+        };
+        for (i, a) in MOTORS.iter().enumerate() {
+            assert!(MOTORS[i + 1..].iter().all(|b| excludes(a, b)), "{}: {a} and another motor", model.name);
+        }
+    }
+}
+
+/// The traction motor of a rotor that is free otherwise: 5 N*m up to 500 W, with 0.05 kg*m^2.
+fn traction(more: &[&str]) -> Outcome {
+    let set = [
+        "effects=[\"traction_motor\"]",
+        "parameters.Tp_motor=\"5 N*m\"",
+        "parameters.Pp_motor=\"500 W\"",
+        "parameters.I1=\"0.05 kg*m^2\"",
+        "run.t_end=\"5 s\"",
+        "run.tolerance=1e-12",
+    ];
+    run(&scene("freewheel", &[&set[..], more].concat().iter().map(|s| s.to_string()).collect::<Vec<_>>()))
+}
+
+/// The time in which the motor brings the rotor from rest to the speed `omega` \[rad/s\], with r the rounding of the corner:
+/// I domega = T dt, and the integral of 1/T in closed form.
+fn run_up(omega: f64, r: f64) -> f64 {
+    let (inertia, torque, base) = (0.05, 5.0, 100.0);
+    let x = omega / base;
+    let g = |y: f64| (y * y.hypot(r) + r * r * (y / r).asinh()) / 2.0;
+    inertia * base / (2.0 * torque) * (g(1.0 + x) - g(1.0 - x))
+}
+
+/// Constant torque, then constant power: omega = T t/I up to the base speed, and omega² = base² + 2 P (t - t_base)/I from there on. The rounded
+/// corner has a closed form too, and the speeds differ by less than the rounding.
+#[test]
+fn a_traction_motor_runs_up_with_constant_torque_and_then_constant_power() {
+    let r = 0.01;
+    let outcome = traction(&[]);
+    assert_eq!(outcome.solver.method, "dop853");
+    assert!(outcome.solver.why.contains("in the torque `traction`"), "{}", outcome.solver.why);
+    let t = &outcome.trajectory;
+    let mut above = 0;
+    for (i, (time, omega)) in t.t.iter().zip(&t.q_dot[0]).enumerate() {
+        assert!((time - run_up(*omega, r)).abs() < 1e-9, "{time} s: {omega} rad/s, expected at {}", run_up(*omega, r));
+        let sharp = if *time < 1.0 { 100.0 * time } else { (1e4 + 2.0 * 500.0 * (time - 1.0) / 0.05f64).sqrt() };
+        assert!((omega - sharp).abs() < 1e-3 * sharp.max(1.0), "{time} s: {omega} rad/s, not {sharp}");
+        if *omega > 110.0 {
+            above += 1;
+            let power = t.output("power_traction").expect("an output")[i];
+            let bound = r * r / (2.0 * ((omega / 100.0).powi(2) - 1.0));
+            assert!((0.0..bound).contains(&(1.0 - power / 500.0)), "{omega} rad/s: {power} W");
+        }
+    }
+    assert!(above > 100, "{above} rows above the base speed");
+    assert!(unaccounted(&outcome) < 1e-10, "{:e}", unaccounted(&outcome));
+}
+
+/// With a demand of -1/2 it brakes along the same curve, in twice the time; also a rotor that turns backward.
+#[test]
+fn a_traction_motor_brakes_along_the_same_curve() {
+    for direction in [1.0, -1.0] {
+        let start = format!("start.speed=\"{} rad/s\"", 300.0 * direction);
+        let demand = format!("parameters.d_motor={}", -0.5 * direction);
+        let outcome = traction(&[&start, &demand]);
+        let t = &outcome.trajectory;
+        for (time, omega) in t.t.iter().zip(&t.q_dot[0]) {
+            let expected = 2.0 * (run_up(300.0, 0.01) - run_up(omega.abs(), 0.01));
+            assert!((time - expected).abs() < 1e-8, "{time} s: {omega} rad/s, expected at {expected}");
+        }
+        assert!(t.kinetic[t.len() - 1] < t.kinetic[0] && unaccounted(&outcome) < 1e-10);
+    }
+}
+
+/// The end scene: what is nonlinear is named; without it every cell is solved exactly. Friction takes energy, and the account closes.
+#[test]
+fn the_electric_axle_is_exact_where_its_cells_are_linear() {
+    let outcome = run(&scene("electric_axle", &[]));
+    assert_eq!(outcome.solver.method, "dop853");
+    for said in ["in the torque `traction`", "in the torque `slide12`", "in the torque `roll12`"] {
+        assert!(outcome.solver.why.contains(said), "{}", outcome.solver.why);
+    }
+    assert!(unaccounted(&outcome) < 1e-7, "{:e}", unaccounted(&outcome));
+    let of = |names: &[&str]| {
+        let all = scene("electric_axle", &[]);
+        let kept: Vec<_> = all.effects.names(all.model).into_iter().filter(|name| !names.contains(name)).collect();
+        run(&scene("electric_axle", &[format!("effects={kept:?}"), "run.t_end=50 ms".into()]))
+    };
+    let curve = of(&["sliding_friction_12"]);
+    assert_eq!(curve.solver.method, "dop853");
+    assert!(!curve.solver.why.contains("slide12") && curve.solver.why.contains("traction"), "{}", curve.solver.why);
+    let linear = of(&["sliding_friction_12", "traction_motor"]);
+    assert_eq!(linear.solver.method, "exact", "{}", linear.solver.why);
+    assert!(unaccounted(&linear) < 1e-11, "{:e}", unaccounted(&linear));
+}

@@ -9,13 +9,14 @@ use std::process::Command;
 use anyhow::{Context, bail};
 
 /// The scenes, by their paths under models/scenes, and the plot that is kept of each.
-const SCENES: [(&str, &str); 25] = [
+const SCENES: [(&str, &str); 27] = [
     ("backlash", "motion"),
     ("backlash_oscillator", "motion"),
     ("drives/fan_run_up", "outputs"),
     ("drives/governor", "outputs"),
     ("drives/start_up", "motion"),
     ("drives/torque_ripple", "outputs"),
+    ("drives/traction_run_up", "outputs"),
     ("gear_pair_bearings", "outputs"),
     ("gear_pair_shafts", "spectrum"),
     ("geared_branches", "motion"),
@@ -33,6 +34,7 @@ const SCENES: [(&str, &str); 25] = [
     ("freewheel", "motion"),
     ("damaged_tooth", "orders"),
     ("electric_axle", "outputs"),
+    ("end_stop", "motion"),
     ("train_branches", "outputs"),
     ("train_turbine", "outputs"),
 ];

@@ -66,8 +66,9 @@ fn an_unknown_name_is_refused() {
         "k*touch*over.powi(2)",
         "k*touch*chi.powi(2)",
         "chi",
-        "`chi` is unknown in potential; allowed: C, I1, I2, M1, M2, N1, N2, T0, alpha, arm, b, clip, damp, e, edge, k, k_mid, mu, \
-         mu_rise, over, phi, psi, side, slide_dir, tan_a, tau, theta, tiny, touch, w_mix, zeta",
+        "`chi` is unknown in potential; allowed: C, I1, I2, M1, M2, N1, N2, Pp_motor, T0, Tb_motor, Tp_motor, Ts_motor, alpha, arm, b, \
+         c_motor, cf_load, clip, d_motor, damp, e, edge, k, k_mid, mu, mu_rise, n0_motor, n_motor, ns_motor, over, per_wb_motor, phi, psi, \
+         round_motor, sb_motor, side, slide_dir, tan_a, tau, theta, theta_load, theta_motor, tiny, touch, w0_load, w_mix, zeta",
     );
 }
 
@@ -84,7 +85,8 @@ fn an_unknown_condition_is_refused() {
         "{ damping => C*damp",
         "{ dumping => C*damp",
         "dumping",
-        "there are: stiffness_step, rigid_kinematics, frozen_phase, transmission_error, backlash, damping, torques, sliding_friction, flank_stiction, jump_terms",
+        "there are: stiffness_step, rigid_kinematics, frozen_phase, transmission_error, backlash, damping, torques, sliding_friction, flank_stiction, \
+         speed_governor, dc_motor, induction_motor, traction_motor, fan_load, jump_terms",
     );
 }
 
@@ -216,8 +218,8 @@ fn with_effects(count: usize) -> String {
 #[test]
 fn more_effects_than_a_set_has_room_for_are_refused() {
     let errors = |count| syn::parse2(tokens(&with_effects(count))).and_then(|mut m: Model| check(&mut m)).err();
-    assert!(errors(55).is_none(), "the sample has 9 effects");
-    let error = errors(56).expect("65 effects");
+    assert!(errors(50).is_none(), "the sample has 14 effects");
+    let error = errors(51).expect("65 effects");
     assert_eq!(error.to_string(), "65 effects: a set of effects has room for 64");
 }
 
@@ -244,10 +246,13 @@ fn variants_are_chosen_by_the_values_of_effects() {
     let code = expand(tokens(&sample())).to_string();
     for said in [
         "if ! (met . transmission_error) && ! (met . backlash || met . flank_stiction) \
-         && ! (met . sliding_friction) { \
+         && ! (met . sliding_friction || met . speed_governor || met . dc_motor || met . induction_motor || met . traction_motor \
+         || met . fan_load) { \
          (Self :: force_in :: < false , false , false >",
         "if met . transmission_error && ERRORS { let e = k [1] ; over = over - e ; }",
         "let arm = if met . sliding_friction && OTHERS { k [3] } else { 0f64 . into () }",
+        "if met . speed_governor && OTHERS {",
+        "if met . traction_motor && OTHERS {",
     ] {
         assert!(code.contains(said), "{said} is not there: {code}");
     }

@@ -25,8 +25,28 @@ equations! {
         k_p "N/m" required, open 0.0 to inf, "stiffness of the pulling span";
         k_s "N/m" required, open 0.0 to inf, "stiffness of the slack span";
         k_t "N*m/rad" required, from 0.0 to inf, "torsional stiffness of the spring of the tensioner arm";
+        hi_t "rad" required with end_stop_t, open -inf to inf, "place of the upper stop of the tensioner arm";
+        lo_t "rad" required with end_stop_t, open -inf to inf, "place of the lower stop of the tensioner arm";
+        ks_t "N*m/rad" required with end_stop_t, open 0.0 to inf, "stiffness of the stops of the tensioner arm";
+        cs_t "N*m*s/rad" default 0.0, from 0.0 to inf, "damping of the stops of the tensioner arm";
         T_crank "N*m" required with torques, open -inf to inf, "driving torque of the crankshaft";
+        c_crank "N*m*s/rad" required with speed_governor, open 0.0 to inf,
+            "gain of the governor of the crankshaft: torque per difference of set point and speed";
+        n_crank "rad/s" required with speed_governor, open -inf to inf, "set point of the speed governor of the crankshaft";
+        Ts_crank "N*m" required with dc_motor, open 0.0 to inf, "stall torque of the crankshaft";
+        n0_crank "rad/s" required with dc_motor, open 0.0 to inf, "no-load speed of the crankshaft";
+        Tb_crank "N*m" required with induction_motor, open 0.0 to inf, "breakdown torque of the crankshaft, its largest torque";
+        sb_crank "1" required with induction_motor, open 0.0 to inf, "slip at which the crankshaft has its breakdown torque";
+        ns_crank "rad/s" required with induction_motor, open 0.0 to inf, "synchronous speed of the crankshaft";
+        Tp_crank "N*m" required with traction_motor, open 0.0 to inf, "peak torque of the crankshaft, up to its base speed";
+        Pp_crank "W" required with traction_motor, open 0.0 to inf, "peak power of the crankshaft, above its base speed Pp/Tp";
+        d_crank "1" default 1.0, open -inf to inf, "demand on the crankshaft: 1 drives with its peak torque or power, -1 brakes with them";
+        round_crank "1" default 0.01, open 0.0 to inf,
+            "rounding of the corner of the torque of the crankshaft at its base speed, relative to that";
         T_load "N*m" required with torques, open -inf to inf, "load torque of the accessory, against its rotation";
+        cf_load "N*m*s^2/rad^2" required with fan_load, from 0.0 to inf, "fan torque of the accessory divided by the square of its speed";
+        w0_load "rad/s" default 0.01, open 0.0 to inf,
+            "speed of the accessory below which the fan torque is linear instead of quadratic in the speed";
         alpha_M "1/s" default 0.0, from 0.0 to inf, "damping in proportion to inertia";
         beta_K "s" default 0.0, from 0.0 to inf, "damping in proportion to stiffness";
     }
@@ -34,31 +54,182 @@ equations! {
     }
     motions { speed "rad/s" { theta_dot = 1.0; }, "rotational speed of the crankshaft"; }
     effects {
+        end_stop_t of end_stop "end stops: elastic, with a damper that never pulls, beyond an upper and a lower limit of a displacement";
         torques "constant torques of motor and load";
+        speed_governor excludes(dc_motor, induction_motor, traction_motor)
+            "a speed governor: motor torque proportional to the set point minus the speed";
+        dc_motor excludes(induction_motor, traction_motor)
+            "a DC motor at constant voltage: its torque falls linearly from stall to no load";
+        induction_motor excludes(traction_motor) "an induction motor, its torque by the formula of Kloss";
+        traction_motor "a traction motor: its peak torque up to the base speed, constant power above it, times the demand";
+        fan_load "a fan as load: torque proportional to the square of the speed, against the rotation";
         damping "Rayleigh damping, C = alpha_M M + beta_K K at the mid stiffness";
     }
-    conditions {
-    }
+    conditions { end_stop_t_and_damping = end_stop_t, damping; }
 
+    constants { per_wb_crank = Tp_crank/Pp_crank; }
     deflections {
         s_p = s;
         s_s = a*psi - s;
         twist_t = psi;
+        past_t = psi - stop_t;
+        theta_crank = theta;
+        theta_load = r1*theta/r2 - s/r2;
+    }
+    forces {
+        T_induction_crank {
+            induction_motor => 2.0*Tb_crank*sb_crank*(1.0 - theta_crank_dot/ns_crank)
+                /(sb_crank.powi(2) + (1.0 - theta_crank_dot/ns_crank).powi(2));
+        }
+        T_traction_crank {
+            traction_motor => 2.0*Tp_crank*d_crank
+                /((round_crank.powi(2) + (1.0 - per_wb_crank*theta_crank_dot).powi(2)).sqrt()
+                + (round_crank.powi(2) + (1.0 + per_wb_crank*theta_crank_dot).powi(2)).sqrt());
+        }
+        T_fan_load { fan_load => -cf_load*theta_load_dot*(w0_load.powi(2) + theta_load_dot.powi(2)).sqrt(); }
+    }
+    partials {
+        T_induction_crank_by_theta_crank_dot {
+            induction_motor => 4.0*Tb_crank*sb_crank*(1.0 - theta_crank_dot/ns_crank).powi(2)
+                /(ns_crank*(sb_crank.powi(2) + (1.0 - theta_crank_dot/ns_crank).powi(2)).powi(2))
+                - 2.0*Tb_crank*sb_crank/(ns_crank*(sb_crank.powi(2) + (1.0 - theta_crank_dot/ns_crank).powi(2)));
+        }
+        T_traction_crank_by_theta_crank_dot {
+            traction_motor => -2.0*Tp_crank*d_crank
+                *(per_wb_crank*(1.0 + per_wb_crank*theta_crank_dot)
+                /(round_crank.powi(2) + (1.0 + per_wb_crank*theta_crank_dot).powi(2)).sqrt()
+                - per_wb_crank*(1.0 - per_wb_crank*theta_crank_dot)
+                /(round_crank.powi(2) + (1.0 - per_wb_crank*theta_crank_dot).powi(2)).sqrt())
+                /((round_crank.powi(2) + (1.0 - per_wb_crank*theta_crank_dot).powi(2)).sqrt()
+                + (round_crank.powi(2) + (1.0 + per_wb_crank*theta_crank_dot).powi(2)).sqrt()).powi(2);
+        }
+        T_fan_load_by_theta_load_dot {
+            fan_load => -cf_load*theta_load_dot.powi(2)/(w0_load.powi(2) + theta_load_dot.powi(2)).sqrt()
+                - cf_load*(w0_load.powi(2) + theta_load_dot.powi(2)).sqrt();
+        }
+    }
+    switches {
+        past_t "rad" (at_stop_t 1.0, stop_t 0.0, stop_damp_t 1.0, stop_clip_t 0.0) with end_stop_t, "end stops of the tensioner arm" {
+            free (0.0, 0.0, 0.0, 0.0) rests {
+                until upper {
+                    past_t { _ => -1.0; }
+                    one { _ => hi_t; }
+                }
+                until lower {
+                    past_t { _ => 1.0; }
+                    one { _ => -lo_t; }
+                }
+            }
+            upper (1.0, hi_t, 1.0, 0.0) rests counts "stop met" {
+                unless free { past_t { _ => 1.0; } }
+                until upper_loose {
+                    past_t { end_stop_t => ks_t; }
+                    past_t_dot {
+                        end_stop_t => cs_t;
+                        end_stop_t_and_damping => beta_K*ks_t;
+                    }
+                }
+                until upper_hit {
+                    past_t { end_stop_t => ks_t; }
+                    past_t_dot {
+                        end_stop_t => -cs_t;
+                        end_stop_t_and_damping => -beta_K*ks_t;
+                    }
+                }
+            }
+            upper_hit (1.0, hi_t, 0.0, 1.0) counts "stop met" {
+                unless free { past_t { _ => 1.0; } }
+                until upper {
+                    past_t { end_stop_t => -ks_t; }
+                    past_t_dot {
+                        end_stop_t => cs_t;
+                        end_stop_t_and_damping => beta_K*ks_t;
+                    }
+                }
+            }
+            upper_loose (1.0, hi_t, 0.0, -1.0) counts "stop met" {
+                until free { past_t { _ => 1.0; } }
+                until upper {
+                    past_t { end_stop_t => -ks_t; }
+                    past_t_dot {
+                        end_stop_t => -cs_t;
+                        end_stop_t_and_damping => -beta_K*ks_t;
+                    }
+                }
+            }
+            lower (1.0, lo_t, 1.0, 0.0) rests counts "stop met" {
+                unless free { past_t { _ => -1.0; } }
+                until lower_loose {
+                    past_t { end_stop_t => -ks_t; }
+                    past_t_dot {
+                        end_stop_t => -cs_t;
+                        end_stop_t_and_damping => -beta_K*ks_t;
+                    }
+                }
+                until lower_hit {
+                    past_t { end_stop_t => -ks_t; }
+                    past_t_dot {
+                        end_stop_t => cs_t;
+                        end_stop_t_and_damping => beta_K*ks_t;
+                    }
+                }
+            }
+            lower_hit (1.0, lo_t, 0.0, 1.0) counts "stop met" {
+                unless free { past_t { _ => -1.0; } }
+                until lower {
+                    past_t { end_stop_t => ks_t; }
+                    past_t_dot {
+                        end_stop_t => -cs_t;
+                        end_stop_t_and_damping => -beta_K*ks_t;
+                    }
+                }
+            }
+            lower_loose (1.0, lo_t, 0.0, -1.0) counts "stop met" {
+                until free { past_t { _ => -1.0; } }
+                until lower {
+                    past_t { end_stop_t => ks_t; }
+                    past_t_dot {
+                        end_stop_t => cs_t;
+                        end_stop_t_and_damping => beta_K*ks_t;
+                    }
+                }
+            }
+            loss { past_t { end_stop_t => ks_t*at_stop_t*stop_clip_t; } }
+        }
     }
     energies {
         kinetic { _ => (I1*theta_dot.powi(2) + I2*(r1*theta_dot/r2 - s_dot/r2).powi(2) + I_t*psi_dot.powi(2))/2.0; }
-        potential { _ => (k_p*s_p.powi(2) + k_s*s_s.powi(2) + k_t*twist_t.powi(2))/2.0; }
+        potential {
+            _ => (k_p*s_p.powi(2) + k_s*s_s.powi(2) + k_t*twist_t.powi(2))/2.0;
+            end_stop_t => ks_t*at_stop_t*past_t.powi(2)/2.0;
+        }
         dissipation {
+            end_stop_t => cs_t*stop_damp_t*past_t_dot.powi(2)/2.0;
+            end_stop_t_and_damping => beta_K*ks_t*stop_damp_t*past_t_dot.powi(2)/2.0;
+            speed_governor => c_crank*theta_crank_dot.powi(2)/2.0;
+            dc_motor => Ts_crank*theta_crank_dot.powi(2)/(2.0*n0_crank);
             damping => (I1*alpha_M*theta_dot.powi(2) + I2*alpha_M*(r1*theta_dot/r2 - s_dot/r2).powi(2) + I_t*alpha_M*psi_dot.powi(2)
                 + beta_K*k_p*s_p_dot.powi(2) + beta_K*k_s*s_s_dot.powi(2) + beta_K*k_t*twist_t_dot.powi(2))/2.0;
         }
     }
     torques {
         crank "driving torque of the crankshaft" { torques => T_crank*theta; }
+        governor "torque c n of the governor; its part -c omega is in D" { speed_governor => c_crank*n_crank*theta; }
+        dc "stall torque of the DC motor; the part proportional to the speed is in D" { dc_motor => Ts_crank*theta; }
+        induction "torque of the induction motor" {}
+        power { induction_motor => T_induction_crank*theta_dot; }
+        traction "torque of the traction motor" {}
+        power { traction_motor => T_traction_crank*theta_dot; }
         load "load torque of the accessory, against its rotation" { torques => T_load*(s/r2 - r1*theta/r2); }
+        fan "torque of the fan, against its rotation" {}
+        power { fan_load => T_fan_load*(r1*theta_dot/r2 - s_dot/r2); }
     }
     work {
-        theta { torques => T_crank - T_load*r1/r2; }
+        theta {
+            torques => T_crank - T_load*r1/r2;
+            speed_governor => c_crank*n_crank;
+            dc_motor => Ts_crank;
+        }
         s { torques => T_load/r2; }
     }
     mass {
@@ -70,48 +241,100 @@ equations! {
     force {
         theta {
             torques => T_crank - T_load*r1/r2;
+            speed_governor => c_crank*n_crank - c_crank*theta_crank_dot;
+            dc_motor => Ts_crank - Ts_crank*theta_crank_dot/n0_crank;
+            induction_motor => T_induction_crank;
+            traction_motor => T_traction_crank;
+            fan_load => r1*T_fan_load/r2;
             damping => I2*alpha_M*r1*s_dot/r2.powi(2) - I1*alpha_M*theta_dot - I2*alpha_M*r1.powi(2)*theta_dot/r2.powi(2);
         }
         s {
             _ => k_s*s_s - k_p*s_p;
             torques => T_load/r2;
+            fan_load => -T_fan_load/r2;
             damping => I2*alpha_M*r1*theta_dot/r2.powi(2) - I2*alpha_M*s_dot/r2.powi(2) - beta_K*k_p*s_p_dot + beta_K*k_s*s_s_dot;
         }
         psi {
             _ => -a*k_s*s_s - k_t*twist_t;
+            end_stop_t => -cs_t*stop_damp_t*past_t_dot - ks_t*at_stop_t*stop_clip_t*past_t - ks_t*at_stop_t*past_t;
+            end_stop_t_and_damping => -beta_K*ks_t*stop_damp_t*past_t_dot;
             damping => -I_t*alpha_M*psi_dot - a*beta_K*k_s*s_s_dot - beta_K*k_t*twist_t_dot;
         }
     }
     jacobian {
-        theta theta_dot { damping => -I1*alpha_M - I2*alpha_M*r1.powi(2)/r2.powi(2); }
-        theta s_dot { damping => I2*alpha_M*r1/r2.powi(2); }
+        theta theta_dot {
+            speed_governor => -c_crank;
+            dc_motor => -Ts_crank/n0_crank;
+            induction_motor => T_induction_crank_by_theta_crank_dot;
+            traction_motor => T_traction_crank_by_theta_crank_dot;
+            fan_load => r1.powi(2)*T_fan_load_by_theta_load_dot/r2.powi(2);
+            damping => -I1*alpha_M - I2*alpha_M*r1.powi(2)/r2.powi(2);
+        }
+        theta s_dot {
+            fan_load => -r1*T_fan_load_by_theta_load_dot/r2.powi(2);
+            damping => I2*alpha_M*r1/r2.powi(2);
+        }
         s s { _ => -k_p - k_s; }
         s psi { _ => a*k_s; }
-        s theta_dot { damping => I2*alpha_M*r1/r2.powi(2); }
-        s s_dot { damping => -I2*alpha_M/r2.powi(2) - beta_K*k_p - beta_K*k_s; }
+        s theta_dot {
+            fan_load => -r1*T_fan_load_by_theta_load_dot/r2.powi(2);
+            damping => I2*alpha_M*r1/r2.powi(2);
+        }
+        s s_dot {
+            fan_load => T_fan_load_by_theta_load_dot/r2.powi(2);
+            damping => -I2*alpha_M/r2.powi(2) - beta_K*k_p - beta_K*k_s;
+        }
         s psi_dot { damping => a*beta_K*k_s; }
         psi s { _ => a*k_s; }
-        psi psi { _ => -k_t - a.powi(2)*k_s; }
+        psi psi {
+            _ => -k_t - a.powi(2)*k_s;
+            end_stop_t => -ks_t*at_stop_t - ks_t*at_stop_t*stop_clip_t;
+        }
         psi s_dot { damping => a*beta_K*k_s; }
-        psi psi_dot { damping => -I_t*alpha_M - beta_K*k_t - a.powi(2)*beta_K*k_s; }
+        psi psi_dot {
+            end_stop_t => -cs_t*stop_damp_t;
+            end_stop_t_and_damping => -beta_K*ks_t*stop_damp_t;
+            damping => -I_t*alpha_M - beta_K*k_t - a.powi(2)*beta_K*k_s;
+        }
     }
     cell {
         stiffness {
             s s { _ => k_p + k_s; }
             s psi { _ => -a*k_s; }
-            psi psi { _ => k_t + a.powi(2)*k_s; }
+            psi psi {
+                _ => k_t + a.powi(2)*k_s;
+                end_stop_t => ks_t*at_stop_t + ks_t*at_stop_t*stop_clip_t;
+            }
         }
         damping {
-            theta theta { damping => I1*alpha_M + I2*alpha_M*r1.powi(2)/r2.powi(2); }
+            theta theta {
+                speed_governor => c_crank;
+                dc_motor => Ts_crank/n0_crank;
+                damping => I1*alpha_M + I2*alpha_M*r1.powi(2)/r2.powi(2);
+            }
             theta s { damping => -I2*alpha_M*r1/r2.powi(2); }
             s s { damping => I2*alpha_M/r2.powi(2) + beta_K*k_p + beta_K*k_s; }
             s psi { damping => -a*beta_K*k_s; }
-            psi psi { damping => I_t*alpha_M + beta_K*k_t + a.powi(2)*beta_K*k_s; }
+            psi psi {
+                end_stop_t => cs_t*stop_damp_t;
+                end_stop_t_and_damping => beta_K*ks_t*stop_damp_t;
+                damping => I_t*alpha_M + beta_K*k_t + a.powi(2)*beta_K*k_s;
+            }
         }
         load {
-            theta { torques => T_crank - T_load*r1/r2; }
+            theta {
+                torques => T_crank - T_load*r1/r2;
+                speed_governor => c_crank*n_crank;
+                dc_motor => Ts_crank;
+            }
             s { torques => T_load/r2; }
+            psi { end_stop_t => ks_t*at_stop_t*stop_clip_t*stop_t + ks_t*at_stop_t*stop_t; }
         }
+    }
+    nonlinear_with {
+        induction_motor "T_induction_crank in the torque `induction`";
+        traction_motor "T_traction_crank in the torque `traction`";
+        fan_load "T_fan_load in the torque `fan`";
     }
     outputs {
         rotor_speed_1 "rad/s", "rotational speed of the crankshaft" { _ => theta_dot; }
@@ -136,10 +359,40 @@ equations! {
             _ => psi_dot*shaft_torque_t;
         }
         shaft_loss_t "W", "power that the damper of the spring of the tensioner arm takes" { damping => beta_K*k_t*twist_t_dot.powi(2); }
+        stop_force_t "N*m" with end_stop_t,
+            "force of the stops on the tensioner arm, damper included: positive if it pushes back from the upper one" {
+            end_stop_t => cs_t*stop_damp_t*past_t_dot + ks_t*at_stop_t*stop_clip_t*past_t + ks_t*at_stop_t*past_t;
+            end_stop_t_and_damping => beta_K*ks_t*stop_damp_t*past_t_dot;
+        }
+        stop_loss_t "W" with end_stop_t, "power that the dampers of the stops of the tensioner arm take" {
+            end_stop_t => cs_t*stop_damp_t*past_t_dot.powi(2) + ks_t*at_stop_t*stop_clip_t*past_t*past_t_dot;
+            end_stop_t_and_damping => beta_K*ks_t*stop_damp_t*past_t_dot.powi(2);
+        }
         power_crank "W" with torques, "power of the driving torque of the crankshaft: positive if it drives" { _ => crank_power; }
+        governor_braking "W" with speed_governor,
+            "power that the motor takes back: the part of its torque that is proportional to the speed, times the speed" {
+            _ => c_crank*theta_crank_dot.powi(2);
+        }
+        power_governor "W" with speed_governor,
+            "power of the torque c n of the governor; its part -c omega is in D: positive if it drives" {
+            _ => governor_power;
+        }
+        dc_braking "W" with dc_motor,
+            "power that the motor takes back: the part of its torque that is proportional to the speed, times the speed" {
+            _ => Ts_crank*theta_crank_dot.powi(2)/n0_crank;
+        }
+        power_dc "W" with dc_motor,
+            "power of the stall torque of the DC motor; the part proportional to the speed is in D: positive if it drives" {
+            _ => dc_power;
+        }
+        power_induction "W" with induction_motor, "power of the torque of the induction motor: positive if it drives" {
+            _ => induction_power;
+        }
+        power_traction "W" with traction_motor, "power of the torque of the traction motor: positive if it drives" { _ => traction_power; }
         power_load "W" with torques, "power of the load torque of the accessory, against its rotation: positive if it drives" {
             _ => load_power;
         }
+        power_fan "W" with fan_load, "power of the torque of the fan, against its rotation: positive if it drives" { _ => fan_power; }
         inertia_damping_loss "W" with damping, "power that the damping in proportion to inertia takes" {
             _ => 2.0*alpha_M*((I1*theta_dot.powi(2) + I2*(r1*theta_dot/r2 - s_dot/r2).powi(2) + I_t*psi_dot.powi(2))/2.0);
         }
@@ -152,10 +405,14 @@ equations! {
 // Proved of these equations, symbolically:
 //
 // - d/dt (q'.dT/dq' - T + V) = Q.q' - q'.dD/dq' along the motion, for every value and slope of every law, with any set of the additive
-//   effects
+//   effects; q'.dD/dq' includes the power that switches take
 // - M is symmetric
 // - T = q'.M q'/2, with M as written
 // - M is positive definite: every leading minor is a sum of products of positive quantities
+// - V is the same on both sides of the exits of past_t: no impulse there
+// - the force of the switch past_t takes energy or none: f past_t_dot >= 0 in every mode, from the guards that hold in it; of a damper that
+//   is clipped to f = c F, where F = dV/dpast_t and c = 1 or -1, since F past_t >= 0, past_t_dot dD/dpast_t_dot >= 0 and c past_t
+//   dD/dpast_t_dot >= F past_t
 // - every damper takes energy or none: each term of D has a power q'.dD/dq' that is never negative
 // - every deflection equals the linear form by which the equations differentiate it
 //
@@ -163,4 +420,6 @@ equations! {
 //
 // | output | sums | products, quotients | functions, roots |
 // | --- | --- | --- | --- |
-// | force | 10 | 41 | 0 |
+// | constants (once a scene) | 0 | 1 | 0 |
+// | named forces | 15 | 39 | 3 |
+// | force | 14 | 58 | 0 |

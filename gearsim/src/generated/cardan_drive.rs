@@ -28,7 +28,24 @@ equations! {
         w_mix12 "rad/s" default 0.1, open 0.0 to inf,
             "rolling speed omega1 + omega2 of the mesh below which friction decreases to zero (mixed film)";
         T_motor "N*m" required with torques, open -inf to inf, "driving torque of the driving gear";
+        c_motor "N*m*s/rad" required with speed_governor, open 0.0 to inf,
+            "gain of the governor of the driving gear: torque per difference of set point and speed";
+        n_motor "rad/s" required with speed_governor, open -inf to inf, "set point of the speed governor of the driving gear";
+        Ts_motor "N*m" required with dc_motor, open 0.0 to inf, "stall torque of the driving gear";
+        n0_motor "rad/s" required with dc_motor, open 0.0 to inf, "no-load speed of the driving gear";
+        Tb_motor "N*m" required with induction_motor, open 0.0 to inf, "breakdown torque of the driving gear, its largest torque";
+        sb_motor "1" required with induction_motor, open 0.0 to inf, "slip at which the driving gear has its breakdown torque";
+        ns_motor "rad/s" required with induction_motor, open 0.0 to inf, "synchronous speed of the driving gear";
+        Tp_motor "N*m" required with traction_motor, open 0.0 to inf, "peak torque of the driving gear, up to its base speed";
+        Pp_motor "W" required with traction_motor, open 0.0 to inf, "peak power of the driving gear, above its base speed Pp/Tp";
+        d_motor "1" default 1.0, open -inf to inf,
+            "demand on the driving gear: 1 drives with its peak torque or power, -1 brakes with them";
+        round_motor "1" default 0.01, open 0.0 to inf,
+            "rounding of the corner of the torque of the driving gear at its base speed, relative to that";
         T_load "N*m" required with torques, open -inf to inf, "load torque behind the joint, against its rotation";
+        cf_fan "N*m*s^2/rad^2" required with fan_load, from 0.0 to inf, "fan torque of the driven gear divided by the square of its speed";
+        w0_fan "rad/s" default 0.01, open 0.0 to inf,
+            "speed of the driven gear below which the fan torque is linear instead of quadratic in the speed";
         alpha_M "1/s" default 0.0, from 0.0 to inf, "damping in proportion to inertia";
         beta_K "s" default 0.0, from 0.0 to inf, "damping in proportion to stiffness";
     }
@@ -54,6 +71,13 @@ equations! {
         sliding_friction_12 of sliding_friction requires(stiffness_step)
             "Coulomb friction between the flanks, against their sliding, which turns as a tooth pair passes the pitch point";
         torques "constant torques of motor and load";
+        speed_governor excludes(dc_motor, induction_motor, traction_motor)
+            "a speed governor: motor torque proportional to the set point minus the speed";
+        dc_motor excludes(induction_motor, traction_motor)
+            "a DC motor at constant voltage: its torque falls linearly from stall to no load";
+        induction_motor excludes(traction_motor) "an induction motor, its torque by the formula of Kloss";
+        traction_motor "a traction motor: its peak torque up to the base speed, constant power above it, times the demand";
+        fan_load "a fan as load: torque proportional to the square of the speed, against the rotation";
         damping "Rayleigh damping, C = alpha_M M + beta_K K at the mid stiffness";
     }
     switching {
@@ -77,12 +101,15 @@ equations! {
         h = r1/N1;
         tan_a = alpha.sin()/alpha.cos();
         tiny12 = 1.0/1000000000000.0;
+        per_wb_motor = Tp_motor/Pp_motor;
     }
     deflections {
         fork = theta/N2 - s/(2.0*h*N2);
         over12 = s - edge12 - e12;
         tau12 = tan_a*s;
         psi12 = s/(2.0*h*N1) - s/(2.0*h*N2) + theta/N1 + theta/N2;
+        theta_motor = s/(2.0*h*N1) + theta/N1;
+        theta_fan = theta/N2 - s/(2.0*h*N2);
     }
     functions {
         ratio = beta.cos()/(1.0 - fork.cos().powi(2)*beta.sin().powi(2));
@@ -102,6 +129,16 @@ equations! {
             sliding_friction_12 => mu12*k12*touch12*psi12_dot*(tiny12.powi(2) + over12.powi(2)).sqrt()
                 /(w_mix12.powi(2) + psi12_dot.powi(2)).sqrt();
         }
+        T_induction_motor {
+            induction_motor => 2.0*Tb_motor*sb_motor*(1.0 - theta_motor_dot/ns_motor)
+                /(sb_motor.powi(2) + (1.0 - theta_motor_dot/ns_motor).powi(2));
+        }
+        T_traction_motor {
+            traction_motor => 2.0*Tp_motor*d_motor
+                /((round_motor.powi(2) + (1.0 - per_wb_motor*theta_motor_dot).powi(2)).sqrt()
+                + (round_motor.powi(2) + (1.0 + per_wb_motor*theta_motor_dot).powi(2)).sqrt());
+        }
+        T_fan_fan { fan_load => -cf_fan*theta_fan_dot*(w0_fan.powi(2) + theta_fan_dot.powi(2)).sqrt(); }
     }
     partials {
         F_mu12_by_over12 {
@@ -116,6 +153,24 @@ equations! {
         F_mu12_by_k12 {
             sliding_friction_12 => mu12*touch12*psi12_dot*(tiny12.powi(2) + over12.powi(2)).sqrt()
                 /(w_mix12.powi(2) + psi12_dot.powi(2)).sqrt();
+        }
+        T_induction_motor_by_theta_motor_dot {
+            induction_motor => 4.0*Tb_motor*sb_motor*(1.0 - theta_motor_dot/ns_motor).powi(2)
+                /(ns_motor*(sb_motor.powi(2) + (1.0 - theta_motor_dot/ns_motor).powi(2)).powi(2))
+                - 2.0*Tb_motor*sb_motor/(ns_motor*(sb_motor.powi(2) + (1.0 - theta_motor_dot/ns_motor).powi(2)));
+        }
+        T_traction_motor_by_theta_motor_dot {
+            traction_motor => -2.0*Tp_motor*d_motor
+                *(per_wb_motor*(1.0 + per_wb_motor*theta_motor_dot)
+                /(round_motor.powi(2) + (1.0 + per_wb_motor*theta_motor_dot).powi(2)).sqrt()
+                - per_wb_motor*(1.0 - per_wb_motor*theta_motor_dot)
+                /(round_motor.powi(2) + (1.0 - per_wb_motor*theta_motor_dot).powi(2)).sqrt())
+                /((round_motor.powi(2) + (1.0 - per_wb_motor*theta_motor_dot).powi(2)).sqrt()
+                + (round_motor.powi(2) + (1.0 + per_wb_motor*theta_motor_dot).powi(2)).sqrt()).powi(2);
+        }
+        T_fan_fan_by_theta_fan_dot {
+            fan_load => -cf_fan*theta_fan_dot.powi(2)/(w0_fan.powi(2) + theta_fan_dot.powi(2)).sqrt()
+                - cf_fan*(w0_fan.powi(2) + theta_fan_dot.powi(2)).sqrt();
         }
     }
     switches {
@@ -190,6 +245,8 @@ equations! {
         }
         potential { _ => k12*touch12*over12.powi(2)/2.0; }
         dissipation {
+            speed_governor => c_motor*theta_motor_dot.powi(2)/2.0;
+            dc_motor => Ts_motor*theta_motor_dot.powi(2)/(2.0*n0_motor);
             damping => (I1*alpha_M*(s_dot/(2.0*h*N1) + theta_dot/N1).powi(2) + I2*alpha_M*(theta_dot/N2 - s_dot/(2.0*h*N2)).powi(2)
                 + beta_K*k12_mid*damp12*over12_dot.powi(2))/2.0;
         }
@@ -200,12 +257,28 @@ equations! {
         roll12 "friction of the mesh, through the rolling of the gears" {}
         power { sliding_friction_12 => -arm12*F_mu12*psi12_dot; }
         motor "driving torque of the driving gear" { torques => T_motor*(s/(2.0*h*N1) + theta/N1); }
+        governor "torque c n of the governor; its part -c omega is in D" { speed_governor => c_motor*n_motor*(s/(2.0*h*N1) + theta/N1); }
+        dc "stall torque of the DC motor; the part proportional to the speed is in D" { dc_motor => Ts_motor*(s/(2.0*h*N1) + theta/N1); }
+        induction "torque of the induction motor" {}
+        power { induction_motor => T_induction_motor*(s_dot/(2.0*h*N1) + theta_dot/N1); }
+        traction "torque of the traction motor" {}
+        power { traction_motor => T_traction_motor*(s_dot/(2.0*h*N1) + theta_dot/N1); }
         load "load torque behind the joint, against its rotation" {}
         power { torques => -T_load*ratio*(theta_dot/N2 - s_dot/(2.0*h*N2)); }
+        fan "torque of the fan, against its rotation" {}
+        power { fan_load => T_fan_fan*(theta_dot/N2 - s_dot/(2.0*h*N2)); }
     }
     work {
-        theta { torques => T_motor/N1; }
-        s { torques => T_motor/(2.0*h*N1); }
+        theta {
+            torques => T_motor/N1;
+            speed_governor => c_motor*n_motor/N1;
+            dc_motor => Ts_motor/N1;
+        }
+        s {
+            torques => T_motor/(2.0*h*N1);
+            speed_governor => c_motor*n_motor/(2.0*h*N1);
+            dc_motor => Ts_motor/(2.0*h*N1);
+        }
     }
     mass {
         theta theta { _ => I1/N1.powi(2) + I2/N2.powi(2) + I_o*ratio.powi(2)/N2.powi(2); }
@@ -239,6 +312,11 @@ equations! {
             transmission_error_12_and_jump_terms => k12*de12*touch12*over12;
             sliding_friction_12 => -arm12*F_mu12/N1 - arm12*F_mu12/N2;
             torques => T_motor/N1 - T_load*ratio/N2;
+            speed_governor => c_motor*n_motor/N1 - c_motor*theta_motor_dot/N1;
+            dc_motor => Ts_motor/N1 - Ts_motor*theta_motor_dot/(N1*n0_motor);
+            induction_motor => T_induction_motor/N1;
+            traction_motor => T_traction_motor/N1;
+            fan_load => T_fan_fan/N2;
             damping => I2*alpha_M*s_dot/(2.0*h*N2.powi(2)) - I1*alpha_M*theta_dot/N1.powi(2) - I2*alpha_M*theta_dot/N2.powi(2)
                 - I1*alpha_M*s_dot/(2.0*h*N1.powi(2));
             jump_terms => -dk12*touch12*over12.powi(2)/2.0;
@@ -249,6 +327,11 @@ equations! {
             backlash_12 => -k12*clip12*touch12*over12;
             sliding_friction_12 => arm12*F_mu12/(2.0*h*N2) - tan_a*side12*F_mu12 - arm12*F_mu12/(2.0*h*N1);
             torques => (T_motor/(h*N1) + T_load*ratio/(h*N2))/2.0;
+            speed_governor => (c_motor*n_motor/(h*N1) - c_motor*theta_motor_dot/(h*N1))/2.0;
+            dc_motor => (Ts_motor/(h*N1) - Ts_motor*theta_motor_dot/(h*N1*n0_motor))/2.0;
+            induction_motor => T_induction_motor/(2.0*h*N1);
+            traction_motor => T_traction_motor/(2.0*h*N1);
+            fan_load => -T_fan_fan/(2.0*h*N2);
             damping => I2*alpha_M*theta_dot/(2.0*h*N2.powi(2)) - beta_K*k12_mid*damp12*over12_dot
                 - I1*alpha_M*s_dot/(4.0*h.powi(2)*N1.powi(2)) - I2*alpha_M*s_dot/(4.0*h.powi(2)*N2.powi(2))
                 - I1*alpha_M*theta_dot/(2.0*h*N1.powi(2));
@@ -281,11 +364,21 @@ equations! {
             _ => I_o*dratio*ratio*s_dot/(h*N2.powi(3)) - 2.0*I_o*dratio*ratio*theta_dot/N2.powi(3);
             sliding_friction_12 => -arm12*F_mu12_by_psi12_dot/N1.powi(2) - 2.0*arm12*F_mu12_by_psi12_dot/(N1*N2)
                 - arm12*F_mu12_by_psi12_dot/N2.powi(2);
+            speed_governor => -c_motor/N1.powi(2);
+            dc_motor => -Ts_motor/(N1.powi(2)*n0_motor);
+            induction_motor => T_induction_motor_by_theta_motor_dot/N1.powi(2);
+            traction_motor => T_traction_motor_by_theta_motor_dot/N1.powi(2);
+            fan_load => T_fan_fan_by_theta_fan_dot/N2.powi(2);
             damping => -I1*alpha_M/N1.powi(2) - I2*alpha_M/N2.powi(2);
         }
         theta s_dot {
             _ => I_o*dratio*ratio*theta_dot/(h*N2.powi(3)) - I_o*dratio*ratio*s_dot/(2.0*h.powi(2)*N2.powi(3));
             sliding_friction_12 => (arm12*F_mu12_by_psi12_dot/(h*N2.powi(2)) - arm12*F_mu12_by_psi12_dot/(h*N1.powi(2)))/2.0;
+            speed_governor => -c_motor/(2.0*h*N1.powi(2));
+            dc_motor => -Ts_motor/(2.0*h*N1.powi(2)*n0_motor);
+            induction_motor => T_induction_motor_by_theta_motor_dot/(2.0*h*N1.powi(2));
+            traction_motor => T_traction_motor_by_theta_motor_dot/(2.0*h*N1.powi(2));
+            fan_load => -T_fan_fan_by_theta_fan_dot/(2.0*h*N2.powi(2));
             damping => (I2*alpha_M/(h*N2.powi(2)) - I1*alpha_M/(h*N1.powi(2)))/2.0;
         }
         s theta {
@@ -318,6 +411,11 @@ equations! {
             _ => I_o*dratio*ratio*theta_dot/(h*N2.powi(3)) - I_o*dratio*ratio*s_dot/(2.0*h.powi(2)*N2.powi(3));
             sliding_friction_12 => arm12*F_mu12_by_psi12_dot/(2.0*h*N2.powi(2)) - tan_a*side12*F_mu12_by_psi12_dot/N1
                 - tan_a*side12*F_mu12_by_psi12_dot/N2 - arm12*F_mu12_by_psi12_dot/(2.0*h*N1.powi(2));
+            speed_governor => -c_motor/(2.0*h*N1.powi(2));
+            dc_motor => -Ts_motor/(2.0*h*N1.powi(2)*n0_motor);
+            induction_motor => T_induction_motor_by_theta_motor_dot/(2.0*h*N1.powi(2));
+            traction_motor => T_traction_motor_by_theta_motor_dot/(2.0*h*N1.powi(2));
+            fan_load => -T_fan_fan_by_theta_fan_dot/(2.0*h*N2.powi(2));
             damping => (I2*alpha_M/(h*N2.powi(2)) - I1*alpha_M/(h*N1.powi(2)))/2.0;
         }
         s s_dot {
@@ -325,6 +423,11 @@ equations! {
             sliding_friction_12 => arm12*F_mu12_by_psi12_dot/(2.0*h.powi(2)*N1*N2) - arm12*F_mu12_by_psi12_dot/(4.0*h.powi(2)*N1.powi(2))
                 - arm12*F_mu12_by_psi12_dot/(4.0*h.powi(2)*N2.powi(2)) - tan_a*side12*F_mu12_by_psi12_dot/(2.0*h*N1)
                 + tan_a*side12*F_mu12_by_psi12_dot/(2.0*h*N2);
+            speed_governor => -c_motor/(4.0*h.powi(2)*N1.powi(2));
+            dc_motor => -Ts_motor/(4.0*h.powi(2)*N1.powi(2)*n0_motor);
+            induction_motor => T_induction_motor_by_theta_motor_dot/(4.0*h.powi(2)*N1.powi(2));
+            traction_motor => T_traction_motor_by_theta_motor_dot/(4.0*h.powi(2)*N1.powi(2));
+            fan_load => T_fan_fan_by_theta_fan_dot/(4.0*h.powi(2)*N2.powi(2));
             damping => -beta_K*k12_mid*damp12 - I1*alpha_M/(4.0*h.powi(2)*N1.powi(2)) - I2*alpha_M/(4.0*h.powi(2)*N2.powi(2));
         }
     }
@@ -336,16 +439,34 @@ equations! {
             }
         }
         damping {
-            theta theta { damping => I1*alpha_M/N1.powi(2) + I2*alpha_M/N2.powi(2); }
-            theta s { damping => (I1*alpha_M/(h*N1.powi(2)) - I2*alpha_M/(h*N2.powi(2)))/2.0; }
-            s s { damping => beta_K*k12_mid*damp12 + I1*alpha_M/(4.0*h.powi(2)*N1.powi(2)) + I2*alpha_M/(4.0*h.powi(2)*N2.powi(2)); }
+            theta theta {
+                speed_governor => c_motor/N1.powi(2);
+                dc_motor => Ts_motor/(N1.powi(2)*n0_motor);
+                damping => I1*alpha_M/N1.powi(2) + I2*alpha_M/N2.powi(2);
+            }
+            theta s {
+                speed_governor => c_motor/(2.0*h*N1.powi(2));
+                dc_motor => Ts_motor/(2.0*h*N1.powi(2)*n0_motor);
+                damping => (I1*alpha_M/(h*N1.powi(2)) - I2*alpha_M/(h*N2.powi(2)))/2.0;
+            }
+            s s {
+                speed_governor => c_motor/(4.0*h.powi(2)*N1.powi(2));
+                dc_motor => Ts_motor/(4.0*h.powi(2)*N1.powi(2)*n0_motor);
+                damping => beta_K*k12_mid*damp12 + I1*alpha_M/(4.0*h.powi(2)*N1.powi(2)) + I2*alpha_M/(4.0*h.powi(2)*N2.powi(2));
+            }
         }
         load {
-            theta { torques => T_motor/N1; }
+            theta {
+                torques => T_motor/N1;
+                speed_governor => c_motor*n_motor/N1;
+                dc_motor => Ts_motor/N1;
+            }
             s {
                 _ => k12*touch12*edge12 + k12*touch12*e12;
                 backlash_12 => k12*clip12*touch12*edge12 + k12*clip12*touch12*e12;
                 torques => T_motor/(2.0*h*N1);
+                speed_governor => c_motor*n_motor/(2.0*h*N1);
+                dc_motor => Ts_motor/(2.0*h*N1);
             }
         }
     }
@@ -353,7 +474,10 @@ equations! {
     nonlinear_with {
         sliding_friction_12 "-side12*F_mu12 in the torque `slide12`";
         sliding_friction_12 "-arm12*F_mu12 in the torque `roll12`";
+        induction_motor "T_induction_motor in the torque `induction`";
+        traction_motor "T_traction_motor in the torque `traction`";
         torques "T_load in the torque `load`, whose displacement is not linear";
+        fan_load "T_fan_fan in the torque `fan`";
     }
     jump k12 { step { _ => dk12*touch12*over12.powi(2)/2.0; } }
     jump e12 { step { _ => k12*de12.powi(2)*touch12/2.0 - k12*de12*touch12*over12; } }
@@ -389,9 +513,30 @@ equations! {
             _ => roll12_power;
         }
         power_motor "W" with torques, "power of the driving torque of the driving gear: positive if it drives" { _ => motor_power; }
+        governor_braking "W" with speed_governor,
+            "power that the motor takes back: the part of its torque that is proportional to the speed, times the speed" {
+            _ => c_motor*theta_motor_dot.powi(2);
+        }
+        power_governor "W" with speed_governor,
+            "power of the torque c n of the governor; its part -c omega is in D: positive if it drives" {
+            _ => governor_power;
+        }
+        dc_braking "W" with dc_motor,
+            "power that the motor takes back: the part of its torque that is proportional to the speed, times the speed" {
+            _ => Ts_motor*theta_motor_dot.powi(2)/n0_motor;
+        }
+        power_dc "W" with dc_motor,
+            "power of the stall torque of the DC motor; the part proportional to the speed is in D: positive if it drives" {
+            _ => dc_power;
+        }
+        power_induction "W" with induction_motor, "power of the torque of the induction motor: positive if it drives" {
+            _ => induction_power;
+        }
+        power_traction "W" with traction_motor, "power of the torque of the traction motor: positive if it drives" { _ => traction_power; }
         power_load "W" with torques, "power of the load torque behind the joint, against its rotation: positive if it drives" {
             _ => load_power;
         }
+        power_fan "W" with fan_load, "power of the torque of the fan, against its rotation: positive if it drives" { _ => fan_power; }
         inertia_damping_loss "W" with damping, "power that the damping in proportion to inertia takes" {
             _ => 2.0*alpha_M*((I1*(s_dot/(2.0*h*N1) + theta_dot/N1).powi(2) + I2*(theta_dot/N2 - s_dot/(2.0*h*N2)).powi(2))/2.0);
         }
@@ -429,7 +574,7 @@ equations! {
 //
 // | output | sums | products, quotients | functions, roots |
 // | --- | --- | --- | --- |
-// | constants (once a scene) | 0 | 2 | 2 |
-// | named forces | 2 | 9 | 2 |
-// | force | 17 | 140 | 0 |
+// | constants (once a scene) | 0 | 3 | 2 |
+// | named forces | 17 | 48 | 5 |
+// | force | 21 | 176 | 0 |
 // | energy steps, all laws | 1 | 11 | 0 |

@@ -109,7 +109,23 @@ equations! {
         k30 "N*m/rad" required, from 0.0 to inf, "torsional stiffness of the shaft between discs 30 and 31";
         k31 "N*m/rad" required, from 0.0 to inf, "torsional stiffness of the shaft between discs 31 and 32";
         T_motor "N*m" required with torques, open -inf to inf, "driving torque of the first disc";
+        c_motor "N*m*s/rad" required with speed_governor, open 0.0 to inf,
+            "gain of the governor of the first disc: torque per difference of set point and speed";
+        n_motor "rad/s" required with speed_governor, open -inf to inf, "set point of the speed governor of the first disc";
+        Ts_motor "N*m" required with dc_motor, open 0.0 to inf, "stall torque of the first disc";
+        n0_motor "rad/s" required with dc_motor, open 0.0 to inf, "no-load speed of the first disc";
+        Tb_motor "N*m" required with induction_motor, open 0.0 to inf, "breakdown torque of the first disc, its largest torque";
+        sb_motor "1" required with induction_motor, open 0.0 to inf, "slip at which the first disc has its breakdown torque";
+        ns_motor "rad/s" required with induction_motor, open 0.0 to inf, "synchronous speed of the first disc";
+        Tp_motor "N*m" required with traction_motor, open 0.0 to inf, "peak torque of the first disc, up to its base speed";
+        Pp_motor "W" required with traction_motor, open 0.0 to inf, "peak power of the first disc, above its base speed Pp/Tp";
+        d_motor "1" default 1.0, open -inf to inf, "demand on the first disc: 1 drives with its peak torque or power, -1 brakes with them";
+        round_motor "1" default 0.01, open 0.0 to inf,
+            "rounding of the corner of the torque of the first disc at its base speed, relative to that";
         T_load "N*m" required with torques, open -inf to inf, "load torque of the last disc, against its rotation";
+        cf_load "N*m*s^2/rad^2" required with fan_load, from 0.0 to inf, "fan torque of the last disc divided by the square of its speed";
+        w0_load "rad/s" default 0.01, open 0.0 to inf,
+            "speed of the last disc below which the fan torque is linear instead of quadratic in the speed";
         alpha_M "1/s" default 0.0, from 0.0 to inf, "damping in proportion to inertia";
         beta_K "s" default 0.0, from 0.0 to inf, "damping in proportion to stiffness";
     }
@@ -125,11 +141,19 @@ equations! {
     }
     effects {
         torques "constant torques of motor and load";
+        speed_governor excludes(dc_motor, induction_motor, traction_motor)
+            "a speed governor: motor torque proportional to the set point minus the speed";
+        dc_motor excludes(induction_motor, traction_motor)
+            "a DC motor at constant voltage: its torque falls linearly from stall to no load";
+        induction_motor excludes(traction_motor) "an induction motor, its torque by the formula of Kloss";
+        traction_motor "a traction motor: its peak torque up to the base speed, constant power above it, times the demand";
+        fan_load "a fan as load: torque proportional to the square of the speed, against the rotation";
         damping "Rayleigh damping, C = alpha_M M + beta_K K at the mid stiffness";
     }
     conditions {
     }
 
+    constants { per_wb_motor = Tp_motor/Pp_motor; }
     deflections {
         twist1 = theta1 - theta2;
         twist2 = theta2 - theta3;
@@ -162,6 +186,40 @@ equations! {
         twist29 = theta29 - theta30;
         twist30 = theta30 - theta31;
         twist31 = theta31 - theta32;
+        theta_motor = theta1;
+        theta_load = theta32;
+    }
+    forces {
+        T_induction_motor {
+            induction_motor => 2.0*Tb_motor*sb_motor*(1.0 - theta_motor_dot/ns_motor)
+                /(sb_motor.powi(2) + (1.0 - theta_motor_dot/ns_motor).powi(2));
+        }
+        T_traction_motor {
+            traction_motor => 2.0*Tp_motor*d_motor
+                /((round_motor.powi(2) + (1.0 - per_wb_motor*theta_motor_dot).powi(2)).sqrt()
+                + (round_motor.powi(2) + (1.0 + per_wb_motor*theta_motor_dot).powi(2)).sqrt());
+        }
+        T_fan_load { fan_load => -cf_load*theta_load_dot*(w0_load.powi(2) + theta_load_dot.powi(2)).sqrt(); }
+    }
+    partials {
+        T_induction_motor_by_theta_motor_dot {
+            induction_motor => 4.0*Tb_motor*sb_motor*(1.0 - theta_motor_dot/ns_motor).powi(2)
+                /(ns_motor*(sb_motor.powi(2) + (1.0 - theta_motor_dot/ns_motor).powi(2)).powi(2))
+                - 2.0*Tb_motor*sb_motor/(ns_motor*(sb_motor.powi(2) + (1.0 - theta_motor_dot/ns_motor).powi(2)));
+        }
+        T_traction_motor_by_theta_motor_dot {
+            traction_motor => -2.0*Tp_motor*d_motor
+                *(per_wb_motor*(1.0 + per_wb_motor*theta_motor_dot)
+                /(round_motor.powi(2) + (1.0 + per_wb_motor*theta_motor_dot).powi(2)).sqrt()
+                - per_wb_motor*(1.0 - per_wb_motor*theta_motor_dot)
+                /(round_motor.powi(2) + (1.0 - per_wb_motor*theta_motor_dot).powi(2)).sqrt())
+                /((round_motor.powi(2) + (1.0 - per_wb_motor*theta_motor_dot).powi(2)).sqrt()
+                + (round_motor.powi(2) + (1.0 + per_wb_motor*theta_motor_dot).powi(2)).sqrt()).powi(2);
+        }
+        T_fan_load_by_theta_load_dot {
+            fan_load => -cf_load*theta_load_dot.powi(2)/(w0_load.powi(2) + theta_load_dot.powi(2)).sqrt()
+                - cf_load*(w0_load.powi(2) + theta_load_dot.powi(2)).sqrt();
+        }
     }
     energies {
         kinetic {
@@ -184,6 +242,8 @@ equations! {
                 + k9*twist9.powi(2))/2.0;
         }
         dissipation {
+            speed_governor => c_motor*theta_motor_dot.powi(2)/2.0;
+            dc_motor => Ts_motor*theta_motor_dot.powi(2)/(2.0*n0_motor);
             damping => (I1*alpha_M*theta1_dot.powi(2) + I10*alpha_M*theta10_dot.powi(2) + I11*alpha_M*theta11_dot.powi(2)
                 + I12*alpha_M*theta12_dot.powi(2) + I13*alpha_M*theta13_dot.powi(2) + I14*alpha_M*theta14_dot.powi(2)
                 + I15*alpha_M*theta15_dot.powi(2) + I16*alpha_M*theta16_dot.powi(2) + I17*alpha_M*theta17_dot.powi(2)
@@ -209,10 +269,22 @@ equations! {
     }
     torques {
         motor "driving torque of the first disc" { torques => T_motor*theta1; }
+        governor "torque c n of the governor; its part -c omega is in D" { speed_governor => c_motor*n_motor*theta1; }
+        dc "stall torque of the DC motor; the part proportional to the speed is in D" { dc_motor => Ts_motor*theta1; }
+        induction "torque of the induction motor" {}
+        power { induction_motor => T_induction_motor*theta1_dot; }
+        traction "torque of the traction motor" {}
+        power { traction_motor => T_traction_motor*theta1_dot; }
         load "load torque of the last disc, against its rotation" { torques => -T_load*theta32; }
+        fan "torque of the fan, against its rotation" {}
+        power { fan_load => T_fan_load*theta32_dot; }
     }
     work {
-        theta1 { torques => T_motor; }
+        theta1 {
+            torques => T_motor;
+            speed_governor => c_motor*n_motor;
+            dc_motor => Ts_motor;
+        }
         theta32 { torques => -T_load; }
     }
     mass {
@@ -253,6 +325,10 @@ equations! {
         theta1 {
             _ => -k1*twist1;
             torques => T_motor;
+            speed_governor => c_motor*n_motor - c_motor*theta_motor_dot;
+            dc_motor => Ts_motor - Ts_motor*theta_motor_dot/n0_motor;
+            induction_motor => T_induction_motor;
+            traction_motor => T_traction_motor;
             damping => -I1*alpha_M*theta1_dot - beta_K*k1*twist1_dot;
         }
         theta2 {
@@ -378,13 +454,20 @@ equations! {
         theta32 {
             _ => k31*twist31;
             torques => -T_load;
+            fan_load => T_fan_load;
             damping => beta_K*k31*twist31_dot - I32*alpha_M*theta32_dot;
         }
     }
     jacobian {
         theta1 theta1 { _ => -k1; }
         theta1 theta2 { _ => k1; }
-        theta1 theta1_dot { damping => -I1*alpha_M - beta_K*k1; }
+        theta1 theta1_dot {
+            speed_governor => -c_motor;
+            dc_motor => -Ts_motor/n0_motor;
+            induction_motor => T_induction_motor_by_theta_motor_dot;
+            traction_motor => T_traction_motor_by_theta_motor_dot;
+            damping => -I1*alpha_M - beta_K*k1;
+        }
         theta1 theta2_dot { damping => beta_K*k1; }
         theta2 theta1 { _ => k1; }
         theta2 theta2 { _ => -k1 - k2; }
@@ -569,7 +652,10 @@ equations! {
         theta32 theta31 { _ => k31; }
         theta32 theta32 { _ => -k31; }
         theta32 theta31_dot { damping => beta_K*k31; }
-        theta32 theta32_dot { damping => -I32*alpha_M - beta_K*k31; }
+        theta32 theta32_dot {
+            fan_load => T_fan_load_by_theta_load_dot;
+            damping => -I32*alpha_M - beta_K*k31;
+        }
     }
     cell {
         stiffness {
@@ -638,7 +724,11 @@ equations! {
             theta32 theta32 { _ => k31; }
         }
         damping {
-            theta1 theta1 { damping => I1*alpha_M + beta_K*k1; }
+            theta1 theta1 {
+                speed_governor => c_motor;
+                dc_motor => Ts_motor/n0_motor;
+                damping => I1*alpha_M + beta_K*k1;
+            }
             theta1 theta2 { damping => -beta_K*k1; }
             theta2 theta2 { damping => I2*alpha_M + beta_K*k1 + beta_K*k2; }
             theta2 theta3 { damping => -beta_K*k2; }
@@ -703,9 +793,18 @@ equations! {
             theta32 theta32 { damping => I32*alpha_M + beta_K*k31; }
         }
         load {
-            theta1 { torques => T_motor; }
+            theta1 {
+                torques => T_motor;
+                speed_governor => c_motor*n_motor;
+                dc_motor => Ts_motor;
+            }
             theta32 { torques => -T_load; }
         }
+    }
+    nonlinear_with {
+        induction_motor "T_induction_motor in the torque `induction`";
+        traction_motor "T_traction_motor in the torque `traction`";
+        fan_load "T_fan_load in the torque `fan`";
     }
     outputs {
         rotor_speed_1 "rad/s", "rotational speed of the disc 1" { _ => theta1_dot; }
@@ -1020,9 +1119,30 @@ equations! {
         }
         shaft_loss_31 "W", "power that the damper of the shaft between discs 31 and 32 takes" { damping => beta_K*k31*twist31_dot.powi(2); }
         power_motor "W" with torques, "power of the driving torque of the first disc: positive if it drives" { _ => motor_power; }
+        governor_braking "W" with speed_governor,
+            "power that the motor takes back: the part of its torque that is proportional to the speed, times the speed" {
+            _ => c_motor*theta_motor_dot.powi(2);
+        }
+        power_governor "W" with speed_governor,
+            "power of the torque c n of the governor; its part -c omega is in D: positive if it drives" {
+            _ => governor_power;
+        }
+        dc_braking "W" with dc_motor,
+            "power that the motor takes back: the part of its torque that is proportional to the speed, times the speed" {
+            _ => Ts_motor*theta_motor_dot.powi(2)/n0_motor;
+        }
+        power_dc "W" with dc_motor,
+            "power of the stall torque of the DC motor; the part proportional to the speed is in D: positive if it drives" {
+            _ => dc_power;
+        }
+        power_induction "W" with induction_motor, "power of the torque of the induction motor: positive if it drives" {
+            _ => induction_power;
+        }
+        power_traction "W" with traction_motor, "power of the torque of the traction motor: positive if it drives" { _ => traction_power; }
         power_load "W" with torques, "power of the load torque of the last disc, against its rotation: positive if it drives" {
             _ => load_power;
         }
+        power_fan "W" with fan_load, "power of the torque of the fan, against its rotation: positive if it drives" { _ => fan_power; }
         inertia_damping_loss "W" with damping, "power that the damping in proportion to inertia takes" {
             _ => 2.0*alpha_M*((I1*theta1_dot.powi(2) + I10*theta10_dot.powi(2) + I11*theta11_dot.powi(2) + I12*theta12_dot.powi(2)
                 + I13*theta13_dot.powi(2) + I14*theta14_dot.powi(2) + I15*theta15_dot.powi(2) + I16*theta16_dot.powi(2)
@@ -1053,4 +1173,6 @@ equations! {
 //
 // | output | sums | products, quotients | functions, roots |
 // | --- | --- | --- | --- |
-// | force | 92 | 250 | 0 |
+// | constants (once a scene) | 0 | 1 | 0 |
+// | named forces | 15 | 39 | 3 |
+// | force | 94 | 254 | 0 |

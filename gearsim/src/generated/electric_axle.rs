@@ -46,12 +46,24 @@ equations! {
         w_mix34 "rad/s" default 0.1, open 0.0 to inf,
             "rolling speed omega1 + omega2 of the mesh of gears 3 and 4 below which friction decreases to zero (mixed film)";
         T_motor "N*m" required with torques, open -inf to inf, "driving torque of the motor";
-        Ts "N*m" required with dc_motor, open 0.0 to inf, "stall torque of the motor";
-        n0 "rad/s" required with dc_motor, open 0.0 to inf, "no-load speed of the motor";
-        Tb "N*m" required with induction_motor, open 0.0 to inf, "breakdown torque of the motor, its largest torque";
-        sb "1" required with induction_motor, open 0.0 to inf, "slip at which the motor has its breakdown torque";
-        ns "rad/s" required with induction_motor, open 0.0 to inf, "synchronous speed of the motor";
+        c_motor "N*m*s/rad" required with speed_governor, open 0.0 to inf,
+            "gain of the governor of the motor: torque per difference of set point and speed";
+        n_motor "rad/s" required with speed_governor, open -inf to inf, "set point of the speed governor of the motor";
+        Ts_motor "N*m" required with dc_motor, open 0.0 to inf, "stall torque of the motor";
+        n0_motor "rad/s" required with dc_motor, open 0.0 to inf, "no-load speed of the motor";
+        Tb_motor "N*m" required with induction_motor, open 0.0 to inf, "breakdown torque of the motor, its largest torque";
+        sb_motor "1" required with induction_motor, open 0.0 to inf, "slip at which the motor has its breakdown torque";
+        ns_motor "rad/s" required with induction_motor, open 0.0 to inf, "synchronous speed of the motor";
+        Tp_motor "N*m" required with traction_motor, open 0.0 to inf, "peak torque of the motor, up to its base speed";
+        Pp_motor "W" required with traction_motor, open 0.0 to inf, "peak power of the motor, above its base speed Pp/Tp";
+        d_motor "1" default 1.0, open -inf to inf, "demand on the motor: 1 drives with its peak torque or power, -1 brakes with them";
+        round_motor "1" default 0.01, open 0.0 to inf,
+            "rounding of the corner of the torque of the motor at its base speed, relative to that";
         T_load "N*m" required with torques, open -inf to inf, "load torque of the wheel, by slope and air, against its rotation";
+        cf_load "N*m*s^2/rad^2" required with fan_load, from 0.0 to inf,
+            "fan torque of the wheel, by slope and air divided by the square of its speed";
+        w0_load "rad/s" default 0.01, open 0.0 to inf,
+            "speed of the wheel, by slope and air below which the fan torque is linear instead of quadratic in the speed";
         Tc_w "N*m" required with dry_friction_w, from 0.0 to inf, "Coulomb friction of the rolling wheel: constant, against the motion";
         rise_w "1" default 0.0, from 0.0 to inf,
             "excess of the breakaway torque of the rolling wheel over its Coulomb friction, relative to that";
@@ -95,8 +107,13 @@ equations! {
         sliding_friction_34 of sliding_friction requires(stiffness_step)
             "Coulomb friction between the flanks, against their sliding, which turns as a tooth pair passes the pitch point";
         torques "constant torques of motor and load";
-        dc_motor excludes(induction_motor) "a DC motor at constant voltage: its torque falls linearly from stall to no load";
-        induction_motor "an induction motor, its torque by the formula of Kloss";
+        speed_governor excludes(dc_motor, induction_motor, traction_motor)
+            "a speed governor: motor torque proportional to the set point minus the speed";
+        dc_motor excludes(induction_motor, traction_motor)
+            "a DC motor at constant voltage: its torque falls linearly from stall to no load";
+        induction_motor excludes(traction_motor) "an induction motor, its torque by the formula of Kloss";
+        traction_motor "a traction motor: its peak torque up to the base speed, constant power above it, times the demand";
+        fan_load "a fan as load: torque proportional to the square of the speed, against the rotation";
         dry_friction_w of dry_friction
             "dry friction with sticking: a constant torque against the motion, and at rest up to the breakaway torque";
         viscous_friction_w of viscous_friction "friction proportional to speed";
@@ -132,6 +149,7 @@ equations! {
         tan_a = alpha.sin()/alpha.cos();
         tiny12 = 1.0/1000000000000.0;
         tiny34 = 1.0/1000000000000.0;
+        per_wb_motor = Tp_motor/Pp_motor;
     }
     deflections {
         lead = theta_m - s1/(2.0*h1*N1) - theta1/N1;
@@ -143,6 +161,8 @@ equations! {
         over34 = s2 - edge34 - e34;
         tau34 = tan_a*s2;
         psi34 = s2/(2.0*h2*N3) - s2/(2.0*h2*N4) + theta2/N3 + theta2/N4;
+        theta_motor = theta_m;
+        theta_load = theta2/N4 - psi - s2/(2.0*h2*N4);
         slip_w = theta2/N4 - psi - s2/(2.0*h2*N4);
     }
     forces {
@@ -154,6 +174,16 @@ equations! {
             sliding_friction_34 => mu34*k34*touch34*psi34_dot*(tiny34.powi(2) + over34.powi(2)).sqrt()
                 /(w_mix34.powi(2) + psi34_dot.powi(2)).sqrt();
         }
+        T_induction_motor {
+            induction_motor => 2.0*Tb_motor*sb_motor*(1.0 - theta_motor_dot/ns_motor)
+                /(sb_motor.powi(2) + (1.0 - theta_motor_dot/ns_motor).powi(2));
+        }
+        T_traction_motor {
+            traction_motor => 2.0*Tp_motor*d_motor
+                /((round_motor.powi(2) + (1.0 - per_wb_motor*theta_motor_dot).powi(2)).sqrt()
+                + (round_motor.powi(2) + (1.0 + per_wb_motor*theta_motor_dot).powi(2)).sqrt());
+        }
+        T_fan_load { fan_load => -cf_load*theta_load_dot*(w0_load.powi(2) + theta_load_dot.powi(2)).sqrt(); }
     }
     partials {
         F_mu12_by_over12 {
@@ -181,6 +211,24 @@ equations! {
         F_mu34_by_k34 {
             sliding_friction_34 => mu34*touch34*psi34_dot*(tiny34.powi(2) + over34.powi(2)).sqrt()
                 /(w_mix34.powi(2) + psi34_dot.powi(2)).sqrt();
+        }
+        T_induction_motor_by_theta_motor_dot {
+            induction_motor => 4.0*Tb_motor*sb_motor*(1.0 - theta_motor_dot/ns_motor).powi(2)
+                /(ns_motor*(sb_motor.powi(2) + (1.0 - theta_motor_dot/ns_motor).powi(2)).powi(2))
+                - 2.0*Tb_motor*sb_motor/(ns_motor*(sb_motor.powi(2) + (1.0 - theta_motor_dot/ns_motor).powi(2)));
+        }
+        T_traction_motor_by_theta_motor_dot {
+            traction_motor => -2.0*Tp_motor*d_motor
+                *(per_wb_motor*(1.0 + per_wb_motor*theta_motor_dot)
+                /(round_motor.powi(2) + (1.0 + per_wb_motor*theta_motor_dot).powi(2)).sqrt()
+                - per_wb_motor*(1.0 - per_wb_motor*theta_motor_dot)
+                /(round_motor.powi(2) + (1.0 - per_wb_motor*theta_motor_dot).powi(2)).sqrt())
+                /((round_motor.powi(2) + (1.0 - per_wb_motor*theta_motor_dot).powi(2)).sqrt()
+                + (round_motor.powi(2) + (1.0 + per_wb_motor*theta_motor_dot).powi(2)).sqrt()).powi(2);
+        }
+        T_fan_load_by_theta_load_dot {
+            fan_load => -cf_load*theta_load_dot.powi(2)/(w0_load.powi(2) + theta_load_dot.powi(2)).sqrt()
+                - cf_load*(w0_load.powi(2) + theta_load_dot.powi(2)).sqrt();
         }
     }
     switches {
@@ -349,7 +397,8 @@ equations! {
         }
         potential { _ => (k_c*twist_c.powi(2) + k_h*twist_h.powi(2) + k12*touch12*over12.powi(2) + k34*touch34*over34.powi(2))/2.0; }
         dissipation {
-            dc_motor => Ts*theta_m_dot.powi(2)/(2.0*n0);
+            speed_governor => c_motor*theta_motor_dot.powi(2)/2.0;
+            dc_motor => Ts_motor*theta_motor_dot.powi(2)/(2.0*n0_motor);
             viscous_friction_w => c_w*(theta2_dot/N4 - psi_dot - s2_dot/(2.0*h2*N4)).powi(2)/2.0;
             damping => (I1*alpha_M*(s1_dot/(2.0*h1*N1) + theta1_dot/N1).powi(2) + I2*alpha_M*(theta1_dot/N2 - s1_dot/(2.0*h1*N2)).powi(2)
                 + I3*alpha_M*(s2_dot/(2.0*h2*N3) + theta2_dot/N3).powi(2) + I4*alpha_M*(theta2_dot/N4 - s2_dot/(2.0*h2*N4)).powi(2)
@@ -368,15 +417,21 @@ equations! {
         roll34 "friction of the mesh of gears 3 and 4, through the rolling of the gears" {}
         power { sliding_friction_34 => -arm34*F_mu34*psi34_dot; }
         motor "driving torque of the motor" { torques => T_motor*theta_m; }
-        dc "stall torque of the DC motor; the part proportional to the speed is in D" { dc_motor => Ts*theta_m; }
+        governor "torque c n of the governor; its part -c omega is in D" { speed_governor => c_motor*n_motor*theta_m; }
+        dc "stall torque of the DC motor; the part proportional to the speed is in D" { dc_motor => Ts_motor*theta_m; }
         induction "torque of the induction motor" {}
-        power { induction_motor => 2.0*Tb*sb*theta_m_dot*(1.0 - theta_m_dot/ns)/(sb.powi(2) + (1.0 - theta_m_dot/ns).powi(2)); }
+        power { induction_motor => T_induction_motor*theta_m_dot; }
+        traction "torque of the traction motor" {}
+        power { traction_motor => T_traction_motor*theta_m_dot; }
         load "load torque of the wheel, by slope and air, against its rotation" { torques => T_load*(psi + s2/(2.0*h2*N4) - theta2/N4); }
+        fan "torque of the fan, against its rotation" {}
+        power { fan_load => T_fan_load*(theta2_dot/N4 - psi_dot - s2_dot/(2.0*h2*N4)); }
     }
     work {
         theta_m {
             torques => T_motor;
-            dc_motor => Ts;
+            speed_governor => c_motor*n_motor;
+            dc_motor => Ts_motor;
         }
         theta2 { torques => -T_load/N4; }
         s2 { torques => T_load/(2.0*h2*N4); }
@@ -398,9 +453,10 @@ equations! {
         theta_m {
             overrunning_clutch => -Tdrag*drags - Tmax*slips;
             torques => T_motor;
-            dc_motor => Ts - Ts*theta_m_dot/n0;
-            induction_motor => 2.0*(Tb*sb/(1.0 + sb.powi(2) + theta_m_dot.powi(2)/ns.powi(2) - 2.0*theta_m_dot/ns)
-                - Tb*sb*theta_m_dot/(ns*(1.0 + sb.powi(2) + theta_m_dot.powi(2)/ns.powi(2) - 2.0*theta_m_dot/ns)));
+            speed_governor => c_motor*n_motor - c_motor*theta_motor_dot;
+            dc_motor => Ts_motor - Ts_motor*theta_motor_dot/n0_motor;
+            induction_motor => T_induction_motor;
+            traction_motor => T_traction_motor;
             damping => -I_m*alpha_M*theta_m_dot;
         }
         theta1 {
@@ -426,6 +482,7 @@ equations! {
             transmission_error_34_and_jump_terms => k34*de34*touch34*over34;
             sliding_friction_34 => -arm34*F_mu34/N3 - arm34*F_mu34/N4;
             torques => -T_load/N4;
+            fan_load => T_fan_load/N4;
             dry_friction_w => -Tc_w*dir_w/N4;
             viscous_friction_w => c_w*s2_dot/(2.0*h2*N4.powi(2)) - c_w*theta2_dot/N4.powi(2) + c_w*psi_dot/N4;
             damping => I_w*alpha_M*psi_dot/N4 - I3*alpha_M*theta2_dot/N3.powi(2) - I4*alpha_M*theta2_dot/N4.powi(2)
@@ -438,6 +495,7 @@ equations! {
             backlash_34 => -k34*clip34*touch34*over34;
             sliding_friction_34 => arm34*F_mu34/(2.0*h2*N4) - tan_a*side34*F_mu34 - arm34*F_mu34/(2.0*h2*N3);
             torques => T_load/(2.0*h2*N4);
+            fan_load => -T_fan_load/(2.0*h2*N4);
             dry_friction_w => Tc_w*dir_w/(2.0*h2*N4);
             viscous_friction_w => c_w*theta2_dot/(2.0*h2*N4.powi(2)) - c_w*s2_dot/(4.0*h2.powi(2)*N4.powi(2)) - c_w*psi_dot/(2.0*h2*N4);
             damping => I4*alpha_M*theta2_dot/(2.0*h2*N4.powi(2)) - beta_K*k34_mid*damp34*over34_dot
@@ -448,6 +506,7 @@ equations! {
         psi {
             _ => -k_h*twist_h;
             torques => T_load;
+            fan_load => -T_fan_load;
             dry_friction_w => Tc_w*dir_w;
             viscous_friction_w => c_w*theta2_dot/N4 - c_w*psi_dot - c_w*s2_dot/(2.0*h2*N4);
             damping => I_w*alpha_M*theta2_dot/N4 - I_w*alpha_M*psi_dot - beta_K*k_h*twist_h_dot - I_w*alpha_M*s2_dot/(2.0*h2*N4);
@@ -455,19 +514,10 @@ equations! {
     }
     jacobian {
         theta_m theta_m_dot {
-            dc_motor => -Ts/n0;
-            induction_motor => 4.0*Tb*sb*theta_m_dot.powi(2)
-                /(ns.powi(3)*(1.0 + 2.0*sb.powi(2) + sb.powi(4) + theta_m_dot.powi(4)/ns.powi(4) - 4.0*theta_m_dot.powi(3)/ns.powi(3)
-                + 2.0*sb.powi(2)*theta_m_dot.powi(2)/ns.powi(2) + 6.0*theta_m_dot.powi(2)/ns.powi(2) - 4.0*theta_m_dot/ns
-                - 4.0*sb.powi(2)*theta_m_dot/ns))
-                - 8.0*Tb*sb*theta_m_dot/(ns.powi(2)
-                *(1.0 + 2.0*sb.powi(2) + sb.powi(4) + theta_m_dot.powi(4)/ns.powi(4) - 4.0*theta_m_dot.powi(3)/ns.powi(3)
-                + 2.0*sb.powi(2)*theta_m_dot.powi(2)/ns.powi(2) + 6.0*theta_m_dot.powi(2)/ns.powi(2) - 4.0*theta_m_dot/ns
-                - 4.0*sb.powi(2)*theta_m_dot/ns))
-                - 2.0*Tb*sb/(ns*(1.0 + sb.powi(2) + theta_m_dot.powi(2)/ns.powi(2) - 2.0*theta_m_dot/ns))
-                + 4.0*Tb*sb/(ns*(1.0 + 2.0*sb.powi(2) + sb.powi(4) + theta_m_dot.powi(4)/ns.powi(4) - 4.0*theta_m_dot.powi(3)/ns.powi(3)
-                + 2.0*sb.powi(2)*theta_m_dot.powi(2)/ns.powi(2) + 6.0*theta_m_dot.powi(2)/ns.powi(2) - 4.0*theta_m_dot/ns
-                - 4.0*sb.powi(2)*theta_m_dot/ns));
+            speed_governor => -c_motor;
+            dc_motor => -Ts_motor/n0_motor;
+            induction_motor => T_induction_motor_by_theta_motor_dot;
+            traction_motor => T_traction_motor_by_theta_motor_dot;
             damping => -I_m*alpha_M;
         }
         theta1 theta1 {
@@ -552,16 +602,19 @@ equations! {
         theta2 theta2_dot {
             sliding_friction_34 => -arm34*F_mu34_by_psi34_dot/N3.powi(2) - 2.0*arm34*F_mu34_by_psi34_dot/(N3*N4)
                 - arm34*F_mu34_by_psi34_dot/N4.powi(2);
+            fan_load => T_fan_load_by_theta_load_dot/N4.powi(2);
             viscous_friction_w => -c_w/N4.powi(2);
             damping => -I3*alpha_M/N3.powi(2) - I4*alpha_M/N4.powi(2) - I_w*alpha_M/N4.powi(2) - beta_K*k_c/N3.powi(2);
         }
         theta2 s2_dot {
             sliding_friction_34 => (arm34*F_mu34_by_psi34_dot/(h2*N4.powi(2)) - arm34*F_mu34_by_psi34_dot/(h2*N3.powi(2)))/2.0;
+            fan_load => -T_fan_load_by_theta_load_dot/(2.0*h2*N4.powi(2));
             viscous_friction_w => c_w/(2.0*h2*N4.powi(2));
             damping => (I4*alpha_M/(h2*N4.powi(2)) - I3*alpha_M/(h2*N3.powi(2)) + I_w*alpha_M/(h2*N4.powi(2))
                 - beta_K*k_c/(h2*N3.powi(2)))/2.0;
         }
         theta2 psi_dot {
+            fan_load => -T_fan_load_by_theta_load_dot/N4;
             viscous_friction_w => c_w/N4;
             damping => I_w*alpha_M/N4;
         }
@@ -588,6 +641,7 @@ equations! {
         s2 theta2_dot {
             sliding_friction_34 => arm34*F_mu34_by_psi34_dot/(2.0*h2*N4.powi(2)) - tan_a*side34*F_mu34_by_psi34_dot/N3
                 - tan_a*side34*F_mu34_by_psi34_dot/N4 - arm34*F_mu34_by_psi34_dot/(2.0*h2*N3.powi(2));
+            fan_load => -T_fan_load_by_theta_load_dot/(2.0*h2*N4.powi(2));
             viscous_friction_w => c_w/(2.0*h2*N4.powi(2));
             damping => (I4*alpha_M/(h2*N4.powi(2)) - I3*alpha_M/(h2*N3.powi(2)) + I_w*alpha_M/(h2*N4.powi(2))
                 - beta_K*k_c/(h2*N3.powi(2)))/2.0;
@@ -596,24 +650,29 @@ equations! {
             sliding_friction_34 => arm34*F_mu34_by_psi34_dot/(2.0*h2.powi(2)*N3*N4)
                 - arm34*F_mu34_by_psi34_dot/(4.0*h2.powi(2)*N3.powi(2)) - arm34*F_mu34_by_psi34_dot/(4.0*h2.powi(2)*N4.powi(2))
                 - tan_a*side34*F_mu34_by_psi34_dot/(2.0*h2*N3) + tan_a*side34*F_mu34_by_psi34_dot/(2.0*h2*N4);
+            fan_load => T_fan_load_by_theta_load_dot/(4.0*h2.powi(2)*N4.powi(2));
             viscous_friction_w => -c_w/(4.0*h2.powi(2)*N4.powi(2));
             damping => -beta_K*k34_mid*damp34 - I3*alpha_M/(4.0*h2.powi(2)*N3.powi(2)) - I4*alpha_M/(4.0*h2.powi(2)*N4.powi(2))
                 - I_w*alpha_M/(4.0*h2.powi(2)*N4.powi(2)) - beta_K*k_c/(4.0*h2.powi(2)*N3.powi(2));
         }
         s2 psi_dot {
+            fan_load => T_fan_load_by_theta_load_dot/(2.0*h2*N4);
             viscous_friction_w => -c_w/(2.0*h2*N4);
             damping => -I_w*alpha_M/(2.0*h2*N4);
         }
         psi psi { _ => -k_h; }
         psi theta2_dot {
+            fan_load => -T_fan_load_by_theta_load_dot/N4;
             viscous_friction_w => c_w/N4;
             damping => I_w*alpha_M/N4;
         }
         psi s2_dot {
+            fan_load => T_fan_load_by_theta_load_dot/(2.0*h2*N4);
             viscous_friction_w => -c_w/(2.0*h2*N4);
             damping => -I_w*alpha_M/(2.0*h2*N4);
         }
         psi psi_dot {
+            fan_load => T_fan_load_by_theta_load_dot;
             viscous_friction_w => -c_w;
             damping => -I_w*alpha_M - beta_K*k_h;
         }
@@ -640,7 +699,8 @@ equations! {
         }
         damping {
             theta_m theta_m {
-                dc_motor => Ts/n0;
+                speed_governor => c_motor;
+                dc_motor => Ts_motor/n0_motor;
                 damping => I_m*alpha_M;
             }
             theta1 theta1 { damping => I1*alpha_M/N1.powi(2) + I2*alpha_M/N2.powi(2) + beta_K*k_c/N2.powi(2); }
@@ -684,7 +744,8 @@ equations! {
             theta_m {
                 overrunning_clutch => -Tdrag*drags - Tmax*slips;
                 torques => T_motor;
-                dc_motor => Ts;
+                speed_governor => c_motor*n_motor;
+                dc_motor => Ts_motor;
             }
             theta1 { overrunning_clutch => Tdrag*drags/N1 + Tmax*slips/N1; }
             s1 {
@@ -713,7 +774,9 @@ equations! {
         sliding_friction_12 "-arm12*F_mu12 in the torque `roll12`";
         sliding_friction_34 "-side34*F_mu34 in the torque `slide34`";
         sliding_friction_34 "-arm34*F_mu34 in the torque `roll34`";
-        induction_motor "2*Tb*sb*(1 - theta_m_dot/ns)/(sb^2 + (1 - theta_m_dot/ns)^2) in the torque `induction`";
+        induction_motor "T_induction_motor in the torque `induction`";
+        traction_motor "T_traction_motor in the torque `traction`";
+        fan_load "T_fan_load in the torque `fan`";
     }
     jump k12 { step { _ => dk12*touch12*over12.powi(2)/2.0; } }
     jump k34 { step { _ => dk34*touch34*over34.powi(2)/2.0; } }
@@ -823,9 +886,17 @@ equations! {
             _ => roll34_power;
         }
         power_motor "W" with torques, "power of the driving torque of the motor: positive if it drives" { _ => motor_power; }
+        governor_braking "W" with speed_governor,
+            "power that the motor takes back: the part of its torque that is proportional to the speed, times the speed" {
+            _ => c_motor*theta_motor_dot.powi(2);
+        }
+        power_governor "W" with speed_governor,
+            "power of the torque c n of the governor; its part -c omega is in D: positive if it drives" {
+            _ => governor_power;
+        }
         dc_braking "W" with dc_motor,
             "power that the motor takes back: the part of its torque that is proportional to the speed, times the speed" {
-            _ => Ts*theta_m_dot.powi(2)/n0;
+            _ => Ts_motor*theta_motor_dot.powi(2)/n0_motor;
         }
         power_dc "W" with dc_motor,
             "power of the stall torque of the DC motor; the part proportional to the speed is in D: positive if it drives" {
@@ -834,10 +905,12 @@ equations! {
         power_induction "W" with induction_motor, "power of the torque of the induction motor: positive if it drives" {
             _ => induction_power;
         }
+        power_traction "W" with traction_motor, "power of the torque of the traction motor: positive if it drives" { _ => traction_power; }
         power_load "W" with torques,
             "power of the load torque of the wheel, by slope and air, against its rotation: positive if it drives" {
             _ => load_power;
         }
+        power_fan "W" with fan_load, "power of the torque of the fan, against its rotation: positive if it drives" { _ => fan_power; }
         friction_torque_w "N*m" with dry_friction_w, "dry friction of the rolling wheel, at rest too: positive against positive motion" {
             _ => slip_w_reaction;
             dry_friction_w => Tc_w*dir_w;
@@ -896,7 +969,7 @@ equations! {
 //
 // | output | sums | products, quotients | functions, roots |
 // | --- | --- | --- | --- |
-// | constants (once a scene) | 0 | 3 | 2 |
-// | named forces | 4 | 18 | 4 |
-// | force | 52 | 303 | 0 |
+// | constants (once a scene) | 0 | 4 | 2 |
+// | named forces | 19 | 57 | 7 |
+// | force | 46 | 289 | 0 |
 // | energy steps, all laws | 2 | 22 | 0 |

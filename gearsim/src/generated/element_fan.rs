@@ -25,21 +25,23 @@ equations! {
     conditions {
     }
 
+    forces { T_fan_x { fan_load => -cf_x*theta_dot*(w0_x.powi(2) + theta_dot.powi(2)).sqrt(); } }
+    partials {
+        T_fan_x_by_theta_dot {
+            fan_load => -cf_x*theta_dot.powi(2)/(w0_x.powi(2) + theta_dot.powi(2)).sqrt() - cf_x*(w0_x.powi(2) + theta_dot.powi(2)).sqrt();
+        }
+    }
     energies { kinetic { _ => J_theta*theta_dot.powi(2)/2.0; } }
     torques {
         fan "torque of the fan, against its rotation" {}
-        power { fan_load => -cf_x*theta_dot.powi(2)*(w0_x.powi(2) + theta_dot.powi(2)).sqrt(); }
+        power { fan_load => T_fan_x*theta_dot; }
     }
     work {
     }
     mass { theta theta { _ => J_theta; } }
     mobility { theta theta { _ => 1.0/J_theta; } }
-    force { theta { fan_load => -cf_x*theta_dot*(w0_x.powi(2) + theta_dot.powi(2)).sqrt(); } }
-    jacobian {
-        theta theta_dot {
-            fan_load => -cf_x*theta_dot.powi(2)/(w0_x.powi(2) + theta_dot.powi(2)).sqrt() - cf_x*(w0_x.powi(2) + theta_dot.powi(2)).sqrt();
-        }
-    }
+    force { theta { fan_load => T_fan_x; } }
+    jacobian { theta theta_dot { fan_load => T_fan_x_by_theta_dot; } }
     cell {
         stiffness {
         }
@@ -48,7 +50,7 @@ equations! {
         load {
         }
     }
-    nonlinear_with { fan_load "-cf_x*theta_dot*sqrt(w0_x^2 + theta_dot^2) in the torque `fan`"; }
+    nonlinear_with { fan_load "T_fan_x in the torque `fan`"; }
     outputs {
         power_fan "W" with fan_load, "power of the torque of the fan, against its rotation: positive if it drives" { _ => fan_power; }
     }
@@ -70,5 +72,6 @@ equations! {
 //
 // | output | sums | products, quotients | functions, roots |
 // | --- | --- | --- | --- |
-// | force | 1 | 4 | 1 |
-// | acceleration | 1 | 5 | 1 |
+// | named forces | 1 | 4 | 1 |
+// | force | 0 | 0 | 0 |
+// | acceleration | 0 | 1 | 0 |

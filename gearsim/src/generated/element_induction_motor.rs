@@ -25,37 +25,24 @@ equations! {
     conditions {
     }
 
+    forces { T_induction_x { induction_motor => 2.0*Tb_x*sb_x*(1.0 - theta_dot/ns_x)/(sb_x.powi(2) + (1.0 - theta_dot/ns_x).powi(2)); } }
+    partials {
+        T_induction_x_by_theta_dot {
+            induction_motor => 4.0*Tb_x*sb_x*(1.0 - theta_dot/ns_x).powi(2)/(ns_x*(sb_x.powi(2) + (1.0 - theta_dot/ns_x).powi(2)).powi(2))
+                - 2.0*Tb_x*sb_x/(ns_x*(sb_x.powi(2) + (1.0 - theta_dot/ns_x).powi(2)));
+        }
+    }
     energies { kinetic { _ => J_theta*theta_dot.powi(2)/2.0; } }
     torques {
         induction "torque of the induction motor" {}
-        power { induction_motor => 2.0*Tb_x*sb_x*theta_dot*(1.0 - theta_dot/ns_x)/(sb_x.powi(2) + (1.0 - theta_dot/ns_x).powi(2)); }
+        power { induction_motor => T_induction_x*theta_dot; }
     }
     work {
     }
     mass { theta theta { _ => J_theta; } }
     mobility { theta theta { _ => 1.0/J_theta; } }
-    force {
-        theta {
-            induction_motor => 2.0*(Tb_x*sb_x/(1.0 + sb_x.powi(2) + theta_dot.powi(2)/ns_x.powi(2) - 2.0*theta_dot/ns_x)
-                - Tb_x*sb_x*theta_dot/(ns_x*(1.0 + sb_x.powi(2) + theta_dot.powi(2)/ns_x.powi(2) - 2.0*theta_dot/ns_x)));
-        }
-    }
-    jacobian {
-        theta theta_dot {
-            induction_motor => 4.0*Tb_x*sb_x*theta_dot.powi(2)
-                /(ns_x.powi(3)*(1.0 + 2.0*sb_x.powi(2) + sb_x.powi(4) + theta_dot.powi(4)/ns_x.powi(4)
-                - 4.0*theta_dot.powi(3)/ns_x.powi(3) + 2.0*sb_x.powi(2)*theta_dot.powi(2)/ns_x.powi(2)
-                + 6.0*theta_dot.powi(2)/ns_x.powi(2) - 4.0*theta_dot/ns_x - 4.0*sb_x.powi(2)*theta_dot/ns_x))
-                - 8.0*Tb_x*sb_x*theta_dot/(ns_x.powi(2)
-                *(1.0 + 2.0*sb_x.powi(2) + sb_x.powi(4) + theta_dot.powi(4)/ns_x.powi(4) - 4.0*theta_dot.powi(3)/ns_x.powi(3)
-                + 2.0*sb_x.powi(2)*theta_dot.powi(2)/ns_x.powi(2) + 6.0*theta_dot.powi(2)/ns_x.powi(2) - 4.0*theta_dot/ns_x
-                - 4.0*sb_x.powi(2)*theta_dot/ns_x))
-                - 2.0*Tb_x*sb_x/(ns_x*(1.0 + sb_x.powi(2) + theta_dot.powi(2)/ns_x.powi(2) - 2.0*theta_dot/ns_x))
-                + 4.0*Tb_x*sb_x/(ns_x*(1.0 + 2.0*sb_x.powi(2) + sb_x.powi(4) + theta_dot.powi(4)/ns_x.powi(4)
-                - 4.0*theta_dot.powi(3)/ns_x.powi(3) + 2.0*sb_x.powi(2)*theta_dot.powi(2)/ns_x.powi(2)
-                + 6.0*theta_dot.powi(2)/ns_x.powi(2) - 4.0*theta_dot/ns_x - 4.0*sb_x.powi(2)*theta_dot/ns_x));
-        }
-    }
+    force { theta { induction_motor => T_induction_x; } }
+    jacobian { theta theta_dot { induction_motor => T_induction_x_by_theta_dot; } }
     cell {
         stiffness {
         }
@@ -64,7 +51,7 @@ equations! {
         load {
         }
     }
-    nonlinear_with { induction_motor "2*Tb_x*sb_x*(1 - theta_dot/ns_x)/(sb_x^2 + (1 - theta_dot/ns_x)^2) in the torque `induction`"; }
+    nonlinear_with { induction_motor "T_induction_x in the torque `induction`"; }
     outputs {
         power_induction "W" with induction_motor, "power of the torque of the induction motor: positive if it drives" {
             _ => induction_power;
@@ -88,5 +75,6 @@ equations! {
 //
 // | output | sums | products, quotients | functions, roots |
 // | --- | --- | --- | --- |
-// | force | 7 | 20 | 0 |
-// | acceleration | 7 | 22 | 0 |
+// | named forces | 7 | 20 | 0 |
+// | force | 0 | 0 | 0 |
+// | acceleration | 0 | 1 | 0 |

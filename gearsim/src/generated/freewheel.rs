@@ -25,7 +25,24 @@ equations! {
             "excess of the breakaway torque of the bearings of the driven rotor over its Coulomb friction, relative to that";
         c2 "N*m*s/rad" required with viscous_friction_2, from 0.0 to inf, "viscous friction of the driven rotor: torque per speed";
         T_motor "N*m" required with torques, open -inf to inf, "driving torque of the motor";
+        c_motor "N*m*s/rad" required with speed_governor, open 0.0 to inf,
+            "gain of the governor of the motor: torque per difference of set point and speed";
+        n_motor "rad/s" required with speed_governor, open -inf to inf, "set point of the speed governor of the motor";
+        Ts_motor "N*m" required with dc_motor, open 0.0 to inf, "stall torque of the motor";
+        n0_motor "rad/s" required with dc_motor, open 0.0 to inf, "no-load speed of the motor";
+        Tb_motor "N*m" required with induction_motor, open 0.0 to inf, "breakdown torque of the motor, its largest torque";
+        sb_motor "1" required with induction_motor, open 0.0 to inf, "slip at which the motor has its breakdown torque";
+        ns_motor "rad/s" required with induction_motor, open 0.0 to inf, "synchronous speed of the motor";
+        Tp_motor "N*m" required with traction_motor, open 0.0 to inf, "peak torque of the motor, up to its base speed";
+        Pp_motor "W" required with traction_motor, open 0.0 to inf, "peak power of the motor, above its base speed Pp/Tp";
+        d_motor "1" default 1.0, open -inf to inf, "demand on the motor: 1 drives with its peak torque or power, -1 brakes with them";
+        round_motor "1" default 0.01, open 0.0 to inf,
+            "rounding of the corner of the torque of the motor at its base speed, relative to that";
         T_load "N*m" required with torques, open -inf to inf, "load torque of the driven rotor, against its rotation";
+        cf_load "N*m*s^2/rad^2" required with fan_load, from 0.0 to inf,
+            "fan torque of the driven rotor divided by the square of its speed";
+        w0_load "rad/s" default 0.01, open 0.0 to inf,
+            "speed of the driven rotor below which the fan torque is linear instead of quadratic in the speed";
     }
     laws {
     }
@@ -36,13 +53,55 @@ equations! {
             "dry friction with sticking: a constant torque against the motion, and at rest up to the breakaway torque";
         viscous_friction_2 of viscous_friction "friction proportional to speed";
         torques "constant torques of motor and load";
+        speed_governor excludes(dc_motor, induction_motor, traction_motor)
+            "a speed governor: motor torque proportional to the set point minus the speed";
+        dc_motor excludes(induction_motor, traction_motor)
+            "a DC motor at constant voltage: its torque falls linearly from stall to no load";
+        induction_motor excludes(traction_motor) "an induction motor, its torque by the formula of Kloss";
+        traction_motor "a traction motor: its peak torque up to the base speed, constant power above it, times the demand";
+        fan_load "a fan as load: torque proportional to the square of the speed, against the rotation";
     }
     conditions {
     }
 
+    constants { per_wb_motor = Tp_motor/Pp_motor; }
     deflections {
         lead = theta1 - theta2;
         slip2 = theta2;
+        theta_motor = theta1;
+        theta_load = theta2;
+    }
+    forces {
+        T_induction_motor {
+            induction_motor => 2.0*Tb_motor*sb_motor*(1.0 - theta_motor_dot/ns_motor)
+                /(sb_motor.powi(2) + (1.0 - theta_motor_dot/ns_motor).powi(2));
+        }
+        T_traction_motor {
+            traction_motor => 2.0*Tp_motor*d_motor
+                /((round_motor.powi(2) + (1.0 - per_wb_motor*theta_motor_dot).powi(2)).sqrt()
+                + (round_motor.powi(2) + (1.0 + per_wb_motor*theta_motor_dot).powi(2)).sqrt());
+        }
+        T_fan_load { fan_load => -cf_load*theta_load_dot*(w0_load.powi(2) + theta_load_dot.powi(2)).sqrt(); }
+    }
+    partials {
+        T_induction_motor_by_theta_motor_dot {
+            induction_motor => 4.0*Tb_motor*sb_motor*(1.0 - theta_motor_dot/ns_motor).powi(2)
+                /(ns_motor*(sb_motor.powi(2) + (1.0 - theta_motor_dot/ns_motor).powi(2)).powi(2))
+                - 2.0*Tb_motor*sb_motor/(ns_motor*(sb_motor.powi(2) + (1.0 - theta_motor_dot/ns_motor).powi(2)));
+        }
+        T_traction_motor_by_theta_motor_dot {
+            traction_motor => -2.0*Tp_motor*d_motor
+                *(per_wb_motor*(1.0 + per_wb_motor*theta_motor_dot)
+                /(round_motor.powi(2) + (1.0 + per_wb_motor*theta_motor_dot).powi(2)).sqrt()
+                - per_wb_motor*(1.0 - per_wb_motor*theta_motor_dot)
+                /(round_motor.powi(2) + (1.0 - per_wb_motor*theta_motor_dot).powi(2)).sqrt())
+                /((round_motor.powi(2) + (1.0 - per_wb_motor*theta_motor_dot).powi(2)).sqrt()
+                + (round_motor.powi(2) + (1.0 + per_wb_motor*theta_motor_dot).powi(2)).sqrt()).powi(2);
+        }
+        T_fan_load_by_theta_load_dot {
+            fan_load => -cf_load*theta_load_dot.powi(2)/(w0_load.powi(2) + theta_load_dot.powi(2)).sqrt()
+                - cf_load*(w0_load.powi(2) + theta_load_dot.powi(2)).sqrt();
+        }
     }
     switches {
         lead "rad" (slips 0.0, drags 0.0) with overrunning_clutch, "modes of the clutch" {
@@ -78,14 +137,30 @@ equations! {
     }
     energies {
         kinetic { _ => (I1*theta1_dot.powi(2) + I2*theta2_dot.powi(2))/2.0; }
-        dissipation { viscous_friction_2 => c2*theta2_dot.powi(2)/2.0; }
+        dissipation {
+            viscous_friction_2 => c2*theta2_dot.powi(2)/2.0;
+            speed_governor => c_motor*theta_motor_dot.powi(2)/2.0;
+            dc_motor => Ts_motor*theta_motor_dot.powi(2)/(2.0*n0_motor);
+        }
     }
     torques {
         motor "driving torque of the motor" { torques => T_motor*theta1; }
+        governor "torque c n of the governor; its part -c omega is in D" { speed_governor => c_motor*n_motor*theta1; }
+        dc "stall torque of the DC motor; the part proportional to the speed is in D" { dc_motor => Ts_motor*theta1; }
+        induction "torque of the induction motor" {}
+        power { induction_motor => T_induction_motor*theta1_dot; }
+        traction "torque of the traction motor" {}
+        power { traction_motor => T_traction_motor*theta1_dot; }
         load "load torque of the driven rotor, against its rotation" { torques => -T_load*theta2; }
+        fan "torque of the fan, against its rotation" {}
+        power { fan_load => T_fan_load*theta2_dot; }
     }
     work {
-        theta1 { torques => T_motor; }
+        theta1 {
+            torques => T_motor;
+            speed_governor => c_motor*n_motor;
+            dc_motor => Ts_motor;
+        }
         theta2 { torques => -T_load; }
     }
     mass {
@@ -100,23 +175,47 @@ equations! {
         theta1 {
             overrunning_clutch => -Tdrag*drags - Tmax*slips;
             torques => T_motor;
+            speed_governor => c_motor*n_motor - c_motor*theta_motor_dot;
+            dc_motor => Ts_motor - Ts_motor*theta_motor_dot/n0_motor;
+            induction_motor => T_induction_motor;
+            traction_motor => T_traction_motor;
         }
         theta2 {
             overrunning_clutch => Tdrag*drags + Tmax*slips;
             dry_friction_2 => -Tc2*dir2;
             viscous_friction_2 => -c2*theta2_dot;
             torques => -T_load;
+            fan_load => T_fan_load;
         }
     }
-    jacobian { theta2 theta2_dot { viscous_friction_2 => -c2; } }
+    jacobian {
+        theta1 theta1_dot {
+            speed_governor => -c_motor;
+            dc_motor => -Ts_motor/n0_motor;
+            induction_motor => T_induction_motor_by_theta_motor_dot;
+            traction_motor => T_traction_motor_by_theta_motor_dot;
+        }
+        theta2 theta2_dot {
+            viscous_friction_2 => -c2;
+            fan_load => T_fan_load_by_theta_load_dot;
+        }
+    }
     cell {
         stiffness {
         }
-        damping { theta2 theta2 { viscous_friction_2 => c2; } }
+        damping {
+            theta1 theta1 {
+                speed_governor => c_motor;
+                dc_motor => Ts_motor/n0_motor;
+            }
+            theta2 theta2 { viscous_friction_2 => c2; }
+        }
         load {
             theta1 {
                 overrunning_clutch => -Tdrag*drags - Tmax*slips;
                 torques => T_motor;
+                speed_governor => c_motor*n_motor;
+                dc_motor => Ts_motor;
             }
             theta2 {
                 overrunning_clutch => Tdrag*drags + Tmax*slips;
@@ -124,6 +223,11 @@ equations! {
                 torques => -T_load;
             }
         }
+    }
+    nonlinear_with {
+        induction_motor "T_induction_motor in the torque `induction`";
+        traction_motor "T_traction_motor in the torque `traction`";
+        fan_load "T_fan_load in the torque `fan`";
     }
     outputs {
         rotor_speed_1 "rad/s", "rotational speed of the motor" { _ => theta1_dot; }
@@ -147,9 +251,30 @@ equations! {
             _ => c2*theta2_dot.powi(2);
         }
         power_motor "W" with torques, "power of the driving torque of the motor: positive if it drives" { _ => motor_power; }
+        governor_braking "W" with speed_governor,
+            "power that the motor takes back: the part of its torque that is proportional to the speed, times the speed" {
+            _ => c_motor*theta_motor_dot.powi(2);
+        }
+        power_governor "W" with speed_governor,
+            "power of the torque c n of the governor; its part -c omega is in D: positive if it drives" {
+            _ => governor_power;
+        }
+        dc_braking "W" with dc_motor,
+            "power that the motor takes back: the part of its torque that is proportional to the speed, times the speed" {
+            _ => Ts_motor*theta_motor_dot.powi(2)/n0_motor;
+        }
+        power_dc "W" with dc_motor,
+            "power of the stall torque of the DC motor; the part proportional to the speed is in D: positive if it drives" {
+            _ => dc_power;
+        }
+        power_induction "W" with induction_motor, "power of the torque of the induction motor: positive if it drives" {
+            _ => induction_power;
+        }
+        power_traction "W" with traction_motor, "power of the torque of the traction motor: positive if it drives" { _ => traction_power; }
         power_load "W" with torques, "power of the load torque of the driven rotor, against its rotation: positive if it drives" {
             _ => load_power;
         }
+        power_fan "W" with fan_load, "power of the torque of the fan, against its rotation: positive if it drives" { _ => fan_power; }
     }
 
     text "text/freewheel.txt";
@@ -175,5 +300,7 @@ equations! {
 //
 // | output | sums | products, quotients | functions, roots |
 // | --- | --- | --- | --- |
-// | force | 2 | 6 | 0 |
-// | acceleration | 2 | 14 | 0 |
+// | constants (once a scene) | 0 | 1 | 0 |
+// | named forces | 15 | 39 | 3 |
+// | force | 4 | 10 | 0 |
+// | acceleration | 4 | 25 | 0 |

@@ -16,21 +16,84 @@ equations! {
         k "N*m/rad" required, from 0.0 to inf, "torsional stiffness of the spring";
         Tc "N*m" required with dry_friction, from 0.0 to inf, "Coulomb friction of the bearing: constant, against the motion";
         rise "1" default 0.0, from 0.0 to inf, "excess of the breakaway torque of the bearing over its Coulomb friction, relative to that";
+        hi "rad" required with end_stop, open -inf to inf, "place of the upper stop of the rotor";
+        lo "rad" required with end_stop, open -inf to inf, "place of the lower stop of the rotor";
+        ks "N*m/rad" required with end_stop, open 0.0 to inf, "stiffness of the stops of the rotor";
+        cs "N*m*s/rad" default 0.0, from 0.0 to inf, "damping of the stops of the rotor";
         T_motor "N*m" required with torques, open -inf to inf, "driving torque of the rotor";
+        c_motor "N*m*s/rad" required with speed_governor, open 0.0 to inf,
+            "gain of the governor of the rotor: torque per difference of set point and speed";
+        n_motor "rad/s" required with speed_governor, open -inf to inf, "set point of the speed governor of the rotor";
+        Ts_motor "N*m" required with dc_motor, open 0.0 to inf, "stall torque of the rotor";
+        n0_motor "rad/s" required with dc_motor, open 0.0 to inf, "no-load speed of the rotor";
+        Tb_motor "N*m" required with induction_motor, open 0.0 to inf, "breakdown torque of the rotor, its largest torque";
+        sb_motor "1" required with induction_motor, open 0.0 to inf, "slip at which the rotor has its breakdown torque";
+        ns_motor "rad/s" required with induction_motor, open 0.0 to inf, "synchronous speed of the rotor";
+        Tp_motor "N*m" required with traction_motor, open 0.0 to inf, "peak torque of the rotor, up to its base speed";
+        Pp_motor "W" required with traction_motor, open 0.0 to inf, "peak power of the rotor, above its base speed Pp/Tp";
+        d_motor "1" default 1.0, open -inf to inf, "demand on the rotor: 1 drives with its peak torque or power, -1 brakes with them";
+        round_motor "1" default 0.01, open 0.0 to inf,
+            "rounding of the corner of the torque of the rotor at its base speed, relative to that";
+        cf_load "N*m*s^2/rad^2" required with fan_load, from 0.0 to inf, "fan torque of the rotor divided by the square of its speed";
+        w0_load "rad/s" default 0.01, open 0.0 to inf,
+            "speed of the rotor below which the fan torque is linear instead of quadratic in the speed";
     }
     laws {
     }
     motions { speed "rad/s" { phi_dot = 1.0; }, "rotational speed"; }
     effects {
         dry_friction "dry friction with sticking: a constant torque against the motion, and at rest up to the breakaway torque";
+        end_stop "end stops: elastic, with a damper that never pulls, beyond an upper and a lower limit of a displacement";
         torques "constant torques of motor and load";
+        speed_governor excludes(dc_motor, induction_motor, traction_motor)
+            "a speed governor: motor torque proportional to the set point minus the speed";
+        dc_motor excludes(induction_motor, traction_motor)
+            "a DC motor at constant voltage: its torque falls linearly from stall to no load";
+        induction_motor excludes(traction_motor) "an induction motor, its torque by the formula of Kloss";
+        traction_motor "a traction motor: its peak torque up to the base speed, constant power above it, times the demand";
+        fan_load "a fan as load: torque proportional to the square of the speed, against the rotation";
     }
     conditions {
     }
 
+    constants { per_wb_motor = Tp_motor/Pp_motor; }
     deflections {
         twist = phi;
         slip = phi;
+        past = phi - stop;
+        theta_motor = phi;
+    }
+    forces {
+        T_induction_motor {
+            induction_motor => 2.0*Tb_motor*sb_motor*(1.0 - theta_motor_dot/ns_motor)
+                /(sb_motor.powi(2) + (1.0 - theta_motor_dot/ns_motor).powi(2));
+        }
+        T_traction_motor {
+            traction_motor => 2.0*Tp_motor*d_motor
+                /((round_motor.powi(2) + (1.0 - per_wb_motor*theta_motor_dot).powi(2)).sqrt()
+                + (round_motor.powi(2) + (1.0 + per_wb_motor*theta_motor_dot).powi(2)).sqrt());
+        }
+        T_fan_load { fan_load => -cf_load*phi_dot*(w0_load.powi(2) + phi_dot.powi(2)).sqrt(); }
+    }
+    partials {
+        T_induction_motor_by_theta_motor_dot {
+            induction_motor => 4.0*Tb_motor*sb_motor*(1.0 - theta_motor_dot/ns_motor).powi(2)
+                /(ns_motor*(sb_motor.powi(2) + (1.0 - theta_motor_dot/ns_motor).powi(2)).powi(2))
+                - 2.0*Tb_motor*sb_motor/(ns_motor*(sb_motor.powi(2) + (1.0 - theta_motor_dot/ns_motor).powi(2)));
+        }
+        T_traction_motor_by_theta_motor_dot {
+            traction_motor => -2.0*Tp_motor*d_motor
+                *(per_wb_motor*(1.0 + per_wb_motor*theta_motor_dot)
+                /(round_motor.powi(2) + (1.0 + per_wb_motor*theta_motor_dot).powi(2)).sqrt()
+                - per_wb_motor*(1.0 - per_wb_motor*theta_motor_dot)
+                /(round_motor.powi(2) + (1.0 - per_wb_motor*theta_motor_dot).powi(2)).sqrt())
+                /((round_motor.powi(2) + (1.0 - per_wb_motor*theta_motor_dot).powi(2)).sqrt()
+                + (round_motor.powi(2) + (1.0 + per_wb_motor*theta_motor_dot).powi(2)).sqrt()).powi(2);
+        }
+        T_fan_load_by_phi_dot {
+            fan_load => -cf_load*phi_dot.powi(2)/(w0_load.powi(2) + phi_dot.powi(2)).sqrt()
+                - cf_load*(w0_load.powi(2) + phi_dot.powi(2)).sqrt();
+        }
     }
     switches {
         slip "rad" (dir 0.0) with dry_friction, "dry friction of the bearing" {
@@ -48,33 +111,157 @@ equations! {
             backward (-1.0) { until stuck { slip_dot { _ => -1.0; } } }
             loss { one { _ => Tc*dir; } }
         }
+        past "rad" (at_stop 1.0, stop 0.0, stop_damp 1.0, stop_clip 0.0) with end_stop, "end stops of the rotor" {
+            free (0.0, 0.0, 0.0, 0.0) rests {
+                until upper {
+                    past { _ => -1.0; }
+                    one { _ => hi; }
+                }
+                until lower {
+                    past { _ => 1.0; }
+                    one { _ => -lo; }
+                }
+            }
+            upper (1.0, hi, 1.0, 0.0) rests counts "stop met" {
+                unless free { past { _ => 1.0; } }
+                until upper_loose {
+                    past { end_stop => ks; }
+                    past_dot { end_stop => cs; }
+                }
+                until upper_hit {
+                    past { end_stop => ks; }
+                    past_dot { end_stop => -cs; }
+                }
+            }
+            upper_hit (1.0, hi, 0.0, 1.0) counts "stop met" {
+                unless free { past { _ => 1.0; } }
+                until upper {
+                    past { end_stop => -ks; }
+                    past_dot { end_stop => cs; }
+                }
+            }
+            upper_loose (1.0, hi, 0.0, -1.0) counts "stop met" {
+                until free { past { _ => 1.0; } }
+                until upper {
+                    past { end_stop => -ks; }
+                    past_dot { end_stop => -cs; }
+                }
+            }
+            lower (1.0, lo, 1.0, 0.0) rests counts "stop met" {
+                unless free { past { _ => -1.0; } }
+                until lower_loose {
+                    past { end_stop => -ks; }
+                    past_dot { end_stop => -cs; }
+                }
+                until lower_hit {
+                    past { end_stop => -ks; }
+                    past_dot { end_stop => cs; }
+                }
+            }
+            lower_hit (1.0, lo, 0.0, 1.0) counts "stop met" {
+                unless free { past { _ => -1.0; } }
+                until lower {
+                    past { end_stop => ks; }
+                    past_dot { end_stop => -cs; }
+                }
+            }
+            lower_loose (1.0, lo, 0.0, -1.0) counts "stop met" {
+                until free { past { _ => -1.0; } }
+                until lower {
+                    past { end_stop => ks; }
+                    past_dot { end_stop => cs; }
+                }
+            }
+            loss { past { end_stop => ks*at_stop*stop_clip; } }
+        }
     }
     energies {
         kinetic { _ => I*phi_dot.powi(2)/2.0; }
-        potential { _ => k*twist.powi(2)/2.0; }
+        potential {
+            _ => k*twist.powi(2)/2.0;
+            end_stop => ks*at_stop*past.powi(2)/2.0;
+        }
+        dissipation {
+            end_stop => cs*stop_damp*past_dot.powi(2)/2.0;
+            speed_governor => c_motor*theta_motor_dot.powi(2)/2.0;
+            dc_motor => Ts_motor*theta_motor_dot.powi(2)/(2.0*n0_motor);
+        }
     }
-    torques { motor "driving torque of the rotor" { torques => T_motor*phi; } }
-    work { phi { torques => T_motor; } }
+    torques {
+        motor "driving torque of the rotor" { torques => T_motor*phi; }
+        governor "torque c n of the governor; its part -c omega is in D" { speed_governor => c_motor*n_motor*phi; }
+        dc "stall torque of the DC motor; the part proportional to the speed is in D" { dc_motor => Ts_motor*phi; }
+        induction "torque of the induction motor" {}
+        power { induction_motor => T_induction_motor*phi_dot; }
+        traction "torque of the traction motor" {}
+        power { traction_motor => T_traction_motor*phi_dot; }
+        fan "torque of the fan, against its rotation" {}
+        power { fan_load => T_fan_load*phi_dot; }
+    }
+    work {
+        phi {
+            torques => T_motor;
+            speed_governor => c_motor*n_motor;
+            dc_motor => Ts_motor;
+        }
+    }
     mass { phi phi { _ => I; } }
     mobility { phi phi { _ => 1.0/I; } }
     force {
         phi {
             _ => -k*twist;
             dry_friction => -Tc*dir;
+            end_stop => -cs*stop_damp*past_dot - ks*at_stop*stop_clip*past - ks*at_stop*past;
             torques => T_motor;
+            speed_governor => c_motor*n_motor - c_motor*theta_motor_dot;
+            dc_motor => Ts_motor - Ts_motor*theta_motor_dot/n0_motor;
+            induction_motor => T_induction_motor;
+            traction_motor => T_traction_motor;
+            fan_load => T_fan_load;
         }
     }
-    jacobian { phi phi { _ => -k; } }
+    jacobian {
+        phi phi {
+            _ => -k;
+            end_stop => -ks*at_stop - ks*at_stop*stop_clip;
+        }
+        phi phi_dot {
+            end_stop => -cs*stop_damp;
+            speed_governor => -c_motor;
+            dc_motor => -Ts_motor/n0_motor;
+            induction_motor => T_induction_motor_by_theta_motor_dot;
+            traction_motor => T_traction_motor_by_theta_motor_dot;
+            fan_load => T_fan_load_by_phi_dot;
+        }
+    }
     cell {
-        stiffness { phi phi { _ => k; } }
+        stiffness {
+            phi phi {
+                _ => k;
+                end_stop => ks*at_stop + ks*at_stop*stop_clip;
+            }
+        }
         damping {
+            phi phi {
+                end_stop => cs*stop_damp;
+                speed_governor => c_motor;
+                dc_motor => Ts_motor/n0_motor;
+            }
         }
         load {
             phi {
                 dry_friction => -Tc*dir;
+                end_stop => ks*at_stop*stop_clip*stop + ks*at_stop*stop;
                 torques => T_motor;
+                speed_governor => c_motor*n_motor;
+                dc_motor => Ts_motor;
             }
         }
+    }
+    nonlinear_with {
+        induction_motor "T_induction_motor in the torque `induction`";
+        traction_motor "T_traction_motor in the torque `traction`";
+        fan_load "T_fan_load in the torque `fan`";
     }
     outputs {
         rotor_speed "rad/s", "rotational speed of the rotor" { _ => phi_dot; }
@@ -87,7 +274,34 @@ equations! {
             dry_friction => Tc*dir;
         }
         friction_loss "W" with dry_friction, "power that the dry friction of the bearing takes" { dry_friction => Tc*dir*slip_dot; }
+        stop_force "N*m" with end_stop, "force of the stops on the rotor, damper included: positive if it pushes back from the upper one" {
+            end_stop => cs*stop_damp*past_dot + ks*at_stop*stop_clip*past + ks*at_stop*past;
+        }
+        stop_loss "W" with end_stop, "power that the dampers of the stops of the rotor take" {
+            end_stop => cs*stop_damp*past_dot.powi(2) + ks*at_stop*stop_clip*past*past_dot;
+        }
         power_motor "W" with torques, "power of the driving torque of the rotor: positive if it drives" { _ => motor_power; }
+        governor_braking "W" with speed_governor,
+            "power that the motor takes back: the part of its torque that is proportional to the speed, times the speed" {
+            _ => c_motor*theta_motor_dot.powi(2);
+        }
+        power_governor "W" with speed_governor,
+            "power of the torque c n of the governor; its part -c omega is in D: positive if it drives" {
+            _ => governor_power;
+        }
+        dc_braking "W" with dc_motor,
+            "power that the motor takes back: the part of its torque that is proportional to the speed, times the speed" {
+            _ => Ts_motor*theta_motor_dot.powi(2)/n0_motor;
+        }
+        power_dc "W" with dc_motor,
+            "power of the stall torque of the DC motor; the part proportional to the speed is in D: positive if it drives" {
+            _ => dc_power;
+        }
+        power_induction "W" with induction_motor, "power of the torque of the induction motor: positive if it drives" {
+            _ => induction_power;
+        }
+        power_traction "W" with traction_motor, "power of the torque of the traction motor: positive if it drives" { _ => traction_power; }
+        power_fan "W" with fan_load, "power of the torque of the fan, against its rotation: positive if it drives" { _ => fan_power; }
     }
 
     text "text/friction_oscillator.txt";
@@ -104,11 +318,17 @@ equations! {
 // - M M⁻¹ = 1, and M q'' = F, for M⁻¹ and the accelerations as written
 // - V is the same on both sides of the exits of slip: no impulse there
 // - the force of the switch slip takes energy or none: f slip_dot >= 0 in every mode, from the guards that hold in it
+// - V is the same on both sides of the exits of past: no impulse there
+// - the force of the switch past takes energy or none: f past_dot >= 0 in every mode, from the guards that hold in it; of a damper that is
+//   clipped to f = c F, where F = dV/dpast and c = 1 or -1, since F past >= 0, past_dot dD/dpast_dot >= 0 and c past dD/dpast_dot >= F past
+// - every damper takes energy or none: each term of D has a power q'.dD/dq' that is never negative
 // - every deflection equals the linear form by which the equations differentiate it
 //
 // Operations, all effects present:
 //
 // | output | sums | products, quotients | functions, roots |
 // | --- | --- | --- | --- |
-// | force | 0 | 2 | 0 |
-// | acceleration | 0 | 5 | 0 |
+// | constants (once a scene) | 0 | 1 | 0 |
+// | named forces | 15 | 39 | 3 |
+// | force | 4 | 13 | 0 |
+// | acceleration | 4 | 26 | 0 |

@@ -29,6 +29,23 @@ equations! {
             "rolling speed omega1 + omega2 of the mesh below which friction decreases to zero (mixed film)";
         mu_rise "1" default 0.0, from 0.0 to inf,
             "excess of the static coefficient of friction of the mesh over that of sliding, relative to that";
+        c_motor "N*m*s/rad" required with speed_governor, open 0.0 to inf,
+            "gain of the governor of the driving gear: torque per difference of set point and speed";
+        n_motor "rad/s" required with speed_governor, open -inf to inf, "set point of the speed governor of the driving gear";
+        Ts_motor "N*m" required with dc_motor, open 0.0 to inf, "stall torque of the driving gear";
+        n0_motor "rad/s" required with dc_motor, open 0.0 to inf, "no-load speed of the driving gear";
+        Tb_motor "N*m" required with induction_motor, open 0.0 to inf, "breakdown torque of the driving gear, its largest torque";
+        sb_motor "1" required with induction_motor, open 0.0 to inf, "slip at which the driving gear has its breakdown torque";
+        ns_motor "rad/s" required with induction_motor, open 0.0 to inf, "synchronous speed of the driving gear";
+        Tp_motor "N*m" required with traction_motor, open 0.0 to inf, "peak torque of the driving gear, up to its base speed";
+        Pp_motor "W" required with traction_motor, open 0.0 to inf, "peak power of the driving gear, above its base speed Pp/Tp";
+        d_motor "1" default 1.0, open -inf to inf,
+            "demand on the driving gear: 1 drives with its peak torque or power, -1 brakes with them";
+        round_motor "1" default 0.01, open 0.0 to inf,
+            "rounding of the corner of the torque of the driving gear at its base speed, relative to that";
+        cf_load "N*m*s^2/rad^2" required with fan_load, from 0.0 to inf, "fan torque of the driven gear divided by the square of its speed";
+        w0_load "rad/s" default 0.01, open 0.0 to inf,
+            "speed of the driven gear below which the fan torque is linear instead of quadratic in the speed";
     }
     laws {
         k "N*m" phase theta period 6.283185307179586 rolling,
@@ -57,6 +74,13 @@ equations! {
             "Coulomb friction between the flanks, against their sliding, which turns as a tooth pair passes the pitch point";
         flank_stiction requires(sliding_friction)
             "flanks at rest stick, up to their static friction; sliding, their friction has its full size at any speed";
+        speed_governor excludes(dc_motor, induction_motor, traction_motor)
+            "a speed governor: motor torque proportional to the set point minus the speed";
+        dc_motor excludes(induction_motor, traction_motor)
+            "a DC motor at constant voltage: its torque falls linearly from stall to no load";
+        induction_motor excludes(traction_motor) "an induction motor, its torque by the formula of Kloss";
+        traction_motor "a traction motor: its peak torque up to the base speed, constant power above it, times the demand";
+        fan_load "a fan as load: torque proportional to the square of the speed, against the rotation";
     }
     switching {
         stiffness_step => with_jump;
@@ -84,11 +108,14 @@ equations! {
         C = 2.0*zeta*(k_mid/M2).sqrt();
         tan_a = alpha.sin()/alpha.cos();
         tiny = 1.0/1000000000000.0;
+        per_wb_motor = Tp_motor/Pp_motor;
     }
     deflections {
         over = phi - edge - e;
         tau = 2.0*tan_a*phi;
         psi = phi/N1 + theta/N1 - phi/N2 + theta/N2;
+        theta_motor = phi/N1 + theta/N1;
+        theta_load = theta/N2 - phi/N2;
     }
     forces {
         F_mu { sliding_friction => mu*k*touch*psi_dot*(tiny.powi(2) + over.powi(2)).sqrt()/(w_mix.powi(2) + psi_dot.powi(2)).sqrt(); }
@@ -96,6 +123,16 @@ equations! {
             flank_stiction => mu*k*slide_dir*touch*(tiny.powi(2) + over.powi(2)).sqrt()
                 - mu*k*touch*psi_dot*(tiny.powi(2) + over.powi(2)).sqrt()/(w_mix.powi(2) + psi_dot.powi(2)).sqrt();
         }
+        T_induction_motor {
+            induction_motor => 2.0*Tb_motor*sb_motor*(1.0 - theta_motor_dot/ns_motor)
+                /(sb_motor.powi(2) + (1.0 - theta_motor_dot/ns_motor).powi(2));
+        }
+        T_traction_motor {
+            traction_motor => 2.0*Tp_motor*d_motor
+                /((round_motor.powi(2) + (1.0 - per_wb_motor*theta_motor_dot).powi(2)).sqrt()
+                + (round_motor.powi(2) + (1.0 + per_wb_motor*theta_motor_dot).powi(2)).sqrt());
+        }
+        T_fan_load { fan_load => -cf_load*theta_load_dot*(w0_load.powi(2) + theta_load_dot.powi(2)).sqrt(); }
     }
     partials {
         F_mu_by_over {
@@ -118,6 +155,24 @@ equations! {
         F_dir_by_k {
             flank_stiction => mu*slide_dir*touch*(tiny.powi(2) + over.powi(2)).sqrt()
                 - mu*touch*psi_dot*(tiny.powi(2) + over.powi(2)).sqrt()/(w_mix.powi(2) + psi_dot.powi(2)).sqrt();
+        }
+        T_induction_motor_by_theta_motor_dot {
+            induction_motor => 4.0*Tb_motor*sb_motor*(1.0 - theta_motor_dot/ns_motor).powi(2)
+                /(ns_motor*(sb_motor.powi(2) + (1.0 - theta_motor_dot/ns_motor).powi(2)).powi(2))
+                - 2.0*Tb_motor*sb_motor/(ns_motor*(sb_motor.powi(2) + (1.0 - theta_motor_dot/ns_motor).powi(2)));
+        }
+        T_traction_motor_by_theta_motor_dot {
+            traction_motor => -2.0*Tp_motor*d_motor
+                *(per_wb_motor*(1.0 + per_wb_motor*theta_motor_dot)
+                /(round_motor.powi(2) + (1.0 + per_wb_motor*theta_motor_dot).powi(2)).sqrt()
+                - per_wb_motor*(1.0 - per_wb_motor*theta_motor_dot)
+                /(round_motor.powi(2) + (1.0 - per_wb_motor*theta_motor_dot).powi(2)).sqrt())
+                /((round_motor.powi(2) + (1.0 - per_wb_motor*theta_motor_dot).powi(2)).sqrt()
+                + (round_motor.powi(2) + (1.0 + per_wb_motor*theta_motor_dot).powi(2)).sqrt()).powi(2);
+        }
+        T_fan_load_by_theta_load_dot {
+            fan_load => -cf_load*theta_load_dot.powi(2)/(w0_load.powi(2) + theta_load_dot.powi(2)).sqrt()
+                - cf_load*(w0_load.powi(2) + theta_load_dot.powi(2)).sqrt();
         }
     }
     switches {
@@ -225,7 +280,11 @@ equations! {
     energies {
         kinetic { _ => (I1*(phi_dot + theta_dot).powi(2)/N1.powi(2) + I2*(theta_dot - phi_dot).powi(2)/N2.powi(2))/2.0; }
         potential { _ => k*touch*over.powi(2); }
-        dissipation { damping => C*damp*over_dot.powi(2); }
+        dissipation {
+            damping => C*damp*over_dot.powi(2);
+            speed_governor => c_motor*theta_motor_dot.powi(2)/2.0;
+            dc_motor => Ts_motor*theta_motor_dot.powi(2)/(2.0*n0_motor);
+        }
     }
     torques {
         drive "torque T0 N1 on the driving gear" { torques => T0*(phi + theta); }
@@ -240,8 +299,26 @@ equations! {
             sliding_friction => -arm*F_mu*psi_dot;
             sliding_friction_and_flank_stiction => -arm*F_dir*psi_dot;
         }
+        governor "torque c n of the governor; its part -c omega is in D" { speed_governor => c_motor*n_motor*(phi/N1 + theta/N1); }
+        dc "stall torque of the DC motor; the part proportional to the speed is in D" { dc_motor => Ts_motor*(phi/N1 + theta/N1); }
+        induction "torque of the induction motor" {}
+        power { induction_motor => T_induction_motor*(phi_dot/N1 + theta_dot/N1); }
+        traction "torque of the traction motor" {}
+        power { traction_motor => T_traction_motor*(phi_dot/N1 + theta_dot/N1); }
+        fan "torque of the fan, against its rotation" {}
+        power { fan_load => T_fan_load*(theta_dot/N2 - phi_dot/N2); }
     }
-    work { phi { torques => 2.0*T0; } }
+    work {
+        theta {
+            speed_governor => c_motor*n_motor/N1;
+            dc_motor => Ts_motor/N1;
+        }
+        phi {
+            torques => 2.0*T0;
+            speed_governor => c_motor*n_motor/N1;
+            dc_motor => Ts_motor/N1;
+        }
+    }
     mass {
         theta theta { _ => I1/N1.powi(2) + I2/N2.powi(2); }
         theta phi { _ => I1/N1.powi(2) - I2/N2.powi(2); }
@@ -257,6 +334,11 @@ equations! {
             transmission_error_and_jump_terms => 2.0*k*de*touch*over;
             sliding_friction => -arm*F_mu/N1 - arm*F_mu/N2;
             sliding_friction_and_flank_stiction => -arm*F_dir/N1 - arm*F_dir/N2;
+            speed_governor => c_motor*n_motor/N1 - c_motor*theta_motor_dot/N1;
+            dc_motor => Ts_motor/N1 - Ts_motor*theta_motor_dot/(N1*n0_motor);
+            induction_motor => T_induction_motor/N1;
+            traction_motor => T_traction_motor/N1;
+            fan_load => T_fan_load/N2;
             jump_terms => -dk*touch*over.powi(2);
         }
         phi {
@@ -266,6 +348,11 @@ equations! {
             torques => 2.0*T0;
             sliding_friction => arm*F_mu/N2 - 2.0*tan_a*side*F_mu - arm*F_mu/N1;
             sliding_friction_and_flank_stiction => arm*F_dir/N2 - 2.0*tan_a*side*F_dir - arm*F_dir/N1;
+            speed_governor => c_motor*n_motor/N1 - c_motor*theta_motor_dot/N1;
+            dc_motor => Ts_motor/N1 - Ts_motor*theta_motor_dot/(N1*n0_motor);
+            induction_motor => T_induction_motor/N1;
+            traction_motor => T_traction_motor/N1;
+            fan_load => -T_fan_load/N2;
         }
     }
     jacobian {
@@ -289,10 +376,20 @@ equations! {
             sliding_friction => -arm*F_mu_by_psi_dot/N1.powi(2) - 2.0*arm*F_mu_by_psi_dot/(N1*N2) - arm*F_mu_by_psi_dot/N2.powi(2);
             sliding_friction_and_flank_stiction => -arm*F_dir_by_psi_dot/N1.powi(2) - 2.0*arm*F_dir_by_psi_dot/(N1*N2)
                 - arm*F_dir_by_psi_dot/N2.powi(2);
+            speed_governor => -c_motor/N1.powi(2);
+            dc_motor => -Ts_motor/(N1.powi(2)*n0_motor);
+            induction_motor => T_induction_motor_by_theta_motor_dot/N1.powi(2);
+            traction_motor => T_traction_motor_by_theta_motor_dot/N1.powi(2);
+            fan_load => T_fan_load_by_theta_load_dot/N2.powi(2);
         }
         theta phi_dot {
             sliding_friction => arm*F_mu_by_psi_dot/N2.powi(2) - arm*F_mu_by_psi_dot/N1.powi(2);
             sliding_friction_and_flank_stiction => arm*F_dir_by_psi_dot/N2.powi(2) - arm*F_dir_by_psi_dot/N1.powi(2);
+            speed_governor => -c_motor/N1.powi(2);
+            dc_motor => -Ts_motor/(N1.powi(2)*n0_motor);
+            induction_motor => T_induction_motor_by_theta_motor_dot/N1.powi(2);
+            traction_motor => T_traction_motor_by_theta_motor_dot/N1.powi(2);
+            fan_load => -T_fan_load_by_theta_load_dot/N2.powi(2);
         }
         phi theta {
             transmission_error_and_backlash_and_moving_phase => 2.0*k*de*clip*touch;
@@ -319,6 +416,11 @@ equations! {
                 - arm*F_mu_by_psi_dot/N1.powi(2);
             sliding_friction_and_flank_stiction => arm*F_dir_by_psi_dot/N2.powi(2) - 2.0*tan_a*side*F_dir_by_psi_dot/N1
                 - 2.0*tan_a*side*F_dir_by_psi_dot/N2 - arm*F_dir_by_psi_dot/N1.powi(2);
+            speed_governor => -c_motor/N1.powi(2);
+            dc_motor => -Ts_motor/(N1.powi(2)*n0_motor);
+            induction_motor => T_induction_motor_by_theta_motor_dot/N1.powi(2);
+            traction_motor => T_traction_motor_by_theta_motor_dot/N1.powi(2);
+            fan_load => -T_fan_load_by_theta_load_dot/N2.powi(2);
         }
         phi phi_dot {
             damping => -2.0*C*damp;
@@ -326,6 +428,11 @@ equations! {
                 + 2.0*arm*F_mu_by_psi_dot/(N1*N2) - arm*F_mu_by_psi_dot/N2.powi(2);
             sliding_friction_and_flank_stiction => 2.0*tan_a*side*F_dir_by_psi_dot/N2 - 2.0*tan_a*side*F_dir_by_psi_dot/N1
                 - arm*F_dir_by_psi_dot/N1.powi(2) + 2.0*arm*F_dir_by_psi_dot/(N1*N2) - arm*F_dir_by_psi_dot/N2.powi(2);
+            speed_governor => -c_motor/N1.powi(2);
+            dc_motor => -Ts_motor/(N1.powi(2)*n0_motor);
+            induction_motor => T_induction_motor_by_theta_motor_dot/N1.powi(2);
+            traction_motor => T_traction_motor_by_theta_motor_dot/N1.powi(2);
+            fan_load => T_fan_load_by_theta_load_dot/N2.powi(2);
         }
     }
     cell {
@@ -335,18 +442,41 @@ equations! {
                 backlash => 2.0*k*clip*touch;
             }
         }
-        damping { phi phi { damping => 2.0*C*damp; } }
+        damping {
+            theta theta {
+                speed_governor => c_motor/N1.powi(2);
+                dc_motor => Ts_motor/(N1.powi(2)*n0_motor);
+            }
+            theta phi {
+                speed_governor => c_motor/N1.powi(2);
+                dc_motor => Ts_motor/(N1.powi(2)*n0_motor);
+            }
+            phi phi {
+                damping => 2.0*C*damp;
+                speed_governor => c_motor/N1.powi(2);
+                dc_motor => Ts_motor/(N1.powi(2)*n0_motor);
+            }
+        }
         load {
+            theta {
+                speed_governor => c_motor*n_motor/N1;
+                dc_motor => Ts_motor/N1;
+            }
             phi {
                 _ => 2.0*(k*touch*edge + k*touch*e);
                 backlash => 2.0*(k*clip*touch*edge + k*clip*touch*e);
                 torques => 2.0*T0;
+                speed_governor => c_motor*n_motor/N1;
+                dc_motor => Ts_motor/N1;
             }
         }
     }
     nonlinear_with {
         sliding_friction "-side*F_mu in the torque `slide`";
         sliding_friction "-arm*F_mu in the torque `roll`";
+        induction_motor "T_induction_motor in the torque `induction`";
+        traction_motor "T_traction_motor in the torque `traction`";
+        fan_load "T_fan_load in the torque `fan`";
     }
     jump k {
         compliance { _ => M2/2.0; }
@@ -395,6 +525,27 @@ equations! {
         power_roll "W" with sliding_friction, "power of the friction of the mesh, through the rolling of the gears: positive if it drives" {
             _ => roll_power;
         }
+        governor_braking "W" with speed_governor,
+            "power that the motor takes back: the part of its torque that is proportional to the speed, times the speed" {
+            _ => c_motor*theta_motor_dot.powi(2);
+        }
+        power_governor "W" with speed_governor,
+            "power of the torque c n of the governor; its part -c omega is in D: positive if it drives" {
+            _ => governor_power;
+        }
+        dc_braking "W" with dc_motor,
+            "power that the motor takes back: the part of its torque that is proportional to the speed, times the speed" {
+            _ => Ts_motor*theta_motor_dot.powi(2)/n0_motor;
+        }
+        power_dc "W" with dc_motor,
+            "power of the stall torque of the DC motor; the part proportional to the speed is in D: positive if it drives" {
+            _ => dc_power;
+        }
+        power_induction "W" with induction_motor, "power of the torque of the induction motor: positive if it drives" {
+            _ => induction_power;
+        }
+        power_traction "W" with traction_motor, "power of the torque of the traction motor: positive if it drives" { _ => traction_power; }
+        power_fan "W" with fan_load, "power of the torque of the fan, against its rotation: positive if it drives" { _ => fan_power; }
     }
 
     text "text/gear_pair.txt";
@@ -429,8 +580,8 @@ equations! {
 //
 // | output | sums | products, quotients | functions, roots |
 // | --- | --- | --- | --- |
-// | constants (once a scene) | 2 | 16 | 3 |
-// | named forces | 6 | 24 | 5 |
-// | force | 6 | 40 | 0 |
-// | acceleration | 16 | 116 | 0 |
+// | constants (once a scene) | 2 | 17 | 3 |
+// | named forces | 21 | 63 | 8 |
+// | force | 10 | 62 | 0 |
+// | acceleration | 34 | 216 | 0 |
 // | energy steps, all laws | 1 | 10 | 0 |

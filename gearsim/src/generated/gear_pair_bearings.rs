@@ -36,7 +36,24 @@ equations! {
         w_mix12 "rad/s" default 0.1, open 0.0 to inf,
             "rolling speed omega1 + omega2 of the mesh below which friction decreases to zero (mixed film)";
         T_motor "N*m" required with torques, open -inf to inf, "driving torque of the driving gear";
+        c_motor "N*m*s/rad" required with speed_governor, open 0.0 to inf,
+            "gain of the governor of the driving gear: torque per difference of set point and speed";
+        n_motor "rad/s" required with speed_governor, open -inf to inf, "set point of the speed governor of the driving gear";
+        Ts_motor "N*m" required with dc_motor, open 0.0 to inf, "stall torque of the driving gear";
+        n0_motor "rad/s" required with dc_motor, open 0.0 to inf, "no-load speed of the driving gear";
+        Tb_motor "N*m" required with induction_motor, open 0.0 to inf, "breakdown torque of the driving gear, its largest torque";
+        sb_motor "1" required with induction_motor, open 0.0 to inf, "slip at which the driving gear has its breakdown torque";
+        ns_motor "rad/s" required with induction_motor, open 0.0 to inf, "synchronous speed of the driving gear";
+        Tp_motor "N*m" required with traction_motor, open 0.0 to inf, "peak torque of the driving gear, up to its base speed";
+        Pp_motor "W" required with traction_motor, open 0.0 to inf, "peak power of the driving gear, above its base speed Pp/Tp";
+        d_motor "1" default 1.0, open -inf to inf,
+            "demand on the driving gear: 1 drives with its peak torque or power, -1 brakes with them";
+        round_motor "1" default 0.01, open 0.0 to inf,
+            "rounding of the corner of the torque of the driving gear at its base speed, relative to that";
         T_load "N*m" required with torques, open -inf to inf, "load torque of the driven gear, against its rotation";
+        cf_load "N*m*s^2/rad^2" required with fan_load, from 0.0 to inf, "fan torque of the driven gear divided by the square of its speed";
+        w0_load "rad/s" default 0.01, open 0.0 to inf,
+            "speed of the driven gear below which the fan torque is linear instead of quadratic in the speed";
         alpha_M "1/s" default 0.0, from 0.0 to inf, "damping in proportion to inertia";
         beta_K "s" default 0.0, from 0.0 to inf, "damping in proportion to stiffness";
     }
@@ -67,6 +84,13 @@ equations! {
         sliding_friction_12 of sliding_friction requires(stiffness_step)
             "Coulomb friction between the flanks, against their sliding, which turns as a tooth pair passes the pitch point";
         torques "constant torques of motor and load";
+        speed_governor excludes(dc_motor, induction_motor, traction_motor)
+            "a speed governor: motor torque proportional to the set point minus the speed";
+        dc_motor excludes(induction_motor, traction_motor)
+            "a DC motor at constant voltage: its torque falls linearly from stall to no load";
+        induction_motor excludes(traction_motor) "an induction motor, its torque by the formula of Kloss";
+        traction_motor "a traction motor: its peak torque up to the base speed, constant power above it, times the demand";
+        fan_load "a fan as load: torque proportional to the square of the speed, against the rotation";
         damping "Rayleigh damping, C = alpha_M M + beta_K K at the mid stiffness";
     }
     switching {
@@ -106,6 +130,7 @@ equations! {
         a12 = R12/cos_a;
         inv12 = sin_a/cos_a - alpha;
         tiny12 = 1.0/1000000000000.0;
+        per_wb_motor = Tp_motor/Pp_motor;
     }
     deflections {
         bx1 = x1;
@@ -119,6 +144,8 @@ equations! {
         over12 = s - turn12 - edge12 - e12 + cos_a*y1 - cos_a*y2 + sin_a*x1 - sin_a*x2 - flank12*open12;
         tau12 = cos_a*x2 - cos_a*x1 + sin_a*y1 - sin_a*y2 + sin_a*s/cos_a;
         psi12 = s/(2.0*h*N1) - s/(2.0*h*N2) + theta/N1 + theta/N2;
+        theta_motor = s/(2.0*h*N1) + theta/N1;
+        theta_load = theta/N2 - s/(2.0*h*N2);
     }
     functions {
         turn12 with moving_centres_12 = R12*(y_c12/(a12 + x_c12)).atan() - cos_a*y_c12 - sin_a*x_c12;
@@ -165,6 +192,16 @@ equations! {
             sliding_friction_12 => mu12*k12*touch12*psi12_dot*(tiny12.powi(2) + over12.powi(2)).sqrt()
                 /(w_mix12.powi(2) + psi12_dot.powi(2)).sqrt();
         }
+        T_induction_motor {
+            induction_motor => 2.0*Tb_motor*sb_motor*(1.0 - theta_motor_dot/ns_motor)
+                /(sb_motor.powi(2) + (1.0 - theta_motor_dot/ns_motor).powi(2));
+        }
+        T_traction_motor {
+            traction_motor => 2.0*Tp_motor*d_motor
+                /((round_motor.powi(2) + (1.0 - per_wb_motor*theta_motor_dot).powi(2)).sqrt()
+                + (round_motor.powi(2) + (1.0 + per_wb_motor*theta_motor_dot).powi(2)).sqrt());
+        }
+        T_fan_load { fan_load => -cf_load*theta_load_dot*(w0_load.powi(2) + theta_load_dot.powi(2)).sqrt(); }
     }
     partials {
         F_mu12_by_over12 {
@@ -179,6 +216,24 @@ equations! {
         F_mu12_by_k12 {
             sliding_friction_12 => mu12*touch12*psi12_dot*(tiny12.powi(2) + over12.powi(2)).sqrt()
                 /(w_mix12.powi(2) + psi12_dot.powi(2)).sqrt();
+        }
+        T_induction_motor_by_theta_motor_dot {
+            induction_motor => 4.0*Tb_motor*sb_motor*(1.0 - theta_motor_dot/ns_motor).powi(2)
+                /(ns_motor*(sb_motor.powi(2) + (1.0 - theta_motor_dot/ns_motor).powi(2)).powi(2))
+                - 2.0*Tb_motor*sb_motor/(ns_motor*(sb_motor.powi(2) + (1.0 - theta_motor_dot/ns_motor).powi(2)));
+        }
+        T_traction_motor_by_theta_motor_dot {
+            traction_motor => -2.0*Tp_motor*d_motor
+                *(per_wb_motor*(1.0 + per_wb_motor*theta_motor_dot)
+                /(round_motor.powi(2) + (1.0 + per_wb_motor*theta_motor_dot).powi(2)).sqrt()
+                - per_wb_motor*(1.0 - per_wb_motor*theta_motor_dot)
+                /(round_motor.powi(2) + (1.0 - per_wb_motor*theta_motor_dot).powi(2)).sqrt())
+                /((round_motor.powi(2) + (1.0 - per_wb_motor*theta_motor_dot).powi(2)).sqrt()
+                + (round_motor.powi(2) + (1.0 + per_wb_motor*theta_motor_dot).powi(2)).sqrt()).powi(2);
+        }
+        T_fan_load_by_theta_load_dot {
+            fan_load => -cf_load*theta_load_dot.powi(2)/(w0_load.powi(2) + theta_load_dot.powi(2)).sqrt()
+                - cf_load*(w0_load.powi(2) + theta_load_dot.powi(2)).sqrt();
         }
     }
     switches {
@@ -255,6 +310,8 @@ equations! {
         dissipation {
             viscous_friction_1 => (cb1*bx1_dot.powi(2) + cb1*by1_dot.powi(2))/2.0;
             viscous_friction_2 => (cb2*bx2_dot.powi(2) + cb2*by2_dot.powi(2))/2.0;
+            speed_governor => c_motor*theta_motor_dot.powi(2)/2.0;
+            dc_motor => Ts_motor*theta_motor_dot.powi(2)/(2.0*n0_motor);
             damping => (I1*alpha_M*(s_dot/(2.0*h*N1) + theta_dot/N1).powi(2) + I2*alpha_M*(theta_dot/N2 - s_dot/(2.0*h*N2)).powi(2)
                 + alpha_M*m1*x1_dot.powi(2) + alpha_M*m1*y1_dot.powi(2) + alpha_M*m2*x2_dot.powi(2) + alpha_M*m2*y2_dot.powi(2)
                 + beta_K*kb1*bx1_dot.powi(2) + beta_K*kb1*by1_dot.powi(2) + beta_K*kb2*bx2_dot.powi(2) + beta_K*kb2*by2_dot.powi(2)
@@ -267,11 +324,27 @@ equations! {
         roll12 "friction of the mesh, through the rolling of the gears" {}
         power { sliding_friction_12 => -arm12*F_mu12*psi12_dot; }
         motor "driving torque of the driving gear" { torques => T_motor*(s/(2.0*h*N1) + theta/N1); }
+        governor "torque c n of the governor; its part -c omega is in D" { speed_governor => c_motor*n_motor*(s/(2.0*h*N1) + theta/N1); }
+        dc "stall torque of the DC motor; the part proportional to the speed is in D" { dc_motor => Ts_motor*(s/(2.0*h*N1) + theta/N1); }
+        induction "torque of the induction motor" {}
+        power { induction_motor => T_induction_motor*(s_dot/(2.0*h*N1) + theta_dot/N1); }
+        traction "torque of the traction motor" {}
+        power { traction_motor => T_traction_motor*(s_dot/(2.0*h*N1) + theta_dot/N1); }
         load "load torque of the driven gear, against its rotation" { torques => T_load*(s/(2.0*h*N2) - theta/N2); }
+        fan "torque of the fan, against its rotation" {}
+        power { fan_load => T_fan_load*(theta_dot/N2 - s_dot/(2.0*h*N2)); }
     }
     work {
-        theta { torques => T_motor/N1 - T_load/N2; }
-        s { torques => (T_motor/(h*N1) + T_load/(h*N2))/2.0; }
+        theta {
+            torques => T_motor/N1 - T_load/N2;
+            speed_governor => c_motor*n_motor/N1;
+            dc_motor => Ts_motor/N1;
+        }
+        s {
+            torques => (T_motor/(h*N1) + T_load/(h*N2))/2.0;
+            speed_governor => c_motor*n_motor/(2.0*h*N1);
+            dc_motor => Ts_motor/(2.0*h*N1);
+        }
     }
     mass {
         theta theta { _ => I1/N1.powi(2) + I2/N2.powi(2); }
@@ -287,6 +360,11 @@ equations! {
             transmission_error_12_and_jump_terms => k12*de12*touch12*over12;
             sliding_friction_12 => -arm12*F_mu12/N1 - arm12*F_mu12/N2;
             torques => T_motor/N1 - T_load/N2;
+            speed_governor => c_motor*n_motor/N1 - c_motor*theta_motor_dot/N1;
+            dc_motor => Ts_motor/N1 - Ts_motor*theta_motor_dot/(N1*n0_motor);
+            induction_motor => T_induction_motor/N1;
+            traction_motor => T_traction_motor/N1;
+            fan_load => T_fan_load/N2;
             damping => I2*alpha_M*s_dot/(2.0*h*N2.powi(2)) - I1*alpha_M*theta_dot/N1.powi(2) - I2*alpha_M*theta_dot/N2.powi(2)
                 - I1*alpha_M*s_dot/(2.0*h*N1.powi(2));
             jump_terms => -dk12*touch12*over12.powi(2)/2.0;
@@ -296,6 +374,11 @@ equations! {
             backlash_12 => -k12*clip12*touch12*over12;
             sliding_friction_12 => arm12*F_mu12/(2.0*h*N2) - sin_a*side12*F_mu12/cos_a - arm12*F_mu12/(2.0*h*N1);
             torques => (T_motor/(h*N1) + T_load/(h*N2))/2.0;
+            speed_governor => (c_motor*n_motor/(h*N1) - c_motor*theta_motor_dot/(h*N1))/2.0;
+            dc_motor => (Ts_motor/(h*N1) - Ts_motor*theta_motor_dot/(h*N1*n0_motor))/2.0;
+            induction_motor => T_induction_motor/(2.0*h*N1);
+            traction_motor => T_traction_motor/(2.0*h*N1);
+            fan_load => -T_fan_load/(2.0*h*N2);
             damping => I2*alpha_M*theta_dot/(2.0*h*N2.powi(2)) - beta_K*k12_mid*damp12*over12_dot
                 - I1*alpha_M*s_dot/(4.0*h.powi(2)*N1.powi(2)) - I2*alpha_M*s_dot/(4.0*h.powi(2)*N2.powi(2))
                 - I1*alpha_M*theta_dot/(2.0*h*N1.powi(2));
@@ -410,10 +493,20 @@ equations! {
         theta theta_dot {
             sliding_friction_12 => -arm12*F_mu12_by_psi12_dot/N1.powi(2) - 2.0*arm12*F_mu12_by_psi12_dot/(N1*N2)
                 - arm12*F_mu12_by_psi12_dot/N2.powi(2);
+            speed_governor => -c_motor/N1.powi(2);
+            dc_motor => -Ts_motor/(N1.powi(2)*n0_motor);
+            induction_motor => T_induction_motor_by_theta_motor_dot/N1.powi(2);
+            traction_motor => T_traction_motor_by_theta_motor_dot/N1.powi(2);
+            fan_load => T_fan_load_by_theta_load_dot/N2.powi(2);
             damping => -I1*alpha_M/N1.powi(2) - I2*alpha_M/N2.powi(2);
         }
         theta s_dot {
             sliding_friction_12 => (arm12*F_mu12_by_psi12_dot/(h*N2.powi(2)) - arm12*F_mu12_by_psi12_dot/(h*N1.powi(2)))/2.0;
+            speed_governor => -c_motor/(2.0*h*N1.powi(2));
+            dc_motor => -Ts_motor/(2.0*h*N1.powi(2)*n0_motor);
+            induction_motor => T_induction_motor_by_theta_motor_dot/(2.0*h*N1.powi(2));
+            traction_motor => T_traction_motor_by_theta_motor_dot/(2.0*h*N1.powi(2));
+            fan_load => -T_fan_load_by_theta_load_dot/(2.0*h*N2.powi(2));
             damping => (I2*alpha_M/(h*N2.powi(2)) - I1*alpha_M/(h*N1.powi(2)))/2.0;
         }
         s theta {
@@ -484,12 +577,22 @@ equations! {
         s theta_dot {
             sliding_friction_12 => arm12*F_mu12_by_psi12_dot/(2.0*h*N2.powi(2)) - sin_a*side12*F_mu12_by_psi12_dot/(cos_a*N1)
                 - sin_a*side12*F_mu12_by_psi12_dot/(cos_a*N2) - arm12*F_mu12_by_psi12_dot/(2.0*h*N1.powi(2));
+            speed_governor => -c_motor/(2.0*h*N1.powi(2));
+            dc_motor => -Ts_motor/(2.0*h*N1.powi(2)*n0_motor);
+            induction_motor => T_induction_motor_by_theta_motor_dot/(2.0*h*N1.powi(2));
+            traction_motor => T_traction_motor_by_theta_motor_dot/(2.0*h*N1.powi(2));
+            fan_load => -T_fan_load_by_theta_load_dot/(2.0*h*N2.powi(2));
             damping => (I2*alpha_M/(h*N2.powi(2)) - I1*alpha_M/(h*N1.powi(2)))/2.0;
         }
         s s_dot {
             sliding_friction_12 => sin_a*side12*F_mu12_by_psi12_dot/(2.0*cos_a*h*N2) - sin_a*side12*F_mu12_by_psi12_dot/(2.0*cos_a*h*N1)
                 - arm12*F_mu12_by_psi12_dot/(4.0*h.powi(2)*N1.powi(2)) + arm12*F_mu12_by_psi12_dot/(2.0*h.powi(2)*N1*N2)
                 - arm12*F_mu12_by_psi12_dot/(4.0*h.powi(2)*N2.powi(2));
+            speed_governor => -c_motor/(4.0*h.powi(2)*N1.powi(2));
+            dc_motor => -Ts_motor/(4.0*h.powi(2)*N1.powi(2)*n0_motor);
+            induction_motor => T_induction_motor_by_theta_motor_dot/(4.0*h.powi(2)*N1.powi(2));
+            traction_motor => T_traction_motor_by_theta_motor_dot/(4.0*h.powi(2)*N1.powi(2));
+            fan_load => T_fan_load_by_theta_load_dot/(4.0*h.powi(2)*N2.powi(2));
             damping => -beta_K*k12_mid*damp12 - I1*alpha_M/(4.0*h.powi(2)*N1.powi(2)) - I2*alpha_M/(4.0*h.powi(2)*N2.powi(2));
         }
         s x1_dot {
@@ -1097,9 +1200,21 @@ equations! {
             }
         }
         damping {
-            theta theta { damping => I1*alpha_M/N1.powi(2) + I2*alpha_M/N2.powi(2); }
-            theta s { damping => (I1*alpha_M/(h*N1.powi(2)) - I2*alpha_M/(h*N2.powi(2)))/2.0; }
-            s s { damping => beta_K*k12_mid*damp12 + I1*alpha_M/(4.0*h.powi(2)*N1.powi(2)) + I2*alpha_M/(4.0*h.powi(2)*N2.powi(2)); }
+            theta theta {
+                speed_governor => c_motor/N1.powi(2);
+                dc_motor => Ts_motor/(N1.powi(2)*n0_motor);
+                damping => I1*alpha_M/N1.powi(2) + I2*alpha_M/N2.powi(2);
+            }
+            theta s {
+                speed_governor => c_motor/(2.0*h*N1.powi(2));
+                dc_motor => Ts_motor/(2.0*h*N1.powi(2)*n0_motor);
+                damping => (I1*alpha_M/(h*N1.powi(2)) - I2*alpha_M/(h*N2.powi(2)))/2.0;
+            }
+            s s {
+                speed_governor => c_motor/(4.0*h.powi(2)*N1.powi(2));
+                dc_motor => Ts_motor/(4.0*h.powi(2)*N1.powi(2)*n0_motor);
+                damping => beta_K*k12_mid*damp12 + I1*alpha_M/(4.0*h.powi(2)*N1.powi(2)) + I2*alpha_M/(4.0*h.powi(2)*N2.powi(2));
+            }
             s x1 { damping => sin_a*beta_K*k12_mid*damp12; }
             s y1 { damping => cos_a*beta_K*k12_mid*damp12; }
             s x2 { damping => -sin_a*beta_K*k12_mid*damp12; }
@@ -1128,11 +1243,17 @@ equations! {
             }
         }
         load {
-            theta { torques => T_motor/N1 - T_load/N2; }
+            theta {
+                torques => T_motor/N1 - T_load/N2;
+                speed_governor => c_motor*n_motor/N1;
+                dc_motor => Ts_motor/N1;
+            }
             s {
                 _ => k12*touch12*edge12 + k12*touch12*e12;
                 backlash_12 => k12*clip12*touch12*edge12 + k12*clip12*touch12*e12;
                 torques => (T_motor/(h*N1) + T_load/(h*N2))/2.0;
+                speed_governor => c_motor*n_motor/(2.0*h*N1);
+                dc_motor => Ts_motor/(2.0*h*N1);
             }
             x1 {
                 _ => sin_a*k12*touch12*edge12 + sin_a*k12*touch12*e12;
@@ -1155,6 +1276,9 @@ equations! {
     nonlinear_with {
         sliding_friction_12 "-side12*F_mu12 in the torque `slide12`";
         sliding_friction_12 "-arm12*F_mu12 in the torque `roll12`";
+        induction_motor "T_induction_motor in the torque `induction`";
+        traction_motor "T_traction_motor in the torque `traction`";
+        fan_load "T_fan_load in the torque `fan`";
         moving_centres_12 "the deflection drive12 bends";
         moving_centres_12 "the deflection coast12 bends";
         moving_centres_12 "the deflection over12 bends";
@@ -1233,9 +1357,30 @@ equations! {
             _ => roll12_power;
         }
         power_motor "W" with torques, "power of the driving torque of the driving gear: positive if it drives" { _ => motor_power; }
+        governor_braking "W" with speed_governor,
+            "power that the motor takes back: the part of its torque that is proportional to the speed, times the speed" {
+            _ => c_motor*theta_motor_dot.powi(2);
+        }
+        power_governor "W" with speed_governor,
+            "power of the torque c n of the governor; its part -c omega is in D: positive if it drives" {
+            _ => governor_power;
+        }
+        dc_braking "W" with dc_motor,
+            "power that the motor takes back: the part of its torque that is proportional to the speed, times the speed" {
+            _ => Ts_motor*theta_motor_dot.powi(2)/n0_motor;
+        }
+        power_dc "W" with dc_motor,
+            "power of the stall torque of the DC motor; the part proportional to the speed is in D: positive if it drives" {
+            _ => dc_power;
+        }
+        power_induction "W" with induction_motor, "power of the torque of the induction motor: positive if it drives" {
+            _ => induction_power;
+        }
+        power_traction "W" with traction_motor, "power of the torque of the traction motor: positive if it drives" { _ => traction_power; }
         power_load "W" with torques, "power of the load torque of the driven gear, against its rotation: positive if it drives" {
             _ => load_power;
         }
+        power_fan "W" with fan_load, "power of the torque of the fan, against its rotation: positive if it drives" { _ => fan_power; }
         inertia_damping_loss "W" with damping, "power that the damping in proportion to inertia takes" {
             _ => 2.0*alpha_M*((I1*(s_dot/(2.0*h*N1) + theta_dot/N1).powi(2) + I2*(theta_dot/N2 - s_dot/(2.0*h*N2)).powi(2)
                 + m1*x1_dot.powi(2) + m1*y1_dot.powi(2) + m2*x2_dot.powi(2) + m2*y2_dot.powi(2))/2.0);
@@ -1274,7 +1419,7 @@ equations! {
 //
 // | output | sums | products, quotients | functions, roots |
 // | --- | --- | --- | --- |
-// | constants (once a scene) | 2 | 5 | 2 |
-// | named forces | 2 | 9 | 2 |
-// | force | 36 | 260 | 0 |
+// | constants (once a scene) | 2 | 6 | 2 |
+// | named forces | 17 | 48 | 5 |
+// | force | 40 | 296 | 0 |
 // | energy steps, all laws | 1 | 11 | 0 |

@@ -32,7 +32,6 @@ equations! {
         w_mix12 "rad/s" default 0.1, open 0.0 to inf,
             "rolling speed omega1 + omega2 of the mesh below which friction decreases to zero (mixed film)";
         T_motor "N*m" required with torques, open -inf to inf, "driving torque of the motor";
-        T_load "N*m" required with torques, open -inf to inf, "load torque of the load, against its rotation";
         c_motor "N*m*s/rad" required with speed_governor, open 0.0 to inf,
             "gain of the governor of the motor: torque per difference of set point and speed";
         n_motor "rad/s" required with speed_governor, open -inf to inf, "set point of the speed governor of the motor";
@@ -41,6 +40,12 @@ equations! {
         Tb_motor "N*m" required with induction_motor, open 0.0 to inf, "breakdown torque of the motor, its largest torque";
         sb_motor "1" required with induction_motor, open 0.0 to inf, "slip at which the motor has its breakdown torque";
         ns_motor "rad/s" required with induction_motor, open 0.0 to inf, "synchronous speed of the motor";
+        Tp_motor "N*m" required with traction_motor, open 0.0 to inf, "peak torque of the motor, up to its base speed";
+        Pp_motor "W" required with traction_motor, open 0.0 to inf, "peak power of the motor, above its base speed Pp/Tp";
+        d_motor "1" default 1.0, open -inf to inf, "demand on the motor: 1 drives with its peak torque or power, -1 brakes with them";
+        round_motor "1" default 0.01, open 0.0 to inf,
+            "rounding of the corner of the torque of the motor at its base speed, relative to that";
+        T_load "N*m" required with torques, open -inf to inf, "load torque of the load, against its rotation";
         cf_load "N*m*s^2/rad^2" required with fan_load, from 0.0 to inf, "fan torque of the load divided by the square of its speed";
         w0_load "rad/s" default 0.01, open 0.0 to inf,
             "speed of the load below which the fan torque is linear instead of quadratic in the speed";
@@ -70,9 +75,12 @@ equations! {
         sliding_friction_12 of sliding_friction requires(stiffness_step)
             "Coulomb friction between the flanks, against their sliding, which turns as a tooth pair passes the pitch point";
         torques "constant torques of motor and load";
-        speed_governor excludes(dc_motor, induction_motor) "a speed governor: motor torque proportional to the set point minus the speed";
-        dc_motor excludes(induction_motor) "a DC motor at constant voltage: its torque falls linearly from stall to no load";
-        induction_motor "an induction motor, its torque by the formula of Kloss";
+        speed_governor excludes(dc_motor, induction_motor, traction_motor)
+            "a speed governor: motor torque proportional to the set point minus the speed";
+        dc_motor excludes(induction_motor, traction_motor)
+            "a DC motor at constant voltage: its torque falls linearly from stall to no load";
+        induction_motor excludes(traction_motor) "an induction motor, its torque by the formula of Kloss";
+        traction_motor "a traction motor: its peak torque up to the base speed, constant power above it, times the demand";
         fan_load "a fan as load: torque proportional to the square of the speed, against the rotation";
         damping "Rayleigh damping, C = alpha_M M + beta_K K at the mid stiffness";
     }
@@ -97,6 +105,7 @@ equations! {
         h = r1/N1;
         tan_a = alpha.sin()/alpha.cos();
         tiny12 = 1.0/1000000000000.0;
+        per_wb_motor = Tp_motor/Pp_motor;
     }
     deflections {
         twist_m = psi_m;
@@ -104,14 +113,24 @@ equations! {
         over12 = s - edge12 - e12;
         tau12 = tan_a*s;
         psi12 = s/(2.0*h*N1) - s/(2.0*h*N2) + theta/N1 + theta/N2;
-        theta_m = psi_m + s/(2.0*h*N1) + theta/N1;
-        theta_l = theta/N2 - psi_l - s/(2.0*h*N2);
+        theta_motor = psi_m + s/(2.0*h*N1) + theta/N1;
+        theta_load = theta/N2 - psi_l - s/(2.0*h*N2);
     }
     forces {
         F_mu12 {
             sliding_friction_12 => mu12*k12*touch12*psi12_dot*(tiny12.powi(2) + over12.powi(2)).sqrt()
                 /(w_mix12.powi(2) + psi12_dot.powi(2)).sqrt();
         }
+        T_induction_motor {
+            induction_motor => 2.0*Tb_motor*sb_motor*(1.0 - theta_motor_dot/ns_motor)
+                /(sb_motor.powi(2) + (1.0 - theta_motor_dot/ns_motor).powi(2));
+        }
+        T_traction_motor {
+            traction_motor => 2.0*Tp_motor*d_motor
+                /((round_motor.powi(2) + (1.0 - per_wb_motor*theta_motor_dot).powi(2)).sqrt()
+                + (round_motor.powi(2) + (1.0 + per_wb_motor*theta_motor_dot).powi(2)).sqrt());
+        }
+        T_fan_load { fan_load => -cf_load*theta_load_dot*(w0_load.powi(2) + theta_load_dot.powi(2)).sqrt(); }
     }
     partials {
         F_mu12_by_over12 {
@@ -126,6 +145,24 @@ equations! {
         F_mu12_by_k12 {
             sliding_friction_12 => mu12*touch12*psi12_dot*(tiny12.powi(2) + over12.powi(2)).sqrt()
                 /(w_mix12.powi(2) + psi12_dot.powi(2)).sqrt();
+        }
+        T_induction_motor_by_theta_motor_dot {
+            induction_motor => 4.0*Tb_motor*sb_motor*(1.0 - theta_motor_dot/ns_motor).powi(2)
+                /(ns_motor*(sb_motor.powi(2) + (1.0 - theta_motor_dot/ns_motor).powi(2)).powi(2))
+                - 2.0*Tb_motor*sb_motor/(ns_motor*(sb_motor.powi(2) + (1.0 - theta_motor_dot/ns_motor).powi(2)));
+        }
+        T_traction_motor_by_theta_motor_dot {
+            traction_motor => -2.0*Tp_motor*d_motor
+                *(per_wb_motor*(1.0 + per_wb_motor*theta_motor_dot)
+                /(round_motor.powi(2) + (1.0 + per_wb_motor*theta_motor_dot).powi(2)).sqrt()
+                - per_wb_motor*(1.0 - per_wb_motor*theta_motor_dot)
+                /(round_motor.powi(2) + (1.0 - per_wb_motor*theta_motor_dot).powi(2)).sqrt())
+                /((round_motor.powi(2) + (1.0 - per_wb_motor*theta_motor_dot).powi(2)).sqrt()
+                + (round_motor.powi(2) + (1.0 + per_wb_motor*theta_motor_dot).powi(2)).sqrt()).powi(2);
+        }
+        T_fan_load_by_theta_load_dot {
+            fan_load => -cf_load*theta_load_dot.powi(2)/(w0_load.powi(2) + theta_load_dot.powi(2)).sqrt()
+                - cf_load*(w0_load.powi(2) + theta_load_dot.powi(2)).sqrt();
         }
     }
     switches {
@@ -201,8 +238,8 @@ equations! {
         }
         potential { _ => (k_l*twist_l.powi(2) + k_m*twist_m.powi(2) + k12*touch12*over12.powi(2))/2.0; }
         dissipation {
-            speed_governor => c_motor*theta_m_dot.powi(2)/2.0;
-            dc_motor => Ts_motor*theta_m_dot.powi(2)/(2.0*n0_motor);
+            speed_governor => c_motor*theta_motor_dot.powi(2)/2.0;
+            dc_motor => Ts_motor*theta_motor_dot.powi(2)/(2.0*n0_motor);
             damping => (I1*alpha_M*(s_dot/(2.0*h*N1) + theta_dot/N1).powi(2) + I2*alpha_M*(theta_dot/N2 - s_dot/(2.0*h*N2)).powi(2)
                 + I_l*alpha_M*(theta_dot/N2 - psi_l_dot - s_dot/(2.0*h*N2)).powi(2)
                 + I_m*alpha_M*(psi_m_dot + s_dot/(2.0*h*N1) + theta_dot/N1).powi(2) + beta_K*k_l*twist_l_dot.powi(2)
@@ -215,7 +252,6 @@ equations! {
         roll12 "friction of the mesh, through the rolling of the gears" {}
         power { sliding_friction_12 => -arm12*F_mu12*psi12_dot; }
         motor "driving torque of the motor" { torques => T_motor*(psi_m + s/(2.0*h*N1) + theta/N1); }
-        load "load torque of the load, against its rotation" { torques => T_load*(psi_l + s/(2.0*h*N2) - theta/N2); }
         governor "torque c n of the governor; its part -c omega is in D" {
             speed_governor => c_motor*n_motor*(psi_m + s/(2.0*h*N1) + theta/N1);
         }
@@ -223,14 +259,12 @@ equations! {
             dc_motor => Ts_motor*(psi_m + s/(2.0*h*N1) + theta/N1);
         }
         induction "torque of the induction motor" {}
-        power {
-            induction_motor => 2.0*Tb_motor*sb_motor*(1.0 - theta_m_dot/ns_motor)*(psi_m_dot + s_dot/(2.0*h*N1) + theta_dot/N1)
-                /(sb_motor.powi(2) + (1.0 - theta_m_dot/ns_motor).powi(2));
-        }
+        power { induction_motor => T_induction_motor*(psi_m_dot + s_dot/(2.0*h*N1) + theta_dot/N1); }
+        traction "torque of the traction motor" {}
+        power { traction_motor => T_traction_motor*(psi_m_dot + s_dot/(2.0*h*N1) + theta_dot/N1); }
+        load "load torque of the load, against its rotation" { torques => T_load*(psi_l + s/(2.0*h*N2) - theta/N2); }
         fan "torque of the fan, against its rotation" {}
-        power {
-            fan_load => -cf_load*theta_l_dot*(w0_load.powi(2) + theta_l_dot.powi(2)).sqrt()*(theta_dot/N2 - psi_l_dot - s_dot/(2.0*h*N2));
-        }
+        power { fan_load => T_fan_load*(theta_dot/N2 - psi_l_dot - s_dot/(2.0*h*N2)); }
     }
     work {
         theta {
@@ -266,13 +300,11 @@ equations! {
             transmission_error_12_and_jump_terms => k12*de12*touch12*over12;
             sliding_friction_12 => -arm12*F_mu12/N1 - arm12*F_mu12/N2;
             torques => T_motor/N1 - T_load/N2;
-            speed_governor => c_motor*n_motor/N1 - c_motor*theta_m_dot/N1;
-            dc_motor => Ts_motor/N1 - Ts_motor*theta_m_dot/(N1*n0_motor);
-            induction_motor => 2.0*(Tb_motor*sb_motor
-                /(N1*(1.0 + sb_motor.powi(2) + theta_m_dot.powi(2)/ns_motor.powi(2) - 2.0*theta_m_dot/ns_motor))
-                - Tb_motor*sb_motor*theta_m_dot
-                /(N1*ns_motor*(1.0 + sb_motor.powi(2) + theta_m_dot.powi(2)/ns_motor.powi(2) - 2.0*theta_m_dot/ns_motor)));
-            fan_load => -cf_load*theta_l_dot*(w0_load.powi(2) + theta_l_dot.powi(2)).sqrt()/N2;
+            speed_governor => c_motor*n_motor/N1 - c_motor*theta_motor_dot/N1;
+            dc_motor => Ts_motor/N1 - Ts_motor*theta_motor_dot/(N1*n0_motor);
+            induction_motor => T_induction_motor/N1;
+            traction_motor => T_traction_motor/N1;
+            fan_load => T_fan_load/N2;
             damping => I_l*alpha_M*psi_l_dot/N2 - I1*alpha_M*theta_dot/N1.powi(2) - I2*alpha_M*theta_dot/N2.powi(2)
                 - I_l*alpha_M*theta_dot/N2.powi(2) - I_m*alpha_M*theta_dot/N1.powi(2) - I_m*alpha_M*psi_m_dot/N1
                 - I1*alpha_M*s_dot/(2.0*h*N1.powi(2)) + I2*alpha_M*s_dot/(2.0*h*N2.powi(2)) + I_l*alpha_M*s_dot/(2.0*h*N2.powi(2))
@@ -284,13 +316,11 @@ equations! {
             backlash_12 => -k12*clip12*touch12*over12;
             sliding_friction_12 => arm12*F_mu12/(2.0*h*N2) - tan_a*side12*F_mu12 - arm12*F_mu12/(2.0*h*N1);
             torques => (T_motor/(h*N1) + T_load/(h*N2))/2.0;
-            speed_governor => (c_motor*n_motor/(h*N1) - c_motor*theta_m_dot/(h*N1))/2.0;
-            dc_motor => (Ts_motor/(h*N1) - Ts_motor*theta_m_dot/(h*N1*n0_motor))/2.0;
-            induction_motor => Tb_motor*sb_motor
-                /(h*N1*(1.0 + sb_motor.powi(2) + theta_m_dot.powi(2)/ns_motor.powi(2) - 2.0*theta_m_dot/ns_motor))
-                - Tb_motor*sb_motor*theta_m_dot
-                /(h*N1*ns_motor*(1.0 + sb_motor.powi(2) + theta_m_dot.powi(2)/ns_motor.powi(2) - 2.0*theta_m_dot/ns_motor));
-            fan_load => cf_load*theta_l_dot*(w0_load.powi(2) + theta_l_dot.powi(2)).sqrt()/(2.0*h*N2);
+            speed_governor => (c_motor*n_motor/(h*N1) - c_motor*theta_motor_dot/(h*N1))/2.0;
+            dc_motor => (Ts_motor/(h*N1) - Ts_motor*theta_motor_dot/(h*N1*n0_motor))/2.0;
+            induction_motor => T_induction_motor/(2.0*h*N1);
+            traction_motor => T_traction_motor/(2.0*h*N1);
+            fan_load => -T_fan_load/(2.0*h*N2);
             damping => I2*alpha_M*theta_dot/(2.0*h*N2.powi(2)) - beta_K*k12_mid*damp12*over12_dot
                 - I1*alpha_M*s_dot/(4.0*h.powi(2)*N1.powi(2)) - I2*alpha_M*s_dot/(4.0*h.powi(2)*N2.powi(2))
                 - I_l*alpha_M*s_dot/(4.0*h.powi(2)*N2.powi(2)) - I_m*alpha_M*s_dot/(4.0*h.powi(2)*N1.powi(2))
@@ -300,18 +330,16 @@ equations! {
         psi_m {
             _ => -k_m*twist_m;
             torques => T_motor;
-            speed_governor => c_motor*n_motor - c_motor*theta_m_dot;
-            dc_motor => Ts_motor - Ts_motor*theta_m_dot/n0_motor;
-            induction_motor => 2.0*(Tb_motor*sb_motor
-                /(1.0 + sb_motor.powi(2) + theta_m_dot.powi(2)/ns_motor.powi(2) - 2.0*theta_m_dot/ns_motor)
-                - Tb_motor*sb_motor*theta_m_dot
-                /(ns_motor*(1.0 + sb_motor.powi(2) + theta_m_dot.powi(2)/ns_motor.powi(2) - 2.0*theta_m_dot/ns_motor)));
+            speed_governor => c_motor*n_motor - c_motor*theta_motor_dot;
+            dc_motor => Ts_motor - Ts_motor*theta_motor_dot/n0_motor;
+            induction_motor => T_induction_motor;
+            traction_motor => T_traction_motor;
             damping => -I_m*alpha_M*psi_m_dot - I_m*alpha_M*theta_dot/N1 - beta_K*k_m*twist_m_dot - I_m*alpha_M*s_dot/(2.0*h*N1);
         }
         psi_l {
             _ => -k_l*twist_l;
             torques => T_load;
-            fan_load => cf_load*theta_l_dot*(w0_load.powi(2) + theta_l_dot.powi(2)).sqrt();
+            fan_load => -T_fan_load;
             damping => I_l*alpha_M*theta_dot/N2 - I_l*alpha_M*psi_l_dot - beta_K*k_l*twist_l_dot - I_l*alpha_M*s_dot/(2.0*h*N2);
         }
     }
@@ -334,71 +362,30 @@ equations! {
                 - arm12*F_mu12_by_psi12_dot/N2.powi(2);
             speed_governor => -c_motor/N1.powi(2);
             dc_motor => -Ts_motor/(N1.powi(2)*n0_motor);
-            induction_motor => 4.0*Tb_motor*sb_motor*theta_m_dot.powi(2)
-                /(N1.powi(2)*ns_motor.powi(3)*(1.0 + 2.0*sb_motor.powi(2) + sb_motor.powi(4) + theta_m_dot.powi(4)/ns_motor.powi(4)
-                - 4.0*theta_m_dot.powi(3)/ns_motor.powi(3) + 2.0*sb_motor.powi(2)*theta_m_dot.powi(2)/ns_motor.powi(2)
-                + 6.0*theta_m_dot.powi(2)/ns_motor.powi(2) - 4.0*theta_m_dot/ns_motor - 4.0*sb_motor.powi(2)*theta_m_dot/ns_motor))
-                - 8.0*Tb_motor*sb_motor*theta_m_dot
-                /(N1.powi(2)*ns_motor.powi(2)*(1.0 + 2.0*sb_motor.powi(2) + sb_motor.powi(4) + theta_m_dot.powi(4)/ns_motor.powi(4)
-                - 4.0*theta_m_dot.powi(3)/ns_motor.powi(3) + 2.0*sb_motor.powi(2)*theta_m_dot.powi(2)/ns_motor.powi(2)
-                + 6.0*theta_m_dot.powi(2)/ns_motor.powi(2) - 4.0*theta_m_dot/ns_motor - 4.0*sb_motor.powi(2)*theta_m_dot/ns_motor))
-                - 2.0*Tb_motor*sb_motor/(N1.powi(2)*ns_motor
-                *(1.0 + sb_motor.powi(2) + theta_m_dot.powi(2)/ns_motor.powi(2) - 2.0*theta_m_dot/ns_motor))
-                + 4.0*Tb_motor*sb_motor/(N1.powi(2)*ns_motor
-                *(1.0 + 2.0*sb_motor.powi(2) + sb_motor.powi(4) + theta_m_dot.powi(4)/ns_motor.powi(4)
-                - 4.0*theta_m_dot.powi(3)/ns_motor.powi(3) + 2.0*sb_motor.powi(2)*theta_m_dot.powi(2)/ns_motor.powi(2)
-                + 6.0*theta_m_dot.powi(2)/ns_motor.powi(2) - 4.0*theta_m_dot/ns_motor - 4.0*sb_motor.powi(2)*theta_m_dot/ns_motor));
-            fan_load => -cf_load*theta_l_dot.powi(2)/(N2.powi(2)*(w0_load.powi(2) + theta_l_dot.powi(2)).sqrt())
-                - cf_load*(w0_load.powi(2) + theta_l_dot.powi(2)).sqrt()/N2.powi(2);
+            induction_motor => T_induction_motor_by_theta_motor_dot/N1.powi(2);
+            traction_motor => T_traction_motor_by_theta_motor_dot/N1.powi(2);
+            fan_load => T_fan_load_by_theta_load_dot/N2.powi(2);
             damping => -I1*alpha_M/N1.powi(2) - I2*alpha_M/N2.powi(2) - I_l*alpha_M/N2.powi(2) - I_m*alpha_M/N1.powi(2);
         }
         theta s_dot {
             sliding_friction_12 => (arm12*F_mu12_by_psi12_dot/(h*N2.powi(2)) - arm12*F_mu12_by_psi12_dot/(h*N1.powi(2)))/2.0;
             speed_governor => -c_motor/(2.0*h*N1.powi(2));
             dc_motor => -Ts_motor/(2.0*h*N1.powi(2)*n0_motor);
-            induction_motor => 2.0*Tb_motor*sb_motor*theta_m_dot.powi(2)
-                /(h*N1.powi(2)*ns_motor.powi(3)
-                *(1.0 + 2.0*sb_motor.powi(2) + sb_motor.powi(4) + theta_m_dot.powi(4)/ns_motor.powi(4)
-                - 4.0*theta_m_dot.powi(3)/ns_motor.powi(3) + 2.0*sb_motor.powi(2)*theta_m_dot.powi(2)/ns_motor.powi(2)
-                + 6.0*theta_m_dot.powi(2)/ns_motor.powi(2) - 4.0*theta_m_dot/ns_motor - 4.0*sb_motor.powi(2)*theta_m_dot/ns_motor))
-                - 4.0*Tb_motor*sb_motor*theta_m_dot
-                /(h*N1.powi(2)*ns_motor.powi(2)
-                *(1.0 + 2.0*sb_motor.powi(2) + sb_motor.powi(4) + theta_m_dot.powi(4)/ns_motor.powi(4)
-                - 4.0*theta_m_dot.powi(3)/ns_motor.powi(3) + 2.0*sb_motor.powi(2)*theta_m_dot.powi(2)/ns_motor.powi(2)
-                + 6.0*theta_m_dot.powi(2)/ns_motor.powi(2) - 4.0*theta_m_dot/ns_motor - 4.0*sb_motor.powi(2)*theta_m_dot/ns_motor))
-                - Tb_motor*sb_motor/(h*N1.powi(2)*ns_motor
-                *(1.0 + sb_motor.powi(2) + theta_m_dot.powi(2)/ns_motor.powi(2) - 2.0*theta_m_dot/ns_motor))
-                + 2.0*Tb_motor*sb_motor/(h*N1.powi(2)*ns_motor
-                *(1.0 + 2.0*sb_motor.powi(2) + sb_motor.powi(4) + theta_m_dot.powi(4)/ns_motor.powi(4)
-                - 4.0*theta_m_dot.powi(3)/ns_motor.powi(3) + 2.0*sb_motor.powi(2)*theta_m_dot.powi(2)/ns_motor.powi(2)
-                + 6.0*theta_m_dot.powi(2)/ns_motor.powi(2) - 4.0*theta_m_dot/ns_motor - 4.0*sb_motor.powi(2)*theta_m_dot/ns_motor));
-            fan_load => (cf_load*theta_l_dot.powi(2)/(h*N2.powi(2)*(w0_load.powi(2) + theta_l_dot.powi(2)).sqrt())
-                + cf_load*(w0_load.powi(2) + theta_l_dot.powi(2)).sqrt()/(h*N2.powi(2)))/2.0;
+            induction_motor => T_induction_motor_by_theta_motor_dot/(2.0*h*N1.powi(2));
+            traction_motor => T_traction_motor_by_theta_motor_dot/(2.0*h*N1.powi(2));
+            fan_load => -T_fan_load_by_theta_load_dot/(2.0*h*N2.powi(2));
             damping => (I2*alpha_M/(h*N2.powi(2)) - I1*alpha_M/(h*N1.powi(2)) + I_l*alpha_M/(h*N2.powi(2)) - I_m*alpha_M/(h*N1.powi(2)))
                 /2.0;
         }
         theta psi_m_dot {
             speed_governor => -c_motor/N1;
             dc_motor => -Ts_motor/(N1*n0_motor);
-            induction_motor => 4.0*Tb_motor*sb_motor*theta_m_dot.powi(2)
-                /(N1*ns_motor.powi(3)*(1.0 + 2.0*sb_motor.powi(2) + sb_motor.powi(4) + theta_m_dot.powi(4)/ns_motor.powi(4)
-                - 4.0*theta_m_dot.powi(3)/ns_motor.powi(3) + 2.0*sb_motor.powi(2)*theta_m_dot.powi(2)/ns_motor.powi(2)
-                + 6.0*theta_m_dot.powi(2)/ns_motor.powi(2) - 4.0*theta_m_dot/ns_motor - 4.0*sb_motor.powi(2)*theta_m_dot/ns_motor))
-                - 8.0*Tb_motor*sb_motor*theta_m_dot
-                /(N1*ns_motor.powi(2)*(1.0 + 2.0*sb_motor.powi(2) + sb_motor.powi(4) + theta_m_dot.powi(4)/ns_motor.powi(4)
-                - 4.0*theta_m_dot.powi(3)/ns_motor.powi(3) + 2.0*sb_motor.powi(2)*theta_m_dot.powi(2)/ns_motor.powi(2)
-                + 6.0*theta_m_dot.powi(2)/ns_motor.powi(2) - 4.0*theta_m_dot/ns_motor - 4.0*sb_motor.powi(2)*theta_m_dot/ns_motor))
-                - 2.0*Tb_motor*sb_motor/(N1*ns_motor
-                *(1.0 + sb_motor.powi(2) + theta_m_dot.powi(2)/ns_motor.powi(2) - 2.0*theta_m_dot/ns_motor))
-                + 4.0*Tb_motor*sb_motor/(N1*ns_motor
-                *(1.0 + 2.0*sb_motor.powi(2) + sb_motor.powi(4) + theta_m_dot.powi(4)/ns_motor.powi(4)
-                - 4.0*theta_m_dot.powi(3)/ns_motor.powi(3) + 2.0*sb_motor.powi(2)*theta_m_dot.powi(2)/ns_motor.powi(2)
-                + 6.0*theta_m_dot.powi(2)/ns_motor.powi(2) - 4.0*theta_m_dot/ns_motor - 4.0*sb_motor.powi(2)*theta_m_dot/ns_motor));
+            induction_motor => T_induction_motor_by_theta_motor_dot/N1;
+            traction_motor => T_traction_motor_by_theta_motor_dot/N1;
             damping => -I_m*alpha_M/N1;
         }
         theta psi_l_dot {
-            fan_load => cf_load*theta_l_dot.powi(2)/(N2*(w0_load.powi(2) + theta_l_dot.powi(2)).sqrt())
-                + cf_load*(w0_load.powi(2) + theta_l_dot.powi(2)).sqrt()/N2;
+            fan_load => -T_fan_load_by_theta_load_dot/N2;
             damping => I_l*alpha_M/N2;
         }
         s theta {
@@ -421,24 +408,9 @@ equations! {
                 - tan_a*side12*F_mu12_by_psi12_dot/N2 - arm12*F_mu12_by_psi12_dot/(2.0*h*N1.powi(2));
             speed_governor => -c_motor/(2.0*h*N1.powi(2));
             dc_motor => -Ts_motor/(2.0*h*N1.powi(2)*n0_motor);
-            induction_motor => 2.0*Tb_motor*sb_motor*theta_m_dot.powi(2)
-                /(h*N1.powi(2)*ns_motor.powi(3)
-                *(1.0 + 2.0*sb_motor.powi(2) + sb_motor.powi(4) + theta_m_dot.powi(4)/ns_motor.powi(4)
-                - 4.0*theta_m_dot.powi(3)/ns_motor.powi(3) + 2.0*sb_motor.powi(2)*theta_m_dot.powi(2)/ns_motor.powi(2)
-                + 6.0*theta_m_dot.powi(2)/ns_motor.powi(2) - 4.0*theta_m_dot/ns_motor - 4.0*sb_motor.powi(2)*theta_m_dot/ns_motor))
-                - 4.0*Tb_motor*sb_motor*theta_m_dot
-                /(h*N1.powi(2)*ns_motor.powi(2)
-                *(1.0 + 2.0*sb_motor.powi(2) + sb_motor.powi(4) + theta_m_dot.powi(4)/ns_motor.powi(4)
-                - 4.0*theta_m_dot.powi(3)/ns_motor.powi(3) + 2.0*sb_motor.powi(2)*theta_m_dot.powi(2)/ns_motor.powi(2)
-                + 6.0*theta_m_dot.powi(2)/ns_motor.powi(2) - 4.0*theta_m_dot/ns_motor - 4.0*sb_motor.powi(2)*theta_m_dot/ns_motor))
-                - Tb_motor*sb_motor/(h*N1.powi(2)*ns_motor
-                *(1.0 + sb_motor.powi(2) + theta_m_dot.powi(2)/ns_motor.powi(2) - 2.0*theta_m_dot/ns_motor))
-                + 2.0*Tb_motor*sb_motor/(h*N1.powi(2)*ns_motor
-                *(1.0 + 2.0*sb_motor.powi(2) + sb_motor.powi(4) + theta_m_dot.powi(4)/ns_motor.powi(4)
-                - 4.0*theta_m_dot.powi(3)/ns_motor.powi(3) + 2.0*sb_motor.powi(2)*theta_m_dot.powi(2)/ns_motor.powi(2)
-                + 6.0*theta_m_dot.powi(2)/ns_motor.powi(2) - 4.0*theta_m_dot/ns_motor - 4.0*sb_motor.powi(2)*theta_m_dot/ns_motor));
-            fan_load => (cf_load*theta_l_dot.powi(2)/(h*N2.powi(2)*(w0_load.powi(2) + theta_l_dot.powi(2)).sqrt())
-                + cf_load*(w0_load.powi(2) + theta_l_dot.powi(2)).sqrt()/(h*N2.powi(2)))/2.0;
+            induction_motor => T_induction_motor_by_theta_motor_dot/(2.0*h*N1.powi(2));
+            traction_motor => T_traction_motor_by_theta_motor_dot/(2.0*h*N1.powi(2));
+            fan_load => -T_fan_load_by_theta_load_dot/(2.0*h*N2.powi(2));
             damping => (I2*alpha_M/(h*N2.powi(2)) - I1*alpha_M/(h*N1.powi(2)) + I_l*alpha_M/(h*N2.powi(2)) - I_m*alpha_M/(h*N1.powi(2)))
                 /2.0;
         }
@@ -448,123 +420,56 @@ equations! {
                 + tan_a*side12*F_mu12_by_psi12_dot/(2.0*h*N2);
             speed_governor => -c_motor/(4.0*h.powi(2)*N1.powi(2));
             dc_motor => -Ts_motor/(4.0*h.powi(2)*N1.powi(2)*n0_motor);
-            induction_motor => Tb_motor*sb_motor*theta_m_dot.powi(2)
-                /(h.powi(2)*N1.powi(2)*ns_motor.powi(3)
-                *(1.0 + 2.0*sb_motor.powi(2) + sb_motor.powi(4) + theta_m_dot.powi(4)/ns_motor.powi(4)
-                - 4.0*theta_m_dot.powi(3)/ns_motor.powi(3) + 2.0*sb_motor.powi(2)*theta_m_dot.powi(2)/ns_motor.powi(2)
-                + 6.0*theta_m_dot.powi(2)/ns_motor.powi(2) - 4.0*theta_m_dot/ns_motor - 4.0*sb_motor.powi(2)*theta_m_dot/ns_motor))
-                - 2.0*Tb_motor*sb_motor*theta_m_dot
-                /(h.powi(2)*N1.powi(2)*ns_motor.powi(2)
-                *(1.0 + 2.0*sb_motor.powi(2) + sb_motor.powi(4) + theta_m_dot.powi(4)/ns_motor.powi(4)
-                - 4.0*theta_m_dot.powi(3)/ns_motor.powi(3) + 2.0*sb_motor.powi(2)*theta_m_dot.powi(2)/ns_motor.powi(2)
-                + 6.0*theta_m_dot.powi(2)/ns_motor.powi(2) - 4.0*theta_m_dot/ns_motor - 4.0*sb_motor.powi(2)*theta_m_dot/ns_motor))
-                - Tb_motor*sb_motor/(2.0*h.powi(2)*N1.powi(2)*ns_motor
-                *(1.0 + sb_motor.powi(2) + theta_m_dot.powi(2)/ns_motor.powi(2) - 2.0*theta_m_dot/ns_motor))
-                + Tb_motor*sb_motor/(h.powi(2)*N1.powi(2)*ns_motor
-                *(1.0 + 2.0*sb_motor.powi(2) + sb_motor.powi(4) + theta_m_dot.powi(4)/ns_motor.powi(4)
-                - 4.0*theta_m_dot.powi(3)/ns_motor.powi(3) + 2.0*sb_motor.powi(2)*theta_m_dot.powi(2)/ns_motor.powi(2)
-                + 6.0*theta_m_dot.powi(2)/ns_motor.powi(2) - 4.0*theta_m_dot/ns_motor - 4.0*sb_motor.powi(2)*theta_m_dot/ns_motor));
-            fan_load => (-cf_load*theta_l_dot.powi(2)/(h.powi(2)*N2.powi(2)*(w0_load.powi(2) + theta_l_dot.powi(2)).sqrt())
-                - cf_load*(w0_load.powi(2) + theta_l_dot.powi(2)).sqrt()/(h.powi(2)*N2.powi(2)))/4.0;
+            induction_motor => T_induction_motor_by_theta_motor_dot/(4.0*h.powi(2)*N1.powi(2));
+            traction_motor => T_traction_motor_by_theta_motor_dot/(4.0*h.powi(2)*N1.powi(2));
+            fan_load => T_fan_load_by_theta_load_dot/(4.0*h.powi(2)*N2.powi(2));
             damping => -beta_K*k12_mid*damp12 - I1*alpha_M/(4.0*h.powi(2)*N1.powi(2)) - I2*alpha_M/(4.0*h.powi(2)*N2.powi(2))
                 - I_l*alpha_M/(4.0*h.powi(2)*N2.powi(2)) - I_m*alpha_M/(4.0*h.powi(2)*N1.powi(2));
         }
         s psi_m_dot {
             speed_governor => -c_motor/(2.0*h*N1);
             dc_motor => -Ts_motor/(2.0*h*N1*n0_motor);
-            induction_motor => 2.0*Tb_motor*sb_motor*theta_m_dot.powi(2)
-                /(h*N1*ns_motor.powi(3)*(1.0 + 2.0*sb_motor.powi(2) + sb_motor.powi(4) + theta_m_dot.powi(4)/ns_motor.powi(4)
-                - 4.0*theta_m_dot.powi(3)/ns_motor.powi(3) + 2.0*sb_motor.powi(2)*theta_m_dot.powi(2)/ns_motor.powi(2)
-                + 6.0*theta_m_dot.powi(2)/ns_motor.powi(2) - 4.0*theta_m_dot/ns_motor - 4.0*sb_motor.powi(2)*theta_m_dot/ns_motor))
-                - 4.0*Tb_motor*sb_motor*theta_m_dot
-                /(h*N1*ns_motor.powi(2)*(1.0 + 2.0*sb_motor.powi(2) + sb_motor.powi(4) + theta_m_dot.powi(4)/ns_motor.powi(4)
-                - 4.0*theta_m_dot.powi(3)/ns_motor.powi(3) + 2.0*sb_motor.powi(2)*theta_m_dot.powi(2)/ns_motor.powi(2)
-                + 6.0*theta_m_dot.powi(2)/ns_motor.powi(2) - 4.0*theta_m_dot/ns_motor - 4.0*sb_motor.powi(2)*theta_m_dot/ns_motor))
-                - Tb_motor*sb_motor/(h*N1*ns_motor
-                *(1.0 + sb_motor.powi(2) + theta_m_dot.powi(2)/ns_motor.powi(2) - 2.0*theta_m_dot/ns_motor))
-                + 2.0*Tb_motor*sb_motor/(h*N1*ns_motor
-                *(1.0 + 2.0*sb_motor.powi(2) + sb_motor.powi(4) + theta_m_dot.powi(4)/ns_motor.powi(4)
-                - 4.0*theta_m_dot.powi(3)/ns_motor.powi(3) + 2.0*sb_motor.powi(2)*theta_m_dot.powi(2)/ns_motor.powi(2)
-                + 6.0*theta_m_dot.powi(2)/ns_motor.powi(2) - 4.0*theta_m_dot/ns_motor - 4.0*sb_motor.powi(2)*theta_m_dot/ns_motor));
+            induction_motor => T_induction_motor_by_theta_motor_dot/(2.0*h*N1);
+            traction_motor => T_traction_motor_by_theta_motor_dot/(2.0*h*N1);
             damping => -I_m*alpha_M/(2.0*h*N1);
         }
         s psi_l_dot {
-            fan_load => (-cf_load*theta_l_dot.powi(2)/(h*N2*(w0_load.powi(2) + theta_l_dot.powi(2)).sqrt())
-                - cf_load*(w0_load.powi(2) + theta_l_dot.powi(2)).sqrt()/(h*N2))/2.0;
+            fan_load => T_fan_load_by_theta_load_dot/(2.0*h*N2);
             damping => -I_l*alpha_M/(2.0*h*N2);
         }
         psi_m psi_m { _ => -k_m; }
         psi_m theta_dot {
             speed_governor => -c_motor/N1;
             dc_motor => -Ts_motor/(N1*n0_motor);
-            induction_motor => 4.0*Tb_motor*sb_motor*theta_m_dot.powi(2)
-                /(N1*ns_motor.powi(3)*(1.0 + 2.0*sb_motor.powi(2) + sb_motor.powi(4) + theta_m_dot.powi(4)/ns_motor.powi(4)
-                - 4.0*theta_m_dot.powi(3)/ns_motor.powi(3) + 2.0*sb_motor.powi(2)*theta_m_dot.powi(2)/ns_motor.powi(2)
-                + 6.0*theta_m_dot.powi(2)/ns_motor.powi(2) - 4.0*theta_m_dot/ns_motor - 4.0*sb_motor.powi(2)*theta_m_dot/ns_motor))
-                - 8.0*Tb_motor*sb_motor*theta_m_dot
-                /(N1*ns_motor.powi(2)*(1.0 + 2.0*sb_motor.powi(2) + sb_motor.powi(4) + theta_m_dot.powi(4)/ns_motor.powi(4)
-                - 4.0*theta_m_dot.powi(3)/ns_motor.powi(3) + 2.0*sb_motor.powi(2)*theta_m_dot.powi(2)/ns_motor.powi(2)
-                + 6.0*theta_m_dot.powi(2)/ns_motor.powi(2) - 4.0*theta_m_dot/ns_motor - 4.0*sb_motor.powi(2)*theta_m_dot/ns_motor))
-                - 2.0*Tb_motor*sb_motor/(N1*ns_motor
-                *(1.0 + sb_motor.powi(2) + theta_m_dot.powi(2)/ns_motor.powi(2) - 2.0*theta_m_dot/ns_motor))
-                + 4.0*Tb_motor*sb_motor/(N1*ns_motor
-                *(1.0 + 2.0*sb_motor.powi(2) + sb_motor.powi(4) + theta_m_dot.powi(4)/ns_motor.powi(4)
-                - 4.0*theta_m_dot.powi(3)/ns_motor.powi(3) + 2.0*sb_motor.powi(2)*theta_m_dot.powi(2)/ns_motor.powi(2)
-                + 6.0*theta_m_dot.powi(2)/ns_motor.powi(2) - 4.0*theta_m_dot/ns_motor - 4.0*sb_motor.powi(2)*theta_m_dot/ns_motor));
+            induction_motor => T_induction_motor_by_theta_motor_dot/N1;
+            traction_motor => T_traction_motor_by_theta_motor_dot/N1;
             damping => -I_m*alpha_M/N1;
         }
         psi_m s_dot {
             speed_governor => -c_motor/(2.0*h*N1);
             dc_motor => -Ts_motor/(2.0*h*N1*n0_motor);
-            induction_motor => 2.0*Tb_motor*sb_motor*theta_m_dot.powi(2)
-                /(h*N1*ns_motor.powi(3)*(1.0 + 2.0*sb_motor.powi(2) + sb_motor.powi(4) + theta_m_dot.powi(4)/ns_motor.powi(4)
-                - 4.0*theta_m_dot.powi(3)/ns_motor.powi(3) + 2.0*sb_motor.powi(2)*theta_m_dot.powi(2)/ns_motor.powi(2)
-                + 6.0*theta_m_dot.powi(2)/ns_motor.powi(2) - 4.0*theta_m_dot/ns_motor - 4.0*sb_motor.powi(2)*theta_m_dot/ns_motor))
-                - 4.0*Tb_motor*sb_motor*theta_m_dot
-                /(h*N1*ns_motor.powi(2)*(1.0 + 2.0*sb_motor.powi(2) + sb_motor.powi(4) + theta_m_dot.powi(4)/ns_motor.powi(4)
-                - 4.0*theta_m_dot.powi(3)/ns_motor.powi(3) + 2.0*sb_motor.powi(2)*theta_m_dot.powi(2)/ns_motor.powi(2)
-                + 6.0*theta_m_dot.powi(2)/ns_motor.powi(2) - 4.0*theta_m_dot/ns_motor - 4.0*sb_motor.powi(2)*theta_m_dot/ns_motor))
-                - Tb_motor*sb_motor/(h*N1*ns_motor
-                *(1.0 + sb_motor.powi(2) + theta_m_dot.powi(2)/ns_motor.powi(2) - 2.0*theta_m_dot/ns_motor))
-                + 2.0*Tb_motor*sb_motor/(h*N1*ns_motor
-                *(1.0 + 2.0*sb_motor.powi(2) + sb_motor.powi(4) + theta_m_dot.powi(4)/ns_motor.powi(4)
-                - 4.0*theta_m_dot.powi(3)/ns_motor.powi(3) + 2.0*sb_motor.powi(2)*theta_m_dot.powi(2)/ns_motor.powi(2)
-                + 6.0*theta_m_dot.powi(2)/ns_motor.powi(2) - 4.0*theta_m_dot/ns_motor - 4.0*sb_motor.powi(2)*theta_m_dot/ns_motor));
+            induction_motor => T_induction_motor_by_theta_motor_dot/(2.0*h*N1);
+            traction_motor => T_traction_motor_by_theta_motor_dot/(2.0*h*N1);
             damping => -I_m*alpha_M/(2.0*h*N1);
         }
         psi_m psi_m_dot {
             speed_governor => -c_motor;
             dc_motor => -Ts_motor/n0_motor;
-            induction_motor => 4.0*Tb_motor*sb_motor*theta_m_dot.powi(2)
-                /(ns_motor.powi(3)*(1.0 + 2.0*sb_motor.powi(2) + sb_motor.powi(4) + theta_m_dot.powi(4)/ns_motor.powi(4)
-                - 4.0*theta_m_dot.powi(3)/ns_motor.powi(3) + 2.0*sb_motor.powi(2)*theta_m_dot.powi(2)/ns_motor.powi(2)
-                + 6.0*theta_m_dot.powi(2)/ns_motor.powi(2) - 4.0*theta_m_dot/ns_motor - 4.0*sb_motor.powi(2)*theta_m_dot/ns_motor))
-                - 8.0*Tb_motor*sb_motor*theta_m_dot
-                /(ns_motor.powi(2)*(1.0 + 2.0*sb_motor.powi(2) + sb_motor.powi(4) + theta_m_dot.powi(4)/ns_motor.powi(4)
-                - 4.0*theta_m_dot.powi(3)/ns_motor.powi(3) + 2.0*sb_motor.powi(2)*theta_m_dot.powi(2)/ns_motor.powi(2)
-                + 6.0*theta_m_dot.powi(2)/ns_motor.powi(2) - 4.0*theta_m_dot/ns_motor - 4.0*sb_motor.powi(2)*theta_m_dot/ns_motor))
-                - 2.0*Tb_motor*sb_motor/(ns_motor
-                *(1.0 + sb_motor.powi(2) + theta_m_dot.powi(2)/ns_motor.powi(2) - 2.0*theta_m_dot/ns_motor))
-                + 4.0*Tb_motor*sb_motor/(ns_motor
-                *(1.0 + 2.0*sb_motor.powi(2) + sb_motor.powi(4) + theta_m_dot.powi(4)/ns_motor.powi(4)
-                - 4.0*theta_m_dot.powi(3)/ns_motor.powi(3) + 2.0*sb_motor.powi(2)*theta_m_dot.powi(2)/ns_motor.powi(2)
-                + 6.0*theta_m_dot.powi(2)/ns_motor.powi(2) - 4.0*theta_m_dot/ns_motor - 4.0*sb_motor.powi(2)*theta_m_dot/ns_motor));
+            induction_motor => T_induction_motor_by_theta_motor_dot;
+            traction_motor => T_traction_motor_by_theta_motor_dot;
             damping => -I_m*alpha_M - beta_K*k_m;
         }
         psi_l psi_l { _ => -k_l; }
         psi_l theta_dot {
-            fan_load => cf_load*theta_l_dot.powi(2)/(N2*(w0_load.powi(2) + theta_l_dot.powi(2)).sqrt())
-                + cf_load*(w0_load.powi(2) + theta_l_dot.powi(2)).sqrt()/N2;
+            fan_load => -T_fan_load_by_theta_load_dot/N2;
             damping => I_l*alpha_M/N2;
         }
         psi_l s_dot {
-            fan_load => (-cf_load*theta_l_dot.powi(2)/(h*N2*(w0_load.powi(2) + theta_l_dot.powi(2)).sqrt())
-                - cf_load*(w0_load.powi(2) + theta_l_dot.powi(2)).sqrt()/(h*N2))/2.0;
+            fan_load => T_fan_load_by_theta_load_dot/(2.0*h*N2);
             damping => -I_l*alpha_M/(2.0*h*N2);
         }
         psi_l psi_l_dot {
-            fan_load => -cf_load*theta_l_dot.powi(2)/(w0_load.powi(2) + theta_l_dot.powi(2)).sqrt()
-                - cf_load*(w0_load.powi(2) + theta_l_dot.powi(2)).sqrt();
+            fan_load => T_fan_load_by_theta_load_dot;
             damping => -I_l*alpha_M - beta_K*k_l;
         }
     }
@@ -638,9 +543,9 @@ equations! {
     nonlinear_with {
         sliding_friction_12 "-side12*F_mu12 in the torque `slide12`";
         sliding_friction_12 "-arm12*F_mu12 in the torque `roll12`";
-        induction_motor
-            "2*Tb_motor*sb_motor*(1 - theta_m_dot/ns_motor)/(sb_motor^2 + (1 - theta_m_dot/ns_motor)^2) in the torque `induction`";
-        fan_load "-cf_load*theta_l_dot*sqrt(w0_load^2 + theta_l_dot^2) in the torque `fan`";
+        induction_motor "T_induction_motor in the torque `induction`";
+        traction_motor "T_traction_motor in the torque `traction`";
+        fan_load "T_fan_load in the torque `fan`";
     }
     jump k12 { step { _ => dk12*touch12*over12.powi(2)/2.0; } }
     jump e12 { step { _ => k12*de12.powi(2)*touch12/2.0 - k12*de12*touch12*over12; } }
@@ -695,12 +600,9 @@ equations! {
             _ => roll12_power;
         }
         power_motor "W" with torques, "power of the driving torque of the motor: positive if it drives" { _ => motor_power; }
-        power_load "W" with torques, "power of the load torque of the load, against its rotation: positive if it drives" {
-            _ => load_power;
-        }
         governor_braking "W" with speed_governor,
             "power that the motor takes back: the part of its torque that is proportional to the speed, times the speed" {
-            _ => c_motor*theta_m_dot.powi(2);
+            _ => c_motor*theta_motor_dot.powi(2);
         }
         power_governor "W" with speed_governor,
             "power of the torque c n of the governor; its part -c omega is in D: positive if it drives" {
@@ -708,7 +610,7 @@ equations! {
         }
         dc_braking "W" with dc_motor,
             "power that the motor takes back: the part of its torque that is proportional to the speed, times the speed" {
-            _ => Ts_motor*theta_m_dot.powi(2)/n0_motor;
+            _ => Ts_motor*theta_motor_dot.powi(2)/n0_motor;
         }
         power_dc "W" with dc_motor,
             "power of the stall torque of the DC motor; the part proportional to the speed is in D: positive if it drives" {
@@ -716,6 +618,10 @@ equations! {
         }
         power_induction "W" with induction_motor, "power of the torque of the induction motor: positive if it drives" {
             _ => induction_power;
+        }
+        power_traction "W" with traction_motor, "power of the torque of the traction motor: positive if it drives" { _ => traction_power; }
+        power_load "W" with torques, "power of the load torque of the load, against its rotation: positive if it drives" {
+            _ => load_power;
         }
         power_fan "W" with fan_load, "power of the torque of the fan, against its rotation: positive if it drives" { _ => fan_power; }
         inertia_damping_loss "W" with damping, "power that the damping in proportion to inertia takes" {
@@ -755,7 +661,7 @@ equations! {
 //
 // | output | sums | products, quotients | functions, roots |
 // | --- | --- | --- | --- |
-// | constants (once a scene) | 0 | 2 | 2 |
-// | named forces | 2 | 9 | 2 |
-// | force | 60 | 279 | 3 |
+// | constants (once a scene) | 0 | 3 | 2 |
+// | named forces | 17 | 48 | 5 |
+// | force | 36 | 211 | 0 |
 // | energy steps, all laws | 1 | 11 | 0 |

@@ -28,7 +28,24 @@ equations! {
         k_a "N*m/rad" required, from 0.0 to inf, "torsional stiffness of the shaft to the first disc";
         k_b "N*m/rad" required, from 0.0 to inf, "torsional stiffness of the shaft to the second disc";
         T_motor "N*m" required with torques, open -inf to inf, "driving torque of the motor";
+        c_motor "N*m*s/rad" required with speed_governor, open 0.0 to inf,
+            "gain of the governor of the motor: torque per difference of set point and speed";
+        n_motor "rad/s" required with speed_governor, open -inf to inf, "set point of the speed governor of the motor";
+        Ts_motor "N*m" required with dc_motor, open 0.0 to inf, "stall torque of the motor";
+        n0_motor "rad/s" required with dc_motor, open 0.0 to inf, "no-load speed of the motor";
+        Tb_motor "N*m" required with induction_motor, open 0.0 to inf, "breakdown torque of the motor, its largest torque";
+        sb_motor "1" required with induction_motor, open 0.0 to inf, "slip at which the motor has its breakdown torque";
+        ns_motor "rad/s" required with induction_motor, open 0.0 to inf, "synchronous speed of the motor";
+        Tp_motor "N*m" required with traction_motor, open 0.0 to inf, "peak torque of the motor, up to its base speed";
+        Pp_motor "W" required with traction_motor, open 0.0 to inf, "peak power of the motor, above its base speed Pp/Tp";
+        d_motor "1" default 1.0, open -inf to inf, "demand on the motor: 1 drives with its peak torque or power, -1 brakes with them";
+        round_motor "1" default 0.01, open 0.0 to inf,
+            "rounding of the corner of the torque of the motor at its base speed, relative to that";
         T_load "N*m" required with torques, open -inf to inf, "load torque of the second shaft's disc, against its rotation";
+        cf_load "N*m*s^2/rad^2" required with fan_load, from 0.0 to inf,
+            "fan torque of the second shaft's disc divided by the square of its speed";
+        w0_load "rad/s" default 0.01, open 0.0 to inf,
+            "speed of the second shaft's disc below which the fan torque is linear instead of quadratic in the speed";
         alpha_M "1/s" default 0.0, from 0.0 to inf, "damping in proportion to inertia";
         beta_K "s" default 0.0, from 0.0 to inf, "damping in proportion to stiffness";
     }
@@ -40,15 +57,57 @@ equations! {
     }
     effects {
         torques "constant torques of motor and load";
+        speed_governor excludes(dc_motor, induction_motor, traction_motor)
+            "a speed governor: motor torque proportional to the set point minus the speed";
+        dc_motor excludes(induction_motor, traction_motor)
+            "a DC motor at constant voltage: its torque falls linearly from stall to no load";
+        induction_motor excludes(traction_motor) "an induction motor, its torque by the formula of Kloss";
+        traction_motor "a traction motor: its peak torque up to the base speed, constant power above it, times the demand";
+        fan_load "a fan as load: torque proportional to the square of the speed, against the rotation";
         damping "Rayleigh damping, C = alpha_M M + beta_K K at the mid stiffness";
     }
     conditions {
     }
 
+    constants { per_wb_motor = Tp_motor/Pp_motor; }
     deflections {
         twist_m = theta_m - theta1;
         twist_a = theta1 - theta_a;
         twist_b = N1*theta1/N2 - theta_b;
+        theta_motor = theta_m;
+        theta_load = theta_b;
+    }
+    forces {
+        T_induction_motor {
+            induction_motor => 2.0*Tb_motor*sb_motor*(1.0 - theta_motor_dot/ns_motor)
+                /(sb_motor.powi(2) + (1.0 - theta_motor_dot/ns_motor).powi(2));
+        }
+        T_traction_motor {
+            traction_motor => 2.0*Tp_motor*d_motor
+                /((round_motor.powi(2) + (1.0 - per_wb_motor*theta_motor_dot).powi(2)).sqrt()
+                + (round_motor.powi(2) + (1.0 + per_wb_motor*theta_motor_dot).powi(2)).sqrt());
+        }
+        T_fan_load { fan_load => -cf_load*theta_load_dot*(w0_load.powi(2) + theta_load_dot.powi(2)).sqrt(); }
+    }
+    partials {
+        T_induction_motor_by_theta_motor_dot {
+            induction_motor => 4.0*Tb_motor*sb_motor*(1.0 - theta_motor_dot/ns_motor).powi(2)
+                /(ns_motor*(sb_motor.powi(2) + (1.0 - theta_motor_dot/ns_motor).powi(2)).powi(2))
+                - 2.0*Tb_motor*sb_motor/(ns_motor*(sb_motor.powi(2) + (1.0 - theta_motor_dot/ns_motor).powi(2)));
+        }
+        T_traction_motor_by_theta_motor_dot {
+            traction_motor => -2.0*Tp_motor*d_motor
+                *(per_wb_motor*(1.0 + per_wb_motor*theta_motor_dot)
+                /(round_motor.powi(2) + (1.0 + per_wb_motor*theta_motor_dot).powi(2)).sqrt()
+                - per_wb_motor*(1.0 - per_wb_motor*theta_motor_dot)
+                /(round_motor.powi(2) + (1.0 - per_wb_motor*theta_motor_dot).powi(2)).sqrt())
+                /((round_motor.powi(2) + (1.0 - per_wb_motor*theta_motor_dot).powi(2)).sqrt()
+                + (round_motor.powi(2) + (1.0 + per_wb_motor*theta_motor_dot).powi(2)).sqrt()).powi(2);
+        }
+        T_fan_load_by_theta_load_dot {
+            fan_load => -cf_load*theta_load_dot.powi(2)/(w0_load.powi(2) + theta_load_dot.powi(2)).sqrt()
+                - cf_load*(w0_load.powi(2) + theta_load_dot.powi(2)).sqrt();
+        }
     }
     energies {
         kinetic {
@@ -57,6 +116,8 @@ equations! {
         }
         potential { _ => (k_a*twist_a.powi(2) + k_b*twist_b.powi(2) + k_m*twist_m.powi(2))/2.0; }
         dissipation {
+            speed_governor => c_motor*theta_motor_dot.powi(2)/2.0;
+            dc_motor => Ts_motor*theta_motor_dot.powi(2)/(2.0*n0_motor);
             damping => (I1*alpha_M*theta1_dot.powi(2) + I2*N1.powi(2)*alpha_M*theta1_dot.powi(2)/N2.powi(2)
                 + I_a*alpha_M*theta_a_dot.powi(2) + I_b*alpha_M*theta_b_dot.powi(2) + I_m*alpha_M*theta_m_dot.powi(2)
                 + beta_K*k_a*twist_a_dot.powi(2) + beta_K*k_b*twist_b_dot.powi(2) + beta_K*k_m*twist_m_dot.powi(2))/2.0;
@@ -64,10 +125,22 @@ equations! {
     }
     torques {
         motor "driving torque of the motor" { torques => T_motor*theta_m; }
+        governor "torque c n of the governor; its part -c omega is in D" { speed_governor => c_motor*n_motor*theta_m; }
+        dc "stall torque of the DC motor; the part proportional to the speed is in D" { dc_motor => Ts_motor*theta_m; }
+        induction "torque of the induction motor" {}
+        power { induction_motor => T_induction_motor*theta_m_dot; }
+        traction "torque of the traction motor" {}
+        power { traction_motor => T_traction_motor*theta_m_dot; }
         load "load torque of the second shaft's disc, against its rotation" { torques => -T_load*theta_b; }
+        fan "torque of the fan, against its rotation" {}
+        power { fan_load => T_fan_load*theta_b_dot; }
     }
     work {
-        theta_m { torques => T_motor; }
+        theta_m {
+            torques => T_motor;
+            speed_governor => c_motor*n_motor;
+            dc_motor => Ts_motor;
+        }
         theta_b { torques => -T_load; }
     }
     mass {
@@ -85,6 +158,10 @@ equations! {
         theta_m {
             _ => -k_m*twist_m;
             torques => T_motor;
+            speed_governor => c_motor*n_motor - c_motor*theta_motor_dot;
+            dc_motor => Ts_motor - Ts_motor*theta_motor_dot/n0_motor;
+            induction_motor => T_induction_motor;
+            traction_motor => T_traction_motor;
             damping => -I_m*alpha_M*theta_m_dot - beta_K*k_m*twist_m_dot;
         }
         theta_a {
@@ -94,6 +171,7 @@ equations! {
         theta_b {
             _ => k_b*twist_b;
             torques => -T_load;
+            fan_load => T_fan_load;
             damping => beta_K*k_b*twist_b_dot - I_b*alpha_M*theta_b_dot;
         }
     }
@@ -111,7 +189,13 @@ equations! {
         theta_m theta1 { _ => k_m; }
         theta_m theta_m { _ => -k_m; }
         theta_m theta1_dot { damping => beta_K*k_m; }
-        theta_m theta_m_dot { damping => -I_m*alpha_M - beta_K*k_m; }
+        theta_m theta_m_dot {
+            speed_governor => -c_motor;
+            dc_motor => -Ts_motor/n0_motor;
+            induction_motor => T_induction_motor_by_theta_motor_dot;
+            traction_motor => T_traction_motor_by_theta_motor_dot;
+            damping => -I_m*alpha_M - beta_K*k_m;
+        }
         theta_a theta1 { _ => k_a; }
         theta_a theta_a { _ => -k_a; }
         theta_a theta1_dot { damping => beta_K*k_a; }
@@ -119,7 +203,10 @@ equations! {
         theta_b theta1 { _ => N1*k_b/N2; }
         theta_b theta_b { _ => -k_b; }
         theta_b theta1_dot { damping => N1*beta_K*k_b/N2; }
-        theta_b theta_b_dot { damping => -I_b*alpha_M - beta_K*k_b; }
+        theta_b theta_b_dot {
+            fan_load => T_fan_load_by_theta_load_dot;
+            damping => -I_b*alpha_M - beta_K*k_b;
+        }
     }
     cell {
         stiffness {
@@ -138,14 +225,27 @@ equations! {
             theta1 theta_m { damping => -beta_K*k_m; }
             theta1 theta_a { damping => -beta_K*k_a; }
             theta1 theta_b { damping => -N1*beta_K*k_b/N2; }
-            theta_m theta_m { damping => I_m*alpha_M + beta_K*k_m; }
+            theta_m theta_m {
+                speed_governor => c_motor;
+                dc_motor => Ts_motor/n0_motor;
+                damping => I_m*alpha_M + beta_K*k_m;
+            }
             theta_a theta_a { damping => I_a*alpha_M + beta_K*k_a; }
             theta_b theta_b { damping => I_b*alpha_M + beta_K*k_b; }
         }
         load {
-            theta_m { torques => T_motor; }
+            theta_m {
+                torques => T_motor;
+                speed_governor => c_motor*n_motor;
+                dc_motor => Ts_motor;
+            }
             theta_b { torques => -T_load; }
         }
+    }
+    nonlinear_with {
+        induction_motor "T_induction_motor in the torque `induction`";
+        traction_motor "T_traction_motor in the torque `traction`";
+        fan_load "T_fan_load in the torque `fan`";
     }
     outputs {
         rotor_speed_m "rad/s", "rotational speed of the motor" { _ => theta_m_dot; }
@@ -181,9 +281,30 @@ equations! {
         }
         shaft_loss_b "W", "power that the damper of the shaft to the second disc takes" { damping => beta_K*k_b*twist_b_dot.powi(2); }
         power_motor "W" with torques, "power of the driving torque of the motor: positive if it drives" { _ => motor_power; }
+        governor_braking "W" with speed_governor,
+            "power that the motor takes back: the part of its torque that is proportional to the speed, times the speed" {
+            _ => c_motor*theta_motor_dot.powi(2);
+        }
+        power_governor "W" with speed_governor,
+            "power of the torque c n of the governor; its part -c omega is in D: positive if it drives" {
+            _ => governor_power;
+        }
+        dc_braking "W" with dc_motor,
+            "power that the motor takes back: the part of its torque that is proportional to the speed, times the speed" {
+            _ => Ts_motor*theta_motor_dot.powi(2)/n0_motor;
+        }
+        power_dc "W" with dc_motor,
+            "power of the stall torque of the DC motor; the part proportional to the speed is in D: positive if it drives" {
+            _ => dc_power;
+        }
+        power_induction "W" with induction_motor, "power of the torque of the induction motor: positive if it drives" {
+            _ => induction_power;
+        }
+        power_traction "W" with traction_motor, "power of the torque of the traction motor: positive if it drives" { _ => traction_power; }
         power_load "W" with torques, "power of the load torque of the second shaft's disc, against its rotation: positive if it drives" {
             _ => load_power;
         }
+        power_fan "W" with fan_load, "power of the torque of the fan, against its rotation: positive if it drives" { _ => fan_power; }
         inertia_damping_loss "W" with damping, "power that the damping in proportion to inertia takes" {
             _ => 2.0*alpha_M*((I1*theta1_dot.powi(2) + I2*N1.powi(2)*theta1_dot.powi(2)/N2.powi(2) + I_a*theta_a_dot.powi(2)
                 + I_b*theta_b_dot.powi(2) + I_m*theta_m_dot.powi(2))/2.0);
@@ -208,4 +329,6 @@ equations! {
 //
 // | output | sums | products, quotients | functions, roots |
 // | --- | --- | --- | --- |
-// | force | 9 | 36 | 0 |
+// | constants (once a scene) | 0 | 1 | 0 |
+// | named forces | 15 | 39 | 3 |
+// | force | 11 | 40 | 0 |

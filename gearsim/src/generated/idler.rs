@@ -33,7 +33,24 @@ equations! {
         w_mix23 "rad/s" default 0.1, open 0.0 to inf,
             "rolling speed omega1 + omega2 of the mesh of gears 2 and 3 below which friction decreases to zero (mixed film)";
         T_motor "N*m" required with torques, open -inf to inf, "driving torque of the driving gear";
+        c_motor "N*m*s/rad" required with speed_governor, open 0.0 to inf,
+            "gain of the governor of the driving gear: torque per difference of set point and speed";
+        n_motor "rad/s" required with speed_governor, open -inf to inf, "set point of the speed governor of the driving gear";
+        Ts_motor "N*m" required with dc_motor, open 0.0 to inf, "stall torque of the driving gear";
+        n0_motor "rad/s" required with dc_motor, open 0.0 to inf, "no-load speed of the driving gear";
+        Tb_motor "N*m" required with induction_motor, open 0.0 to inf, "breakdown torque of the driving gear, its largest torque";
+        sb_motor "1" required with induction_motor, open 0.0 to inf, "slip at which the driving gear has its breakdown torque";
+        ns_motor "rad/s" required with induction_motor, open 0.0 to inf, "synchronous speed of the driving gear";
+        Tp_motor "N*m" required with traction_motor, open 0.0 to inf, "peak torque of the driving gear, up to its base speed";
+        Pp_motor "W" required with traction_motor, open 0.0 to inf, "peak power of the driving gear, above its base speed Pp/Tp";
+        d_motor "1" default 1.0, open -inf to inf,
+            "demand on the driving gear: 1 drives with its peak torque or power, -1 brakes with them";
+        round_motor "1" default 0.01, open 0.0 to inf,
+            "rounding of the corner of the torque of the driving gear at its base speed, relative to that";
         T_load "N*m" required with torques, open -inf to inf, "load torque of the driven gear, against its rotation";
+        cf_load "N*m*s^2/rad^2" required with fan_load, from 0.0 to inf, "fan torque of the driven gear divided by the square of its speed";
+        w0_load "rad/s" default 0.01, open 0.0 to inf,
+            "speed of the driven gear below which the fan torque is linear instead of quadratic in the speed";
         alpha_M "1/s" default 0.0, from 0.0 to inf, "damping in proportion to inertia";
         beta_K "s" default 0.0, from 0.0 to inf, "damping in proportion to stiffness";
     }
@@ -72,6 +89,13 @@ equations! {
         sliding_friction_23 of sliding_friction requires(stiffness_step)
             "Coulomb friction between the flanks, against their sliding, which turns as a tooth pair passes the pitch point";
         torques "constant torques of motor and load";
+        speed_governor excludes(dc_motor, induction_motor, traction_motor)
+            "a speed governor: motor torque proportional to the set point minus the speed";
+        dc_motor excludes(induction_motor, traction_motor)
+            "a DC motor at constant voltage: its torque falls linearly from stall to no load";
+        induction_motor excludes(traction_motor) "an induction motor, its torque by the formula of Kloss";
+        traction_motor "a traction motor: its peak torque up to the base speed, constant power above it, times the demand";
+        fan_load "a fan as load: torque proportional to the square of the speed, against the rotation";
         damping "Rayleigh damping, C = alpha_M M + beta_K K at the mid stiffness";
     }
     switching {
@@ -103,6 +127,7 @@ equations! {
         tan_a = alpha.sin()/alpha.cos();
         tiny12 = 1.0/1000000000000.0;
         tiny23 = 1.0/1000000000000.0;
+        per_wb_motor = Tp_motor/Pp_motor;
     }
     deflections {
         over12 = delta1 - edge12 - e12;
@@ -111,6 +136,8 @@ equations! {
         psi12 = delta1/(h*N1) + theta/N1 + theta/N2;
         tau23 = tan_a*delta2;
         psi23 = theta/N2 - delta2/(h*N3) + theta/N3;
+        theta_motor = delta1/(h*N1) + theta/N1;
+        theta_load = theta/N3 - delta2/(h*N3);
     }
     forces {
         F_mu12 {
@@ -121,6 +148,16 @@ equations! {
             sliding_friction_23 => mu23*k23*touch23*psi23_dot*(tiny23.powi(2) + over23.powi(2)).sqrt()
                 /(w_mix23.powi(2) + psi23_dot.powi(2)).sqrt();
         }
+        T_induction_motor {
+            induction_motor => 2.0*Tb_motor*sb_motor*(1.0 - theta_motor_dot/ns_motor)
+                /(sb_motor.powi(2) + (1.0 - theta_motor_dot/ns_motor).powi(2));
+        }
+        T_traction_motor {
+            traction_motor => 2.0*Tp_motor*d_motor
+                /((round_motor.powi(2) + (1.0 - per_wb_motor*theta_motor_dot).powi(2)).sqrt()
+                + (round_motor.powi(2) + (1.0 + per_wb_motor*theta_motor_dot).powi(2)).sqrt());
+        }
+        T_fan_load { fan_load => -cf_load*theta_load_dot*(w0_load.powi(2) + theta_load_dot.powi(2)).sqrt(); }
     }
     partials {
         F_mu12_by_over12 {
@@ -148,6 +185,24 @@ equations! {
         F_mu23_by_k23 {
             sliding_friction_23 => mu23*touch23*psi23_dot*(tiny23.powi(2) + over23.powi(2)).sqrt()
                 /(w_mix23.powi(2) + psi23_dot.powi(2)).sqrt();
+        }
+        T_induction_motor_by_theta_motor_dot {
+            induction_motor => 4.0*Tb_motor*sb_motor*(1.0 - theta_motor_dot/ns_motor).powi(2)
+                /(ns_motor*(sb_motor.powi(2) + (1.0 - theta_motor_dot/ns_motor).powi(2)).powi(2))
+                - 2.0*Tb_motor*sb_motor/(ns_motor*(sb_motor.powi(2) + (1.0 - theta_motor_dot/ns_motor).powi(2)));
+        }
+        T_traction_motor_by_theta_motor_dot {
+            traction_motor => -2.0*Tp_motor*d_motor
+                *(per_wb_motor*(1.0 + per_wb_motor*theta_motor_dot)
+                /(round_motor.powi(2) + (1.0 + per_wb_motor*theta_motor_dot).powi(2)).sqrt()
+                - per_wb_motor*(1.0 - per_wb_motor*theta_motor_dot)
+                /(round_motor.powi(2) + (1.0 - per_wb_motor*theta_motor_dot).powi(2)).sqrt())
+                /((round_motor.powi(2) + (1.0 - per_wb_motor*theta_motor_dot).powi(2)).sqrt()
+                + (round_motor.powi(2) + (1.0 + per_wb_motor*theta_motor_dot).powi(2)).sqrt()).powi(2);
+        }
+        T_fan_load_by_theta_load_dot {
+            fan_load => -cf_load*theta_load_dot.powi(2)/(w0_load.powi(2) + theta_load_dot.powi(2)).sqrt()
+                - cf_load*(w0_load.powi(2) + theta_load_dot.powi(2)).sqrt();
         }
     }
     switches {
@@ -285,6 +340,8 @@ equations! {
         }
         potential { _ => (k12*touch12*over12.powi(2) + k23*touch23*over23.powi(2))/2.0; }
         dissipation {
+            speed_governor => c_motor*theta_motor_dot.powi(2)/2.0;
+            dc_motor => Ts_motor*theta_motor_dot.powi(2)/(2.0*n0_motor);
             damping => (I1*alpha_M*(delta1_dot/(h*N1) + theta_dot/N1).powi(2) + I2*alpha_M*theta_dot.powi(2)/N2.powi(2)
                 + I3*alpha_M*(theta_dot/N3 - delta2_dot/(h*N3)).powi(2) + beta_K*k12_mid*damp12*over12_dot.powi(2)
                 + beta_K*k23_mid*damp23*over23_dot.powi(2))/2.0;
@@ -300,11 +357,27 @@ equations! {
         roll23 "friction of the mesh of gears 2 and 3, through the rolling of the gears" {}
         power { sliding_friction_23 => -arm23*F_mu23*psi23_dot; }
         motor "driving torque of the driving gear" { torques => T_motor*(delta1/(h*N1) + theta/N1); }
+        governor "torque c n of the governor; its part -c omega is in D" { speed_governor => c_motor*n_motor*(delta1/(h*N1) + theta/N1); }
+        dc "stall torque of the DC motor; the part proportional to the speed is in D" { dc_motor => Ts_motor*(delta1/(h*N1) + theta/N1); }
+        induction "torque of the induction motor" {}
+        power { induction_motor => T_induction_motor*(delta1_dot/(h*N1) + theta_dot/N1); }
+        traction "torque of the traction motor" {}
+        power { traction_motor => T_traction_motor*(delta1_dot/(h*N1) + theta_dot/N1); }
         load "load torque of the driven gear, against its rotation" { torques => T_load*(delta2/(h*N3) - theta/N3); }
+        fan "torque of the fan, against its rotation" {}
+        power { fan_load => T_fan_load*(theta_dot/N3 - delta2_dot/(h*N3)); }
     }
     work {
-        theta { torques => T_motor/N1 - T_load/N3; }
-        delta1 { torques => T_motor/(h*N1); }
+        theta {
+            torques => T_motor/N1 - T_load/N3;
+            speed_governor => c_motor*n_motor/N1;
+            dc_motor => Ts_motor/N1;
+        }
+        delta1 {
+            torques => T_motor/(h*N1);
+            speed_governor => c_motor*n_motor/(h*N1);
+            dc_motor => Ts_motor/(h*N1);
+        }
         delta2 { torques => T_load/(h*N3); }
     }
     mass {
@@ -321,6 +394,11 @@ equations! {
             sliding_friction_12 => -arm12*F_mu12/N1 - arm12*F_mu12/N2;
             sliding_friction_23 => -arm23*F_mu23/N2 - arm23*F_mu23/N3;
             torques => T_motor/N1 - T_load/N3;
+            speed_governor => c_motor*n_motor/N1 - c_motor*theta_motor_dot/N1;
+            dc_motor => Ts_motor/N1 - Ts_motor*theta_motor_dot/(N1*n0_motor);
+            induction_motor => T_induction_motor/N1;
+            traction_motor => T_traction_motor/N1;
+            fan_load => T_fan_load/N3;
             damping => I3*alpha_M*delta2_dot/(h*N3.powi(2)) - I1*alpha_M*theta_dot/N1.powi(2) - I2*alpha_M*theta_dot/N2.powi(2)
                 - I3*alpha_M*theta_dot/N3.powi(2) - I1*alpha_M*delta1_dot/(h*N1.powi(2));
             jump_terms => (-dk12*touch12*over12.powi(2) - dk23*touch23*over23.powi(2))/2.0;
@@ -330,6 +408,10 @@ equations! {
             backlash_12 => -k12*clip12*touch12*over12;
             sliding_friction_12 => -tan_a*side12*F_mu12 - arm12*F_mu12/(h*N1);
             torques => T_motor/(h*N1);
+            speed_governor => c_motor*n_motor/(h*N1) - c_motor*theta_motor_dot/(h*N1);
+            dc_motor => Ts_motor/(h*N1) - Ts_motor*theta_motor_dot/(h*N1*n0_motor);
+            induction_motor => T_induction_motor/(h*N1);
+            traction_motor => T_traction_motor/(h*N1);
             damping => -beta_K*k12_mid*damp12*over12_dot - I1*alpha_M*delta1_dot/(h.powi(2)*N1.powi(2))
                 - I1*alpha_M*theta_dot/(h*N1.powi(2));
         }
@@ -338,6 +420,7 @@ equations! {
             backlash_23 => -k23*clip23*touch23*over23;
             sliding_friction_23 => arm23*F_mu23/(h*N3) - tan_a*side23*F_mu23;
             torques => T_load/(h*N3);
+            fan_load => -T_fan_load/(h*N3);
             damping => I3*alpha_M*theta_dot/(h*N3.powi(2)) - beta_K*k23_mid*damp23*over23_dot
                 - I3*alpha_M*delta2_dot/(h.powi(2)*N3.powi(2));
         }
@@ -371,14 +454,24 @@ equations! {
                 - arm12*F_mu12_by_psi12_dot/N2.powi(2);
             sliding_friction_23 => -arm23*F_mu23_by_psi23_dot/N2.powi(2) - 2.0*arm23*F_mu23_by_psi23_dot/(N2*N3)
                 - arm23*F_mu23_by_psi23_dot/N3.powi(2);
+            speed_governor => -c_motor/N1.powi(2);
+            dc_motor => -Ts_motor/(N1.powi(2)*n0_motor);
+            induction_motor => T_induction_motor_by_theta_motor_dot/N1.powi(2);
+            traction_motor => T_traction_motor_by_theta_motor_dot/N1.powi(2);
+            fan_load => T_fan_load_by_theta_load_dot/N3.powi(2);
             damping => -I1*alpha_M/N1.powi(2) - I2*alpha_M/N2.powi(2) - I3*alpha_M/N3.powi(2);
         }
         theta delta1_dot {
             sliding_friction_12 => -arm12*F_mu12_by_psi12_dot/(h*N1.powi(2)) - arm12*F_mu12_by_psi12_dot/(h*N1*N2);
+            speed_governor => -c_motor/(h*N1.powi(2));
+            dc_motor => -Ts_motor/(h*N1.powi(2)*n0_motor);
+            induction_motor => T_induction_motor_by_theta_motor_dot/(h*N1.powi(2));
+            traction_motor => T_traction_motor_by_theta_motor_dot/(h*N1.powi(2));
             damping => -I1*alpha_M/(h*N1.powi(2));
         }
         theta delta2_dot {
             sliding_friction_23 => arm23*F_mu23_by_psi23_dot/(h*N2*N3) + arm23*F_mu23_by_psi23_dot/(h*N3.powi(2));
+            fan_load => -T_fan_load_by_theta_load_dot/(h*N3.powi(2));
             damping => I3*alpha_M/(h*N3.powi(2));
         }
         delta1 theta {
@@ -399,10 +492,18 @@ equations! {
         delta1 theta_dot {
             sliding_friction_12 => -tan_a*side12*F_mu12_by_psi12_dot/N1 - tan_a*side12*F_mu12_by_psi12_dot/N2
                 - arm12*F_mu12_by_psi12_dot/(h*N1.powi(2)) - arm12*F_mu12_by_psi12_dot/(h*N1*N2);
+            speed_governor => -c_motor/(h*N1.powi(2));
+            dc_motor => -Ts_motor/(h*N1.powi(2)*n0_motor);
+            induction_motor => T_induction_motor_by_theta_motor_dot/(h*N1.powi(2));
+            traction_motor => T_traction_motor_by_theta_motor_dot/(h*N1.powi(2));
             damping => -I1*alpha_M/(h*N1.powi(2));
         }
         delta1 delta1_dot {
             sliding_friction_12 => -arm12*F_mu12_by_psi12_dot/(h.powi(2)*N1.powi(2)) - tan_a*side12*F_mu12_by_psi12_dot/(h*N1);
+            speed_governor => -c_motor/(h.powi(2)*N1.powi(2));
+            dc_motor => -Ts_motor/(h.powi(2)*N1.powi(2)*n0_motor);
+            induction_motor => T_induction_motor_by_theta_motor_dot/(h.powi(2)*N1.powi(2));
+            traction_motor => T_traction_motor_by_theta_motor_dot/(h.powi(2)*N1.powi(2));
             damping => -beta_K*k12_mid*damp12 - I1*alpha_M/(h.powi(2)*N1.powi(2));
         }
         delta2 theta {
@@ -423,10 +524,12 @@ equations! {
         delta2 theta_dot {
             sliding_friction_23 => arm23*F_mu23_by_psi23_dot/(h*N2*N3) - tan_a*side23*F_mu23_by_psi23_dot/N2
                 - tan_a*side23*F_mu23_by_psi23_dot/N3 + arm23*F_mu23_by_psi23_dot/(h*N3.powi(2));
+            fan_load => -T_fan_load_by_theta_load_dot/(h*N3.powi(2));
             damping => I3*alpha_M/(h*N3.powi(2));
         }
         delta2 delta2_dot {
             sliding_friction_23 => tan_a*side23*F_mu23_by_psi23_dot/(h*N3) - arm23*F_mu23_by_psi23_dot/(h.powi(2)*N3.powi(2));
+            fan_load => T_fan_load_by_theta_load_dot/(h.powi(2)*N3.powi(2));
             damping => -beta_K*k23_mid*damp23 - I3*alpha_M/(h.powi(2)*N3.powi(2));
         }
     }
@@ -442,18 +545,36 @@ equations! {
             }
         }
         damping {
-            theta theta { damping => I1*alpha_M/N1.powi(2) + I2*alpha_M/N2.powi(2) + I3*alpha_M/N3.powi(2); }
-            theta delta1 { damping => I1*alpha_M/(h*N1.powi(2)); }
+            theta theta {
+                speed_governor => c_motor/N1.powi(2);
+                dc_motor => Ts_motor/(N1.powi(2)*n0_motor);
+                damping => I1*alpha_M/N1.powi(2) + I2*alpha_M/N2.powi(2) + I3*alpha_M/N3.powi(2);
+            }
+            theta delta1 {
+                speed_governor => c_motor/(h*N1.powi(2));
+                dc_motor => Ts_motor/(h*N1.powi(2)*n0_motor);
+                damping => I1*alpha_M/(h*N1.powi(2));
+            }
             theta delta2 { damping => -I3*alpha_M/(h*N3.powi(2)); }
-            delta1 delta1 { damping => beta_K*k12_mid*damp12 + I1*alpha_M/(h.powi(2)*N1.powi(2)); }
+            delta1 delta1 {
+                speed_governor => c_motor/(h.powi(2)*N1.powi(2));
+                dc_motor => Ts_motor/(h.powi(2)*N1.powi(2)*n0_motor);
+                damping => beta_K*k12_mid*damp12 + I1*alpha_M/(h.powi(2)*N1.powi(2));
+            }
             delta2 delta2 { damping => beta_K*k23_mid*damp23 + I3*alpha_M/(h.powi(2)*N3.powi(2)); }
         }
         load {
-            theta { torques => T_motor/N1 - T_load/N3; }
+            theta {
+                torques => T_motor/N1 - T_load/N3;
+                speed_governor => c_motor*n_motor/N1;
+                dc_motor => Ts_motor/N1;
+            }
             delta1 {
                 _ => k12*touch12*edge12 + k12*touch12*e12;
                 backlash_12 => k12*clip12*touch12*edge12 + k12*clip12*touch12*e12;
                 torques => T_motor/(h*N1);
+                speed_governor => c_motor*n_motor/(h*N1);
+                dc_motor => Ts_motor/(h*N1);
             }
             delta2 {
                 _ => k23*touch23*edge23 + k23*touch23*e23;
@@ -467,6 +588,9 @@ equations! {
         sliding_friction_12 "-arm12*F_mu12 in the torque `roll12`";
         sliding_friction_23 "-side23*F_mu23 in the torque `slide23`";
         sliding_friction_23 "-arm23*F_mu23 in the torque `roll23`";
+        induction_motor "T_induction_motor in the torque `induction`";
+        traction_motor "T_traction_motor in the torque `traction`";
+        fan_load "T_fan_load in the torque `fan`";
     }
     jump k12 { step { _ => dk12*touch12*over12.powi(2)/2.0; } }
     jump k23 { step { _ => dk23*touch23*over23.powi(2)/2.0; } }
@@ -547,9 +671,30 @@ equations! {
             _ => roll23_power;
         }
         power_motor "W" with torques, "power of the driving torque of the driving gear: positive if it drives" { _ => motor_power; }
+        governor_braking "W" with speed_governor,
+            "power that the motor takes back: the part of its torque that is proportional to the speed, times the speed" {
+            _ => c_motor*theta_motor_dot.powi(2);
+        }
+        power_governor "W" with speed_governor,
+            "power of the torque c n of the governor; its part -c omega is in D: positive if it drives" {
+            _ => governor_power;
+        }
+        dc_braking "W" with dc_motor,
+            "power that the motor takes back: the part of its torque that is proportional to the speed, times the speed" {
+            _ => Ts_motor*theta_motor_dot.powi(2)/n0_motor;
+        }
+        power_dc "W" with dc_motor,
+            "power of the stall torque of the DC motor; the part proportional to the speed is in D: positive if it drives" {
+            _ => dc_power;
+        }
+        power_induction "W" with induction_motor, "power of the torque of the induction motor: positive if it drives" {
+            _ => induction_power;
+        }
+        power_traction "W" with traction_motor, "power of the torque of the traction motor: positive if it drives" { _ => traction_power; }
         power_load "W" with torques, "power of the load torque of the driven gear, against its rotation: positive if it drives" {
             _ => load_power;
         }
+        power_fan "W" with fan_load, "power of the torque of the fan, against its rotation: positive if it drives" { _ => fan_power; }
         inertia_damping_loss "W" with damping, "power that the damping in proportion to inertia takes" {
             _ => 2.0*alpha_M*((I1*(delta1_dot/(h*N1) + theta_dot/N1).powi(2) + I2*theta_dot.powi(2)/N2.powi(2)
                 + I3*(theta_dot/N3 - delta2_dot/(h*N3)).powi(2))/2.0);
@@ -593,7 +738,7 @@ equations! {
 //
 // | output | sums | products, quotients | functions, roots |
 // | --- | --- | --- | --- |
-// | constants (once a scene) | 0 | 2 | 2 |
-// | named forces | 4 | 18 | 4 |
-// | force | 14 | 98 | 0 |
+// | constants (once a scene) | 0 | 3 | 2 |
+// | named forces | 19 | 57 | 7 |
+// | force | 18 | 127 | 0 |
 // | energy steps, all laws | 2 | 22 | 0 |

@@ -89,4 +89,6 @@ pub mod element_support;
 #[rustfmt::skip]
 pub mod element_thrust_bearing;
 #[rustfmt::skip]
+pub mod element_traction_motor;
+#[rustfmt::skip]
 pub mod element_viscous;

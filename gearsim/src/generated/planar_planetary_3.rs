@@ -88,7 +88,23 @@ equations! {
             "rolling speed omega1 + omega2 of the mesh of ring and planet 3 below which friction decreases to zero (mixed film)";
         cb_p "N*s/m" required with viscous_friction_p, from 0.0 to inf, "radial damping of the bearing of a planet: force per speed";
         T_motor "N*m" required with torques, open -inf to inf, "driving torque of the sun";
+        c_motor "N*m*s/rad" required with speed_governor, open 0.0 to inf,
+            "gain of the governor of the sun: torque per difference of set point and speed";
+        n_motor "rad/s" required with speed_governor, open -inf to inf, "set point of the speed governor of the sun";
+        Ts_motor "N*m" required with dc_motor, open 0.0 to inf, "stall torque of the sun";
+        n0_motor "rad/s" required with dc_motor, open 0.0 to inf, "no-load speed of the sun";
+        Tb_motor "N*m" required with induction_motor, open 0.0 to inf, "breakdown torque of the sun, its largest torque";
+        sb_motor "1" required with induction_motor, open 0.0 to inf, "slip at which the sun has its breakdown torque";
+        ns_motor "rad/s" required with induction_motor, open 0.0 to inf, "synchronous speed of the sun";
+        Tp_motor "N*m" required with traction_motor, open 0.0 to inf, "peak torque of the sun, up to its base speed";
+        Pp_motor "W" required with traction_motor, open 0.0 to inf, "peak power of the sun, above its base speed Pp/Tp";
+        d_motor "1" default 1.0, open -inf to inf, "demand on the sun: 1 drives with its peak torque or power, -1 brakes with them";
+        round_motor "1" default 0.01, open 0.0 to inf,
+            "rounding of the corner of the torque of the sun at its base speed, relative to that";
         T_load "N*m" required with torques, open -inf to inf, "load torque of the carrier, against its rotation";
+        cf_load "N*m*s^2/rad^2" required with fan_load, from 0.0 to inf, "fan torque of the carrier divided by the square of its speed";
+        w0_load "rad/s" default 0.01, open 0.0 to inf,
+            "speed of the carrier below which the fan torque is linear instead of quadratic in the speed";
         alpha_M "1/s" default 0.0, from 0.0 to inf, "damping in proportion to inertia";
         beta_K "s" default 0.0, from 0.0 to inf, "damping in proportion to stiffness";
     }
@@ -187,6 +203,13 @@ equations! {
             "Coulomb friction between the flanks, against their sliding, which turns as a tooth pair passes the pitch point";
         viscous_friction_p of viscous_friction "friction proportional to speed";
         torques "constant torques of motor and load";
+        speed_governor excludes(dc_motor, induction_motor, traction_motor)
+            "a speed governor: motor torque proportional to the set point minus the speed";
+        dc_motor excludes(induction_motor, traction_motor)
+            "a DC motor at constant voltage: its torque falls linearly from stall to no load";
+        induction_motor excludes(traction_motor) "an induction motor, its torque by the formula of Kloss";
+        traction_motor "a traction motor: its peak torque up to the base speed, constant power above it, times the demand";
+        fan_load "a fan as load: torque proportional to the square of the speed, against the rotation";
         damping "Rayleigh damping, C = alpha_M M + beta_K K at the mid stiffness";
     }
     switching {
@@ -275,6 +298,7 @@ equations! {
         sin_r3 = (alpha + psi3).sin();
         tiny_s3 = 1.0/1000000000000.0;
         tiny_r3 = 1.0/1000000000000.0;
+        per_wb_motor = Tp_motor/Pp_motor;
     }
     deflections {
         bx_s = x_s;
@@ -313,6 +337,8 @@ equations! {
         tau_r3 = cos_r3*x_r - cos_a*zeta3 - sin_a*eta3 + sin_r3*y_r - h*sin_a*Z_r*theta_c/cos_a + h*sin_a*Z_r*theta_r/cos_a
             - sin_a*u3/cos_a;
         psi_r3 = theta_r - theta_c + roll_r*theta - u3/r_p;
+        theta_motor = theta_c + theta/Z_r + theta/Z_s;
+        theta_load = theta_c + theta/Z_r;
     }
     forces {
         F_mu_s1 {
@@ -339,6 +365,16 @@ equations! {
             sliding_friction_r3 => mu_r3*k_r3*touchr3*psi_r3_dot*(tiny_r3.powi(2) + overr3.powi(2)).sqrt()
                 /(w_mix_r3.powi(2) + psi_r3_dot.powi(2)).sqrt();
         }
+        T_induction_motor {
+            induction_motor => 2.0*Tb_motor*sb_motor*(1.0 - theta_motor_dot/ns_motor)
+                /(sb_motor.powi(2) + (1.0 - theta_motor_dot/ns_motor).powi(2));
+        }
+        T_traction_motor {
+            traction_motor => 2.0*Tp_motor*d_motor
+                /((round_motor.powi(2) + (1.0 - per_wb_motor*theta_motor_dot).powi(2)).sqrt()
+                + (round_motor.powi(2) + (1.0 + per_wb_motor*theta_motor_dot).powi(2)).sqrt());
+        }
+        T_fan_load { fan_load => -cf_load*theta_load_dot*(w0_load.powi(2) + theta_load_dot.powi(2)).sqrt(); }
     }
     partials {
         F_mu_s1_by_overs1 {
@@ -424,6 +460,24 @@ equations! {
         F_mu_r3_by_k_r3 {
             sliding_friction_r3 => mu_r3*touchr3*psi_r3_dot*(tiny_r3.powi(2) + overr3.powi(2)).sqrt()
                 /(w_mix_r3.powi(2) + psi_r3_dot.powi(2)).sqrt();
+        }
+        T_induction_motor_by_theta_motor_dot {
+            induction_motor => 4.0*Tb_motor*sb_motor*(1.0 - theta_motor_dot/ns_motor).powi(2)
+                /(ns_motor*(sb_motor.powi(2) + (1.0 - theta_motor_dot/ns_motor).powi(2)).powi(2))
+                - 2.0*Tb_motor*sb_motor/(ns_motor*(sb_motor.powi(2) + (1.0 - theta_motor_dot/ns_motor).powi(2)));
+        }
+        T_traction_motor_by_theta_motor_dot {
+            traction_motor => -2.0*Tp_motor*d_motor
+                *(per_wb_motor*(1.0 + per_wb_motor*theta_motor_dot)
+                /(round_motor.powi(2) + (1.0 + per_wb_motor*theta_motor_dot).powi(2)).sqrt()
+                - per_wb_motor*(1.0 - per_wb_motor*theta_motor_dot)
+                /(round_motor.powi(2) + (1.0 - per_wb_motor*theta_motor_dot).powi(2)).sqrt())
+                /((round_motor.powi(2) + (1.0 - per_wb_motor*theta_motor_dot).powi(2)).sqrt()
+                + (round_motor.powi(2) + (1.0 + per_wb_motor*theta_motor_dot).powi(2)).sqrt()).powi(2);
+        }
+        T_fan_load_by_theta_load_dot {
+            fan_load => -cf_load*theta_load_dot.powi(2)/(w0_load.powi(2) + theta_load_dot.powi(2)).sqrt()
+                - cf_load*(w0_load.powi(2) + theta_load_dot.powi(2)).sqrt();
         }
     }
     switches {
@@ -834,6 +888,8 @@ equations! {
             torsional_support_c_and_damping => beta_K*k_c*twist_c_dot.powi(2)/2.0;
             viscous_friction_p => (cb_p*radial1_dot.powi(2) + cb_p*radial2_dot.powi(2) + cb_p*radial3_dot.powi(2)
                 + cb_p*tangential1_dot.powi(2) + cb_p*tangential2_dot.powi(2) + cb_p*tangential3_dot.powi(2))/2.0;
+            speed_governor => c_motor*theta_motor_dot.powi(2)/2.0;
+            dc_motor => Ts_motor*theta_motor_dot.powi(2)/(2.0*n0_motor);
             damping => (I_c*alpha_M*(theta_c_dot + theta_dot/Z_r).powi(2)
                 + I_p*alpha_M*(theta_c_dot + (u1_dot - h*theta_dot)/r_p + theta_dot/Z_r).powi(2)
                 + I_p*alpha_M*(theta_c_dot + (u2_dot - h*theta_dot)/r_p + theta_dot/Z_r).powi(2)
@@ -879,11 +935,31 @@ equations! {
         roll_r3 "friction of the mesh of ring and planet 3, through the rolling of the gears" {}
         power { sliding_friction_r3 => -arm_r3*F_mu_r3*psi_r3_dot; }
         motor "driving torque of the sun" { torques => T_motor*(theta_c + theta*(1.0/Z_r + 1.0/Z_s)); }
+        governor "torque c n of the governor; its part -c omega is in D" {
+            speed_governor => c_motor*n_motor*(theta_c + theta*(1.0/Z_r + 1.0/Z_s));
+        }
+        dc "stall torque of the DC motor; the part proportional to the speed is in D" {
+            dc_motor => Ts_motor*(theta_c + theta*(1.0/Z_r + 1.0/Z_s));
+        }
+        induction "torque of the induction motor" {}
+        power { induction_motor => T_induction_motor*(theta_c_dot + theta_dot*(1.0/Z_r + 1.0/Z_s)); }
+        traction "torque of the traction motor" {}
+        power { traction_motor => T_traction_motor*(theta_c_dot + theta_dot*(1.0/Z_r + 1.0/Z_s)); }
         load "load torque of the carrier, against its rotation" { torques => T_load*(-theta_c - theta/Z_r); }
+        fan "torque of the fan, against its rotation" {}
+        power { fan_load => T_fan_load*(theta_c_dot + theta_dot/Z_r); }
     }
     work {
-        theta { torques => T_motor/Z_r - T_load/Z_r + T_motor/Z_s; }
-        theta_c { torques => T_motor - T_load; }
+        theta {
+            torques => T_motor/Z_r - T_load/Z_r + T_motor/Z_s;
+            speed_governor => c_motor*n_motor/Z_r + c_motor*n_motor/Z_s;
+            dc_motor => Ts_motor/Z_r + Ts_motor/Z_s;
+        }
+        theta_c {
+            torques => T_motor - T_load;
+            speed_governor => c_motor*n_motor;
+            dc_motor => Ts_motor;
+        }
     }
     mass {
         theta theta {
@@ -940,6 +1016,11 @@ equations! {
             transmission_error_r3_and_jump_terms => k_r3*de_r3*touchr3*overr3;
             sliding_friction_r3 => -roll_r*arm_r3*F_mu_r3;
             torques => T_motor/Z_r - T_load/Z_r + T_motor/Z_s;
+            speed_governor => c_motor*n_motor/Z_r - c_motor*theta_motor_dot/Z_r + c_motor*n_motor/Z_s - c_motor*theta_motor_dot/Z_s;
+            dc_motor => Ts_motor/Z_r - Ts_motor*theta_motor_dot/(Z_r*n0_motor) + Ts_motor/Z_s - Ts_motor*theta_motor_dot/(Z_s*n0_motor);
+            induction_motor => T_induction_motor/Z_r + T_induction_motor/Z_s;
+            traction_motor => T_traction_motor/Z_r + T_traction_motor/Z_s;
+            fan_load => T_fan_load/Z_r;
             damping => h*I_p*alpha_M*u1_dot/r_p.powi(2) - a*alpha_M*m_p*eta1_dot/Z_r - a*alpha_M*m_p*eta2_dot/Z_r
                 - a*alpha_M*m_p*eta3_dot/Z_r + h*I_p*alpha_M*u2_dot/r_p.powi(2) + h*I_p*alpha_M*u3_dot/r_p.powi(2)
                 + 3.0*h*I_p*alpha_M*theta_c_dot/r_p + 6.0*h*I_p*alpha_M*theta_dot/(r_p*Z_r) - I_c*alpha_M*theta_dot/Z_r.powi(2)
@@ -964,6 +1045,11 @@ equations! {
             backlash_r3 => h*Z_r*k_r3*clipr3*touchr3*overr3;
             sliding_friction_r3 => arm_r3*F_mu_r3 + h*sin_a*Z_r*side_r3*F_mu_r3/cos_a;
             torques => T_motor - T_load;
+            speed_governor => c_motor*n_motor - c_motor*theta_motor_dot;
+            dc_motor => Ts_motor - Ts_motor*theta_motor_dot/n0_motor;
+            induction_motor => T_induction_motor;
+            traction_motor => T_traction_motor;
+            fan_load => T_fan_load;
             damping => h*Z_r*beta_K*k_r1_mid*dampr1*overr1_dot - a*alpha_M*m_p*eta1_dot - a*alpha_M*m_p*eta2_dot - a*alpha_M*m_p*eta3_dot
                 + h*Z_r*beta_K*k_r2_mid*dampr2*overr2_dot + h*Z_r*beta_K*k_r3_mid*dampr3*overr3_dot + 3.0*h*I_p*alpha_M*theta_dot/r_p
                 - I_c*alpha_M*theta_c_dot - I_c*alpha_M*theta_dot/Z_r - 3.0*I_p*alpha_M*theta_c_dot - 3.0*I_p*alpha_M*theta_dot/Z_r
@@ -1296,6 +1382,13 @@ equations! {
             sliding_friction_r2 => -roll_r.powi(2)*arm_r2*F_mu_r2_by_psi_r2_dot;
             sliding_friction_s3 => -roll_s.powi(2)*arm_s3*F_mu_s3_by_psi_s3_dot;
             sliding_friction_r3 => -roll_r.powi(2)*arm_r3*F_mu_r3_by_psi_r3_dot;
+            speed_governor => -c_motor/Z_r.powi(2) - 2.0*c_motor/(Z_r*Z_s) - c_motor/Z_s.powi(2);
+            dc_motor => -Ts_motor/(Z_r.powi(2)*n0_motor) - 2.0*Ts_motor/(Z_r*Z_s*n0_motor) - Ts_motor/(Z_s.powi(2)*n0_motor);
+            induction_motor => T_induction_motor_by_theta_motor_dot/Z_r.powi(2) + 2.0*T_induction_motor_by_theta_motor_dot/(Z_r*Z_s)
+                + T_induction_motor_by_theta_motor_dot/Z_s.powi(2);
+            traction_motor => T_traction_motor_by_theta_motor_dot/Z_r.powi(2) + 2.0*T_traction_motor_by_theta_motor_dot/(Z_r*Z_s)
+                + T_traction_motor_by_theta_motor_dot/Z_s.powi(2);
+            fan_load => T_fan_load_by_theta_load_dot/Z_r.powi(2);
             damping => 6.0*h*I_p*alpha_M/(r_p*Z_r) - I_c*alpha_M/Z_r.powi(2) - 3.0*I_p*alpha_M/Z_r.powi(2) - I_s*alpha_M/Z_r.powi(2)
                 - 2.0*I_s*alpha_M/(Z_r*Z_s) - I_s*alpha_M/Z_s.powi(2) - 3.0*a.powi(2)*alpha_M*m_p/Z_r.powi(2)
                 - 3.0*h.powi(2)*I_p*alpha_M/r_p.powi(2);
@@ -1306,6 +1399,11 @@ equations! {
             sliding_friction_r1 => roll_r*arm_r1*F_mu_r1_by_psi_r1_dot;
             sliding_friction_r2 => roll_r*arm_r2*F_mu_r2_by_psi_r2_dot;
             sliding_friction_r3 => roll_r*arm_r3*F_mu_r3_by_psi_r3_dot;
+            speed_governor => -c_motor/Z_r - c_motor/Z_s;
+            dc_motor => -Ts_motor/(Z_r*n0_motor) - Ts_motor/(Z_s*n0_motor);
+            induction_motor => T_induction_motor_by_theta_motor_dot/Z_r + T_induction_motor_by_theta_motor_dot/Z_s;
+            traction_motor => T_traction_motor_by_theta_motor_dot/Z_r + T_traction_motor_by_theta_motor_dot/Z_s;
+            fan_load => T_fan_load_by_theta_load_dot/Z_r;
             damping => 3.0*h*I_p*alpha_M/r_p - I_c*alpha_M/Z_r - 3.0*I_p*alpha_M/Z_r - I_s*alpha_M/Z_r - I_s*alpha_M/Z_s
                 - 3.0*a.powi(2)*alpha_M*m_p/Z_r;
         }
@@ -1447,6 +1545,11 @@ equations! {
             sliding_friction_r1 => roll_r*arm_r1*F_mu_r1_by_psi_r1_dot + h*roll_r*sin_a*Z_r*side_r1*F_mu_r1_by_psi_r1_dot/cos_a;
             sliding_friction_r2 => roll_r*arm_r2*F_mu_r2_by_psi_r2_dot + h*roll_r*sin_a*Z_r*side_r2*F_mu_r2_by_psi_r2_dot/cos_a;
             sliding_friction_r3 => roll_r*arm_r3*F_mu_r3_by_psi_r3_dot + h*roll_r*sin_a*Z_r*side_r3*F_mu_r3_by_psi_r3_dot/cos_a;
+            speed_governor => -c_motor/Z_r - c_motor/Z_s;
+            dc_motor => -Ts_motor/(Z_r*n0_motor) - Ts_motor/(Z_s*n0_motor);
+            induction_motor => T_induction_motor_by_theta_motor_dot/Z_r + T_induction_motor_by_theta_motor_dot/Z_s;
+            traction_motor => T_traction_motor_by_theta_motor_dot/Z_r + T_traction_motor_by_theta_motor_dot/Z_s;
+            fan_load => T_fan_load_by_theta_load_dot/Z_r;
             damping => 3.0*h*I_p*alpha_M/r_p - I_c*alpha_M/Z_r - 3.0*I_p*alpha_M/Z_r - I_s*alpha_M/Z_r - I_s*alpha_M/Z_s
                 - 3.0*a.powi(2)*alpha_M*m_p/Z_r;
         }
@@ -1456,6 +1559,11 @@ equations! {
             sliding_friction_r1 => -arm_r1*F_mu_r1_by_psi_r1_dot - h*sin_a*Z_r*side_r1*F_mu_r1_by_psi_r1_dot/cos_a;
             sliding_friction_r2 => -arm_r2*F_mu_r2_by_psi_r2_dot - h*sin_a*Z_r*side_r2*F_mu_r2_by_psi_r2_dot/cos_a;
             sliding_friction_r3 => -arm_r3*F_mu_r3_by_psi_r3_dot - h*sin_a*Z_r*side_r3*F_mu_r3_by_psi_r3_dot/cos_a;
+            speed_governor => -c_motor;
+            dc_motor => -Ts_motor/n0_motor;
+            induction_motor => T_induction_motor_by_theta_motor_dot;
+            traction_motor => T_traction_motor_by_theta_motor_dot;
+            fan_load => T_fan_load_by_theta_load_dot;
             damping => -I_c*alpha_M - 3.0*I_p*alpha_M - I_s*alpha_M - 3.0*a.powi(2)*alpha_M*m_p
                 - h.powi(2)*Z_r.powi(2)*beta_K*k_r1_mid*dampr1 - h.powi(2)*Z_r.powi(2)*beta_K*k_r2_mid*dampr2
                 - h.powi(2)*Z_r.powi(2)*beta_K*k_r3_mid*dampr3;
@@ -3530,6 +3638,8 @@ equations! {
             theta theta {
                 torsional_support_s_and_damping => beta_K*k_s/Z_r.powi(2) + 2.0*beta_K*k_s/(Z_r*Z_s) + beta_K*k_s/Z_s.powi(2);
                 torsional_support_c_and_damping => beta_K*k_c/Z_r.powi(2);
+                speed_governor => c_motor/Z_r.powi(2) + 2.0*c_motor/(Z_r*Z_s) + c_motor/Z_s.powi(2);
+                dc_motor => Ts_motor/(Z_r.powi(2)*n0_motor) + 2.0*Ts_motor/(Z_r*Z_s*n0_motor) + Ts_motor/(Z_s.powi(2)*n0_motor);
                 damping => I_c*alpha_M/Z_r.powi(2) - 6.0*h*I_p*alpha_M/(r_p*Z_r) + 3.0*I_p*alpha_M/Z_r.powi(2) + I_s*alpha_M/Z_r.powi(2)
                     + 2.0*I_s*alpha_M/(Z_r*Z_s) + I_s*alpha_M/Z_s.powi(2) + 3.0*a.powi(2)*alpha_M*m_p/Z_r.powi(2)
                     + 3.0*h.powi(2)*I_p*alpha_M/r_p.powi(2);
@@ -3537,6 +3647,8 @@ equations! {
             theta theta_c {
                 torsional_support_s_and_damping => beta_K*k_s/Z_r + beta_K*k_s/Z_s;
                 torsional_support_c_and_damping => beta_K*k_c/Z_r;
+                speed_governor => c_motor/Z_r + c_motor/Z_s;
+                dc_motor => Ts_motor/(Z_r*n0_motor) + Ts_motor/(Z_s*n0_motor);
                 damping => I_c*alpha_M/Z_r - 3.0*h*I_p*alpha_M/r_p + 3.0*I_p*alpha_M/Z_r + I_s*alpha_M/Z_r + I_s*alpha_M/Z_s
                     + 3.0*a.powi(2)*alpha_M*m_p/Z_r;
             }
@@ -3549,6 +3661,8 @@ equations! {
             theta_c theta_c {
                 torsional_support_s_and_damping => beta_K*k_s;
                 torsional_support_c_and_damping => beta_K*k_c;
+                speed_governor => c_motor;
+                dc_motor => Ts_motor/n0_motor;
                 damping => I_c*alpha_M + 3.0*I_p*alpha_M + I_s*alpha_M + 3.0*a.powi(2)*alpha_M*m_p
                     + h.powi(2)*Z_r.powi(2)*beta_K*k_r1_mid*dampr1 + h.powi(2)*Z_r.powi(2)*beta_K*k_r2_mid*dampr2
                     + h.powi(2)*Z_r.powi(2)*beta_K*k_r3_mid*dampr3;
@@ -3755,7 +3869,11 @@ equations! {
             u3 u3 { damping => beta_K*k_r3_mid*dampr3 + beta_K*k_s3_mid*damps3 + I_p*alpha_M/r_p.powi(2); }
         }
         load {
-            theta { torques => T_motor/Z_r - T_load/Z_r + T_motor/Z_s; }
+            theta {
+                torques => T_motor/Z_r - T_load/Z_r + T_motor/Z_s;
+                speed_governor => c_motor*n_motor/Z_r + c_motor*n_motor/Z_s;
+                dc_motor => Ts_motor/Z_r + Ts_motor/Z_s;
+            }
             theta_c {
                 _ => -h*Z_r*k_r1*touchr1*edger1 - h*Z_r*k_r1*touchr1*e_r1 - h*Z_r*k_r2*touchr2*edger2 - h*Z_r*k_r2*touchr2*e_r2
                     - h*Z_r*k_r3*touchr3*edger3 - h*Z_r*k_r3*touchr3*e_r3;
@@ -3763,6 +3881,8 @@ equations! {
                 backlash_r2 => -h*Z_r*k_r2*clipr2*touchr2*edger2 - h*Z_r*k_r2*clipr2*touchr2*e_r2;
                 backlash_r3 => -h*Z_r*k_r3*clipr3*touchr3*edger3 - h*Z_r*k_r3*clipr3*touchr3*e_r3;
                 torques => T_motor - T_load;
+                speed_governor => c_motor*n_motor;
+                dc_motor => Ts_motor;
             }
             theta_r {
                 _ => h*Z_r*k_r1*touchr1*edger1 + h*Z_r*k_r1*touchr1*e_r1 + h*Z_r*k_r2*touchr2*edger2 + h*Z_r*k_r2*touchr2*e_r2
@@ -3859,6 +3979,9 @@ equations! {
         sliding_friction_s3 "-arm_s3*F_mu_s3 in the torque `roll_s3`";
         sliding_friction_r3 "-side_r3*F_mu_r3 in the torque `slide_r3`";
         sliding_friction_r3 "-arm_r3*F_mu_r3 in the torque `roll_r3`";
+        induction_motor "T_induction_motor in the torque `induction`";
+        traction_motor "T_traction_motor in the torque `traction`";
+        fan_load "T_fan_load in the torque `fan`";
     }
     jump k_s1 { step { _ => dk_s1*touchs1*overs1.powi(2)/2.0; } }
     jump k_r1 { step { _ => dk_r1*touchr1*overr1.powi(2)/2.0; } }
@@ -4234,9 +4357,30 @@ equations! {
             _ => roll_r3_power;
         }
         power_motor "W" with torques, "power of the driving torque of the sun: positive if it drives" { _ => motor_power; }
+        governor_braking "W" with speed_governor,
+            "power that the motor takes back: the part of its torque that is proportional to the speed, times the speed" {
+            _ => c_motor*theta_motor_dot.powi(2);
+        }
+        power_governor "W" with speed_governor,
+            "power of the torque c n of the governor; its part -c omega is in D: positive if it drives" {
+            _ => governor_power;
+        }
+        dc_braking "W" with dc_motor,
+            "power that the motor takes back: the part of its torque that is proportional to the speed, times the speed" {
+            _ => Ts_motor*theta_motor_dot.powi(2)/n0_motor;
+        }
+        power_dc "W" with dc_motor,
+            "power of the stall torque of the DC motor; the part proportional to the speed is in D: positive if it drives" {
+            _ => dc_power;
+        }
+        power_induction "W" with induction_motor, "power of the torque of the induction motor: positive if it drives" {
+            _ => induction_power;
+        }
+        power_traction "W" with traction_motor, "power of the torque of the traction motor: positive if it drives" { _ => traction_power; }
         power_load "W" with torques, "power of the load torque of the carrier, against its rotation: positive if it drives" {
             _ => load_power;
         }
+        power_fan "W" with fan_load, "power of the torque of the fan, against its rotation: positive if it drives" { _ => fan_power; }
         inertia_damping_loss "W" with damping, "power that the damping in proportion to inertia takes" {
             _ => 2.0*alpha_M*((I_c*(theta_c_dot + theta_dot/Z_r).powi(2)
                 + I_p*(theta_c_dot + (u1_dot - h*theta_dot)/r_p + theta_dot/Z_r).powi(2)
@@ -4319,7 +4463,7 @@ equations! {
 //
 // | output | sums | products, quotients | functions, roots |
 // | --- | --- | --- | --- |
-// | constants (once a scene) | 16 | 13 | 20 |
-// | named forces | 12 | 54 | 12 |
-// | force | 189 | 977 | 0 |
+// | constants (once a scene) | 16 | 14 | 20 |
+// | named forces | 27 | 93 | 15 |
+// | force | 199 | 1002 | 0 |
 // | energy steps, all laws | 6 | 66 | 0 |

@@ -44,7 +44,23 @@ equations! {
         w_mix34 "rad/s" default 0.1, open 0.0 to inf,
             "rolling speed omega1 + omega2 of the mesh of gears 3 and 4 below which friction decreases to zero (mixed film)";
         T_motor "N*m" required with torques, open -inf to inf, "driving torque of the motor";
+        c_motor "N*m*s/rad" required with speed_governor, open 0.0 to inf,
+            "gain of the governor of the motor: torque per difference of set point and speed";
+        n_motor "rad/s" required with speed_governor, open -inf to inf, "set point of the speed governor of the motor";
+        Ts_motor "N*m" required with dc_motor, open 0.0 to inf, "stall torque of the motor";
+        n0_motor "rad/s" required with dc_motor, open 0.0 to inf, "no-load speed of the motor";
+        Tb_motor "N*m" required with induction_motor, open 0.0 to inf, "breakdown torque of the motor, its largest torque";
+        sb_motor "1" required with induction_motor, open 0.0 to inf, "slip at which the motor has its breakdown torque";
+        ns_motor "rad/s" required with induction_motor, open 0.0 to inf, "synchronous speed of the motor";
+        Tp_motor "N*m" required with traction_motor, open 0.0 to inf, "peak torque of the motor, up to its base speed";
+        Pp_motor "W" required with traction_motor, open 0.0 to inf, "peak power of the motor, above its base speed Pp/Tp";
+        d_motor "1" default 1.0, open -inf to inf, "demand on the motor: 1 drives with its peak torque or power, -1 brakes with them";
+        round_motor "1" default 0.01, open 0.0 to inf,
+            "rounding of the corner of the torque of the motor at its base speed, relative to that";
         T_load "N*m" required with torques, open -inf to inf, "load torque of the load, against its rotation";
+        cf_load "N*m*s^2/rad^2" required with fan_load, from 0.0 to inf, "fan torque of the load divided by the square of its speed";
+        w0_load "rad/s" default 0.01, open 0.0 to inf,
+            "speed of the load below which the fan torque is linear instead of quadratic in the speed";
         alpha_M "1/s" default 0.0, from 0.0 to inf, "damping in proportion to inertia";
         beta_K "s" default 0.0, from 0.0 to inf, "damping in proportion to stiffness";
     }
@@ -83,6 +99,13 @@ equations! {
         sliding_friction_34 of sliding_friction requires(stiffness_step)
             "Coulomb friction between the flanks, against their sliding, which turns as a tooth pair passes the pitch point";
         torques "constant torques of motor and load";
+        speed_governor excludes(dc_motor, induction_motor, traction_motor)
+            "a speed governor: motor torque proportional to the set point minus the speed";
+        dc_motor excludes(induction_motor, traction_motor)
+            "a DC motor at constant voltage: its torque falls linearly from stall to no load";
+        induction_motor excludes(traction_motor) "an induction motor, its torque by the formula of Kloss";
+        traction_motor "a traction motor: its peak torque up to the base speed, constant power above it, times the demand";
+        fan_load "a fan as load: torque proportional to the square of the speed, against the rotation";
         damping "Rayleigh damping, C = alpha_M M + beta_K K at the mid stiffness";
     }
     switching {
@@ -115,6 +138,7 @@ equations! {
         tan_a = alpha.sin()/alpha.cos();
         tiny12 = 1.0/1000000000000.0;
         tiny34 = 1.0/1000000000000.0;
+        per_wb_motor = Tp_motor/Pp_motor;
     }
     deflections {
         twist_m = psi_m;
@@ -126,6 +150,8 @@ equations! {
         over34 = s2 - edge34 - e34;
         tau34 = tan_a*s2;
         psi34 = s2/(2.0*h2*N3) - s2/(2.0*h2*N4) + theta2/N3 + theta2/N4;
+        theta_motor = psi_m + s1/(2.0*h1*N1) + theta1/N1;
+        theta_load = theta2/N4 - psi_l - s2/(2.0*h2*N4);
     }
     forces {
         F_mu12 {
@@ -136,6 +162,16 @@ equations! {
             sliding_friction_34 => mu34*k34*touch34*psi34_dot*(tiny34.powi(2) + over34.powi(2)).sqrt()
                 /(w_mix34.powi(2) + psi34_dot.powi(2)).sqrt();
         }
+        T_induction_motor {
+            induction_motor => 2.0*Tb_motor*sb_motor*(1.0 - theta_motor_dot/ns_motor)
+                /(sb_motor.powi(2) + (1.0 - theta_motor_dot/ns_motor).powi(2));
+        }
+        T_traction_motor {
+            traction_motor => 2.0*Tp_motor*d_motor
+                /((round_motor.powi(2) + (1.0 - per_wb_motor*theta_motor_dot).powi(2)).sqrt()
+                + (round_motor.powi(2) + (1.0 + per_wb_motor*theta_motor_dot).powi(2)).sqrt());
+        }
+        T_fan_load { fan_load => -cf_load*theta_load_dot*(w0_load.powi(2) + theta_load_dot.powi(2)).sqrt(); }
     }
     partials {
         F_mu12_by_over12 {
@@ -163,6 +199,24 @@ equations! {
         F_mu34_by_k34 {
             sliding_friction_34 => mu34*touch34*psi34_dot*(tiny34.powi(2) + over34.powi(2)).sqrt()
                 /(w_mix34.powi(2) + psi34_dot.powi(2)).sqrt();
+        }
+        T_induction_motor_by_theta_motor_dot {
+            induction_motor => 4.0*Tb_motor*sb_motor*(1.0 - theta_motor_dot/ns_motor).powi(2)
+                /(ns_motor*(sb_motor.powi(2) + (1.0 - theta_motor_dot/ns_motor).powi(2)).powi(2))
+                - 2.0*Tb_motor*sb_motor/(ns_motor*(sb_motor.powi(2) + (1.0 - theta_motor_dot/ns_motor).powi(2)));
+        }
+        T_traction_motor_by_theta_motor_dot {
+            traction_motor => -2.0*Tp_motor*d_motor
+                *(per_wb_motor*(1.0 + per_wb_motor*theta_motor_dot)
+                /(round_motor.powi(2) + (1.0 + per_wb_motor*theta_motor_dot).powi(2)).sqrt()
+                - per_wb_motor*(1.0 - per_wb_motor*theta_motor_dot)
+                /(round_motor.powi(2) + (1.0 - per_wb_motor*theta_motor_dot).powi(2)).sqrt())
+                /((round_motor.powi(2) + (1.0 - per_wb_motor*theta_motor_dot).powi(2)).sqrt()
+                + (round_motor.powi(2) + (1.0 + per_wb_motor*theta_motor_dot).powi(2)).sqrt()).powi(2);
+        }
+        T_fan_load_by_theta_load_dot {
+            fan_load => -cf_load*theta_load_dot.powi(2)/(w0_load.powi(2) + theta_load_dot.powi(2)).sqrt()
+                - cf_load*(w0_load.powi(2) + theta_load_dot.powi(2)).sqrt();
         }
     }
     switches {
@@ -305,6 +359,8 @@ equations! {
                 + k34*touch34*over34.powi(2))/2.0;
         }
         dissipation {
+            speed_governor => c_motor*theta_motor_dot.powi(2)/2.0;
+            dc_motor => Ts_motor*theta_motor_dot.powi(2)/(2.0*n0_motor);
             damping => (I1*alpha_M*(s1_dot/(2.0*h1*N1) + theta1_dot/N1).powi(2) + I2*alpha_M*(theta1_dot/N2 - s1_dot/(2.0*h1*N2)).powi(2)
                 + I3*alpha_M*(s2_dot/(2.0*h2*N3) + theta2_dot/N3).powi(2) + I4*alpha_M*(theta2_dot/N4 - s2_dot/(2.0*h2*N4)).powi(2)
                 + I_l*alpha_M*(theta2_dot/N4 - psi_l_dot - s2_dot/(2.0*h2*N4)).powi(2)
@@ -323,14 +379,38 @@ equations! {
         roll34 "friction of the mesh of gears 3 and 4, through the rolling of the gears" {}
         power { sliding_friction_34 => -arm34*F_mu34*psi34_dot; }
         motor "driving torque of the motor" { torques => T_motor*(psi_m + s1/(2.0*h1*N1) + theta1/N1); }
+        governor "torque c n of the governor; its part -c omega is in D" {
+            speed_governor => c_motor*n_motor*(psi_m + s1/(2.0*h1*N1) + theta1/N1);
+        }
+        dc "stall torque of the DC motor; the part proportional to the speed is in D" {
+            dc_motor => Ts_motor*(psi_m + s1/(2.0*h1*N1) + theta1/N1);
+        }
+        induction "torque of the induction motor" {}
+        power { induction_motor => T_induction_motor*(psi_m_dot + s1_dot/(2.0*h1*N1) + theta1_dot/N1); }
+        traction "torque of the traction motor" {}
+        power { traction_motor => T_traction_motor*(psi_m_dot + s1_dot/(2.0*h1*N1) + theta1_dot/N1); }
         load "load torque of the load, against its rotation" { torques => T_load*(psi_l + s2/(2.0*h2*N4) - theta2/N4); }
+        fan "torque of the fan, against its rotation" {}
+        power { fan_load => T_fan_load*(theta2_dot/N4 - psi_l_dot - s2_dot/(2.0*h2*N4)); }
     }
     work {
-        theta1 { torques => T_motor/N1; }
-        s1 { torques => T_motor/(2.0*h1*N1); }
+        theta1 {
+            torques => T_motor/N1;
+            speed_governor => c_motor*n_motor/N1;
+            dc_motor => Ts_motor/N1;
+        }
+        s1 {
+            torques => T_motor/(2.0*h1*N1);
+            speed_governor => c_motor*n_motor/(2.0*h1*N1);
+            dc_motor => Ts_motor/(2.0*h1*N1);
+        }
         theta2 { torques => -T_load/N4; }
         s2 { torques => T_load/(2.0*h2*N4); }
-        psi_m { torques => T_motor; }
+        psi_m {
+            torques => T_motor;
+            speed_governor => c_motor*n_motor;
+            dc_motor => Ts_motor;
+        }
         psi_l { torques => T_load; }
     }
     mass {
@@ -353,6 +433,10 @@ equations! {
             transmission_error_12_and_jump_terms => k12*de12*touch12*over12;
             sliding_friction_12 => -arm12*F_mu12/N1 - arm12*F_mu12/N2;
             torques => T_motor/N1;
+            speed_governor => c_motor*n_motor/N1 - c_motor*theta_motor_dot/N1;
+            dc_motor => Ts_motor/N1 - Ts_motor*theta_motor_dot/(N1*n0_motor);
+            induction_motor => T_induction_motor/N1;
+            traction_motor => T_traction_motor/N1;
             damping => I2*alpha_M*s1_dot/(2.0*h1*N2.powi(2)) - I1*alpha_M*theta1_dot/N1.powi(2) - I2*alpha_M*theta1_dot/N2.powi(2)
                 - I_m*alpha_M*theta1_dot/N1.powi(2) - I_m*alpha_M*psi_m_dot/N1 - I1*alpha_M*s1_dot/(2.0*h1*N1.powi(2))
                 - I_m*alpha_M*s1_dot/(2.0*h1*N1.powi(2)) - beta_K*k_c*twist_c_dot/N2;
@@ -363,6 +447,10 @@ equations! {
             backlash_12 => -k12*clip12*touch12*over12;
             sliding_friction_12 => arm12*F_mu12/(2.0*h1*N2) - tan_a*side12*F_mu12 - arm12*F_mu12/(2.0*h1*N1);
             torques => T_motor/(2.0*h1*N1);
+            speed_governor => (c_motor*n_motor/(h1*N1) - c_motor*theta_motor_dot/(h1*N1))/2.0;
+            dc_motor => (Ts_motor/(h1*N1) - Ts_motor*theta_motor_dot/(h1*N1*n0_motor))/2.0;
+            induction_motor => T_induction_motor/(2.0*h1*N1);
+            traction_motor => T_traction_motor/(2.0*h1*N1);
             damping => I2*alpha_M*theta1_dot/(2.0*h1*N2.powi(2)) - beta_K*k12_mid*damp12*over12_dot
                 - I1*alpha_M*s1_dot/(4.0*h1.powi(2)*N1.powi(2)) - I2*alpha_M*s1_dot/(4.0*h1.powi(2)*N2.powi(2))
                 - I_m*alpha_M*s1_dot/(4.0*h1.powi(2)*N1.powi(2)) - I1*alpha_M*theta1_dot/(2.0*h1*N1.powi(2))
@@ -373,6 +461,7 @@ equations! {
             transmission_error_34_and_jump_terms => k34*de34*touch34*over34;
             sliding_friction_34 => -arm34*F_mu34/N3 - arm34*F_mu34/N4;
             torques => -T_load/N4;
+            fan_load => T_fan_load/N4;
             damping => I_l*alpha_M*psi_l_dot/N4 - I3*alpha_M*theta2_dot/N3.powi(2) - I4*alpha_M*theta2_dot/N4.powi(2)
                 - I_l*alpha_M*theta2_dot/N4.powi(2) - I3*alpha_M*s2_dot/(2.0*h2*N3.powi(2)) + I4*alpha_M*s2_dot/(2.0*h2*N4.powi(2))
                 + I_l*alpha_M*s2_dot/(2.0*h2*N4.powi(2)) + beta_K*k_c*twist_c_dot/N3;
@@ -383,6 +472,7 @@ equations! {
             backlash_34 => -k34*clip34*touch34*over34;
             sliding_friction_34 => arm34*F_mu34/(2.0*h2*N4) - tan_a*side34*F_mu34 - arm34*F_mu34/(2.0*h2*N3);
             torques => T_load/(2.0*h2*N4);
+            fan_load => -T_fan_load/(2.0*h2*N4);
             damping => I4*alpha_M*theta2_dot/(2.0*h2*N4.powi(2)) - beta_K*k34_mid*damp34*over34_dot
                 - I3*alpha_M*s2_dot/(4.0*h2.powi(2)*N3.powi(2)) - I4*alpha_M*s2_dot/(4.0*h2.powi(2)*N4.powi(2))
                 - I_l*alpha_M*s2_dot/(4.0*h2.powi(2)*N4.powi(2)) - I3*alpha_M*theta2_dot/(2.0*h2*N3.powi(2))
@@ -391,11 +481,16 @@ equations! {
         psi_m {
             _ => -k_m*twist_m;
             torques => T_motor;
+            speed_governor => c_motor*n_motor - c_motor*theta_motor_dot;
+            dc_motor => Ts_motor - Ts_motor*theta_motor_dot/n0_motor;
+            induction_motor => T_induction_motor;
+            traction_motor => T_traction_motor;
             damping => -I_m*alpha_M*psi_m_dot - I_m*alpha_M*theta1_dot/N1 - beta_K*k_m*twist_m_dot - I_m*alpha_M*s1_dot/(2.0*h1*N1);
         }
         psi_l {
             _ => -k_l*twist_l;
             torques => T_load;
+            fan_load => -T_fan_load;
             damping => I_l*alpha_M*theta2_dot/N4 - I_l*alpha_M*psi_l_dot - beta_K*k_l*twist_l_dot - I_l*alpha_M*s2_dot/(2.0*h2*N4);
         }
     }
@@ -420,16 +515,30 @@ equations! {
         theta1 theta1_dot {
             sliding_friction_12 => -arm12*F_mu12_by_psi12_dot/N1.powi(2) - 2.0*arm12*F_mu12_by_psi12_dot/(N1*N2)
                 - arm12*F_mu12_by_psi12_dot/N2.powi(2);
+            speed_governor => -c_motor/N1.powi(2);
+            dc_motor => -Ts_motor/(N1.powi(2)*n0_motor);
+            induction_motor => T_induction_motor_by_theta_motor_dot/N1.powi(2);
+            traction_motor => T_traction_motor_by_theta_motor_dot/N1.powi(2);
             damping => -I1*alpha_M/N1.powi(2) - I2*alpha_M/N2.powi(2) - I_m*alpha_M/N1.powi(2) - beta_K*k_c/N2.powi(2);
         }
         theta1 s1_dot {
             sliding_friction_12 => (arm12*F_mu12_by_psi12_dot/(h1*N2.powi(2)) - arm12*F_mu12_by_psi12_dot/(h1*N1.powi(2)))/2.0;
+            speed_governor => -c_motor/(2.0*h1*N1.powi(2));
+            dc_motor => -Ts_motor/(2.0*h1*N1.powi(2)*n0_motor);
+            induction_motor => T_induction_motor_by_theta_motor_dot/(2.0*h1*N1.powi(2));
+            traction_motor => T_traction_motor_by_theta_motor_dot/(2.0*h1*N1.powi(2));
             damping => (I2*alpha_M/(h1*N2.powi(2)) - I1*alpha_M/(h1*N1.powi(2)) - I_m*alpha_M/(h1*N1.powi(2))
                 + beta_K*k_c/(h1*N2.powi(2)))/2.0;
         }
         theta1 theta2_dot { damping => beta_K*k_c/(N2*N3); }
         theta1 s2_dot { damping => beta_K*k_c/(2.0*h2*N2*N3); }
-        theta1 psi_m_dot { damping => -I_m*alpha_M/N1; }
+        theta1 psi_m_dot {
+            speed_governor => -c_motor/N1;
+            dc_motor => -Ts_motor/(N1*n0_motor);
+            induction_motor => T_induction_motor_by_theta_motor_dot/N1;
+            traction_motor => T_traction_motor_by_theta_motor_dot/N1;
+            damping => -I_m*alpha_M/N1;
+        }
         s1 theta1 {
             _ => k_c/(2.0*h1*N2.powi(2));
             transmission_error_12_and_backlash_12_and_moving_phase => k12*de12*clip12*touch12;
@@ -451,6 +560,10 @@ equations! {
         s1 theta1_dot {
             sliding_friction_12 => arm12*F_mu12_by_psi12_dot/(2.0*h1*N2.powi(2)) - tan_a*side12*F_mu12_by_psi12_dot/N1
                 - tan_a*side12*F_mu12_by_psi12_dot/N2 - arm12*F_mu12_by_psi12_dot/(2.0*h1*N1.powi(2));
+            speed_governor => -c_motor/(2.0*h1*N1.powi(2));
+            dc_motor => -Ts_motor/(2.0*h1*N1.powi(2)*n0_motor);
+            induction_motor => T_induction_motor_by_theta_motor_dot/(2.0*h1*N1.powi(2));
+            traction_motor => T_traction_motor_by_theta_motor_dot/(2.0*h1*N1.powi(2));
             damping => (I2*alpha_M/(h1*N2.powi(2)) - I1*alpha_M/(h1*N1.powi(2)) - I_m*alpha_M/(h1*N1.powi(2))
                 + beta_K*k_c/(h1*N2.powi(2)))/2.0;
         }
@@ -458,12 +571,22 @@ equations! {
             sliding_friction_12 => arm12*F_mu12_by_psi12_dot/(2.0*h1.powi(2)*N1*N2)
                 - arm12*F_mu12_by_psi12_dot/(4.0*h1.powi(2)*N1.powi(2)) - arm12*F_mu12_by_psi12_dot/(4.0*h1.powi(2)*N2.powi(2))
                 - tan_a*side12*F_mu12_by_psi12_dot/(2.0*h1*N1) + tan_a*side12*F_mu12_by_psi12_dot/(2.0*h1*N2);
+            speed_governor => -c_motor/(4.0*h1.powi(2)*N1.powi(2));
+            dc_motor => -Ts_motor/(4.0*h1.powi(2)*N1.powi(2)*n0_motor);
+            induction_motor => T_induction_motor_by_theta_motor_dot/(4.0*h1.powi(2)*N1.powi(2));
+            traction_motor => T_traction_motor_by_theta_motor_dot/(4.0*h1.powi(2)*N1.powi(2));
             damping => -beta_K*k12_mid*damp12 - I1*alpha_M/(4.0*h1.powi(2)*N1.powi(2)) - I2*alpha_M/(4.0*h1.powi(2)*N2.powi(2))
                 - I_m*alpha_M/(4.0*h1.powi(2)*N1.powi(2)) - beta_K*k_c/(4.0*h1.powi(2)*N2.powi(2));
         }
         s1 theta2_dot { damping => -beta_K*k_c/(2.0*h1*N2*N3); }
         s1 s2_dot { damping => -beta_K*k_c/(4.0*h1*h2*N2*N3); }
-        s1 psi_m_dot { damping => -I_m*alpha_M/(2.0*h1*N1); }
+        s1 psi_m_dot {
+            speed_governor => -c_motor/(2.0*h1*N1);
+            dc_motor => -Ts_motor/(2.0*h1*N1*n0_motor);
+            induction_motor => T_induction_motor_by_theta_motor_dot/(2.0*h1*N1);
+            traction_motor => T_traction_motor_by_theta_motor_dot/(2.0*h1*N1);
+            damping => -I_m*alpha_M/(2.0*h1*N1);
+        }
         theta2 theta1 { _ => k_c/(N2*N3); }
         theta2 s1 { _ => -k_c/(2.0*h1*N2*N3); }
         theta2 theta2 {
@@ -486,14 +609,19 @@ equations! {
         theta2 theta2_dot {
             sliding_friction_34 => -arm34*F_mu34_by_psi34_dot/N3.powi(2) - 2.0*arm34*F_mu34_by_psi34_dot/(N3*N4)
                 - arm34*F_mu34_by_psi34_dot/N4.powi(2);
+            fan_load => T_fan_load_by_theta_load_dot/N4.powi(2);
             damping => -I3*alpha_M/N3.powi(2) - I4*alpha_M/N4.powi(2) - I_l*alpha_M/N4.powi(2) - beta_K*k_c/N3.powi(2);
         }
         theta2 s2_dot {
             sliding_friction_34 => (arm34*F_mu34_by_psi34_dot/(h2*N4.powi(2)) - arm34*F_mu34_by_psi34_dot/(h2*N3.powi(2)))/2.0;
+            fan_load => -T_fan_load_by_theta_load_dot/(2.0*h2*N4.powi(2));
             damping => (I4*alpha_M/(h2*N4.powi(2)) - I3*alpha_M/(h2*N3.powi(2)) + I_l*alpha_M/(h2*N4.powi(2))
                 - beta_K*k_c/(h2*N3.powi(2)))/2.0;
         }
-        theta2 psi_l_dot { damping => I_l*alpha_M/N4; }
+        theta2 psi_l_dot {
+            fan_load => -T_fan_load_by_theta_load_dot/N4;
+            damping => I_l*alpha_M/N4;
+        }
         s2 theta1 { _ => k_c/(2.0*h2*N2*N3); }
         s2 s1 { _ => -k_c/(4.0*h1*h2*N2*N3); }
         s2 theta2 {
@@ -517,6 +645,7 @@ equations! {
         s2 theta2_dot {
             sliding_friction_34 => arm34*F_mu34_by_psi34_dot/(2.0*h2*N4.powi(2)) - tan_a*side34*F_mu34_by_psi34_dot/N3
                 - tan_a*side34*F_mu34_by_psi34_dot/N4 - arm34*F_mu34_by_psi34_dot/(2.0*h2*N3.powi(2));
+            fan_load => -T_fan_load_by_theta_load_dot/(2.0*h2*N4.powi(2));
             damping => (I4*alpha_M/(h2*N4.powi(2)) - I3*alpha_M/(h2*N3.powi(2)) + I_l*alpha_M/(h2*N4.powi(2))
                 - beta_K*k_c/(h2*N3.powi(2)))/2.0;
         }
@@ -524,18 +653,49 @@ equations! {
             sliding_friction_34 => arm34*F_mu34_by_psi34_dot/(2.0*h2.powi(2)*N3*N4)
                 - arm34*F_mu34_by_psi34_dot/(4.0*h2.powi(2)*N3.powi(2)) - arm34*F_mu34_by_psi34_dot/(4.0*h2.powi(2)*N4.powi(2))
                 - tan_a*side34*F_mu34_by_psi34_dot/(2.0*h2*N3) + tan_a*side34*F_mu34_by_psi34_dot/(2.0*h2*N4);
+            fan_load => T_fan_load_by_theta_load_dot/(4.0*h2.powi(2)*N4.powi(2));
             damping => -beta_K*k34_mid*damp34 - I3*alpha_M/(4.0*h2.powi(2)*N3.powi(2)) - I4*alpha_M/(4.0*h2.powi(2)*N4.powi(2))
                 - I_l*alpha_M/(4.0*h2.powi(2)*N4.powi(2)) - beta_K*k_c/(4.0*h2.powi(2)*N3.powi(2));
         }
-        s2 psi_l_dot { damping => -I_l*alpha_M/(2.0*h2*N4); }
+        s2 psi_l_dot {
+            fan_load => T_fan_load_by_theta_load_dot/(2.0*h2*N4);
+            damping => -I_l*alpha_M/(2.0*h2*N4);
+        }
         psi_m psi_m { _ => -k_m; }
-        psi_m theta1_dot { damping => -I_m*alpha_M/N1; }
-        psi_m s1_dot { damping => -I_m*alpha_M/(2.0*h1*N1); }
-        psi_m psi_m_dot { damping => -I_m*alpha_M - beta_K*k_m; }
+        psi_m theta1_dot {
+            speed_governor => -c_motor/N1;
+            dc_motor => -Ts_motor/(N1*n0_motor);
+            induction_motor => T_induction_motor_by_theta_motor_dot/N1;
+            traction_motor => T_traction_motor_by_theta_motor_dot/N1;
+            damping => -I_m*alpha_M/N1;
+        }
+        psi_m s1_dot {
+            speed_governor => -c_motor/(2.0*h1*N1);
+            dc_motor => -Ts_motor/(2.0*h1*N1*n0_motor);
+            induction_motor => T_induction_motor_by_theta_motor_dot/(2.0*h1*N1);
+            traction_motor => T_traction_motor_by_theta_motor_dot/(2.0*h1*N1);
+            damping => -I_m*alpha_M/(2.0*h1*N1);
+        }
+        psi_m psi_m_dot {
+            speed_governor => -c_motor;
+            dc_motor => -Ts_motor/n0_motor;
+            induction_motor => T_induction_motor_by_theta_motor_dot;
+            traction_motor => T_traction_motor_by_theta_motor_dot;
+            damping => -I_m*alpha_M - beta_K*k_m;
+        }
         psi_l psi_l { _ => -k_l; }
-        psi_l theta2_dot { damping => I_l*alpha_M/N4; }
-        psi_l s2_dot { damping => -I_l*alpha_M/(2.0*h2*N4); }
-        psi_l psi_l_dot { damping => -I_l*alpha_M - beta_K*k_l; }
+        psi_l theta2_dot {
+            fan_load => -T_fan_load_by_theta_load_dot/N4;
+            damping => I_l*alpha_M/N4;
+        }
+        psi_l s2_dot {
+            fan_load => T_fan_load_by_theta_load_dot/(2.0*h2*N4);
+            damping => -I_l*alpha_M/(2.0*h2*N4);
+        }
+        psi_l psi_l_dot {
+            fan_load => T_fan_load_by_theta_load_dot;
+            damping => -I_l*alpha_M - beta_K*k_l;
+        }
     }
     cell {
         stiffness {
@@ -559,21 +719,37 @@ equations! {
             psi_l psi_l { _ => k_l; }
         }
         damping {
-            theta1 theta1 { damping => I1*alpha_M/N1.powi(2) + I2*alpha_M/N2.powi(2) + I_m*alpha_M/N1.powi(2) + beta_K*k_c/N2.powi(2); }
+            theta1 theta1 {
+                speed_governor => c_motor/N1.powi(2);
+                dc_motor => Ts_motor/(N1.powi(2)*n0_motor);
+                damping => I1*alpha_M/N1.powi(2) + I2*alpha_M/N2.powi(2) + I_m*alpha_M/N1.powi(2) + beta_K*k_c/N2.powi(2);
+            }
             theta1 s1 {
+                speed_governor => c_motor/(2.0*h1*N1.powi(2));
+                dc_motor => Ts_motor/(2.0*h1*N1.powi(2)*n0_motor);
                 damping => (I1*alpha_M/(h1*N1.powi(2)) - I2*alpha_M/(h1*N2.powi(2)) + I_m*alpha_M/(h1*N1.powi(2))
                     - beta_K*k_c/(h1*N2.powi(2)))/2.0;
             }
             theta1 theta2 { damping => -beta_K*k_c/(N2*N3); }
             theta1 s2 { damping => -beta_K*k_c/(2.0*h2*N2*N3); }
-            theta1 psi_m { damping => I_m*alpha_M/N1; }
+            theta1 psi_m {
+                speed_governor => c_motor/N1;
+                dc_motor => Ts_motor/(N1*n0_motor);
+                damping => I_m*alpha_M/N1;
+            }
             s1 s1 {
+                speed_governor => c_motor/(4.0*h1.powi(2)*N1.powi(2));
+                dc_motor => Ts_motor/(4.0*h1.powi(2)*N1.powi(2)*n0_motor);
                 damping => beta_K*k12_mid*damp12 + I1*alpha_M/(4.0*h1.powi(2)*N1.powi(2)) + I2*alpha_M/(4.0*h1.powi(2)*N2.powi(2))
                     + I_m*alpha_M/(4.0*h1.powi(2)*N1.powi(2)) + beta_K*k_c/(4.0*h1.powi(2)*N2.powi(2));
             }
             s1 theta2 { damping => beta_K*k_c/(2.0*h1*N2*N3); }
             s1 s2 { damping => beta_K*k_c/(4.0*h1*h2*N2*N3); }
-            s1 psi_m { damping => I_m*alpha_M/(2.0*h1*N1); }
+            s1 psi_m {
+                speed_governor => c_motor/(2.0*h1*N1);
+                dc_motor => Ts_motor/(2.0*h1*N1*n0_motor);
+                damping => I_m*alpha_M/(2.0*h1*N1);
+            }
             theta2 theta2 { damping => I3*alpha_M/N3.powi(2) + I4*alpha_M/N4.powi(2) + I_l*alpha_M/N4.powi(2) + beta_K*k_c/N3.powi(2); }
             theta2 s2 {
                 damping => (I3*alpha_M/(h2*N3.powi(2)) - I4*alpha_M/(h2*N4.powi(2)) - I_l*alpha_M/(h2*N4.powi(2))
@@ -585,15 +761,25 @@ equations! {
                     + I_l*alpha_M/(4.0*h2.powi(2)*N4.powi(2)) + beta_K*k_c/(4.0*h2.powi(2)*N3.powi(2));
             }
             s2 psi_l { damping => I_l*alpha_M/(2.0*h2*N4); }
-            psi_m psi_m { damping => I_m*alpha_M + beta_K*k_m; }
+            psi_m psi_m {
+                speed_governor => c_motor;
+                dc_motor => Ts_motor/n0_motor;
+                damping => I_m*alpha_M + beta_K*k_m;
+            }
             psi_l psi_l { damping => I_l*alpha_M + beta_K*k_l; }
         }
         load {
-            theta1 { torques => T_motor/N1; }
+            theta1 {
+                torques => T_motor/N1;
+                speed_governor => c_motor*n_motor/N1;
+                dc_motor => Ts_motor/N1;
+            }
             s1 {
                 _ => k12*touch12*edge12 + k12*touch12*e12;
                 backlash_12 => k12*clip12*touch12*edge12 + k12*clip12*touch12*e12;
                 torques => T_motor/(2.0*h1*N1);
+                speed_governor => c_motor*n_motor/(2.0*h1*N1);
+                dc_motor => Ts_motor/(2.0*h1*N1);
             }
             theta2 { torques => -T_load/N4; }
             s2 {
@@ -601,7 +787,11 @@ equations! {
                 backlash_34 => k34*clip34*touch34*edge34 + k34*clip34*touch34*e34;
                 torques => T_load/(2.0*h2*N4);
             }
-            psi_m { torques => T_motor; }
+            psi_m {
+                torques => T_motor;
+                speed_governor => c_motor*n_motor;
+                dc_motor => Ts_motor;
+            }
             psi_l { torques => T_load; }
         }
     }
@@ -610,6 +800,9 @@ equations! {
         sliding_friction_12 "-arm12*F_mu12 in the torque `roll12`";
         sliding_friction_34 "-side34*F_mu34 in the torque `slide34`";
         sliding_friction_34 "-arm34*F_mu34 in the torque `roll34`";
+        induction_motor "T_induction_motor in the torque `induction`";
+        traction_motor "T_traction_motor in the torque `traction`";
+        fan_load "T_fan_load in the torque `fan`";
     }
     jump k12 { step { _ => dk12*touch12*over12.powi(2)/2.0; } }
     jump k34 { step { _ => dk34*touch34*over34.powi(2)/2.0; } }
@@ -720,9 +913,30 @@ equations! {
             _ => roll34_power;
         }
         power_motor "W" with torques, "power of the driving torque of the motor: positive if it drives" { _ => motor_power; }
+        governor_braking "W" with speed_governor,
+            "power that the motor takes back: the part of its torque that is proportional to the speed, times the speed" {
+            _ => c_motor*theta_motor_dot.powi(2);
+        }
+        power_governor "W" with speed_governor,
+            "power of the torque c n of the governor; its part -c omega is in D: positive if it drives" {
+            _ => governor_power;
+        }
+        dc_braking "W" with dc_motor,
+            "power that the motor takes back: the part of its torque that is proportional to the speed, times the speed" {
+            _ => Ts_motor*theta_motor_dot.powi(2)/n0_motor;
+        }
+        power_dc "W" with dc_motor,
+            "power of the stall torque of the DC motor; the part proportional to the speed is in D: positive if it drives" {
+            _ => dc_power;
+        }
+        power_induction "W" with induction_motor, "power of the torque of the induction motor: positive if it drives" {
+            _ => induction_power;
+        }
+        power_traction "W" with traction_motor, "power of the torque of the traction motor: positive if it drives" { _ => traction_power; }
         power_load "W" with torques, "power of the load torque of the load, against its rotation: positive if it drives" {
             _ => load_power;
         }
+        power_fan "W" with fan_load, "power of the torque of the fan, against its rotation: positive if it drives" { _ => fan_power; }
         inertia_damping_loss "W" with damping, "power that the damping in proportion to inertia takes" {
             _ => 2.0*alpha_M*((I1*(s1_dot/(2.0*h1*N1) + theta1_dot/N1).powi(2) + I2*(theta1_dot/N2 - s1_dot/(2.0*h1*N2)).powi(2)
                 + I3*(s2_dot/(2.0*h2*N3) + theta2_dot/N3).powi(2) + I4*(theta2_dot/N4 - s2_dot/(2.0*h2*N4)).powi(2)
@@ -768,7 +982,7 @@ equations! {
 //
 // | output | sums | products, quotients | functions, roots |
 // | --- | --- | --- | --- |
-// | constants (once a scene) | 0 | 3 | 2 |
-// | named forces | 4 | 18 | 4 |
-// | force | 44 | 274 | 0 |
+// | constants (once a scene) | 0 | 4 | 2 |
+// | named forces | 19 | 57 | 7 |
+// | force | 50 | 314 | 0 |
 // | energy steps, all laws | 2 | 22 | 0 |

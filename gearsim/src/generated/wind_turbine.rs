@@ -78,6 +78,23 @@ equations! {
             "rolling speed omega1 + omega2 of the mesh of the parallel stage below which friction decreases to zero (mixed film)";
         T_wind "N*m" required with torques, open -inf to inf, "driving torque of the rotor";
         T_generator "N*m" required with torques, open -inf to inf, "load torque of the generator, against its rotation";
+        cf_generator "N*m*s^2/rad^2" required with fan_load, from 0.0 to inf,
+            "fan torque of the generator divided by the square of its speed";
+        w0_generator "rad/s" default 0.01, open 0.0 to inf,
+            "speed of the generator below which the fan torque is linear instead of quadratic in the speed";
+        c_g "N*m*s/rad" required with speed_governor, open 0.0 to inf,
+            "gain of the governor of the generator: torque per difference of set point and speed";
+        n_g "rad/s" required with speed_governor, open -inf to inf, "set point of the speed governor of the generator";
+        Ts_g "N*m" required with dc_motor, open 0.0 to inf, "stall torque of the generator";
+        n0_g "rad/s" required with dc_motor, open 0.0 to inf, "no-load speed of the generator";
+        Tb_g "N*m" required with induction_motor, open 0.0 to inf, "breakdown torque of the generator, its largest torque";
+        sb_g "1" required with induction_motor, open 0.0 to inf, "slip at which the generator has its breakdown torque";
+        ns_g "rad/s" required with induction_motor, open 0.0 to inf, "synchronous speed of the generator";
+        Tp_g "N*m" required with traction_motor, open 0.0 to inf, "peak torque of the generator, up to its base speed";
+        Pp_g "W" required with traction_motor, open 0.0 to inf, "peak power of the generator, above its base speed Pp/Tp";
+        d_g "1" default 1.0, open -inf to inf, "demand on the generator: 1 drives with its peak torque or power, -1 brakes with them";
+        round_g "1" default 0.01, open 0.0 to inf,
+            "rounding of the corner of the torque of the generator at its base speed, relative to that";
         alpha_M "1/s" default 0.0, from 0.0 to inf, "damping in proportion to inertia";
         beta_K "s" default 0.0, from 0.0 to inf, "damping in proportion to stiffness";
     }
@@ -176,6 +193,13 @@ equations! {
         sliding_friction_12 of sliding_friction requires(stiffness_step)
             "Coulomb friction between the flanks, against their sliding, which turns as a tooth pair passes the pitch point";
         torques "constant torques of motor and load";
+        fan_load "a fan as load: torque proportional to the square of the speed, against the rotation";
+        speed_governor excludes(dc_motor, induction_motor, traction_motor)
+            "a speed governor: motor torque proportional to the set point minus the speed";
+        dc_motor excludes(induction_motor, traction_motor)
+            "a DC motor at constant voltage: its torque falls linearly from stall to no load";
+        induction_motor excludes(traction_motor) "an induction motor, its torque by the formula of Kloss";
+        traction_motor "a traction motor: its peak torque up to the base speed, constant power above it, times the demand";
         damping "Rayleigh damping, C = alpha_M M + beta_K K at the mid stiffness";
     }
     switching {
@@ -254,6 +278,7 @@ equations! {
         tiny_r3 = 1.0/1000000000000.0;
         tan_a12 = alpha12.sin()/alpha12.cos();
         tiny12 = 1.0/1000000000000.0;
+        per_wb_g = Tp_g/Pp_g;
     }
     deflections {
         twist_l = psi_l;
@@ -280,6 +305,8 @@ equations! {
         over12 = s2 - edge12 - e12;
         tau12 = tan_a12*s2;
         psi12 = s2/(2.0*h2*N1) - s2/(2.0*h2*N2) + theta2/N1 + theta2/N2;
+        theta_generator = theta2/N2 - psi_h - s2/(2.0*h2*N2);
+        theta_g = theta2/N2 - psi_h - s2/(2.0*h2*N2);
     }
     forces {
         F_mu_s1 {
@@ -309,6 +336,12 @@ equations! {
         F_mu12 {
             sliding_friction_12 => mu12*k12*touch12*psi12_dot*(tiny12.powi(2) + over12.powi(2)).sqrt()
                 /(w_mix12.powi(2) + psi12_dot.powi(2)).sqrt();
+        }
+        T_fan_generator { fan_load => -cf_generator*theta_generator_dot*(w0_generator.powi(2) + theta_generator_dot.powi(2)).sqrt(); }
+        T_induction_g { induction_motor => 2.0*Tb_g*sb_g*(1.0 - theta_g_dot/ns_g)/(sb_g.powi(2) + (1.0 - theta_g_dot/ns_g).powi(2)); }
+        T_traction_g {
+            traction_motor => 2.0*Tp_g*d_g/((round_g.powi(2) + (1.0 - per_wb_g*theta_g_dot).powi(2)).sqrt()
+                + (round_g.powi(2) + (1.0 + per_wb_g*theta_g_dot).powi(2)).sqrt());
         }
     }
     partials {
@@ -408,6 +441,22 @@ equations! {
         F_mu12_by_k12 {
             sliding_friction_12 => mu12*touch12*psi12_dot*(tiny12.powi(2) + over12.powi(2)).sqrt()
                 /(w_mix12.powi(2) + psi12_dot.powi(2)).sqrt();
+        }
+        T_fan_generator_by_theta_generator_dot {
+            fan_load => -cf_generator*theta_generator_dot.powi(2)/(w0_generator.powi(2) + theta_generator_dot.powi(2)).sqrt()
+                - cf_generator*(w0_generator.powi(2) + theta_generator_dot.powi(2)).sqrt();
+        }
+        T_induction_g_by_theta_g_dot {
+            induction_motor => 4.0*Tb_g*sb_g*(1.0 - theta_g_dot/ns_g).powi(2)
+                /(ns_g*(sb_g.powi(2) + (1.0 - theta_g_dot/ns_g).powi(2)).powi(2))
+                - 2.0*Tb_g*sb_g/(ns_g*(sb_g.powi(2) + (1.0 - theta_g_dot/ns_g).powi(2)));
+        }
+        T_traction_g_by_theta_g_dot {
+            traction_motor => -2.0*Tp_g*d_g*(per_wb_g*(1.0 + per_wb_g*theta_g_dot)
+                /(round_g.powi(2) + (1.0 + per_wb_g*theta_g_dot).powi(2)).sqrt()
+                - per_wb_g*(1.0 - per_wb_g*theta_g_dot)/(round_g.powi(2) + (1.0 - per_wb_g*theta_g_dot).powi(2)).sqrt())
+                /((round_g.powi(2) + (1.0 - per_wb_g*theta_g_dot).powi(2)).sqrt()
+                + (round_g.powi(2) + (1.0 + per_wb_g*theta_g_dot).powi(2)).sqrt()).powi(2);
         }
     }
     switches {
@@ -870,6 +919,8 @@ equations! {
                 + k_s2*touchs2*overs2.powi(2) + k_s3*touchs3*overs3.powi(2))/2.0;
         }
         dissipation {
+            speed_governor => c_g*theta_g_dot.powi(2)/2.0;
+            dc_motor => Ts_g*theta_g_dot.powi(2)/(2.0*n0_g);
             damping => I1*alpha_M*(s2_dot/(2.0*h2*N1) + theta2_dot/N1).powi(2)/2.0
                 + I2*alpha_M*(theta2_dot/N2 - s2_dot/(2.0*h2*N2)).powi(2)/2.0
                 + I_b*alpha_M*(psi_l_dot + theta_c_dot + theta_dot/Z_r).powi(2)/2.0
@@ -917,14 +968,36 @@ equations! {
         power { sliding_friction_12 => -arm12*F_mu12*psi12_dot; }
         wind "driving torque of the rotor" { torques => T_wind*(psi_l + theta_c + theta/Z_r); }
         generator "load torque of the generator, against its rotation" { torques => T_generator*(psi_h + s2/(2.0*h2*N2) - theta2/N2); }
+        fan "torque of the fan, against its rotation" {}
+        power { fan_load => T_fan_generator*(theta2_dot/N2 - psi_h_dot - s2_dot/(2.0*h2*N2)); }
+        governor "torque c n of the governor; its part -c omega is in D" { speed_governor => c_g*n_g*(theta2/N2 - psi_h - s2/(2.0*h2*N2)); }
+        dc "stall torque of the DC motor; the part proportional to the speed is in D" {
+            dc_motor => Ts_g*(theta2/N2 - psi_h - s2/(2.0*h2*N2));
+        }
+        induction "torque of the induction motor" {}
+        power { induction_motor => T_induction_g*(theta2_dot/N2 - psi_h_dot - s2_dot/(2.0*h2*N2)); }
+        traction "torque of the traction motor" {}
+        power { traction_motor => T_traction_g*(theta2_dot/N2 - psi_h_dot - s2_dot/(2.0*h2*N2)); }
     }
     work {
         theta { torques => T_wind/Z_r; }
         theta_c { torques => T_wind; }
-        theta2 { torques => -T_generator/N2; }
-        s2 { torques => T_generator/(2.0*h2*N2); }
+        theta2 {
+            torques => -T_generator/N2;
+            speed_governor => c_g*n_g/N2;
+            dc_motor => Ts_g/N2;
+        }
+        s2 {
+            torques => T_generator/(2.0*h2*N2);
+            speed_governor => -c_g*n_g/(2.0*h2*N2);
+            dc_motor => -Ts_g/(2.0*h2*N2);
+        }
         psi_l { torques => T_wind; }
-        psi_h { torques => T_generator; }
+        psi_h {
+            torques => T_generator;
+            speed_governor => -c_g*n_g;
+            dc_motor => -Ts_g;
+        }
     }
     mass {
         theta theta {
@@ -1001,6 +1074,11 @@ equations! {
             transmission_error_12_and_jump_terms => k12*de12*touch12*over12;
             sliding_friction_12 => -arm12*F_mu12/N1 - arm12*F_mu12/N2;
             torques => -T_generator/N2;
+            fan_load => T_fan_generator/N2;
+            speed_governor => c_g*n_g/N2 - c_g*theta_g_dot/N2;
+            dc_motor => Ts_g/N2 - Ts_g*theta_g_dot/(N2*n0_g);
+            induction_motor => T_induction_g/N2;
+            traction_motor => T_traction_g/N2;
             damping => I_g*alpha_M*psi_h_dot/N2 - I1*alpha_M*theta2_dot/N1.powi(2) - I2*alpha_M*theta2_dot/N2.powi(2)
                 - I_g*alpha_M*theta2_dot/N2.powi(2) - I1*alpha_M*s2_dot/(2.0*h2*N1.powi(2)) + I2*alpha_M*s2_dot/(2.0*h2*N2.powi(2))
                 + I_g*alpha_M*s2_dot/(2.0*h2*N2.powi(2)) + beta_K*k_i*twist_i_dot/N1;
@@ -1011,6 +1089,11 @@ equations! {
             backlash_12 => -k12*clip12*touch12*over12;
             sliding_friction_12 => arm12*F_mu12/(2.0*h2*N2) - tan_a12*side12*F_mu12 - arm12*F_mu12/(2.0*h2*N1);
             torques => T_generator/(2.0*h2*N2);
+            fan_load => -T_fan_generator/(2.0*h2*N2);
+            speed_governor => (c_g*theta_g_dot/(h2*N2) - c_g*n_g/(h2*N2))/2.0;
+            dc_motor => (Ts_g*theta_g_dot/(h2*N2*n0_g) - Ts_g/(h2*N2))/2.0;
+            induction_motor => -T_induction_g/(2.0*h2*N2);
+            traction_motor => -T_traction_g/(2.0*h2*N2);
             damping => I2*alpha_M*theta2_dot/(2.0*h2*N2.powi(2)) - beta_K*k12_mid*damp12*over12_dot
                 - I1*alpha_M*s2_dot/(4.0*h2.powi(2)*N1.powi(2)) - I2*alpha_M*s2_dot/(4.0*h2.powi(2)*N2.powi(2))
                 - I_g*alpha_M*s2_dot/(4.0*h2.powi(2)*N2.powi(2)) - I1*alpha_M*theta2_dot/(2.0*h2*N1.powi(2))
@@ -1024,6 +1107,11 @@ equations! {
         psi_h {
             _ => -k_h*twist_h;
             torques => T_generator;
+            fan_load => -T_fan_generator;
+            speed_governor => c_g*theta_g_dot - c_g*n_g;
+            dc_motor => Ts_g*theta_g_dot/n0_g - Ts_g;
+            induction_motor => -T_induction_g;
+            traction_motor => -T_traction_g;
             damping => I_g*alpha_M*theta2_dot/N2 - I_g*alpha_M*psi_h_dot - beta_K*k_h*twist_h_dot - I_g*alpha_M*s2_dot/(2.0*h2*N2);
         }
         u1 {
@@ -1256,14 +1344,31 @@ equations! {
         theta2 theta2_dot {
             sliding_friction_12 => -arm12*F_mu12_by_psi12_dot/N1.powi(2) - 2.0*arm12*F_mu12_by_psi12_dot/(N1*N2)
                 - arm12*F_mu12_by_psi12_dot/N2.powi(2);
+            fan_load => T_fan_generator_by_theta_generator_dot/N2.powi(2);
+            speed_governor => -c_g/N2.powi(2);
+            dc_motor => -Ts_g/(N2.powi(2)*n0_g);
+            induction_motor => T_induction_g_by_theta_g_dot/N2.powi(2);
+            traction_motor => T_traction_g_by_theta_g_dot/N2.powi(2);
             damping => -I1*alpha_M/N1.powi(2) - I2*alpha_M/N2.powi(2) - I_g*alpha_M/N2.powi(2) - beta_K*k_i/N1.powi(2);
         }
         theta2 s2_dot {
             sliding_friction_12 => (arm12*F_mu12_by_psi12_dot/(h2*N2.powi(2)) - arm12*F_mu12_by_psi12_dot/(h2*N1.powi(2)))/2.0;
+            fan_load => -T_fan_generator_by_theta_generator_dot/(2.0*h2*N2.powi(2));
+            speed_governor => c_g/(2.0*h2*N2.powi(2));
+            dc_motor => Ts_g/(2.0*h2*N2.powi(2)*n0_g);
+            induction_motor => -T_induction_g_by_theta_g_dot/(2.0*h2*N2.powi(2));
+            traction_motor => -T_traction_g_by_theta_g_dot/(2.0*h2*N2.powi(2));
             damping => (I2*alpha_M/(h2*N2.powi(2)) - I1*alpha_M/(h2*N1.powi(2)) + I_g*alpha_M/(h2*N2.powi(2))
                 - beta_K*k_i/(h2*N1.powi(2)))/2.0;
         }
-        theta2 psi_h_dot { damping => I_g*alpha_M/N2; }
+        theta2 psi_h_dot {
+            fan_load => -T_fan_generator_by_theta_generator_dot/N2;
+            speed_governor => c_g/N2;
+            dc_motor => Ts_g/(N2*n0_g);
+            induction_motor => -T_induction_g_by_theta_g_dot/N2;
+            traction_motor => -T_traction_g_by_theta_g_dot/N2;
+            damping => I_g*alpha_M/N2;
+        }
         s2 theta { _ => (k_i/(h2*N1*Z_r) + k_i/(h2*N1*Z_s))/2.0; }
         s2 theta_c { _ => k_i/(2.0*h2*N1); }
         s2 theta2 {
@@ -1288,6 +1393,11 @@ equations! {
         s2 theta2_dot {
             sliding_friction_12 => arm12*F_mu12_by_psi12_dot/(2.0*h2*N2.powi(2)) - tan_a12*side12*F_mu12_by_psi12_dot/N1
                 - tan_a12*side12*F_mu12_by_psi12_dot/N2 - arm12*F_mu12_by_psi12_dot/(2.0*h2*N1.powi(2));
+            fan_load => -T_fan_generator_by_theta_generator_dot/(2.0*h2*N2.powi(2));
+            speed_governor => c_g/(2.0*h2*N2.powi(2));
+            dc_motor => Ts_g/(2.0*h2*N2.powi(2)*n0_g);
+            induction_motor => -T_induction_g_by_theta_g_dot/(2.0*h2*N2.powi(2));
+            traction_motor => -T_traction_g_by_theta_g_dot/(2.0*h2*N2.powi(2));
             damping => (I2*alpha_M/(h2*N2.powi(2)) - I1*alpha_M/(h2*N1.powi(2)) + I_g*alpha_M/(h2*N2.powi(2))
                 - beta_K*k_i/(h2*N1.powi(2)))/2.0;
         }
@@ -1295,18 +1405,51 @@ equations! {
             sliding_friction_12 => arm12*F_mu12_by_psi12_dot/(2.0*h2.powi(2)*N1*N2)
                 - arm12*F_mu12_by_psi12_dot/(4.0*h2.powi(2)*N1.powi(2)) - arm12*F_mu12_by_psi12_dot/(4.0*h2.powi(2)*N2.powi(2))
                 - tan_a12*side12*F_mu12_by_psi12_dot/(2.0*h2*N1) + tan_a12*side12*F_mu12_by_psi12_dot/(2.0*h2*N2);
+            fan_load => T_fan_generator_by_theta_generator_dot/(4.0*h2.powi(2)*N2.powi(2));
+            speed_governor => -c_g/(4.0*h2.powi(2)*N2.powi(2));
+            dc_motor => -Ts_g/(4.0*h2.powi(2)*N2.powi(2)*n0_g);
+            induction_motor => T_induction_g_by_theta_g_dot/(4.0*h2.powi(2)*N2.powi(2));
+            traction_motor => T_traction_g_by_theta_g_dot/(4.0*h2.powi(2)*N2.powi(2));
             damping => -beta_K*k12_mid*damp12 - I1*alpha_M/(4.0*h2.powi(2)*N1.powi(2)) - I2*alpha_M/(4.0*h2.powi(2)*N2.powi(2))
                 - I_g*alpha_M/(4.0*h2.powi(2)*N2.powi(2)) - beta_K*k_i/(4.0*h2.powi(2)*N1.powi(2));
         }
-        s2 psi_h_dot { damping => -I_g*alpha_M/(2.0*h2*N2); }
+        s2 psi_h_dot {
+            fan_load => T_fan_generator_by_theta_generator_dot/(2.0*h2*N2);
+            speed_governor => -c_g/(2.0*h2*N2);
+            dc_motor => -Ts_g/(2.0*h2*N2*n0_g);
+            induction_motor => T_induction_g_by_theta_g_dot/(2.0*h2*N2);
+            traction_motor => T_traction_g_by_theta_g_dot/(2.0*h2*N2);
+            damping => -I_g*alpha_M/(2.0*h2*N2);
+        }
         psi_l psi_l { _ => -k_l; }
         psi_l theta_dot { damping => -I_b*alpha_M/Z_r; }
         psi_l theta_c_dot { damping => -I_b*alpha_M; }
         psi_l psi_l_dot { damping => -I_b*alpha_M - beta_K*k_l; }
         psi_h psi_h { _ => -k_h; }
-        psi_h theta2_dot { damping => I_g*alpha_M/N2; }
-        psi_h s2_dot { damping => -I_g*alpha_M/(2.0*h2*N2); }
-        psi_h psi_h_dot { damping => -I_g*alpha_M - beta_K*k_h; }
+        psi_h theta2_dot {
+            fan_load => -T_fan_generator_by_theta_generator_dot/N2;
+            speed_governor => c_g/N2;
+            dc_motor => Ts_g/(N2*n0_g);
+            induction_motor => -T_induction_g_by_theta_g_dot/N2;
+            traction_motor => -T_traction_g_by_theta_g_dot/N2;
+            damping => I_g*alpha_M/N2;
+        }
+        psi_h s2_dot {
+            fan_load => T_fan_generator_by_theta_generator_dot/(2.0*h2*N2);
+            speed_governor => -c_g/(2.0*h2*N2);
+            dc_motor => -Ts_g/(2.0*h2*N2*n0_g);
+            induction_motor => T_induction_g_by_theta_g_dot/(2.0*h2*N2);
+            traction_motor => T_traction_g_by_theta_g_dot/(2.0*h2*N2);
+            damping => -I_g*alpha_M/(2.0*h2*N2);
+        }
+        psi_h psi_h_dot {
+            fan_load => T_fan_generator_by_theta_generator_dot;
+            speed_governor => -c_g;
+            dc_motor => -Ts_g/n0_g;
+            induction_motor => T_induction_g_by_theta_g_dot;
+            traction_motor => T_traction_g_by_theta_g_dot;
+            damping => -I_g*alpha_M - beta_K*k_h;
+        }
         u1 theta {
             transmission_error_s1_and_backlash_s1_and_moving_phase => k_s1*de_s1*clips1*touchs1;
             transmission_error_s1_and_sliding_friction_s1_and_moving_phase => sin_a*de_s1*side_s1*F_mu_s1_by_overs1/cos_a
@@ -1515,19 +1658,39 @@ equations! {
             theta_c u1 { damping => h*Z_r*beta_K*k_r1_mid*dampr1 + I_p*alpha_M/r_p; }
             theta_c u2 { damping => h*Z_r*beta_K*k_r2_mid*dampr2 + I_p*alpha_M/r_p; }
             theta_c u3 { damping => h*Z_r*beta_K*k_r3_mid*dampr3 + I_p*alpha_M/r_p; }
-            theta2 theta2 { damping => I1*alpha_M/N1.powi(2) + I2*alpha_M/N2.powi(2) + I_g*alpha_M/N2.powi(2) + beta_K*k_i/N1.powi(2); }
+            theta2 theta2 {
+                speed_governor => c_g/N2.powi(2);
+                dc_motor => Ts_g/(N2.powi(2)*n0_g);
+                damping => I1*alpha_M/N1.powi(2) + I2*alpha_M/N2.powi(2) + I_g*alpha_M/N2.powi(2) + beta_K*k_i/N1.powi(2);
+            }
             theta2 s2 {
+                speed_governor => -c_g/(2.0*h2*N2.powi(2));
+                dc_motor => -Ts_g/(2.0*h2*N2.powi(2)*n0_g);
                 damping => (I1*alpha_M/(h2*N1.powi(2)) - I2*alpha_M/(h2*N2.powi(2)) - I_g*alpha_M/(h2*N2.powi(2))
                     + beta_K*k_i/(h2*N1.powi(2)))/2.0;
             }
-            theta2 psi_h { damping => -I_g*alpha_M/N2; }
+            theta2 psi_h {
+                speed_governor => -c_g/N2;
+                dc_motor => -Ts_g/(N2*n0_g);
+                damping => -I_g*alpha_M/N2;
+            }
             s2 s2 {
+                speed_governor => c_g/(4.0*h2.powi(2)*N2.powi(2));
+                dc_motor => Ts_g/(4.0*h2.powi(2)*N2.powi(2)*n0_g);
                 damping => beta_K*k12_mid*damp12 + I1*alpha_M/(4.0*h2.powi(2)*N1.powi(2)) + I2*alpha_M/(4.0*h2.powi(2)*N2.powi(2))
                     + I_g*alpha_M/(4.0*h2.powi(2)*N2.powi(2)) + beta_K*k_i/(4.0*h2.powi(2)*N1.powi(2));
             }
-            s2 psi_h { damping => I_g*alpha_M/(2.0*h2*N2); }
+            s2 psi_h {
+                speed_governor => c_g/(2.0*h2*N2);
+                dc_motor => Ts_g/(2.0*h2*N2*n0_g);
+                damping => I_g*alpha_M/(2.0*h2*N2);
+            }
             psi_l psi_l { damping => I_b*alpha_M + beta_K*k_l; }
-            psi_h psi_h { damping => I_g*alpha_M + beta_K*k_h; }
+            psi_h psi_h {
+                speed_governor => c_g;
+                dc_motor => Ts_g/n0_g;
+                damping => I_g*alpha_M + beta_K*k_h;
+            }
             u1 u1 { damping => beta_K*k_r1_mid*dampr1 + beta_K*k_s1_mid*damps1 + I_p*alpha_M/r_p.powi(2); }
             u2 u2 { damping => beta_K*k_r2_mid*dampr2 + beta_K*k_s2_mid*damps2 + I_p*alpha_M/r_p.powi(2); }
             u3 u3 { damping => beta_K*k_r3_mid*dampr3 + beta_K*k_s3_mid*damps3 + I_p*alpha_M/r_p.powi(2); }
@@ -1542,14 +1705,24 @@ equations! {
                 backlash_r3 => -h*Z_r*k_r3*clipr3*touchr3*edger3 - h*Z_r*k_r3*clipr3*touchr3*e_r3;
                 torques => T_wind;
             }
-            theta2 { torques => -T_generator/N2; }
+            theta2 {
+                torques => -T_generator/N2;
+                speed_governor => c_g*n_g/N2;
+                dc_motor => Ts_g/N2;
+            }
             s2 {
                 _ => k12*touch12*edge12 + k12*touch12*e12;
                 backlash_12 => k12*clip12*touch12*edge12 + k12*clip12*touch12*e12;
                 torques => T_generator/(2.0*h2*N2);
+                speed_governor => -c_g*n_g/(2.0*h2*N2);
+                dc_motor => -Ts_g/(2.0*h2*N2);
             }
             psi_l { torques => T_wind; }
-            psi_h { torques => T_generator; }
+            psi_h {
+                torques => T_generator;
+                speed_governor => -c_g*n_g;
+                dc_motor => -Ts_g;
+            }
             u1 {
                 _ => k_s1*touchs1*edges1 - k_r1*touchr1*edger1 - k_r1*touchr1*e_r1 + k_s1*touchs1*e_s1;
                 backlash_s1 => k_s1*clips1*touchs1*edges1 + k_s1*clips1*touchs1*e_s1;
@@ -1582,6 +1755,9 @@ equations! {
         sliding_friction_r3 "-arm_r3*F_mu_r3 in the torque `roll_r3`";
         sliding_friction_12 "-side12*F_mu12 in the torque `slide12`";
         sliding_friction_12 "-arm12*F_mu12 in the torque `roll12`";
+        fan_load "T_fan_generator in the torque `fan`";
+        induction_motor "T_induction_g in the torque `induction`";
+        traction_motor "T_traction_g in the torque `traction`";
     }
     jump k_s1 { step { _ => dk_s1*touchs1*overs1.powi(2)/2.0; } }
     jump k_r1 { step { _ => dk_r1*touchr1*overr1.powi(2)/2.0; } }
@@ -1880,6 +2056,27 @@ equations! {
         power_generator "W" with torques, "power of the load torque of the generator, against its rotation: positive if it drives" {
             _ => generator_power;
         }
+        power_fan "W" with fan_load, "power of the torque of the fan, against its rotation: positive if it drives" { _ => fan_power; }
+        governor_braking "W" with speed_governor,
+            "power that the motor takes back: the part of its torque that is proportional to the speed, times the speed" {
+            _ => c_g*theta_g_dot.powi(2);
+        }
+        power_governor "W" with speed_governor,
+            "power of the torque c n of the governor; its part -c omega is in D: positive if it drives" {
+            _ => governor_power;
+        }
+        dc_braking "W" with dc_motor,
+            "power that the motor takes back: the part of its torque that is proportional to the speed, times the speed" {
+            _ => Ts_g*theta_g_dot.powi(2)/n0_g;
+        }
+        power_dc "W" with dc_motor,
+            "power of the stall torque of the DC motor; the part proportional to the speed is in D: positive if it drives" {
+            _ => dc_power;
+        }
+        power_induction "W" with induction_motor, "power of the torque of the induction motor: positive if it drives" {
+            _ => induction_power;
+        }
+        power_traction "W" with traction_motor, "power of the torque of the traction motor: positive if it drives" { _ => traction_power; }
         inertia_damping_loss "W" with damping, "power that the damping in proportion to inertia takes" {
             _ => 2.0*alpha_M*(I1*(s2_dot/(2.0*h2*N1) + theta2_dot/N1).powi(2)/2.0 + I2*(theta2_dot/N2 - s2_dot/(2.0*h2*N2)).powi(2)/2.0
                 + I_b*(psi_l_dot + theta_c_dot + theta_dot/Z_r).powi(2)/2.0 + I_c*(theta_c_dot + theta_dot/Z_r).powi(2)/2.0
@@ -1969,7 +2166,7 @@ equations! {
 //
 // | output | sums | products, quotients | functions, roots |
 // | --- | --- | --- | --- |
-// | constants (once a scene) | 4 | 15 | 4 |
-// | named forces | 14 | 63 | 14 |
-// | force | 104 | 556 | 0 |
+// | constants (once a scene) | 4 | 16 | 4 |
+// | named forces | 29 | 102 | 17 |
+// | force | 110 | 596 | 0 |
 // | energy steps, all laws | 7 | 77 | 0 |

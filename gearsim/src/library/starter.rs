@@ -21,6 +21,7 @@ const USUAL: &[(&str, &str)] = &[
     ("1/s", "10 1/s"),
     ("s", "1 us"),
     ("Hz", "50 Hz"),
+    ("W", "5 kW"),
     ("1", "0.05"),
 ];
 
@@ -30,6 +31,7 @@ const BY_WORDS: &[(&str, &str, &str)] = &[
     ("1", "number of teeth", "25"),
     ("1", "number of pole pairs", "2"),
     ("rad", "backlash", "1e-3 rad"),
+    ("rad", "lower stop", "-5 deg"),
     ("m", "backlash", "80 um"),
     ("m", "length of the connecting rod", "200 mm"),
 ];

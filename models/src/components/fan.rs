@@ -16,7 +16,7 @@ pub fn fan(m: &mut Model, part: &str, what: &str, through: Expr, omega: Expr) {
         let c = m.parameter(&named("cf", part), "N*m*s^2/rad^2", None, Range::NotNegative, &doc);
         let doc = format!("speed of the {what} below which the fan torque is linear instead of quadratic in the speed");
         let corner = m.parameter(&named("w0", part), "rad/s", Some(0.01), Range::Positive, &doc);
-        let torque = -c * omega * (omega.sq() + corner.sq()).sqrt();
+        let torque = m.force(&named("T_fan", part), -c * omega * (omega.sq() + corner.sq()).sqrt());
         m.torque("fan", torque, through, "torque of the fan, against its rotation");
     });
 }

@@ -20,7 +20,7 @@ pub fn induction_motor(m: &mut Model, part: &str, what: &str, through: Expr, ome
         let doc = format!("synchronous speed of the {what}");
         let synchronous = m.parameter(&named("ns", part), "rad/s", None, Range::Positive, &doc);
         let slip = 1 - omega / synchronous;
-        let torque = 2 * breakdown * at * slip / (slip.sq() + at.sq());
+        let torque = m.force(&named("T_induction", part), 2 * breakdown * at * slip / (slip.sq() + at.sq()));
         m.torque("induction", torque, through, "torque of the induction motor");
     });
 }

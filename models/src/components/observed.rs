@@ -105,3 +105,12 @@ pub fn clutch(m: &mut Model, effect: &str, part: &str, what: &str, x: Expr) {
     let doc = format!("power that the {what} takes as it slips or drags");
     m.output_with(effect, &of_part("clutch_loss", part), "W", m.damper(x) * x.dot(), &doc);
 }
+
+/// Force [`unit`] and loss of the stops of a displacement `x` beyond them, in scenes with `effect`.
+pub fn end_stop(m: &mut Model, effect: &str, part: &str, [what, unit]: [&str; 2], x: Expr) {
+    let doc =
+        format!("force of the stops on the {what}, damper included: positive if it pushes back from the upper one");
+    m.output_with(effect, &of_part("stop_force", part), unit, m.spring(x) + m.damper(x), &doc);
+    let doc = format!("power that the dampers of the stops of the {what} take");
+    m.output_with(effect, &of_part("stop_loss", part), "W", m.damper(x) * x.dot(), &doc);
+}

@@ -29,6 +29,7 @@ pub const ELEMENTS: &[Entry] = &[
     ("element_governor", torques::governor),
     ("element_dc_motor", torques::dc_motor),
     ("element_induction_motor", torques::induction_motor),
+    ("element_traction_motor", torques::traction_motor),
     ("element_fan", torques::fan),
     ("element_dry_friction", switches::dry_friction),
     ("element_clutch", switches::clutch),

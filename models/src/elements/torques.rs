@@ -38,6 +38,11 @@ pub fn induction_motor(m: &mut Model) {
     motor(m, "an induction motor", components::induction_motor);
 }
 
+/// A traction motor.
+pub fn traction_motor(m: &mut Model) {
+    motor(m, "a traction motor", components::traction_motor);
+}
+
 /// A fan as load.
 pub fn fan(m: &mut Model) {
     motor(m, "a fan", components::fan);

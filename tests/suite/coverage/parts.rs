@@ -131,6 +131,11 @@ const BESIDE_A_PAIR: &[Part] = &[
          synchronous_speed = \"1000 rpm\" }",
     ),
     (
+        "drives.traction_motor",
+        &[STEPS, "torques", "traction_motor"],
+        "|[drives.g]\nrotor = \"1\"\ntraction_motor = { peak_torque = \"30 N*m\", peak_power = \"2 kW\", demand = 0.5 }",
+    ),
+    (
         "loads.fan",
         &[STEPS, "torques", "fan_load"],
         "|[loads.f]\nrotor = \"2\"\nfan = { coefficient = \"0.01 N*m*s^2/rad^2\" }",

@@ -54,12 +54,10 @@ impl Point {
     /// The generated equations with the same numbers.
     pub fn equations(&self, effects: u64) -> Box<dyn Equations> {
         let p = &self.pair;
-        Generated::equations(
-            effects,
-            &[p.n1, p.n2, p.i1, p.i2, p.zeta, p.t0, f64::NAN, 0.35, f64::NAN, f64::NAN, f64::NAN],
-            &[p.k0()],
-        )
-        .expect("these effects go together")
+        // NaN for the parameters of effects that no point has.
+        let mut numbers = vec![f64::NAN; Generated::MODEL.parameters.len()];
+        numbers[..8].copy_from_slice(&[p.n1, p.n2, p.i1, p.i2, p.zeta, p.t0, f64::NAN, 0.35]);
+        Generated::equations(effects, &numbers, &[p.k0()]).expect("these effects go together")
     }
 }
 

@@ -41,6 +41,7 @@ mod resonance;
 mod scenes;
 mod splits;
 mod stiff;
+mod stops;
 mod switches;
 mod together;
 mod touching;
@@ -73,6 +74,7 @@ const GROUPS: &[&[Case]] = &[
     resonance::CASES,
     stiff::CASES,
     switches::CASES,
+    stops::CASES,
     damage::CASES,
     coupled::CASES,
     limits::CASES,

@@ -145,8 +145,13 @@ fn dry_friction_at_rest_has_the_torque_that_it_resists() {
 /// In every mode the torque of a clutch is the torque of the motor minus the torque that accelerates its rotor.
 #[test]
 fn a_clutch_has_its_torque_locked_and_open() {
-    let sets = ["run.t_end=0.21 s", "output.rate=200 kHz", "output.events=false"].map(String::from);
-    let scene = scene("electric_axle", &sets);
+    // Without the torque curve and the friction of flanks: the motor's torque is 80 N*m, then -20 N*m.
+    let sets = [
+        r#"effects=["stiffness_step", "backlash", "transmission_error_12", "overrunning_clutch", "dry_friction", "viscous_friction", "damping", "torques"]"#.into(),
+        r#"parameters.T_motor={ steps = [{ value = "80 N*m", until = "0.2 s" }, { value = "-20 N*m" }] }"#.into(),
+    ];
+    let rows = ["run.t_end=0.21 s", "output.rate=200 kHz", "output.events=false"].map(String::from);
+    let scene = scene("electric_axle", &[&sets[..], &rows].concat());
     let inertia = scene.parameter("I_m").unwrap();
     let run = run(&scene).trajectory;
     let [t, speed, clutch] = ["t", "rotor_speed_m", "clutch_torque"].map(|name| samples(&run, name));

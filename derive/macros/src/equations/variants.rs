@@ -1,6 +1,6 @@
 //! Variants of the functions that are called at every step. Some effects bring values of their own: laws, the symbols of switches, functions
-//! of positions. A scene without any value of a kind has a variant that is compiled without the terms which need this kind, so that it does
-//! not even test whether they are present. There are at most five variants, whatever the number of effects: code still grows in
+//! of positions. Others bring torques that depend on the speed: motors and fans. A scene without any of a kind has a variant that is compiled
+//! without the terms which need this kind, so that it does not even test whether they are present. There are at most five variants, whatever the number of effects: code still grows in
 //! proportion to that number. Which variant a scene has is decided when its equations are made.
 
 use std::collections::BTreeSet;
@@ -9,16 +9,16 @@ use proc_macro2::{Group, TokenStream, TokenTree};
 use quote::{format_ident, quote};
 use syn::Ident;
 
-use crate::equations::model::{Model, Role};
+use crate::equations::model::{Model, Role, Sum};
 
-/// A kind of values that effects bring.
+/// A kind of values or terms that effects bring.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 enum Kind {
     /// Offsets of deflections that are laws.
     Errors,
     /// The symbols of switches.
     Switches,
-    /// Factors of torques that are laws, and functions of positions.
+    /// Factors of torques that are laws, functions of positions, and torques that depend on the speed.
     Others,
 }
 
@@ -120,5 +120,15 @@ fn kinds(m: &Model, effect: &Ident) -> BTreeSet<Kind> {
     let laws = laws.map(|law| if law.role == Role::Error { Errors } else { Others });
     let switches = m.switches.iter().filter(|switch| switch.effect == *effect).map(|_| Switches);
     let functions = m.functions.iter().filter(|function| with(&function.with)).map(|_| Others);
-    laws.chain(switches).chain(functions).collect()
+    laws.chain(switches).chain(functions).chain(drives(m, effect).then_some(Others)).collect()
+}
+
+/// Whether an effect brings a torque that depends on the speed: one with a power that is not linear, or with a constant part and a term of D.
+fn drives(m: &Model, effect: &Ident) -> bool {
+    let has = |sum: &Sum| sum.iter().any(|term| term.condition.as_ref() == Some(effect));
+    if m.torques.iter().any(|torque| has(&torque.work)) {
+        has(&m.dissipation)
+    } else {
+        m.torques.iter().any(|torque| has(&torque.power))
+    }
 }

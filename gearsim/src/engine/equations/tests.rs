@@ -18,8 +18,13 @@ const DAMPING: u64 = 32;
 const TORQUES: u64 = 64;
 const SLIDING_FRICTION: u64 = 128;
 
-/// N1, N2, I1, I2, zeta, T0, b, alpha, mu, w_mix, mu_rise, and the mid value of k.
-const NUMBERS: [f64; 11] = [24.0, 96.0, 1.15e-4, 2.9e-2, 0.03, 10.0, f64::NAN, 0.35, f64::NAN, f64::NAN, f64::NAN];
+/// N1, N2, I1, I2, zeta, T0, b, alpha, NaN for the parameters of absent effects, and the mid value of k.
+const NUMBERS: [f64; 24] = {
+    let mut numbers = [f64::NAN; 24];
+    let [n1, n2, i1, i2, zeta, t0, _, alpha, ..] = &mut numbers;
+    (*n1, *n2, *i1, *i2, *zeta, *t0, *alpha) = (24.0, 96.0, 1.15e-4, 2.9e-2, 0.03, 10.0, 0.35);
+    numbers
+};
 const MID: f64 = 2.5e4;
 
 /// A point: q, q', k, dk and ddk.

@@ -49,12 +49,13 @@ struct TorqueKind {
 }
 
 pub(super) const DRIVES: &[Named] = &[each("NAME", Kind::Table(&[DRIVE]), "none", "a drive: one of these torques")];
-const DRIVE: &[Key] = &[AT, TORQUE, GOVERNOR, DC_MOTOR, INDUCTION_MOTOR];
+const DRIVE: &[Key] = &[AT, TORQUE, GOVERNOR, DC_MOTOR, INDUCTION_MOTOR, TRACTION_MOTOR];
 const DRIVE_KINDS: &[TorqueKind] = &[
     TorqueKind { key: TORQUE, element: "element_drive", parameters: &["T"] },
     TorqueKind { key: GOVERNOR, element: "element_governor", parameters: &["c", "n"] },
     TorqueKind { key: DC_MOTOR, element: "element_dc_motor", parameters: &["Ts", "n0"] },
     TorqueKind { key: INDUCTION_MOTOR, element: "element_induction_motor", parameters: &["Tb", "sb", "ns"] },
+    TorqueKind { key: TRACTION_MOTOR, element: "element_traction_motor", parameters: &["Tp", "Pp", "d", "round"] },
 ];
 
 pub(super) const LOADS: &[Named] = &[each("NAME", Kind::Table(&[LOAD]), "none", "a load: one of these torques")];
@@ -91,6 +92,19 @@ const OF_INDUCTION_MOTOR: &[Key] = &[
     key("breakdown_torque", Kind::Quantity("N*m"), ELSEWHERE, "largest torque"),
     key("breakdown_slip", Kind::Number, ELSEWHERE, "slip at the largest torque"),
     key("synchronous_speed", SPEED, ELSEWHERE, "speed without torque"),
+];
+
+const TRACTION_MOTOR: Key = key(
+    "traction_motor",
+    Kind::Table(&[OF_TRACTION_MOTOR]),
+    "none",
+    "peak torque up to the base speed, constant power above it",
+);
+const OF_TRACTION_MOTOR: &[Key] = &[
+    key("peak_torque", Kind::Quantity("N*m"), ELSEWHERE, "torque up to the base speed"),
+    key("peak_power", Kind::Quantity("W"), ELSEWHERE, "power above the base speed"),
+    key("demand", Kind::Number, "1", "1 drives with the whole torque or power, -1 brakes with them"),
+    key("rounding", Kind::Number, "0.01", "of the corner at the base speed, relative to that speed"),
 ];
 
 const FAN: Key = key("fan", Kind::Table(&[OF_FAN]), "none", "torque that grows with the square of the speed");
