@@ -221,6 +221,43 @@ def works_with_keys_and_on_a_phone(browser, gearsim, folder):
             assert page.evaluate("document.documentElement.scrollWidth") <= 390
 
 
+def curves_move_to_where_plotly_draws_them(browser, gearsim, folder):
+    """While a slider moves, the curves are drawn without plotly.js: lines and markers are where it draws them, and its axes stay."""
+    draws = """(id) => {
+        const panel = panels.find((panel) => panel.drawn && onScreen(panel) && document.getElementById(id).contains(panel.figure));
+        const numbers = (text) => (text.match(/-?[0-9.]+(e-?[0-9]+)?/g) ?? []).map(Number);
+        const pairs = (flat) => flat.flatMap((x, i) => i % 2 ? [] : [[x, flat[i + 1]]]);
+        const lines = () => [...panel.canvas.querySelectorAll(".scatterlayer path.js-line")];
+        const points = () => [...panel.canvas.querySelectorAll(".scatterlayer .points path.point")];
+        const read = () => [lines().map((line) => pairs(numbers(line.getAttribute("d")))), points().map((point) => numbers(point.getAttribute("transform")))];
+        const own = Panel.sketch, did = [];
+        Panel.sketch = (...all) => did[did.push(own(...all)) - 1];
+        Panel.part = COARSE;
+        panel.look = undefined;
+        panel.draw();
+        const theirs = read();
+        lines().forEach((line) => line.setAttribute("d", "M0,0"));
+        points().forEach((point) => point.setAttribute("transform", "translate(0,0)"));
+        panel.draw();
+        const { xaxis, yaxis } = panel.canvas._fullLayout;
+        Panel.sketch = own;
+        return [did, theirs, read(), [xaxis._length, yaxis._length]];
+    }"""
+    for scene, section in ((PAIR, "motion"), (SCENES / "train_turbine.toml", "orders"), (SCENES / "planetary_3.toml", "spectra")):
+        with served(gearsim, scene) as url, opened(browser, url, **LAPTOP) as page:
+            page.wait_for_selector("body[data-judged]")
+            page.evaluate("(id) => document.getElementById(id).scrollIntoView()", section)
+            common.wait_until(page, "panels.filter(onScreen).every(({ drawn, frame }) => drawn || frame.hidden)")
+            did, (lines, points), (own_lines, own_points), (width, height) = page.evaluate(draws, section)
+            assert did == [True], (section, did)
+            assert len(lines) == len(own_lines) > 0 and len(points) == len(own_points)
+            for theirs, own in zip([*lines, points], [*own_lines, own_points]):
+                seen = [(x, y) for x, y in own if 1 < x < width - 1 and 1 < y < height - 1]
+                far = [place for place in seen if min(math.dist(place, other) for other in theirs) > 0.2]
+                assert not far, (section, far[:5])
+            assert sum(len(own) for own in own_lines) > 100
+
+
 def gears_are_drawn(browser, gearsim, folder):
     """The gears of a run are drawn when they are in sight, and other gears after a change."""
     with served(gearsim, SCENES / "gear_pair_teeth.toml") as url, opened(browser, url, **LAPTOP) as page:
@@ -252,6 +289,7 @@ TESTS = [
     a_saved_scene_runs_to_the_same_bytes,
     another_page_gets_nothing,
     works_with_keys_and_on_a_phone,
+    curves_move_to_where_plotly_draws_them,
     gears_are_drawn,
     hostile_texts_stay_text,
 ]

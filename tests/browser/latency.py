@@ -37,7 +37,9 @@ HEAD = """# From a slider to the plots
 The time goes from the input event of a slider to the frame in which the plots on the screen have the new curves, in headless Chromium without a
 graphics processor. "Run" is the processor time of the run. Other machines have other times; what is the program's own is the difference between the
 two, and how many runs have room for it. The last two columns are medians while the section with orders or with spectra is on the screen instead of
-the motion: the whole run is then transformed again for each change.
+the motion: the whole run is then transformed again for each change. Some 20 to 30 ms pass beside the run: 5 ms in the server, 5 to 10 ms between
+browser and server, 7 ms in the page, and on the average half of the 16 ms between two frames. Runs that take up to 65 ms therefore have room; of the
+longer ones some are drawn a little later than 100 ms.
 
 {processor}, Chromium {version}; {moves} moves of one slider in each scene, {elsewhere} in each of the last two columns.
 

@@ -11,7 +11,7 @@ import pathlib
 import subprocess
 
 import common
-from common import LAPTOP, SCENES, opened_file, settle, wait_until
+from common import LAPTOP, PHONE, SCENES, opened_file, settle, wait_until
 
 PAIR = SCENES / "oh2005" / "energy_300rpm.toml"
 HOSTILE = "<img src=x onerror=document.body.dataset.hurt=1> \"a\" 'b'"
@@ -209,6 +209,23 @@ def tables_sort(browser, folder):
                 break
 
 
+def orders_have_their_own_labels(browser, path, settings):
+    """The orders at the ends of the lines of a Campbell diagram cover none of one another and are within the page, however narrow it is."""
+    boxes = """() => panels.filter(({ plot }) => plot.curves.some(({ note }) => note)).map(({ canvas }) =>
+        [...canvas.querySelectorAll(".annotation-text-g")].map((part) => part.getBoundingClientRect()).map(({ left, top, right, bottom }) => [left, top, right, bottom]))"""
+    with opened_file(browser, path, **settings) as page:
+        index = page.evaluate("panels.findIndex(({ plot }) => plot.curves.some(({ note }) => note))")
+        figure = page.locator("figure.plot").nth(index)
+        figure.scroll_into_view_if_needed()
+        figure.locator(".main-svg").first.wait_for()
+        (labels,) = page.evaluate(boxes)
+        assert len(labels) > 8, labels
+        for i, (left, top, right, bottom) in enumerate(labels):
+            assert 0 <= left and right <= settings["viewport"]["width"], labels[i]
+            apart = [right <= other[0] + 1 or other[2] <= left + 1 or bottom <= other[1] + 1 or other[3] <= top + 1 for other in labels[:i]]
+            assert all(apart), (labels[i], labels[:i])
+
+
 def fits(browser, path, settings, scheme, pictures):
     """Every plot and map is drawn when it is in sight, and nothing is wider than the screen."""
     with opened_file(browser, path, color_scheme=scheme, **settings) as page:
@@ -248,6 +265,9 @@ def tests(gearsim, folder, pictures):
         if command != "sweep":
             yield zooms, (there,), command
         yield from common.screens(fits, there / "page.html", pictures)
+        if command == "modes":
+            for size in (LAPTOP, PHONE):
+                yield orders_have_their_own_labels, (there / "page.html", size), command
         yield hostile_names_stay_text, (gearsim, command, folder), command
 
 

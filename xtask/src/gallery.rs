@@ -1,4 +1,4 @@
-//! `cargo xtask gallery`: run the example scenes and write a plot of each to models/scenes/plots.
+//! `cargo xtask gallery`: run the example scenes and write a plot of each to models/scenes/plots, or compare them with those that are there.
 
 mod html;
 
@@ -51,13 +51,16 @@ pub struct Gallery {
     /// Instead write all scenes as a page, with plots, numbers and interactive pages, to target/gallery
     #[arg(long)]
     html: bool,
+    /// Write no plot; fail if one of models/scenes/plots differs from what its scene gives here, to the byte
+    #[arg(long, conflicts_with = "html")]
+    check: bool,
 }
 
 impl Gallery {
     /// Runs the scenes one after another; their outputs go to out/gallery, or to target/gallery as a page.
     ///
     /// # Errors
-    /// If a scene fails, or its plot cannot be copied.
+    /// If a scene fails, or its plot cannot be copied, or differs with `--check`.
     pub fn run(&self) -> anyhow::Result<()> {
         let root = Path::new(env!("CARGO_MANIFEST_DIR")).parent().context("xtask has a parent folder")?;
         if self.html {
@@ -66,7 +69,8 @@ impl Gallery {
         }
         let (scenes, plots) = (root.join("models/scenes"), root.join("models/scenes/plots"));
         fs::create_dir_all(&plots).with_context(|| format!("cannot make the folder {}", plots.display()))?;
-        let draw = |command: &str, scene: &str, arguments: &[&str], plot: &str, name: &str| {
+        let mut stale = vec![];
+        let mut draw = |command: &str, scene: &str, arguments: &[&str], plot: &str, name: &str| {
             let out = root.join("out/gallery").join(name);
             let mut gearsim = Command::new(env!("CARGO"));
             gearsim.args(["run", "--quiet", "--release", "--", command]);
@@ -77,6 +81,13 @@ impl Gallery {
             }
             let (from, to) = (out.join(plot), plots.join(name));
             let (from, to) = (from.with_extension("png"), to.with_extension("png"));
+            if self.check {
+                let fresh = fs::read(&from).with_context(|| format!("cannot read {}", from.display()))?;
+                if fs::read(&to).ok() != Some(fresh) {
+                    stale.push(name.to_owned());
+                }
+                return Ok(0);
+            }
             fs::copy(&from, &to).with_context(|| format!("cannot copy {} to {}", from.display(), to.display()))
         };
         for (scene, plot) in SCENES {
@@ -85,6 +96,9 @@ impl Gallery {
         for (scene, over, settle) in RESPONSES {
             let arguments = ["--over", over, "--settle", settle, "--output", "dte_12"];
             draw("response", scene, &arguments, "response", scene)?;
+        }
+        if !stale.is_empty() {
+            bail!("stale in {}: {}; renew them with `cargo xtask gallery`", plots.display(), stale.join(", "));
         }
         println!("{}", plots.display());
         Ok(())

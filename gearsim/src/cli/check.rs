@@ -11,6 +11,7 @@ use super::{Verb, report, terminal};
 use crate::known;
 use crate::output::document;
 use crate::output::summary::Named;
+use crate::output::unit::coordinate_in_words;
 use crate::scene::Scene;
 
 /// Check scenes without running them: mistakes, start, method
@@ -96,7 +97,7 @@ impl Check {
             let width = terminal::width();
             let start = scene.model.coordinates.iter().zip(&prospect.q);
             let start: Vec<_> =
-                start.map(|(c, q)| format!("{} = {} {}", c.name, super::number::short(*q), c.unit)).collect();
+                start.map(|(c, q)| format!("{} = {}", c.name, coordinate_in_words(*q, c.unit))).collect();
             report::scene(&scene, width)
                 + &report::line("method", &format!("{}: {}", prospect.method, prospect.why), width)
                 + &report::line("starts at", &start.join(", "), width)

@@ -4,6 +4,7 @@ use super::{number::short, report};
 use crate::analysis::orders::{Line, force};
 use crate::library::evaluate::Evaluated;
 use crate::output::summary::{LoadSpectrum, Sound, Summary};
+use crate::output::unit::in_words;
 use crate::scene::Scene;
 
 /// Lines of a mesh force that are printed.
@@ -15,9 +16,9 @@ const MESHES: usize = 3;
 pub(super) fn text(evaluated: &Evaluated, scene: &Scene, summary: &Summary, width: usize) -> String {
     let mut text = String::new();
     for (mesh, load) in summary.meshes.iter().take(MESHES) {
-        let mut says = format!("{} {} at most", short(load.largest.0), load.unit);
+        let mut says = format!("{} at most", in_words(load.largest.0, &load.unit));
         if load.dynamic_factor.0.is_finite() {
-            says += &format!(", {} of {} at rest", short(load.dynamic_factor.0), short(load.at_rest.0));
+            says += &format!(", {} of {} at rest", short(load.dynamic_factor.0), in_words(load.at_rest.0, &load.unit));
         }
         if load.kv_iso6336.0.is_finite() {
             says += &format!("; K_v of ISO 6336-1, method B: {}", short(load.kv_iso6336.0));
@@ -28,7 +29,7 @@ pub(super) fn text(evaluated: &Evaluated, scene: &Scene, summary: &Summary, widt
         let meshes = scene.model.laws.iter().filter(|law| lines.lines.iter().any(|line| line.mesh == law.name));
         for output in meshes.filter_map(|law| force(scene.model, law.name)).take(MESHES) {
             let line = |(line, amplitude): (Line, f64)| {
-                format!("{} {} at {} Hz ({})", short(amplitude), output.unit, short(line.frequency), words(&line))
+                format!("{} at {} Hz ({})", in_words(amplitude, output.unit), short(line.frequency), words(&line))
             };
             let all: Vec<String> = lines.largest(output, PRINTED).into_iter().map(line).collect();
             if !all.is_empty() {
@@ -38,7 +39,7 @@ pub(super) fn text(evaluated: &Evaluated, scene: &Scene, summary: &Summary, widt
     }
     for (signal, spectrum) in &summary.load_spectra {
         let LoadSpectrum { unit, cycles, largest_range } = spectrum;
-        let says = format!("{signal}: {} cycles, ranges up to {} {unit}", short(cycles.0), short(largest_range.0));
+        let says = format!("{signal}: {} cycles, ranges up to {}", short(cycles.0), in_words(largest_range.0, unit));
         text += &report::line("load spectrum", &says, width);
     }
     for (signal, sound) in &evaluated.sounds {
@@ -48,7 +49,7 @@ pub(super) fn text(evaluated: &Evaluated, scene: &Scene, summary: &Summary, widt
         } else {
             format!("true time slowed down {} times", short(stretch.0))
         };
-        let says = format!("{signal} in {time}; loudness is relative: full scale is {} {unit}", short(full_scale.0));
+        let says = format!("{signal} in {time}; loudness is relative: full scale is {}", in_words(full_scale.0, unit));
         text += &report::line("sound", &says, width);
     }
     text

@@ -10,7 +10,8 @@ use super::{number, terminal};
 use crate::analysis::from_teeth;
 use crate::engine::system::{Motion, Steady};
 use crate::output::summary::{Digits, Number, Observed, Summary};
-use crate::plot::outputs::{engineering, is_first};
+use crate::output::unit::{coordinate_in_words, in_words, readable};
+use crate::plot::outputs::is_first;
 use crate::scene::Scene;
 
 /// Width of the names at the beginning of lines [columns].
@@ -45,7 +46,7 @@ fn torques(scene: &Scene, width: usize) -> String {
         let (sign, names) = product.strip_prefix('-').map_or((1.0, product), |names| (-1.0, names));
         let factors = names.split(' ').map(|name| scene.parameter(name)).collect::<Option<Vec<_>>>()?;
         let value = sign * factors.iter().product::<f64>();
-        (factors.len() > 1).then(|| format!("{} N*m on the {body}{at_start} ({product})", number::short(value)))
+        (factors.len() > 1).then(|| format!("{} on the {body}{at_start} ({product})", in_words(value, "N*m")))
     };
     let torques: Vec<_> = scene.model.torques.iter().filter_map(|t| torque(t.doc)).collect();
     if torques.is_empty() { String::new() } else { line("torques", &torques.join(", "), width) }
@@ -58,7 +59,7 @@ pub(super) fn run(scene: &Scene, summary: &Summary, rows: usize, width: usize) -
         true => format!("{} s", number::short(summary.t_end.0)),
         false => format!("{} s of {} s: stopped early", number::short(summary.t_end.0), number::short(scene.t_end)),
     };
-    let lost = format!("{} J of {} J at the start", number::short(energy.dissipated.0), at_start(summary));
+    let lost = format!("{} of {} at the start", in_words(energy.dissipated.0, "J"), in_words(energy.at_start.0, "J"));
     let method = format!("{}: {}", summary.method.name, summary.method.why);
     let lines = [
         ("method", method),
@@ -89,8 +90,7 @@ fn outputs(summary: &Summary, width: usize) -> String {
     let mut moving: Vec<_> = summary.outputs.iter().filter(|(_, o)| o.min.0 != 0.0 || o.max.0 != 0.0).collect();
     moving.sort_by_key(|(name, o)| (o.unit == "W", !is_first(name)));
     for (name, Observed { unit, min, max, mean, .. }) in moving.iter().take(MOST_OUTPUTS) {
-        // Speeds of rotors are read in revolutions a minute.
-        let (unit, scale) = if unit == "rad/s" { engineering("rad/s") } else { (unit.as_str(), 1.0) };
+        let (unit, scale) = readable(unit, min.0.abs().max(max.0.abs()));
         let [mean, min, max] = [mean, min, max].map(|value| short(scale * value.0));
         let says = format!("{mean} {unit} in the mean, from {min} to {max}");
         text += &line(name, &says, width);
@@ -159,13 +159,11 @@ fn about(motion: Motion) -> &'static str {
 pub(super) fn linearised(scene: &Scene, steady: Option<&Steady>, width: usize) -> String {
     let Some(Steady { motion, q, q_dot, terms, outputs, both_flanks, .. }) = steady else { return String::new() };
     let places = scene.model.coordinates.iter().zip(q.iter()).filter(|_| *motion != Motion::Steady);
-    let places = places.map(|(c, x)| format!("{} = {} {}", c.name, number::short(*x), c.unit));
+    let places = places.map(|(c, x)| format!("{} = {}", c.name, coordinate_in_words(*x, c.unit)));
     let speeds = scene.model.coordinates.iter().zip(q_dot.iter()).filter(|(_, v)| **v != 0.0);
     let speeds = speeds.map(|(c, v)| format!("{}' = {} {}/s", c.name, number::short(*v), c.unit));
-    let forces = outputs
-        .iter()
-        .filter(|(.., x)| *x != 0.0)
-        .map(|(name, unit, x)| format!("{name} = {} {unit}", number::short(*x)));
+    let forces =
+        outputs.iter().filter(|(.., x)| *x != 0.0).map(|(name, unit, x)| format!("{name} = {}", in_words(*x, unit)));
     let values = places.chain(speeds).chain(forces).collect::<Vec<_>>().join(", ");
     let mut text = line("linearised", &format!("{terms}, about {} {values}", about(*motion)), width) + "\n";
     if let Some(why) = both_flanks {
@@ -263,16 +261,13 @@ pub(super) fn per_event(summary: &Summary) -> Option<String> {
     (events > 0).then(|| number::time(summary.cpu_seconds.0 / events as f64))
 }
 
-fn at_start(summary: &Summary) -> String {
-    number::short(summary.energy.at_start.0)
-}
-
 /// A name, and the text after it, broken at blanks.
 pub(super) fn line(name: &str, content: &str, width: usize) -> String {
     let broken = terminal::wrap(content, width.saturating_sub(INDENT).max(1));
     let mut text = String::new();
     for (i, part) in broken.lines().enumerate() {
-        let _ = writeln!(text, "{:INDENT$}{part}", if i == 0 { name } else { "" });
+        let name = if i == 0 { name } else { "" };
+        let _ = writeln!(text, "{name:width$} {part}", width = INDENT - 1);
     }
     text
 }

@@ -10,6 +10,7 @@ use super::failure::Failure;
 use super::printing::Printing;
 use super::progress::PointsBar;
 use super::{Verb, files, known, number, page, report, terminal};
+use crate::output::unit::in_words;
 use crate::output::{OutputFolder, csv, document, parquet};
 use crate::plot;
 use crate::plot::outputs::engineering;
@@ -160,14 +161,12 @@ impl ResponseCommand {
             other => (other, 1.0),
         };
         for (i, output) in response.outputs.iter().enumerate() {
-            let (own, factor) = engineering(output.unit);
             for (way, upward) in [("up", true), ("down", false)] {
                 let points = response.points.iter().filter(|point| point.upward == upward);
                 let values = points.filter_map(|point| Some((value(point.observed[i].as_ref()?), point.value)));
                 if let Some((value, at)) = values.max_by(|a, b| a.0.total_cmp(&b.0)) {
-                    let (value, at) = (number::short(factor * value), number::short(scale * at));
-                    let value = format!("{value} {}", if own == "1" { "" } else { own });
-                    let says = format!("largest {words} on the way {way}: {} at {at} {unit}", value.trim_end());
+                    let (value, at) = (in_words(value, output.unit), number::short(scale * at));
+                    let says = format!("largest {words} on the way {way}: {value} at {at} {unit}");
                     facts.push((output.name.into(), says.trim_end().into()));
                 }
             }

@@ -6,7 +6,8 @@
 //! - `tooth`, `foundation`, `energy`: the stiffness of one tooth pair from its strain energy, along the path of contact;
 //! - `mesh_stiffness`: the stiffness of the mesh as a law over the phase, by either method;
 //! - `outline`: the outlines of the teeth, for drawings in pages;
-//! - `friction`: the friction laws, from the points of contact and the shares of the force.
+//! - `friction`: the friction laws, from the points of contact and the shares of the force;
+//! - `recent`: the laws that were computed last.
 
 mod energy;
 mod foundation;
@@ -18,14 +19,16 @@ mod mesh_stiffness;
 #[cfg(feature = "html")]
 mod outline;
 mod pair;
+mod recent;
 mod tooth;
 
-pub use friction::{FrictionLaw, friction};
+pub use friction::FrictionLaw;
 pub use internal_dynamics::InternalDynamics;
 pub use iso6336::{Iso6336, LINE_LOADS};
-pub use mesh_stiffness::{CellShape, StiffnessMethod, stiffness};
+pub use mesh_stiffness::{CellShape, StiffnessMethod};
 #[cfg(feature = "html")]
 pub use outline::Outlines;
 #[cfg(feature = "html")]
 pub use pair::Contact;
 pub use pair::{GearError, Gears, Material};
+pub use recent::{friction, stiffness};

@@ -21,6 +21,8 @@ mod build;
 mod error;
 pub(crate) mod evaluate;
 pub(crate) mod files;
+#[cfg(test)]
+mod gallery;
 #[cfg(feature = "html")]
 pub(crate) mod interrupt;
 mod job;

@@ -22,17 +22,19 @@ impl Dense {
 
     /// y_0 + x (F_0 + (1 - x) (F_1 + x (F_2 + (1 - x) (F_3 + ...)))), the form used by Hairer, Norsett & Wanner.
     pub fn nested(start: &Flow, f: &[Flow]) -> Self {
-        let zero = Flow::zero(start.q.len());
-        let mut c = vec![zero.clone(); f.len() + 1];
+        // The polynomial is c[low] to c[high]. The coefficients beyond it are zero.
+        let mut c = vec![Flow::zero(start.q.len()); f.len() + 1];
+        let mut low = f.len().div_ceil(2);
+        let mut high = low;
         for (i, f) in f.iter().enumerate().rev() {
-            c[0].add(1.0, f);
+            c[low].add(1.0, f);
             if i % 2 == 0 {
                 // Multiply by x.
-                c.rotate_right(1);
-                c[0].clone_from(&zero);
+                low -= 1;
             } else {
                 // Multiply by 1 - x.
-                for j in (1..c.len() - i).rev() {
+                high += 1;
+                for j in (low + 1..=high).rev() {
                     let (below, c) = c.split_at_mut(j);
                     c[0].add(-1.0, &below[j - 1]);
                 }

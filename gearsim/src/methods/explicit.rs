@@ -204,14 +204,14 @@ impl Method for Explicit {
                     self.set(i, &rate);
                 }
                 let rise = trial.end.plus(-1.0, start);
-                let (zero, first) = (Flow::zero(start.q.len()), self.flow(self.stage(0)));
-                let mut f = vec![
-                    rise.clone(),
-                    zero.plus(h, &first).plus(-1.0, &rise),
-                    zero.plus(2.0, &rise).plus(-h, &trial.rate).plus(-h, &first),
-                ];
-                f.extend(rows.iter().map(|row| zero.plus(h, &self.sum(row))));
-                Dense::nested(start, &f)
+                let first = self.flow(self.stage(0));
+                let mut bend = rise.clone().times(2.0);
+                bend.add(-h, &trial.rate);
+                bend.add(-h, &first);
+                let mut slope = first.times(h);
+                slope.add(-1.0, &rise);
+                let [a, b, c, d] = rows.map(|row| self.sum(row).times(h));
+                Dense::nested(start, &[rise, slope, bend, a, b, c, d])
             }
         }
     }

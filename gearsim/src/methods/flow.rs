@@ -27,6 +27,17 @@ impl Flow {
         self.lost += other.lost * factor;
     }
 
+    /// `self`, multiplied by `factor`.
+    #[inline]
+    pub fn times(mut self, factor: f64) -> Self {
+        for i in 0..self.q.len() {
+            self.q[i] *= factor;
+            self.v[i] *= factor;
+        }
+        self.lost *= factor;
+        self
+    }
+
     /// `self` + `factor` `other`.
     #[inline]
     pub fn plus(&self, factor: f64, other: &Flow) -> Self {

@@ -18,6 +18,7 @@ pub(crate) mod staging;
 pub mod summary;
 mod swap;
 pub mod table;
+pub(crate) mod unit;
 pub(crate) mod wav;
 mod whole;
 

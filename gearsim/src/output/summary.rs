@@ -9,7 +9,8 @@ use std::collections::BTreeMap;
 use indexmap::IndexMap;
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
-use super::{OutputError, number};
+use super::OutputError;
+use super::unit::coordinate_in_words;
 use crate::model::Model;
 use crate::trajectory::Trajectory;
 
@@ -177,7 +178,7 @@ impl Summary {
     pub fn state_in_words(&self, model: &Model) -> String {
         let units = model.coordinates.iter().flat_map(|c| [c.unit.to_owned(), format!("{}/s", c.unit)]);
         let entries = self.state.0.iter().zip(units);
-        let entries = entries.map(|((name, x), unit)| format!("{name} = {} {unit}", number::short(x.0)));
+        let entries = entries.map(|((name, x), unit)| format!("{name} = {}", coordinate_in_words(x.0, &unit)));
         entries.collect::<Vec<_>>().join(", ")
     }
 

@@ -3,6 +3,7 @@
 use serde::Serialize;
 
 use super::data::Column;
+use crate::plot::Note;
 
 /// A plot: curves over one axis. The reader chooses among the curves.
 #[derive(Debug, Clone, Serialize)]
@@ -66,14 +67,14 @@ pub struct Curve {
     pub style: Option<Style>,
     /// The curve that it is drawn with; it has no check box of its own. A curve without a name that has no such curve is always drawn.
     pub with: Option<usize>,
-    /// Text at its last point; may be empty.
-    pub note: String,
+    /// Text at its last point.
+    pub note: Option<Note>,
 }
 
 impl Curve {
     /// A curve that looks as its place among the curves says.
     pub fn new(name: impl Into<String>, doc: impl Into<String>, x: Column, y: Column, shown: bool) -> Self {
-        Curve { name: name.into(), doc: doc.into(), x, y, shown, style: None, with: None, note: String::new() }
+        Curve { name: name.into(), doc: doc.into(), x, y, shown, style: None, with: None, note: None }
     }
 }
 

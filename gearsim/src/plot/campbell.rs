@@ -1,6 +1,6 @@
 //! Campbell diagram: natural frequencies and harmonics of the mesh frequencies over the speed.
 
-use super::{Axis, Figure, Marker, Panel, PlotError, Series, Style};
+use super::{Axis, Figure, Marker, Note, Panel, Place, PlotError, Series, Style};
 use crate::analysis::modes::CellModes;
 use crate::analysis::steady::SteadyLaw;
 use crate::output::number::short;
@@ -12,6 +12,10 @@ const HARMONICS: usize = 4;
 const SAME: f64 = 1e-6;
 /// Natural frequencies closer than this share of the height of the diagram have one name.
 const CLOSE: f64 = 0.031;
+/// Width and height of the diagram with the orders, which stand beyond the ends of their lines, relative to those without.
+const NOTES: (f64, f64) = (1.1, 1.08);
+/// Most orders with a number each; of more, only the first of each mesh has one.
+const MOST_NOTES: usize = 24;
 /// Place of the numbers of modes along the abscissa.
 const NAMES: f64 = 0.05;
 /// Colours of the orders of each mesh.
@@ -65,15 +69,10 @@ pub fn draw(scene: &Scene, courses: &[SteadyLaw], cell: &CellModes) -> Result<Fi
             let mut line = Series::new(n, label, x, y);
             // Natural frequencies alone are black.
             line.style.colour = COLOURS[n % COLOURS.len()];
-            let (at, end) = (line.x[POINTS], line.y[POINTS]);
             line.style = Style { dashes: &[], width: if harmonic == 1 { 1.5 } else { 0.9 }, ..line.style };
-            // Names that would cover each other are one.
-            let close = |other: &&mut Series| {
-                other.x.len() == line.x.len() && other.x[POINTS] == at && (other.y[POINTS] - end).abs() < CLOSE * top
-            };
-            match series.iter_mut().find(close).filter(|other| !other.note.is_empty()) {
-                Some(other) => other.note += &format!(", {}", short(order)),
-                None => line.note = short(order),
+            let place = if top / slope < longest { Place::Above } else { Place::After };
+            if harmonic == 1 || meshes.len() * HARMONICS <= MOST_NOTES {
+                line.note = Note { text: short(order), place };
             }
             series.push(line);
         }
@@ -83,8 +82,8 @@ pub fn draw(scene: &Scene, courses: &[SteadyLaw], cell: &CellModes) -> Result<Fi
     Ok(Figure {
         title: "Natural frequencies and mesh orders".into(),
         subtitle: Some(scene.name.clone()),
-        x: Axis::linear(label, unit).between(0.0, longest),
-        panels: vec![Panel { y: Axis::linear("frequency", "Hz").between(0.0, top), series }],
+        x: Axis::linear(label, unit).between(0.0, NOTES.0 * longest),
+        panels: vec![Panel { y: Axis::linear("frequency", "Hz").between(0.0, NOTES.1 * top), series }],
     })
 }
 
@@ -126,11 +125,11 @@ fn modes_drawn(modes: &[(usize, f64)], longest: f64, top: f64) -> Vec<Series> {
         let numbers = numbers.iter().map(usize::to_string).collect::<Vec<_>>().join(", ");
         // Names of lines close to each other would cover each other: the lowest line has them all.
         match names.last_mut().filter(|name| f - name.y[0] < CLOSE * top) {
-            Some(name) => name.note += &format!(", {numbers}"),
+            Some(name) => name.note.text += &format!(", {numbers}"),
             None => {
                 let style = Style { width: 0.0, ..Style::PLAIN };
                 let at = Series::new(0, "", vec![NAMES * longest], vec![f]);
-                names.push(Series { style, note: numbers, ..at });
+                names.push(Series { style, note: Note { text: numbers, ..Note::default() }, ..at });
             }
         }
     }

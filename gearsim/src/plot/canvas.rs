@@ -6,6 +6,7 @@ use std::fmt::Write;
 
 use super::decimate::decimate;
 use super::figure::{Figure, Marker, Panel, Scale, Series, extremes};
+use super::notes;
 use super::picture::{Drawing, Picture, WIDTH};
 use super::text::{Anchor, BOLD, ems};
 use super::ticks::Ruler;
@@ -133,6 +134,7 @@ fn frame(out: &mut Drawing, panel: &Panel, (x, shaded): (&Ruler, Option<f64>), l
         "<svg x=\"{LEFT}\" y=\"{top:.1}\" width=\"{FRAME}\" height=\"{height}\" \
          viewBox=\"{LEFT} {top:.1} {FRAME} {height}\">"
     );
+    let mut ends = vec![];
     for series in &panel.series {
         let points = series
             .x
@@ -142,15 +144,12 @@ fn frame(out: &mut Drawing, panel: &Panel, (x, shaded): (&Ruler, Option<f64>), l
         let points: Vec<_> = points.collect();
         curve(out, &points, series);
         let inside = |p: &&(f64, f64)| (LEFT..=right).contains(&p.0) && (top..=bottom).contains(&p.1);
-        if let Some(&(x, y)) = points.iter().rfind(inside).filter(|_| !series.note.is_empty()) {
-            let fill = format!("fill=\"{}\"", series.style.colour);
-            // Below what ends at the top, to the left of what ends at the right, and within the frame.
-            let first = LEFT + 4.0 + SMALL * ems(&series.note);
-            let at = ((x.min(right) - 5.0).max(first), (y - 4.0).max(top + 13.0));
-            out.text(at, Anchor::End, SMALL, &fill, &series.note);
+        if let Some(&end) = points.iter().rfind(inside).filter(|_| !series.note.text.is_empty()) {
+            ends.push((end, series));
         }
     }
     let _ = writeln!(out, "</svg>");
+    notes::draw(out, &ends, LEFT, right, (top, bottom));
 
     path(out, &marks, "stroke=\"#222\" stroke-width=\"0.8\"");
     let outline = format!("M{LEFT} {top:.1}H{right}V{bottom:.1}H{LEFT}Z");

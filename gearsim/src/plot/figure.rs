@@ -105,15 +105,37 @@ pub struct Series {
     pub y: Vec<f64>,
     /// How it looks.
     pub style: Style,
-    /// Text at its last point within the frame; empty: none.
-    pub note: String,
+    /// Text at its last point within the frame.
+    pub note: Note,
 }
 
 impl Series {
     /// A curve in the style [`Style::nth`] of `index`.
     pub fn new(index: usize, label: impl Into<String>, x: Vec<f64>, y: Vec<f64>) -> Self {
-        Series { label: label.into(), x, y, style: Style::nth(index), note: String::new() }
+        Series { label: label.into(), x, y, style: Style::nth(index), note: Note::default() }
     }
+}
+
+/// A text at the last point of a curve.
+#[derive(Debug, Clone, PartialEq, Eq, Default, serde::Serialize)]
+pub struct Note {
+    /// The text; empty: none.
+    pub text: String,
+    /// Where it stands.
+    pub place: Place,
+}
+
+/// Where a note stands, relative to the last point of its curve.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, serde::Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Place {
+    /// Above it, to its left.
+    #[default]
+    Before,
+    /// To its right. Notes that would cover each other are moved up or down.
+    After,
+    /// Above it. Notes that would cover each other are moved to the sides.
+    Above,
 }
 
 /// The symbol drawn at each point of a curve.

@@ -1,6 +1,6 @@
 //! Marks of the mesh lines in spectra: a vertical line at each multiple of a mesh frequency, a symbol at each sideband.
 
-use super::{Marker, Series, Style};
+use super::{Marker, Note, Series, Style};
 use crate::analysis::orders::{APART, Mesh, SIDEBANDS};
 
 /// Multiples of a mesh frequency that are marked.
@@ -29,7 +29,7 @@ pub(super) fn marks(meshes: &[Mesh], unit: f64, end: f64, (low, high): (f64, f64
             x: places.iter().flat_map(|x| [*x, *x, *x]).collect(),
             y: places.iter().flat_map(|_| [low, high, f64::NAN]).collect(),
             style: Style { colour, dashes, width: 0.9, marker: Marker::None },
-            note: String::new(),
+            note: Note::default(),
         });
         for (r, rotor) in mesh.rotors.iter().enumerate() {
             let apart = rotor.frequency / unit;
@@ -44,7 +44,7 @@ pub(super) fn marks(meshes: &[Mesh], unit: f64, end: f64, (low, high): (f64, f64
             let (colour, marker) = SYMBOLS[(all.len() + r) % SYMBOLS.len()];
             let label = format!("sidebands ± {}", rotor.name);
             let style = Style { colour, dashes: &[], width: 0.0, marker };
-            all.push(Series { label, x, y, style, note: String::new() });
+            all.push(Series { label, x, y, style, note: Note::default() });
         }
     }
     all

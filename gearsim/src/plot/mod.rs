@@ -15,6 +15,7 @@ pub(crate) mod map;
 mod marks;
 pub(crate) mod modes;
 mod motion;
+mod notes;
 mod order_cuts;
 mod order_waterfall;
 pub(crate) mod orders;
@@ -29,7 +30,7 @@ mod ticks;
 pub(crate) mod waterfall;
 pub(crate) mod work_precision;
 
-pub use figure::{Axis, Figure, Marker, Panel, Scale, Series, Style};
+pub use figure::{Axis, Figure, Marker, Note, Panel, Place, Scale, Series, Style};
 use heat::HeatMap;
 pub use picture::Picture;
 

@@ -204,7 +204,7 @@ mod tests {
         let figure = campbell::draw(&scene, &courses, &cell).unwrap();
         let (highest, mode) = (cell.modes.len() - 1, cell.modes.last().unwrap().damped);
         let name = figure.panels[0].series.iter().rfind(|s| s.y == [mode]).unwrap();
-        assert_eq!(name.note, highest.to_string());
+        assert_eq!(name.note.text, highest.to_string());
         assert!(figure.panels[0].y.range.unwrap().1 > mode);
     }
 }

@@ -4,7 +4,7 @@ use xprec::Df64;
 
 use crate::engine::crossing::{Cost, SearchError, Side};
 use crate::engine::hybrid::Hybrid;
-use crate::engine::mode::GAUSS_16;
+use crate::engine::mode::GAUSS_8;
 use crate::engine::motion::{End, Guard, Motion, Reached};
 use crate::engine::record::State;
 use crate::methods::Trial;
@@ -49,13 +49,14 @@ impl Step<'_, '_> {
         Reached { state: State { turns: self.now.state.turns.clone(), ..State::new(y.q, y.v) }, dissipated, work }
     }
 
-    /// The work of the varying part of each torque until the time `t` \[s\], the integral of its power \[J\].
+    /// The work of the varying part of each torque until the time `t` \[s\], the integral of its power \[J\]. The rule is exact to order 15:
+    /// what it leaves out is far below the error of the step, which is of order 8 at most in the motion.
     fn work(&mut self, t: f64) -> Vec<f64> {
         let mut work = vec![0.0; self.now.work.len()];
         if work.is_empty() || t <= 0.0 {
             return work;
         }
-        for (node, weight) in GAUSS_16 {
+        for (node, weight) in GAUSS_8 {
             for node in [-node, node] {
                 let at = 0.5 * t * (1.0 + node);
                 let power = self.solver.field.power(at, &self.dense.at(at / self.h), work.len());

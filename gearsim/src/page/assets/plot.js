@@ -5,11 +5,11 @@ const UNITS = {
   "rad/s": [["rad/s", 1], null, ["rpm", 30 / Math.PI], ["deg/s", 180 / Math.PI]],
   "rad": [["rad", 1], ["mrad", 1e3], ["µrad", 1e6], null, ["deg", 180 / Math.PI]],
   "m": [["m", 1], ["mm", 1e3], ["µm", 1e6]],
-  "m/s": [["m/s", 1], ["mm/s", 1e3]],
-  "N": [["N", 1], ["kN", 1e-3]],
-  "N*m": [["N*m", 1], ["kN*m", 1e-3]],
-  "W": [["W", 1], ["kW", 1e-3]],
-  "J": [["J", 1], ["mJ", 1e3], ["kJ", 1e-3]],
+  "m/s": [["m/s", 1], ["mm/s", 1e3], ["µm/s", 1e6]],
+  "N": [["N", 1], ["kN", 1e-3], ["MN", 1e-6]],
+  "N*m": [["N*m", 1], ["kN*m", 1e-3], ["MN*m", 1e-6]],
+  "W": [["W", 1], ["kW", 1e-3], ["MW", 1e-6]],
+  "J": [["J", 1], ["mJ", 1e3], ["kJ", 1e-3], ["MJ", 1e-6]],
 };
 
 /** The unit in which the numbers up to `largest` (SI) are from 1 to 1000; else the SI unit. */
@@ -26,6 +26,12 @@ const COLOURS = 7;
 const COARSE = 4;
 // Labels of vertical lines: their font, the height of a row of them [px], and most rows.
 const LABELS = { font: 11, row: 14, rows: 4 };
+// Height of the frames, and above and below them.
+const HEIGHT = 196, TOP = 10, BOTTOM = 44;
+// Size of the numbers and names at the axes, and of their titles.
+const FONT = 12, TITLE = 14;
+// Screens narrower than this [px] are those of phones.
+const NARROW = 600;
 // Width left of the frames, the same for all plots so that their times stand below each other.
 const MARGIN = 78;
 
@@ -54,6 +60,14 @@ function textWidth(text, size) {
   return textWidth.context.measureText(text).width;
 }
 
+/** Places at least `gap` apart, near those wanted, which rise, and from `low` to `high` if they fit there. */
+function apart(wanted, gap, low, high) {
+  const places = [];
+  for (const at of wanted) places.push(Math.max(at, places.length ? places.at(-1) + gap : low));
+  for (let i = places.length - 1; i >= 0; i--) places[i] = Math.min(places[i], i + 1 < places.length ? places[i + 1] - gap : high);
+  return places;
+}
+
 /** A new element with attributes or properties, and children. */
 function element(name, properties = {}, ...children) {
   const made = document.createElement(name);
@@ -69,7 +83,7 @@ class Panel {
   static axis = {};
   /** Pixels in each part of which a curve has its lowest and its highest value. */
   static part = 1;
-  /** Draws the curves of a plot that looks as before without plotly.js; whether it could. */
+  /** Draws the curves of a plot that looks almost as before without plotly.js; whether it could. */
   static sketch = () => false;
 
   constructor(figure) {
@@ -116,7 +130,7 @@ class Panel {
       return element("label", { title: curve.doc }, box, swatch, name, value, doc);
     }).filter((label) => label);
     const head = element("div", { className: "head" }, caption);
-    this.units = this.plot.y.log ? [] : UNITS[this.unit] ?? [];
+    this.units = UNITS[this.unit] ?? [];
     if (this.units.length > 1) head.append(this.unitMenu());
     const doc = this.plot.curves.filter((curve) => curve.doc && !inline).map((curve) => `${curve.name}: ${curve.doc}`).join("\n");
     const key = element("div", { className: "curves", role: "group", ariaLabel: `Curves of ${caption.textContent}` }, ...boxes);
@@ -155,7 +169,8 @@ class Panel {
     this.plot.curves.filter((_, i) => this.shown[i]).forEach((curve) => {
       const y = column(curve.y);
       if (y.values.length === 0) return;
-      extremes(y, 0, y.values.length).forEach((i) => { largest = Math.max(largest, Math.abs(y.values[i]) || 0); });
+      const size = (value) => this.plot.y.log ? 10 ** value : Math.abs(value);
+      extremes(y, 0, y.values.length).forEach((i) => { largest = Math.max(largest, size(y.values[i]) || 0); });
     });
     const usual = this.units.find((unit) => unit && unit[0] === this.plot.y.usual);
     this.choose(usual ?? suitable(this.units, largest));
@@ -193,9 +208,9 @@ class Panel {
     const traces = this.plot.curves.map((curve, i) => this.trace(curve, i, range, pixels)).filter((trace) => trace);
     traces.push(...this.events(range, pixels / Panel.part));
     const layout = this.layout(range);
+    const look = JSON.stringify({ layout, styles: traces.map(({ x, y, ...rest }) => rest) });
+    if (this.look && Panel.sketch(this, traces, look)) return this.mark();
     // New points in a plot that looks the same take half the time of a new plot.
-    const look = JSON.stringify([layout, traces.map(({ x, y, ...rest }) => rest)]);
-    if (look === this.look && Panel.sketch(this.canvas, traces)) return this.mark();
     const done = look === this.look
       ? Plotly.restyle(this.canvas, { x: traces.map(({ x }) => x), y: traces.map(({ y }) => y) })
       : Plotly.react(this.canvas, traces, layout, { ...settings, displayModeBar: touch() ? false : "hover" });
@@ -208,12 +223,15 @@ class Panel {
   }
 
   /** Width of the plot. */
-  pixels() { return Math.max(100, Math.round(this.canvas.clientWidth - MARGIN - 14)); }
+  pixels() { return Math.max(100, Math.round(this.canvas.clientWidth - MARGIN - this.right())); }
+
+  /** A value of a column in the chosen unit. */
+  shownAs(value) { return this.factor * (this.plot.y.log ? 10 ** value : value); }
 
   trace(curve, i, [from, to], pixels) {
     if (!this.shown[i]) return null;
     const points = visible(column(curve.x), column(curve.y), from, to, Math.ceil(pixels / Panel.part));
-    const y = this.plot.y.log ? points.y.map((value) => 10 ** value) : points.y.map((value) => this.factor * value);
+    const y = points.y.map((value) => this.shownAs(value));
     const x = this.plot.x.log ? points.x.map((value) => 10 ** value) : points.x;
     const style = this.styles[i];
     const few = !curve.style && points.all && points.rows < pixels / 8;
@@ -223,13 +241,61 @@ class Panel {
     return { x, y, name: formula(curve.name), mode, marker, line, hoverinfo: "skip" };
   }
 
-  /** The texts at the last points of curves. */
+  /** The texts at the last points of curves, as notes.rs places them. */
   notes() {
-    const noted = this.plot.curves.map((curve, i) => [curve, this.shown[i]]).filter(([curve, shown]) => curve.note && shown);
-    return noted.map(([curve]) => {
+    const noted = this.plot.curves.map((curve, i) => [curve, i]).filter(([{ note }, i]) => note && this.shown[i]).map(([curve, i]) => {
       const [x, y] = [column(curve.x).values.at(-1), column(curve.y).values.at(-1)];
-      return { x, y: this.plot.y.log ? y : this.factor * y, text: formula(curve.note), showarrow: false, xanchor: "right", yanchor: "bottom", font: { size: 11, color: css("--muted") } };
+      const ink = colour(this.styles[i].colour);
+      const look = { x, y: this.plot.y.log ? y + Math.log10(this.factor) : this.factor * y, text: formula(curve.note.text), showarrow: false, borderpad: 0, font: { size: LABELS.font, color: ink } };
+      return { place: curve.note.place, look, x, y, ink };
     });
+    const placed = (place, of) => noted.filter((note) => note.place === place).sort((one, two) => of(one) - of(two));
+    const leader = (ink) => ({ showarrow: true, arrowhead: 0, arrowwidth: 0.7, arrowcolor: ink });
+    // Pixels from the lower left corner of the frame.
+    const [low, high] = this.plot.y.range ?? [0, 1];
+    const up = ({ y }) => (y - low) / (high - low) * this.height();
+    const right = ({ x }) => (x - this.group.all[0]) / (this.group.all[1] - this.group.all[0]) * this.pixels();
+    const fits = (note) => right(note) > textWidth(note.look.text, LABELS.font);
+    const before = placed("before", up);
+    const levels = apart(before.map(up), LABELS.row, 0, this.height() - LABELS.row);
+    const after = placed("after", up);
+    const rows = apart(after.map(up), LABELS.row, LABELS.row / 2, this.height());
+    const above = placed("above", right);
+    const width = Math.max(...above.map(({ look }) => textWidth(look.text, LABELS.font))) + 8;
+    const columns = apart(above.map(right), width, width / 2, this.pixels());
+    return [
+      ...before.map((note, i) => ({ ...note.look, xanchor: fits(note) ? "right" : "left", yanchor: "bottom", yshift: levels[i] - up(note), bgcolor: css("--ground"), opacity: 0.85 })),
+      ...after.map((note, i) => ({ ...note.look, ...leader(note.ink), xanchor: "left", ax: 12, ay: up(note) - rows[i] })),
+      ...above.map((note, i) => ({ ...note.look, ...leader(note.ink), yanchor: "bottom", ax: columns[i] - right(note), ay: -6 })),
+    ];
+  }
+
+  /** Height of the frame: more where many notes stand one above the other. */
+  height() {
+    const before = this.plot.curves.filter(({ note }) => note?.place === "before").length;
+    return Math.max(HEIGHT, 2 * LABELS.row * Math.max(before, this.after().length));
+  }
+
+  /** The curves with a note to their right. */
+  after() { return this.plot.curves.filter(({ note }) => note?.place === "after"); }
+
+  /** Width right of the frame: more where notes stand there on a narrow screen. */
+  right() { return this.canvas.clientWidth < NARROW && this.after().length > 0 ? 40 : 14; }
+
+  /** The title of the abscissae, in lines that are no wider than the frame. */
+  titleLines(text) {
+    const lines = [""];
+    for (const word of text.split(" ")) {
+      const longer = `${lines.at(-1)} ${word}`.trim();
+      if (textWidth(longer, TITLE) > this.pixels() && lines.at(-1)) lines.push(word); else lines[lines.length - 1] = longer;
+    }
+    return lines;
+  }
+
+  /** The height that names along x need if they stand upright, since side by side they would cover each other; 0 if they do not. */
+  upright() {
+    const widest = Math.max(0, ...(this.plot.x.names ?? []).map((name) => textWidth(name.replace(/_\{([^}]*)\}/g, "$1"), FONT)));
+    return (widest + 8) * this.plot.x.names?.length > this.pixels() ? widest : 0;
   }
 
   /** The labels of vertical lines, which are in a linear range. Each is right of its line, or left of it where the frame ends, in the first
@@ -271,11 +337,14 @@ class Panel {
     const [grid, ink] = [css("--grid"), css("--text")];
     const names = (names) => names?.length ? { tickvals: names.map((_, i) => i), ticktext: names.map(formula) } : {};
     const axis = { gridcolor: grid, linecolor: grid, zerolinecolor: grid, exponentformat: "power", minexponent: 4, ticks: "outside", tickcolor: grid, ...Panel.axis };
-    const title = (text, unit) => ({ text: formula(unit && unit !== "1" ? `${text} [${unit}]`.trim() : text), standoff: 6 });
-    const y = { ...axis, title: title(this.plot.y.label, this.unit), uirevision: this.yRevision };
+    const titled = (text, unit) => unit && unit !== "1" ? `${text} [${unit}]`.trim() : text;
+    const words = this.titleLines(titled(this.plot.x.label, this.plot.x.unit));
+    const below = this.upright() + TITLE * 1.3 * (words.length - 1);
+    const title = (lines) => ({ text: lines.map(formula).join("<br>"), standoff: 6, font: { size: TITLE } });
+    const y = { ...axis, title: title([titled(this.plot.y.label, this.unit)]), uirevision: this.yRevision };
     const logarithmic = { type: "log", dtick: undefined, nticks: 7, exponentformat: "power", minexponent: 2 };
     if (this.plot.y.log) Object.assign(y, logarithmic);
-    if (this.plot.y.range) y.range = this.plot.y.range.map((value) => this.plot.y.log ? Math.log10(value) : this.factor * value);
+    if (this.plot.y.range) y.range = this.plot.y.range.map((value) => this.plot.y.log ? Math.log10(this.factor * value) : this.factor * value);
     const line = ({ x }) => ({ type: "line", x0: x, x1: x, y0: 0, y1: 1, yref: "paper", line: { color: css("--muted"), width: 1, dash: "dot" } });
     const data = (x) => this.plot.x.log ? 10 ** x : x;
     const lines = this.plot.lines.filter(({ x }) => x > range[0] && x < range[1]);
@@ -284,11 +353,11 @@ class Panel {
       shapes.push({ type: "rect", x0: this.plot.shaded_from, x1: data(this.group.all[1]), y0: 0, y1: 1, yref: "paper", line: { width: 0 }, fillcolor: css("--muted"), opacity: 0.15, layer: "below" });
     }
     return {
-      margin: { l: MARGIN, r: 14, t: 10, b: 44 }, height: 250, showlegend: false, hovermode: false, shapes, annotations: [...this.notes(), ...this.labels(lines, range)],
+      margin: { l: MARGIN, r: this.right(), t: TOP, b: BOTTOM + below }, height: TOP + this.height() + BOTTOM + below, showlegend: false, hovermode: false, shapes, annotations: [...this.notes(), ...this.labels(lines, range)],
       dragmode: touch() ? false : "zoom", paper_bgcolor: "rgba(0,0,0,0)", plot_bgcolor: "rgba(0,0,0,0)",
-      font: { family: getComputedStyle(document.body).fontFamily, size: 12, color: ink },
+      font: { family: getComputedStyle(document.body).fontFamily, size: FONT, color: ink },
       modebar: { bgcolor: "rgba(0,0,0,0)", color: css("--muted"), activecolor: ink },
-      xaxis: { ...axis, ...(this.plot.x.log ? logarithmic : {}), ...names(this.plot.x.names), range: [...range], title: title(this.plot.x.label, this.plot.x.unit), fixedrange: touch(), uirevision: this.group.revision },
+      xaxis: { ...axis, ...(this.plot.x.log ? logarithmic : {}), ...names(this.plot.x.names), ...(this.upright() ? { tickangle: 90 } : {}), range: [...range], title: title(words), fixedrange: touch(), uirevision: this.group.revision },
       yaxis: { ...y, fixedrange: touch() },
       yaxis2: { overlaying: "y", range: [0, 1], fixedrange: true, visible: false },
     };
@@ -319,7 +388,7 @@ class Panel {
   /** The value of a curve in the row nearest to x, in the chosen unit. */
   at(curve, x) {
     const y = column(curve.y).values[nearest(column(curve.x).values, x)];
-    return short(this.plot.y.log ? 10 ** y : this.factor * y);
+    return short(this.shownAs(y));
   }
 }
 

@@ -63,15 +63,39 @@ function showSections(main, { order, of, html, arrays }, name) {
   drawAll(panels.filter(({ figure, part }) => part > Panel.part || own.some((section) => section.contains(figure))));
 }
 
-Panel.sketch = (canvas, traces) => Panel.part === COARSE && sketch(canvas, traces);
+// By how much the ends of an axis [its length] may be off while a run changes; the view that rests has them in their places.
+const OFF = 0.1;
 
-/** Gives the lines of a plot new points, if its axes suit them. plotly.js would take ten times as long. */
+Panel.sketch = (panel, traces, look) => Panel.part === COARSE && alike(panel, look) && sketch(panel.canvas, traces);
+
+/** Whether a plot looks as it is drawn now, but for less than a pixel along x and a little of the range of y. */
+function alike(panel, look) {
+  if (look === panel.look) return true;
+  const looks = [look, panel.look].map((text) => JSON.parse(text));
+  const [form, formBefore] = looks.map((look) => JSON.stringify(look, (key, value) => ["range", "x", "x0", "x1"].includes(key) ? undefined : value));
+  if (form !== formBefore) return false;
+  const near = (now, before, apart) => now.every((x, i) => Math.abs(x - before[i]) <= apart);
+  const [along, alongBefore] = looks.map(({ layout: { xaxis, shapes, annotations } }) => [
+    ...xaxis.range, ...shapes.flatMap(({ x0, x1 }) => [x0, x1]), ...annotations.map(({ x }) => x),
+  ]);
+  const [up, upBefore] = looks.map(({ layout }) => layout.yaxis.range ?? [0, 0]);
+  return near(along, alongBefore, (along[1] - along[0]) / panel.pixels()) && near(up, upBefore, OFF * (upBefore[1] - upBefore[0]));
+}
+
+/** Gives the lines of a plot new points, and their markers new places, if its axes suit them. plotly.js would take ten times as long. */
 function sketch(canvas, traces) {
   const { xaxis, yaxis, yaxis2 } = canvas._fullLayout;
   const paths = canvas.querySelectorAll(".scatterlayer path.js-line");
-  const lines = traces.every(({ mode }) => mode === "lines") && paths.length === traces.length;
+  const lines = traces.every(({ mode }) => mode.startsWith("lines")) && paths.length === traces.length;
   if (!lines || !suits(yaxis, traces.filter((trace) => !trace.yaxis))) return false;
-  traces.forEach(({ x, y, yaxis: name }, i) => paths[i].setAttribute("d", curvePath(x, y, xaxis, name ? yaxis2 : yaxis)));
+  const places = traces.map(({ x, y, yaxis: name }) => x.map((x, i) => [xaxis.d2p(x), (name ? yaxis2 : yaxis).d2p(y[i])]));
+  const markers = traces.map(({ mode }, i) => mode === "lines" ? [] : [...paths[i].closest(".trace").querySelectorAll(".points path.point")]);
+  const marked = places.map((places, i) => traces[i].mode === "lines" ? [] : places.filter(([, down]) => Number.isFinite(down)));
+  if (markers.some((markers, i) => markers.length !== marked[i].length)) return false;
+  traces.forEach((_, i) => {
+    paths[i].setAttribute("d", curvePath(places[i]));
+    markers[i].forEach((marker, j) => marker.setAttribute("transform", `translate(${marked[i][j]})`));
+  });
   return true;
 }
 
@@ -84,11 +108,10 @@ function suits(axis, traces) {
   return low >= bottom && high <= top && high - low >= 0.5 * (top - bottom);
 }
 
-/** The path of a curve on the screen. */
-function curvePath(x, y, across, up) {
+/** The path of a curve through some places on the screen. */
+function curvePath(places) {
   let path = "", pen = "M";
-  for (let i = 0; i < x.length; i++) {
-    const [right, down] = [across.d2p(x[i]), up.d2p(y[i])];
+  for (const [right, down] of places) {
     if (!Number.isFinite(down)) { pen = "M"; continue; }
     path += `${pen}${right.toFixed(1)},${down.toFixed(1)}`;
     pen = "L";

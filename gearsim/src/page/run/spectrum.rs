@@ -125,7 +125,9 @@ fn lines(report: &Report<'_>, meshes: &[Mesh]) -> Vec<Line> {
     let natural = report.run.outcome.reference_frequency.map(|w| Line { x: w / TAU, name: "natural".into() });
     let mut lines: Vec<Line> = natural.into_iter().collect();
     for mesh in meshes {
-        let name = |n: usize| if n == 1 { "mesh".to_owned() } else { format!("{n} x mesh") };
+        // Of several meshes each has its name.
+        let of = if meshes.len() > 1 { mesh.name } else { "mesh" };
+        let name = |n: usize| if n == 1 { of.to_owned() } else { format!("{n} x {of}") };
         lines.extend((1..=MULTIPLES).map(|n| Line { x: n as f64 * mesh.frequency, name: name(n) }));
     }
     lines

@@ -53,7 +53,7 @@ fn curves(html: &mut Html, figure: &Figure, panel: &plot::Panel, rows: &Rows) ->
         let mut curve = Curve::new(name, "", x, y, true);
         curve.with = with.filter(|_| name.is_empty());
         curve.style = Some(style);
-        curve.note.clone_from(&series.note);
+        curve.note = Some(series.note.clone()).filter(|note| !note.text.is_empty());
         curves.push(curve);
     }
     curves
