@@ -24,6 +24,7 @@ pub(crate) mod files;
 #[cfg(feature = "html")]
 pub(crate) mod interrupt;
 mod job;
+mod packed;
 pub(crate) mod provenance;
 mod results;
 mod starter;
