@@ -26,6 +26,4 @@ pub use iso6336::{Iso6336, LINE_LOADS};
 pub use mesh_stiffness::{CellShape, StiffnessMethod, stiffness};
 #[cfg(feature = "html")]
 pub use outline::Outlines;
-#[cfg(feature = "html")]
-pub use pair::Contact;
-pub use pair::{GearError, Gears, Material};
+pub use pair::{Contact, GearError, Gears, Material};
