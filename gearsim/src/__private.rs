@@ -42,6 +42,53 @@ pub mod ensemble {
 #[cfg(feature = "models")]
 pub use crate::generated::models;
 
+/// The modes and multipliers of equations that tests change: [`Scene::modes`] and [`Scene::floquet`] take those of a scene.
+pub mod linear {
+    use nalgebra::DMatrix;
+
+    use super::{Matrices, System};
+    use crate::analysis::floquet::{Floquet, FloquetError};
+    use crate::analysis::modes::{self, CellModes};
+    use crate::run::{Entry, Refusal};
+    use crate::scene::Scene;
+
+    pub use modes::masses::Mass;
+    pub use modes::parts::Parts;
+
+    /// The parts of a scene that have a share in the energies of its modes.
+    ///
+    /// # Errors
+    /// Those of the matrices of the scene.
+    pub fn parts(scene: &Scene, entry: &Entry, system: &System) -> Result<Parts, Refusal> {
+        Parts::of(scene, entry, system)
+    }
+
+    /// The modes of the cell with the law values `k` \[SI\].
+    ///
+    /// # Errors
+    /// Those of [`Modal::of`](super::Modal::of).
+    pub fn modes(system: &System, k: &[f64], parts: &Parts) -> Result<CellModes, Refusal> {
+        modes::of(system, k, parts)
+    }
+
+    /// The modes of the cell with these matrices and without laws.
+    ///
+    /// # Errors
+    /// Those of [`Modal::of`](super::Modal::of).
+    pub fn modes_of(matrices: &Matrices, parts: &Parts) -> Result<CellModes, Refusal> {
+        let laws: [DMatrix<f64>; 0] = [];
+        modes::of_matrices(matrices, &[], &laws, parts)
+    }
+
+    /// The multipliers of a scene whose equations are `system`.
+    ///
+    /// # Errors
+    /// Those of [`Scene::floquet`].
+    pub fn floquet(scene: &Scene, system: &System) -> Result<Floquet, FloquetError> {
+        Floquet::of(scene, system)
+    }
+}
+
 /// How many digits of a result are left: tests compare methods by it.
 pub mod digits {
     pub use crate::analysis::digits::{companion, noted};

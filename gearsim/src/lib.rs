@@ -21,25 +21,46 @@
 //! | run it at many values | [`Scene::vary`], [`Variation::run`], [`Variation::response`] |
 //! | find out how results scatter, and why | [`Variation::design`], [`Job::statistics`], [`Job::sensitivity`] |
 //! | natural frequencies, stability | [`Scene::modes`], [`Scene::floquet`] |
-//! | find out which effects matter | [`Scene::advise`] |
+//! | find out which effects matter | [`Scene::advise`], [`advice`] |
 //! | evaluate a run: spectra, orders, load cycles, sound | [`analysis`] |
 //! | write tables, read them again; draw data of your own | [`output`], [`plot`] |
 //! | use models of your own | [`add_models`], [`equations!`], [`cli::run`] |
 //!
+//! Whole programs are in [`examples`].
+//!
 //! Units of all numbers are SI, unless a name or a text states another.
-
-// Units in square brackets are not links.
-#![allow(rustdoc::broken_intra_doc_links)]
 
 // The code of `equations!` names this crate `::gearsim`, here as in every other crate.
 extern crate self as gearsim;
 
 #[doc(hidden)]
 pub mod __private;
+/// What [`Scene::advise`] finds: which effects a scene needs.
+///
+/// The scene is compared with itself without one effect, or without some terms ([`Candidate`](advice::Candidate)). The deviation is
+/// estimated from the settled motion or from short runs ([`Estimate`](advice::Estimate)), then measured by full runs with and without
+/// it. Up to [`LIMITS`](advice::LIMITS) an effect is negligible. [`Groups`](advice::Groups) are the dimensionless numbers of the scene
+/// that indicate which effects matter.
+///
+/// ```no_run
+/// let scene = gearsim::Scene::load("models/scenes/two_stage.toml")?;
+/// for (without, estimated, measured) in scene.advise()?.negligible() {
+///     println!("{without}: negligible by the estimate: {estimated:?}, by runs: {measured:?}");
+/// }
+/// # Ok::<(), gearsim::Error>(())
+/// ```
+pub mod advice {
+    pub use crate::analysis::advise::groups::{Groups, Mesh};
+    pub use crate::analysis::advise::{Apart, Bands, Candidate, LIMITS, Way};
+    pub use crate::library::advise::{Advice, Estimate, Verdict};
+}
 pub mod analysis;
 pub mod cli;
 mod engine;
 mod ensemble;
+// Pages only: no code of it is compiled.
+#[cfg(any(doc, doctest))]
+pub mod examples;
 #[cfg(feature = "html")]
 mod explore;
 mod gear;
@@ -62,7 +83,6 @@ pub mod trajectory;
 
 pub use gearsim_macros::equations;
 pub use known::{add as add_models, models};
-pub use library::advise::Advice;
 pub use library::{Error, Gathering, Job, Results, Rows, SceneBuilder, Value, Variation, starter};
 pub use run::{Entry, Outcome, Prospect};
 pub use scene::Scene;

@@ -85,13 +85,13 @@ pub struct Parameter {
     pub name: &'static str,
     /// SI unit, e.g. `kg*m^2`; `1` for a plain number.
     pub unit: &'static str,
-    /// Default value [SI]; `None` if the scene must give one.
+    /// Default value \[SI\]; `None` if the scene must give one.
     pub default: Option<f64>,
     /// The only effect that uses the parameter, if there is one. Scenes without this effect need not give it.
     pub with: Option<&'static str>,
     /// Whether it may vary in time. This requires that the generalised forces are linear in it and that nothing else depends on it.
     pub varies: bool,
-    /// Allowed values [SI].
+    /// Allowed values \[SI\].
     pub range: Range,
     /// What it is.
     pub doc: &'static str,

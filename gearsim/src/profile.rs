@@ -240,7 +240,7 @@ impl Profile {
     }
 
     /// [`Profile::mid`] in double-double precision.
-    pub fn exact_mid(&self) -> Df64 {
+    pub(crate) fn exact_mid(&self) -> Df64 {
         let (low, high) = self.extremes();
         (Df64::from(high) + low) * 0.5
     }

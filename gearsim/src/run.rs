@@ -38,9 +38,9 @@ use crate::trajectory::{Moment, Trajectory};
 pub struct Outcome {
     /// The recorded rows. The last one is the state at the end, or where the run had to stop.
     pub trajectory: Trajectory,
-    /// T + V at the start [J].
+    /// T + V at the start \[J\].
     pub energy_at_start: f64,
-    /// Energy of neglected bounces [J], counted in the residual.
+    /// Energy of neglected bounces \[J\], counted in the residual.
     pub ignored: f64,
     /// Events and costs.
     pub counts: Counts,
@@ -52,7 +52,7 @@ pub struct Outcome {
     pub stopped_by: Option<Stop>,
     /// Damped angular frequency of the lowest elastic mode at the mid stiffness [rad/s].
     pub reference_frequency: Option<f64>,
-    /// Processor time that the simulation took, with its recording [s].
+    /// Processor time that the simulation took, with its recording \[s\].
     pub cpu_seconds: f64,
     /// The energy account, if it refutes the result.
     pub refuted: Option<Account>,
@@ -91,9 +91,9 @@ pub struct Prospect {
     pub method: &'static str,
     /// Why it is this one.
     pub why: String,
-    /// Coordinates at the start [SI] (n).
+    /// Coordinates at the start \[SI\] (n).
     pub q: Vec<f64>,
-    /// Speeds at the start [SI] (n).
+    /// Speeds at the start \[SI\] (n).
     pub q_dot: Vec<f64>,
 }
 
@@ -121,7 +121,7 @@ impl Entry {
         Entry { model, ..self }
     }
 
-    /// Runs a scene, telling the model time [s] to `watch` as it goes.
+    /// Runs a scene, telling the model time \[s\] to `watch` as it goes.
     ///
     /// # Errors
     /// Where the scene cannot be run.

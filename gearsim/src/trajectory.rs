@@ -32,29 +32,29 @@ impl Moment {
 pub struct Trajectory {
     /// The model, for the names and units of the columns.
     pub model: &'static Model,
-    /// Time [s].
+    /// Time \[s\].
     pub t: Vec<f64>,
     /// Kind of instant.
     pub moment: Vec<Moment>,
-    /// Coordinates, unwrapped [SI]: `q[i][row]` (n_q, n_rows).
+    /// Coordinates, unwrapped \[SI\]: `q[i][row]` (n_q, n_rows).
     pub q: Vec<Vec<f64>>,
     /// Speeds [SI/s]: `q_dot[i][row]` (n_q, n_rows).
     pub q_dot: Vec<Vec<f64>>,
     /// The diagonal M_ii of the mass matrix at the start [J s^2/SI^2] (n_q); empty if it is not known.
     pub inertia: Vec<f64>,
-    /// Kinetic energy T [J].
+    /// Kinetic energy T \[J\].
     pub kinetic: Vec<f64>,
-    /// Strain energy V [J].
+    /// Strain energy V \[J\].
     pub strain: Vec<f64>,
-    /// Net work of the external torques since the start, W [J].
+    /// Net work of the external torques since the start, W \[J\].
     pub work: Vec<f64>,
-    /// Work of each external torque since the start [J]: (n_torques, n_rows).
+    /// Work of each external torque since the start \[J\]: (n_torques, n_rows).
     pub torque_work: Vec<Vec<f64>>,
-    /// The outputs that are recorded, each with its column [SI].
+    /// The outputs that are recorded, each with its column \[SI\].
     pub outputs: Vec<(&'static Output, Vec<f64>)>,
-    /// Energy dissipated by damping since the start [J]. It is integrated from the speeds, not computed as an energy difference.
+    /// Energy dissipated by damping since the start \[J\]. It is integrated from the speeds, not computed as an energy difference.
     pub dissipated: Vec<f64>,
-    /// T + V - W + dissipated, minus its value at the start [J]: zero if the energy balance holds.
+    /// T + V - W + dissipated, minus its value at the start \[J\]: zero if the energy balance holds.
     pub residual: Vec<f64>,
 }
 
@@ -106,7 +106,7 @@ impl Trajectory {
         self.t.is_empty()
     }
 
-    /// U = T + V - W in row `i` [J]. Only damping changes it.
+    /// U = T + V - W in row `i` \[J\]. Only damping changes it.
     pub fn energy(&self, i: usize) -> f64 {
         self.kinetic[i] + self.strain[i] - self.work[i]
     }
@@ -148,7 +148,7 @@ impl Trajectory {
             .chain(std::iter::once(series("energy".into(), "J".into(), None)))
     }
 
-    /// The column with this name [SI]; `None` if there is none.
+    /// The column with this name \[SI\]; `None` if there is none.
     pub fn column(&self, name: &str) -> Option<Cow<'_, [f64]>> {
         let series = self.columns().find(|series| series.name == name)?;
         series.part(0..self.len())
@@ -194,7 +194,7 @@ pub struct Series<'a> {
 }
 
 impl<'a> Series<'a> {
-    /// The numbers of some rows [SI]; `None` if the column has not exactly one number a row, or has no such rows.
+    /// The numbers of some rows \[SI\]; `None` if the column has not exactly one number a row, or has no such rows.
     pub fn part(&self, rows: Range<usize>) -> Option<Cow<'a, [f64]>> {
         match self.values {
             Some(values) => values.get(rows).filter(|_| values.len() == self.of.len()).map(Cow::Borrowed),
@@ -210,14 +210,14 @@ impl<'a> Series<'a> {
 
 /// The interval of the times `t` that contains `time`: the row at its start, and the position of `time` in it, from 0 (start) to 1 (end). The
 /// times `t` increase, and there are at least two. A time outside all intervals is moved to the nearest end.
-pub fn place(t: &[f64], time: f64) -> (usize, f64) {
+pub(crate) fn place(t: &[f64], time: f64) -> (usize, f64) {
     let next = t.partition_point(|&t| t < time).clamp(1, t.len() - 1);
     (next - 1, ((time - t[next - 1]) / (t[next] - t[next - 1])).clamp(0.0, 1.0))
 }
 
 /// The value of the column `x` at `time`, by linear interpolation between the rows at the times `t`. Outside the times `t` it is the value
 /// of the nearest row.
-pub fn value_at(t: &[f64], x: &[f64], time: f64) -> f64 {
+pub(crate) fn value_at(t: &[f64], x: &[f64], time: f64) -> f64 {
     let (row, share) = place(t, time);
     x[row] + share * (x[row + 1] - x[row])
 }

@@ -210,5 +210,7 @@ fn the_examples_are_as_many_and_as_short_as_the_readme_says() {
         assert!(text.lines().count() < 40, "{} has {} lines", file.display(), text.lines().count());
         let name = file.file_stem().unwrap().to_str().unwrap();
         assert!(include_str!("examples.rs").contains(&format!("\nmod {name};")), "{name} is not tested");
+        let shown = include_str!("../../gearsim/src/examples.rs").contains(&format!("examples/{name}.rs"));
+        assert!(shown, "{name} is not in the documentation");
     }
 }

@@ -89,8 +89,8 @@ impl Job {
 
     /// Keeps rows in the folder.
     fn keep(&self, py: Python<'_>, gathering: &Gathering, rows: &Bound<'_, PyBytes>) -> PyResult<()> {
-        let bytes = rows.as_bytes().to_vec();
-        py.detach(|| gathering.with(|inner| inner.keep(&self.inner.unpack(bytes)?)))
+        let bytes = rows.as_bytes();
+        py.detach(|| gathering.with(|inner| inner.keep_packed(bytes)))
     }
 }
 

@@ -6,7 +6,7 @@ use std::path::PathBuf;
 use gearsim::Scene as Inner;
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
-use pyo3::types::PyDict;
+use pyo3::types::{IntoPyDict, PyDict};
 
 use crate::error::raised;
 use crate::interrupt::detached;
@@ -99,24 +99,28 @@ impl Scene {
         Results::new(run.map_err(raised)?)
     }
 
-    /// Natural frequencies and shapes at the mid stiffnesses, or at `levels`: a dict a mode.
+    /// Natural frequencies [Hz], damping factors and shapes at the mid stiffnesses, or at `levels` [SI]: a dict a mode. `strain_energy` and
+    /// `kinetic_energy` are dicts too: the shares of stiffnesses and of inertias, by their names in the scene; no strain in a rigid motion.
     #[pyo3(signature = (levels=None))]
     fn modes<'py>(&self, py: Python<'py>, levels: Option<Vec<f64>>) -> PyResult<Vec<Bound<'py, PyDict>>> {
         let cell = match levels {
             Some(levels) => self.inner.modes_at(&levels),
             None => self.inner.modes(),
         };
+        let cell = cell.map_err(raised)?;
+        let elastic: Vec<_> = self.inner.stiffnesses().map(|(law, _)| law.name).chain(cell.springs).collect();
         let mode = |mode: gearsim::analysis::modes::Vibration| {
+            let strain = mode.strain.into_iter().chain(mode.springs);
             let dict = PyDict::new(py);
             dict.set_item("natural_frequency", mode.natural)?;
             dict.set_item("damped_frequency", mode.damped)?;
             dict.set_item("damping_factor", mode.zeta)?;
             dict.set_item("shape", mode.shape)?;
-            dict.set_item("strain_energy", mode.strain)?;
-            dict.set_item("kinetic_energy", mode.kinetic)?;
+            dict.set_item("strain_energy", elastic.iter().zip(strain).into_py_dict(py)?)?;
+            dict.set_item("kinetic_energy", cell.inertias.iter().zip(mode.kinetic).into_py_dict(py)?)?;
             Ok(dict)
         };
-        cell.map_err(raised)?.modes.into_iter().map(mode).collect()
+        cell.modes.into_iter().map(mode).collect()
     }
 
     /// Stability of the steady rotation: Floquet multipliers, period [s], verdict.

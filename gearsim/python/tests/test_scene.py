@@ -32,8 +32,12 @@ def test_two_discs_swing_as_their_closed_form():
     omega = math.sqrt(1e4 * (1 / 0.5 + 1 / 0.25))
     expected = 2 / omega * np.sin(omega * results["t"])
     assert np.abs(results["shaft_twist_1"] - expected).max() < 1e-12
-    frequencies = [mode["natural_frequency"] for mode in struck().modes()]
-    assert frequencies[0] == 0 and abs(frequencies[1] * 2 * math.pi / omega - 1) < 1e-12
+    rigid, elastic = struck().modes()
+    assert rigid["natural_frequency"] == 0 and rigid["strain_energy"] == {}
+    assert abs(elastic["natural_frequency"] * 2 * math.pi / omega - 1) < 1e-12
+    # The discs have opposite momenta, so that the lighter one has the larger share.
+    assert elastic["strain_energy"] == pytest.approx({"k1": 1})
+    assert elastic["kinetic_energy"] == pytest.approx({"I1": 1 / 3, "I2": 2 / 3})
 
 
 def test_columns_have_names_and_units():

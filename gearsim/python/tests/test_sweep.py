@@ -66,17 +66,12 @@ def test_what_was_finished_is_kept(scene, tmp_path, bytes_of_the_command_line):
 def test_damaged_rows_are_refused(scene, tmp_path, bytes_of_the_command_line):
     job = scene.job(AXES, ["outputs"])
     gathering = job.gather(tmp_path / "here")
-    whole, refused = job.run(0, len(job)), 0
-    places = range(0, len(whole), len(whole) // 50)
-    for place in places:
+    whole = job.run(0, len(job))
+    for place in [*range(100), *range(100, len(whole), len(whole) // 50)]:
         rows = bytearray(whole)
         rows[place] ^= 8
-        try:
+        with pytest.raises(gearsim.GearsimError, match="these rows are damaged"):
             job.keep(gathering, bytes(rows))
-        except gearsim.GearsimError:
-            refused += 1
-    # Damaged rows that are not refused have the same content: the damaged bytes are not read.
-    assert refused > len(places) // 2
     other = scene.replace({"run.t_end": "10 ms"}).job(AXES, ["outputs"])
     with pytest.raises(gearsim.GearsimError, match="another sweep"):
         job.keep(gathering, other.run(0, 2))

@@ -22,9 +22,10 @@ mod chart;
 mod orbit;
 mod period;
 
-pub use chart::{Chart, Spot, Varied};
+pub(crate) use chart::{Chart, Spot, Varied};
 pub use orbit::Orbit;
-pub use period::{Aperiodic, Stretch, stretches};
+pub use period::Aperiodic;
+pub(crate) use period::{Stretch, stretches};
 
 /// Why the stability of a scene cannot be determined.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -51,7 +52,7 @@ pub enum FloquetError {
 /// The Floquet multipliers of a scene.
 #[derive(Debug, Clone)]
 pub struct Floquet {
-    /// Common period of all stiffnesses [s].
+    /// Common period of all stiffnesses \[s\].
     pub period: f64,
     /// Multipliers of all motions that are not rigid, the largest first.
     pub multipliers: Vec<Complex<f64>>,
@@ -59,11 +60,12 @@ pub struct Floquet {
     pub rigid: usize,
     /// Stability according to the multipliers.
     pub verdict: Verdict,
-    /// Lowest natural frequency [Hz] at the mean stiffness.
+    /// Lowest natural frequency \[Hz\] at the mean stiffness.
     pub natural: f64,
-    /// Frequency of the first mesh that steps [Hz].
+    /// Frequency of the first mesh that steps \[Hz\].
     pub mesh: f64,
     /// The steady motion about which forces are linearised; `None` if all are linear.
+    #[doc(hidden)]
     pub steady: Option<Steady>,
     /// The motion that repeats, about which the equations are linearised where they change along the motion.
     pub orbit: Option<Orbit>,
@@ -98,7 +100,7 @@ impl Floquet {
     ///
     /// # Errors
     /// If the modes of a cell cannot be computed, the stiffnesses have no common period, nothing vibrates, or the multipliers overflow.
-    pub fn of(scene: &Scene, system: &System) -> Result<Floquet, FloquetError> {
+    pub(crate) fn of(scene: &Scene, system: &System) -> Result<Floquet, FloquetError> {
         if let Some(about) = system.steady().filter(|about| about.motion == Motion::Place) {
             return orbit::of(scene, system, about);
         }
@@ -143,6 +145,12 @@ impl Floquet {
         let natural = omega / std::f64::consts::TAU;
         let steady = system.steady().cloned();
         Ok(Floquet { period, multipliers, rigid: split.rigid, verdict, natural, mesh, steady, orbit: None })
+    }
+
+    /// Why the motion meets both flanks of a mesh, in words; `None` if it meets one. Linearised friction is that of one flank, so that the
+    /// multipliers are then uncertain.
+    pub fn both_flanks(&self) -> Option<&str> {
+        self.steady.as_ref()?.both_flanks.as_deref()
     }
 
     /// Exponential growth of a disturbance per period: ln of the largest absolute value of a multiplier; negative if it decays.

@@ -1,6 +1,6 @@
 //! Analysis of trajectories after a run, and of the equations without a run.
 
-pub mod advise;
+pub(crate) mod advise;
 pub(crate) mod digits;
 pub mod dynamic_factor;
 #[cfg(feature = "html")]

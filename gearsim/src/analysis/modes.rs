@@ -4,16 +4,17 @@
 //! zeta = -Re lambda/|lambda|, damped frequency Im lambda/2 pi, mode shape phi, complex if damping couples the modes.
 //!
 //! About an equilibrium or a steady motion, C and K need not be symmetric (`general.rs`). Energies are those of the forces that have a
-//! potential. Where M and K change along the motion, the modes are those of one place ([`over_a_turn`]: of all places).
+//! potential. Where M and K change along the motion, the modes are those of one place (`over_a_turn`: of all places).
 //!
 //! - Share of a stiffness law in the strain energy: phi* (K(k) - K(k without the law)) phi/(phi* K phi), since K is linear in
-//!   the laws. Share of a spring: phi* K_s phi/(phi* K phi), see [`springs`].
-//! - Share of an inertia in the kinetic energy: phi* M_j phi/(phi* M phi), between 0 and 1, see [`masses`].
+//!   the laws. Share of a spring: phi* K_s phi/(phi* K phi), see `springs.rs`.
+//! - Share of an inertia in the kinetic energy: phi* M_j phi/(phi* M phi), between 0 and 1, see `masses.rs`.
 
 mod general;
 mod linear;
-pub mod masses;
-pub mod springs;
+pub(crate) mod masses;
+pub(crate) mod parts;
+pub(crate) mod springs;
 
 use std::f64::consts::TAU;
 
@@ -25,49 +26,44 @@ use crate::engine::Refusal;
 use crate::engine::modal::{Matrices, Modal};
 use crate::engine::mode::Mode;
 use crate::engine::system::{Motion, System};
-use crate::run::Entry;
 use crate::scene::Scene;
 use crate::tolerance::analysis::NEAR_RESONANCE;
 
-use masses::Mass;
-use springs::Spring;
-
-/// The parts that have a share in the energies of modes.
-#[derive(Debug, Clone, Default)]
-pub struct Parts {
-    /// Springs other than meshes.
-    pub springs: Vec<Spring>,
-    /// Inertias.
-    pub masses: Vec<Mass>,
-}
-
-impl Parts {
-    /// The parts of `scene`.
-    ///
-    /// # Errors
-    /// Those of the matrices of the scene.
-    pub fn of(scene: &Scene, entry: &Entry, system: &System) -> Result<Parts, Refusal> {
-        Ok(Parts { springs: springs::of(scene, entry)?, masses: masses::of(scene, entry, system)? })
-    }
-}
+pub(crate) use parts::Parts;
 
 /// The modes of one cell.
 #[derive(Debug, Clone)]
 pub struct CellModes {
-    /// The value of each law [SI].
+    /// The value of each law \[SI\].
     pub levels: Vec<f64>,
+    /// Names of the parameters that are stiffnesses of springs, in the order of [`Vibration::springs`].
+    pub springs: Vec<&'static str>,
+    /// Names of the parameters that are inertias, in the order of [`Vibration::kinetic`].
+    pub inertias: Vec<&'static str>,
     /// Rigid motions first, then the others by ascending frequency.
     pub modes: Vec<Vibration>,
     /// Whether damping couples the modes of the undamped system.
     pub coupled: bool,
 }
 
+impl CellModes {
+    fn new(k: &[f64], parts: &Parts, modes: Vec<Vibration>, coupled: bool) -> CellModes {
+        CellModes {
+            levels: k.to_vec(),
+            springs: parts.springs.iter().map(|spring| spring.name).collect(),
+            inertias: parts.masses.iter().map(|mass| mass.name).collect(),
+            modes,
+            coupled,
+        }
+    }
+}
+
 /// One mode.
 #[derive(Debug, Clone)]
 pub struct Vibration {
-    /// Natural frequency [Hz]; 0 for a rigid motion.
+    /// Natural frequency \[Hz\]; 0 for a rigid motion.
     pub natural: f64,
-    /// Damped natural frequency [Hz]; 0 if the mode does not oscillate.
+    /// Damped natural frequency \[Hz\]; 0 if the mode does not oscillate.
     pub damped: f64,
     /// Damping factor; `None` for a rigid motion.
     pub zeta: Option<f64>,
@@ -75,7 +71,7 @@ pub struct Vibration {
     pub growth: f64,
     /// Mode shape: amplitude of each coordinate (n). The coordinate with the largest sqrt(M_ii) |phi_i| has the amplitude 1.
     pub shape: Vec<Complex<f64>>,
-    /// Share of each law in the strain energy; empty for a rigid motion.
+    /// Share of each stiffness law in the strain energy, in the order of [`Scene::stiffnesses`]; empty for a rigid motion.
     pub strain: Vec<f64>,
     /// Share of each spring in the strain energy; empty for a rigid motion.
     pub springs: Vec<f64>,
@@ -84,10 +80,10 @@ pub struct Vibration {
 }
 
 /// Maximum number of cells that are analysed one by one.
-pub const MOST_CELLS: usize = 64;
+pub(crate) const MOST_CELLS: usize = 64;
 
 /// Every combination of levels, in which the first law varies fastest; empty if there are more than [`MOST_CELLS`].
-pub fn combinations(courses: &[SteadyLaw]) -> Vec<Vec<f64>> {
+pub(crate) fn combinations(courses: &[SteadyLaw]) -> Vec<Vec<f64>> {
     let count = courses.iter().map(|c| c.levels.len()).fold(1, usize::saturating_mul);
     if count > MOST_CELLS {
         return vec![];
@@ -103,11 +99,11 @@ pub fn combinations(courses: &[SteadyLaw]) -> Vec<Vec<f64>> {
     (0..count).map(levels).collect()
 }
 
-/// The modes of the cell with law values `k` [SI], and the shares of `parts` in their energies.
+/// The modes of the cell with law values `k` \[SI\], and the shares of `parts` in their energies.
 ///
 /// # Errors
 /// Those of [`Modal::of`].
-pub fn of(system: &System, k: &[f64], parts: &Parts) -> Result<CellModes, Refusal> {
+pub(crate) fn of(system: &System, k: &[f64], parts: &Parts) -> Result<CellModes, Refusal> {
     let matrices = system.matrices(k)?;
     let without = |law: usize| {
         let mut k = k.to_vec();
@@ -125,15 +121,17 @@ pub fn of(system: &System, k: &[f64], parts: &Parts) -> Result<CellModes, Refusa
 ///
 /// # Errors
 /// Those of [`Modal::of`].
-pub fn of_matrices(matrices: &Matrices, k: &[f64], laws: &[DMatrix<f64>], parts: &Parts) -> Result<CellModes, Refusal> {
+pub(crate) fn of_matrices(
+    matrices: &Matrices,
+    k: &[f64],
+    laws: &[DMatrix<f64>],
+    parts: &Parts,
+) -> Result<CellModes, Refusal> {
     let modal = Modal::of(matrices)?;
     let modes = modal.coupled.as_ref().map_or(&modal.modes, |coupled| &coupled.modes);
     let vibration = |(i, mode): (usize, &Mode)| vibration(mode, shape(&modal, i, mode), matrices, laws, parts);
-    Ok(CellModes {
-        levels: k.to_vec(),
-        modes: modes.iter().enumerate().map(vibration).collect(),
-        coupled: modal.coupled.is_some(),
-    })
+    let modes = modes.iter().enumerate().map(vibration).collect();
+    Ok(CellModes::new(k, parts, modes, modal.coupled.is_some()))
 }
 
 /// The mode shape phi = X1 + lambda X2 in the coordinates. If a mode does not oscillate, lambda is that of its slower decay.
@@ -181,10 +179,10 @@ fn vibration(
 
 /// Natural frequencies along a motion along which M or K change.
 #[derive(Debug, Clone)]
-pub struct OverATurn {
-    /// How long a turn takes [s].
+pub(crate) struct OverATurn {
+    /// How long a turn takes \[s\].
     pub time: f64,
-    /// Lowest and highest natural frequency of each mode over the places of a turn [Hz], by ascending frequency at each place.
+    /// Lowest and highest natural frequency of each mode over the places of a turn \[Hz\], by ascending frequency at each place.
     pub natural: Vec<[f64; 2]>,
 }
 
@@ -196,7 +194,7 @@ const PLACES: u32 = 72;
 ///
 /// # Errors
 /// Those of [`of`].
-pub fn over_a_turn(scene: &Scene, mut system: System, k: &[f64]) -> Result<Option<OverATurn>, Refusal> {
+pub(crate) fn over_a_turn(scene: &Scene, mut system: System, k: &[f64]) -> Result<Option<OverATurn>, Refusal> {
     if system.steady().is_none_or(|about| about.motion != Motion::Place) {
         return Ok(None);
     }
@@ -225,10 +223,10 @@ pub struct Meeting {
 }
 
 /// Number of harmonics of each mesh frequency that are compared with the natural frequencies.
-pub const HARMONICS: usize = 8;
+pub(crate) const HARMONICS: usize = 8;
 
 /// The harmonics of the mesh frequencies within `NEAR_RESONANCE` of a damped natural frequency, the nearest first.
-pub fn meetings(courses: &[SteadyLaw], cell: &CellModes) -> Vec<Meeting> {
+pub(crate) fn meetings(courses: &[SteadyLaw], cell: &CellModes) -> Vec<Meeting> {
     let mut meetings = vec![];
     for (law, course) in courses.iter().enumerate().filter(|(_, course)| course.steps) {
         for (mode, vibration) in cell.modes.iter().enumerate().filter(|(_, v)| v.damped > 0.0) {

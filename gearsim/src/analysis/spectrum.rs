@@ -23,7 +23,7 @@ use crate::trajectory::Trajectory;
 /// A one-sided power spectral density.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Spectrum {
-    /// Frequencies [Hz], evenly spaced from 0 to half the sampling rate.
+    /// Frequencies \[Hz\], evenly spaced from 0 to half the sampling rate.
     pub frequency: Vec<f64>,
     /// Density [unit^2/Hz] at each frequency.
     pub density: Vec<f64>,
@@ -32,12 +32,12 @@ pub struct Spectrum {
 }
 
 impl Spectrum {
-    /// Distance of neighbouring frequencies [Hz].
+    /// Distance of neighbouring frequencies \[Hz\].
     pub fn resolution(&self) -> f64 {
         self.frequency.get(1).copied().unwrap_or(0.0)
     }
 
-    /// The equivalent noise bandwidth of the Hann window [Hz].
+    /// The equivalent noise bandwidth of the Hann window \[Hz\].
     pub fn noise_bandwidth(&self) -> f64 {
         1.5 * self.resolution()
     }
@@ -48,7 +48,7 @@ impl Spectrum {
         self.density.iter().map(move |density| (density * bandwidth).sqrt())
     }
 
-    /// The frequency above which less than a fraction `share` of the power lies [Hz].
+    /// The frequency above which less than a fraction `share` of the power lies \[Hz\].
     pub fn highest(&self, share: f64) -> f64 {
         let mut left = share * self.density.iter().sum::<f64>();
         let above = self.density.iter().rev().take_while(|p| {
@@ -59,7 +59,7 @@ impl Spectrum {
         self.frequency.iter().rev().nth(above).copied().unwrap_or(0.0)
     }
 
-    /// Power [unit^2] between two frequencies [Hz], both included.
+    /// Power [unit^2] between two frequencies \[Hz\], both included.
     pub fn power(&self, low: f64, high: f64) -> f64 {
         let within = |f: f64| (low..=high).contains(&f);
         let sum: f64 = (self.frequency.iter().zip(&self.density)).filter(|&(&f, _)| within(f)).map(|(_, p)| p).sum();
@@ -87,7 +87,7 @@ pub enum SpectrumError {
     /// A sampling rate that is not positive or not finite.
     #[error("the sampling rate must be positive and finite, but is {rate} Hz")]
     BadRate {
-        /// The rate [Hz].
+        /// The rate \[Hz\].
         rate: f64,
     },
     /// A shaft by whose turns orders cannot be counted.
@@ -99,11 +99,11 @@ pub enum SpectrumError {
     /// Samples that are not evenly spaced.
     #[error("samples are not evenly spaced: {step} s instead of {expected} s at t = {t} s")]
     Uneven {
-        /// Time of the sample [s].
+        /// Time of the sample \[s\].
         t: f64,
-        /// Distance to the sample before it [s].
+        /// Distance to the sample before it \[s\].
         step: f64,
-        /// Distance between the first two samples [s].
+        /// Distance between the first two samples \[s\].
         expected: f64,
     },
     /// A value that is not finite.
@@ -125,7 +125,7 @@ pub fn segment_length(samples: usize) -> usize {
     if samples < SHORT { samples } else { samples * 2 / 5 / 2 * 2 }
 }
 
-/// Power spectral density of `x` [unit], sampled at `rate` [Hz], from segments of `segment` samples.
+/// Power spectral density of `x` [unit], sampled at `rate` \[Hz\], from segments of `segment` samples.
 ///
 /// The end of `x` beyond the last whole segment is not used.
 /// Errors: [`SpectrumError::TooShort`], [`SpectrumError::BadSegment`], [`SpectrumError::BadRate`],
@@ -184,7 +184,7 @@ pub(crate) fn hann(n: usize) -> Vec<f64> {
     (0..n).map(|i| (std::f64::consts::PI * i as f64 / n as f64).sin().powi(2)).collect()
 }
 
-/// The rows of `run` that are evenly spaced samples, and their rate [Hz].
+/// The rows of `run` that are evenly spaced samples, and their rate \[Hz\].
 ///
 /// The last row is left out if the end of the run is not at a multiple of the sampling interval.
 /// Errors: [`SpectrumError::TooShort`], [`SpectrumError::Uneven`].

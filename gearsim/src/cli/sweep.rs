@@ -151,7 +151,7 @@ impl Verb for SweepCommand {
         };
         sweep.run(&todo, threads, |rows| Ok(folder.keep(&rows)?), watch)?;
         drop(bar);
-        let rows = folder.finish()?;
+        let (rows, _) = folder.finish()?;
 
         let threads = threads.get();
         let done = Progress {

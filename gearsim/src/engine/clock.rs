@@ -2,7 +2,7 @@
 
 use xprec::Df64;
 
-/// A time [s].
+/// A time \[s\].
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Clock(pub Df64);
 

@@ -81,7 +81,7 @@ pub struct Search<'a> {
     pub down: f64,
     /// Distance to the upper boundary, >= 0; may be infinite [unit of the signal].
     pub up: f64,
-    /// Only crossings before this time are sought [s].
+    /// Only crossings before this time are sought \[s\].
     pub horizon: f64,
 }
 

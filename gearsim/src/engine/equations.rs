@@ -30,16 +30,16 @@ pub trait Equations: Send + Sync {
     /// Number n of coordinates.
     fn coordinates(&self) -> usize;
 
-    /// Kinetic energy T [J].
+    /// Kinetic energy T \[J\].
     fn kinetic(&self, q: &[f64], q_dot: &[f64]) -> f64;
-    /// Strain energy V [J].
+    /// Strain energy V \[J\].
     fn potential(&self, q: &[f64], k: &[f64]) -> f64;
-    /// Rayleigh's dissipation function D [W]; the dissipated power is 2 D.
+    /// Rayleigh's dissipation function D \[W\]; the dissipated power is 2 D.
     fn dissipation(&self, q: &[f64], q_dot: &[f64], k: &[f64]) -> f64;
 
-    /// Work of external torque `i` over the displacement `dq` [J]; only the part of the torque that does not depend on the state.
+    /// Work of external torque `i` over the displacement `dq` \[J\]; only the part of the torque that does not depend on the state.
     fn torque_work(&self, i: usize, dq: &[f64]) -> f64;
-    /// Power of external torque `i` at a state [W]; only the part of the torque that depends on the state.
+    /// Power of external torque `i` at a state \[W\]; only the part of the torque that depends on the state.
     fn torque_power(&self, _i: usize, _q: &[f64], _q_dot: &[f64], _k: &[f64]) -> f64 {
         0.0
     }
@@ -55,11 +55,11 @@ pub trait Equations: Send + Sync {
     fn write_outputs(&self, which: &[usize], q: &[f64], q_dot: &[f64], k: &[f64], known: &Known, values: &mut [f64]) {
         which.iter().zip(values).for_each(|(&i, value)| *value = self.output(i, q, q_dot, k, known));
     }
-    /// Net work of all external torques over the displacement `dq` [J]; only the parts that do not depend on the state. Torques
+    /// Net work of all external torques over the displacement `dq` \[J\]; only the parts that do not depend on the state. Torques
     /// in balance cancel.
     fn work(&self, dq: &[f64]) -> f64;
 
-    /// Writes the generalised forces F of M q'' = F [SI] to `force` (n), with the centrifugal and gyroscopic forces of an M that depends
+    /// Writes the generalised forces F of M q'' = F \[SI\] to `force` (n), with the centrifugal and gyroscopic forces of an M that depends
     /// on q. `dk` = dk/ds are the slopes of the laws along their phases.
     fn write_force(&self, q: &[f64], q_dot: &[f64], k: &[f64], dk: &[f64], force: &mut [f64]);
     /// The generalised forces F (n), see [`Equations::write_force`].
@@ -68,7 +68,7 @@ pub trait Equations: Send + Sync {
         self.write_force(q, q_dot, k, dk, &mut force);
         force
     }
-    /// Accelerations q'' = M⁻¹F [SI] (n). Code that needs them often should keep a constant M⁻¹ instead.
+    /// Accelerations q'' = M⁻¹F \[SI\] (n). Code that needs them often should keep a constant M⁻¹ instead.
     fn acceleration(&self, q: &[f64], q_dot: &[f64], k: &[f64], dk: &[f64]) -> Vector {
         &self.mobility(q) * &self.force(q, q_dot, k, dk)
     }
@@ -124,7 +124,7 @@ pub trait Equations: Send + Sync {
     fn direction(&self, law: usize, q: &[f64]) -> Vector {
         direction(&self.mass(q), &self.normal(law))
     }
-    /// dV = V(far side) - V(near side) at the same q, for a step `dk` of law `i` [J].
+    /// dV = V(far side) - V(near side) at the same q, for a step `dk` of law `i` \[J\].
     fn step(&self, law: usize, q: &[f64], k: &[f64], dk: f64) -> f64;
 
     /// The values of the symbols of switch `i` in a mode; `None` if its effect is not in the set.

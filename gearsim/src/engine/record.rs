@@ -98,9 +98,9 @@ pub struct Recorder<'a> {
     values: Vec<f64>,
     pitch: Vector,
     start: State,
-    /// T + V at the start [J].
+    /// T + V at the start \[J\].
     pub energy_at_start: f64,
-    /// Work of each torque beyond that of a constant one [J] in the next row (n_torques); empty where all are constant.
+    /// Work of each torque beyond that of a constant one \[J\] in the next row (n_torques); empty where all are constant.
     pub beyond: Vec<f64>,
     /// The rows.
     pub trajectory: Trajectory,

@@ -14,7 +14,7 @@ mod placed;
 use xprec::Df64;
 
 use self::geometry::Geometry;
-use self::linear::{Inertias, Linear, Sparse};
+use self::linear::{Balance, Inertias, Linear, Sparse};
 use self::observed::{Observed, Observer, OfPart};
 use self::placed::Placed;
 use crate::engine::equations::{
@@ -116,8 +116,8 @@ impl Assembly {
             }
             geometry::add(&mut mass, &placed.mass(), &placed.matrix);
         }
-        let mut work = Vector::zeros(n);
-        of_torques.iter().for_each(|(_, of)| of.add_to(1.0, &mut work));
+        let mut work = Balance::zero(n);
+        of_torques.iter().for_each(|(_, of)| work.add(1.0, of));
         let sum = |mut parts: Vec<OfPart>| match parts.len() {
             1 => Observed::One(parts.remove(0)),
             _ => Observed::Sum(parts),
@@ -138,7 +138,7 @@ impl Assembly {
             switches,
             deflections,
             torques: of_torques,
-            work: Sparse::of(work.iter().copied()),
+            work: Sparse::of(work.total().iter().copied()),
             outputs: observed,
             mobility: mobility(&mass),
             mass,
@@ -164,11 +164,12 @@ impl Assembly {
 
     /// The sum of the constant loads of `parts`.
     fn load_of<'a>(&self, parts: impl Iterator<Item = &'a Placed>, k: &[f64]) -> Vector {
-        parts.fold(Vector::zeros(self.n), |mut sum, p| {
+        let mut sum = Balance::zero(self.n);
+        for p in parts {
             let own = p.equations.load(&p.values(k));
-            p.rows.iter().zip(own.iter()).for_each(|(row, f)| row.add_to(*f, &mut sum));
-            sum
-        })
+            p.rows.iter().zip(own.iter()).for_each(|(row, f)| sum.add(*f, row));
+        }
+        sum.total()
     }
 }
 

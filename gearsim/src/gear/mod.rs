@@ -28,7 +28,5 @@ pub use iso6336::{Iso6336, LINE_LOADS};
 pub use mesh_stiffness::{CellShape, StiffnessMethod};
 #[cfg(feature = "html")]
 pub use outline::Outlines;
-#[cfg(feature = "html")]
-pub use pair::Contact;
-pub use pair::{GearError, Gears, Material};
+pub use pair::{Contact, GearError, Gears, Material};
 pub use recent::{friction, stiffness};

@@ -28,34 +28,34 @@ pub struct Gears {
     pub teeth: [f64; 2],
     /// Whether the second gear is a ring with internal teeth.
     pub internal: bool,
-    /// Normal module [m].
+    /// Normal module \[m\].
     pub module: f64,
-    /// Pressure angle of the basic rack, in the normal section [rad].
+    /// Pressure angle of the basic rack, in the normal section \[rad\].
     pub pressure_angle: f64,
-    /// Helix angle at the reference cylinder, 0 of spur gears [rad].
+    /// Helix angle at the reference cylinder, 0 of spur gears \[rad\].
     pub helix_angle: f64,
-    /// Addendum [modules], without the profile shift.
+    /// Addendum \[modules\], without the profile shift.
     pub addendum: [f64; 2],
-    /// Dedendum [modules], without the profile shift.
+    /// Dedendum \[modules\], without the profile shift.
     pub dedendum: [f64; 2],
-    /// Tip radius of the basic rack, which cuts the fillet [modules].
+    /// Tip radius of the basic rack, which cuts the fillet \[modules\].
     pub fillet: f64,
-    /// Profile shift [modules].
+    /// Profile shift \[modules\].
     pub profile_shift: [f64; 2],
-    /// Centre distance [m]; `None`: the distance without backlash.
+    /// Centre distance \[m\]; `None`: the distance without backlash.
     pub centre_distance: Option<f64>,
-    /// Face width [m].
+    /// Face width \[m\].
     pub face_width: f64,
     /// Material of each gear.
     pub material: [Material; 2],
-    /// Radius of the bore [m]; `None`: not known.
+    /// Radius of the bore \[m\]; `None`: not known.
     pub bore: [Option<f64>; 2],
 }
 
 /// An elastic material.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Material {
-    /// Young's modulus E [Pa].
+    /// Young's modulus E \[Pa\].
     pub young: f64,
     /// Poisson's ratio nu.
     pub poisson: f64,
@@ -85,27 +85,27 @@ impl GearError {
 /// Geometry of the contact of two gears.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Contact {
-    /// Reference radii [m].
+    /// Reference radii \[m\].
     pub reference: [f64; 2],
-    /// Base radii [m].
+    /// Base radii \[m\].
     pub base: [f64; 2],
-    /// Tip radii [m].
+    /// Tip radii \[m\].
     pub tip: [f64; 2],
-    /// Root radii [m].
+    /// Root radii \[m\].
     pub root: [f64; 2],
-    /// Working pressure angle [rad].
+    /// Working pressure angle \[rad\].
     pub angle: f64,
-    /// Centre distance [m].
+    /// Centre distance \[m\].
     pub centre_distance: f64,
-    /// Transverse pressure angle at the reference circle [rad].
+    /// Transverse pressure angle at the reference circle \[rad\].
     pub transverse_angle: f64,
-    /// Base pitch, in the transverse plane [m].
+    /// Base pitch, in the transverse plane \[m\].
     pub base_pitch: f64,
     /// Overlap ratio; 0 of spur gears.
     pub overlap: f64,
-    /// Length of the path of contact before the pitch point [m].
+    /// Length of the path of contact before the pitch point \[m\].
     pub approach: f64,
-    /// Length of the path of contact after the pitch point [m].
+    /// Length of the path of contact after the pitch point \[m\].
     pub recess: f64,
 }
 
@@ -129,7 +129,7 @@ impl Gears {
         }
     }
 
-    /// Transverse module [m] and transverse pressure angle [rad].
+    /// Transverse module \[m\] and transverse pressure angle \[rad\].
     pub fn transverse(&self) -> (f64, f64) {
         let cos = self.helix_angle.cos();
         (self.module / cos, (self.pressure_angle.tan() / cos).atan())
@@ -150,13 +150,13 @@ impl Gears {
         }
     }
 
-    /// Base helix angle [rad]: tan(beta_b) = tan(beta) cos(alpha_t).
+    /// Base helix angle \[rad\]: tan(beta_b) = tan(beta) cos(alpha_t).
     pub fn base_helix_angle(&self) -> f64 {
         let (_, angle) = self.transverse();
         (self.helix_angle.tan() * angle.cos()).atan()
     }
 
-    /// Base radius per tooth, m_t cos(alpha_t)/2 [m]: the length along the line of action per radian of the pitch angle, over the teeth.
+    /// Base radius per tooth, m_t cos(alpha_t)/2 \[m\]: the length along the line of action per radian of the pitch angle, over the teeth.
     pub fn base_radius_per_tooth(&self) -> f64 {
         let (module, angle) = self.transverse();
         module * angle.cos() / 2.0
@@ -277,7 +277,7 @@ impl Contact {
         (ratio.floor() as usize, ratio.fract())
     }
 
-    /// Radii on both gears [m] at which a pair of external teeth touches, at the distance `x` [m] beyond the pitch point.
+    /// Radii on both gears \[m\] at which a pair of external teeth touches, at the distance `x` \[m\] beyond the pitch point.
     pub fn radii(&self, x: f64) -> [f64; 2] {
         let tangent = self.base.map(|r| r * self.angle.tan());
         [(self.base[0], tangent[0] + x), (self.base[1], tangent[1] - x)].map(|(b, t)| b.hypot(t))

@@ -79,7 +79,7 @@ pub struct Advice {
     pub no_orbit: Option<String>,
     /// What each candidate comes to.
     pub verdicts: Vec<Verdict>,
-    /// Processor time of the scene [s].
+    /// Processor time of the scene \[s\].
     pub seconds: f64,
     /// The frequency bands in which spectra are compared.
     pub bands: Bands,
@@ -89,7 +89,7 @@ pub struct Advice {
     pub refuted: Option<Account>,
     /// Number of reflections in its run.
     pub reflections: u64,
-    /// End of its run [s].
+    /// End of its run \[s\].
     pub t_end: f64,
 }
 

@@ -17,7 +17,7 @@ impl Scene {
         self.modes_at(&levels)
     }
 
-    /// The same of the cell with the stiffnesses `levels` [SI], in the order of the model's laws.
+    /// The same of the cell with the stiffnesses `levels` \[SI\], in the order of the model's laws.
     ///
     /// # Errors
     /// As [`Scene::modes`].
@@ -47,7 +47,7 @@ impl Scene {
     }
 
     /// Accelerations at a state [SI/s^2], in the order of the coordinates: to check a model against equations written by hand. `laws` are
-    /// the values of the model's laws [SI]; laws that are left out are 0. Switches are as without their effects: every play is closed.
+    /// the values of the model's laws \[SI\]; laws that are left out are 0. Switches are as without their effects: every play is closed.
     ///
     /// # Errors
     /// If the effects of the scene contradict one another, or a length does not match the model.

@@ -52,7 +52,7 @@ impl Scene {
     }
 
     /// The same scene with another value, as by the option `--set` of the command line. `key` is a key with its tables,
-    /// `parameters.T0` or `laws.k.steps.0.value`. `value` is a number [SI], a text with a unit, or anything else in TOML ([`Value`]).
+    /// `parameters.T0` or `laws.k.steps.0.value`. `value` is a number \[SI\], a text with a unit, or anything else in TOML ([`Value`]).
     ///
     /// # Errors
     /// If there is no such key, or the value is not valid for it.

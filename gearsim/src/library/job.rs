@@ -4,9 +4,9 @@ use std::num::NonZeroUsize;
 use std::ops::{ControlFlow, Range};
 use std::path::Path;
 
-use super::{Error, provenance};
+use super::{Error, packed, provenance};
 use crate::known;
-use crate::output::{Table, parquet};
+use crate::output::Table;
 use crate::sweep::answers::{Block, sensitivity, statistics};
 use crate::sweep::folder::{self, Folder};
 use crate::sweep::manifest::Layout;
@@ -27,7 +27,6 @@ pub struct Rows(Vec<Row>);
 /// The folder of a sweep under way: what is finished stays there, also if the program ends.
 pub struct Gathering {
     folder: Folder,
-    layout: Layout,
 }
 
 impl Job {
@@ -111,28 +110,16 @@ impl Job {
         Ok(rows.into_iter().map(|row| (row.point, row)).collect())
     }
 
-    /// Rows as bytes, to be sent elsewhere: a Parquet file with a checksum.
+    /// Rows as bytes, to be sent to the process that gathers them ([`Gathering::keep_packed`]): the file of a part, with a checksum.
     ///
     /// # Errors
     /// As [`Job::table`].
     pub fn pack(&self, rows: &Rows) -> Result<Vec<u8>, Error> {
-        let (table, mut bytes) = (self.table(rows)?, vec![]);
-        parquet::write(&table, [("scene_sha256", self.manifest.scene_sha256.as_str())], &mut bytes)?;
-        Ok(bytes)
-    }
-
-    /// The rows in bytes of [`Job::pack`].
-    ///
-    /// # Errors
-    /// If the bytes are damaged, or those of another sweep.
-    pub fn unpack(&self, bytes: Vec<u8>) -> Result<Rows, Error> {
-        let (table, provenance) = parquet::read_bytes(bytes)?;
-        let ours =
-            provenance.iter().any(|(name, value)| name == "scene_sha256" && *value == self.manifest.scene_sha256);
-        let rows = row::read(&table, &self.layout.columns).filter(|_| ours);
-        rows.map(Rows).ok_or_else(|| {
-            Error::impossible("these rows are those of another sweep", "unpack rows with the job that packed them")
-        })
+        let mut rows: Vec<&Row> = rows.0.iter().collect();
+        rows.sort_by_key(|row| row.point);
+        let first = rows.first().map_or(0, |row| row.point);
+        let file = folder::table_in_bytes(&self.manifest, &self.layout, &rows)?;
+        Ok(packed::pack(&self.manifest, first, &file)?)
     }
 
     /// Opens the folder of the sweep, as `gearsim sweep --out` does. It may hold finished points of an earlier run of the same sweep.
@@ -141,7 +128,7 @@ impl Job {
     /// If it holds another sweep, if another process writes to it, or if it cannot be written to.
     pub fn gather(&self, folder: impl AsRef<Path>) -> Result<Gathering, Error> {
         let folder = Folder::open(folder.as_ref(), self.manifest.clone(), self.layout.clone())?;
-        Ok(Gathering { folder, layout: self.layout.clone() })
+        Ok(Gathering { folder })
     }
 
     /// The points that are not in the folder yet, as ranges of at most `most` points.
@@ -170,15 +157,24 @@ impl Gathering {
         Ok(self.folder.keep(&rows.0)?)
     }
 
+    /// Writes rows that [`Job::pack`] has packed, perhaps on another machine. They are not unpacked: of short runs that would take a
+    /// twentieth of the time of the run.
+    ///
+    /// # Errors
+    /// If the bytes are damaged, are those of another sweep, or cannot be written.
+    pub fn keep_packed(&mut self, bytes: &[u8]) -> Result<(), Error> {
+        let (first, file) = packed::unpack(self.folder.manifest(), bytes)?;
+        Ok(self.folder.keep_bytes(first, file)?)
+    }
+
     /// Joins all rows to the file `sweep.parquet`, whose bytes depend on the sweep alone, and returns their table.
     ///
     /// # Errors
     /// If a file cannot be read or written.
     pub fn finish(self) -> Result<Table, Error> {
         let path = self.folder.path().to_owned();
-        let rows = self.folder.finish()?;
+        let (_, table) = self.folder.finish()?;
         folder::end(&path)?;
-        let Layout { plan, columns, units, .. } = &self.layout;
-        Ok(row::table(plan, columns, units, &rows.values().collect::<Vec<_>>())?)
+        Ok(table)
     }
 }

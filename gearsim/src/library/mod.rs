@@ -26,6 +26,7 @@ mod gallery;
 #[cfg(feature = "html")]
 pub(crate) mod interrupt;
 mod job;
+mod packed;
 pub(crate) mod provenance;
 mod results;
 mod starter;

@@ -79,7 +79,7 @@ impl Results {
         &self.outcome.trajectory
     }
 
-    /// A recorded column by the name that it has in files, e.g. `t`, `theta1_dot`, `mesh_force_12`, `kinetic` [SI]; one number a row.
+    /// A recorded column by the name that it has in files, e.g. `t`, `theta1_dot`, `mesh_force_12`, `kinetic` \[SI\]; one number a row.
     ///
     /// # Errors
     /// If there is no such column; the text names those that there are.

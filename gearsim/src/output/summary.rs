@@ -39,15 +39,15 @@ pub struct Summary {
     pub model: String,
     /// Names of the scene's effects.
     pub effects: Vec<String>,
-    /// Time reached [s]; less than the scene's `t_end` if the run stopped early.
+    /// Time reached \[s\]; less than the scene's `t_end` if the run stopped early.
     pub t_end: Number,
-    /// Coordinates and speeds at the end, unwrapped [SI]: `theta`, `theta_dot`, ... in the order of the model.
+    /// Coordinates and speeds at the end, unwrapped \[SI\]: `theta`, `theta_dot`, ... in the order of the model.
     pub state: Named,
     /// Number of cell changes.
     pub cell_changes: u64,
     /// Number of reflections.
     pub reflections: u64,
-    /// Energies at the end [J].
+    /// Energies at the end \[J\].
     pub energy: Energy,
     /// Statistics of the recorded outputs, by name.
     pub outputs: IndexMap<String, Observed>,
@@ -61,7 +61,7 @@ pub struct Summary {
     pub load_spectra: IndexMap<String, LoadSpectrum>,
     /// Signals written as sound, by name.
     pub sounds: IndexMap<String, Sound>,
-    /// Share of the run's time in each mode of each switch: `over12`, `free` [1].
+    /// Share of the run's time in each mode of each switch: `over12`, `free` \[1\].
     pub modes: BTreeMap<String, Named>,
     /// The method that solved it.
     pub method: Method,
@@ -71,7 +71,7 @@ pub struct Summary {
     pub digits: Option<Digits>,
     /// Notes that a reader of the numbers needs, one sentence each.
     pub remarks: Vec<String>,
-    /// Processor time of the simulation, including the recording [s].
+    /// Processor time of the simulation, including the recording \[s\].
     pub cpu_seconds: Number,
     /// Whether the run reached the scene's `t_end`.
     pub completed: bool,
@@ -79,7 +79,7 @@ pub struct Summary {
     pub stopped_by: Option<String>,
     /// Why the result is wrong, by its energy account; `null` if the account closes.
     pub refuted: Option<String>,
-    /// Parameter values [SI], in the order of the model.
+    /// Parameter values \[SI\], in the order of the model.
     pub parameters: Named,
     /// Why a number is `null`, by the path of the number: `parameters.b`.
     pub missing: BTreeMap<String, String>,
@@ -89,7 +89,7 @@ pub struct Summary {
     pub provenance: Provenance,
 }
 
-/// The energy account at the end of a run [J].
+/// The energy account at the end of a run \[J\].
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Energy {
@@ -115,7 +115,7 @@ pub struct Energy {
 pub struct Digits {
     /// Digits left at the end, of the worst coordinate or speed: 0 to 16.
     pub at_end: Number,
-    /// Time from which on no digits are left [s]; `null` if some are left to the end. After this time the state is one of many.
+    /// Time from which on no digits are left \[s\]; `null` if some are left to the end. After this time the state is one of many.
     pub none_from: Option<Number>,
 }
 
@@ -149,7 +149,7 @@ pub struct Counts {
     pub impacts: u64,
     /// Number of times that dry friction brought a motion to rest, or a clutch locked.
     pub sticks: u64,
-    /// Energy of the bounces that were ignored when phases were held [J]; the residual counts it as lost.
+    /// Energy of the bounces that were ignored when phases were held \[J\]; the residual counts it as lost.
     pub ignored: Number,
     /// Number of times that two phases met steps at the same instant and the order changed the result, which is then one of several.
     pub ambiguous: u64,

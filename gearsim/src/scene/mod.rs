@@ -63,8 +63,8 @@ mod train;
 mod transmission_error;
 pub(crate) mod unit;
 
-pub use crate::gear::Gears;
-pub use crate::profile::{Profile, Step};
+pub use crate::gear::{Contact, GearError, Gears, Material};
+pub use crate::profile::{Curve, Profile, Step};
 #[cfg(feature = "html")]
 pub(crate) use gear_data::of_mesh;
 pub(crate) use key_unit::unit_of;
@@ -111,7 +111,7 @@ pub struct Scene {
     pub train: Option<Arc<Train>>,
     /// Active effects.
     pub effects: Effects,
-    /// Parameter values [SI], in the order of `model.parameters`; for a parameter that varies in time, its value at t = 0.
+    /// Parameter values \[SI\], in the order of `model.parameters`; for a parameter that varies in time, its value at t = 0.
     pub parameters: Vec<f64>,
     /// Parameters that vary in time: index into `model.parameters`, and the value over time.
     pub time_histories: Vec<(usize, TimeHistory)>,
@@ -121,7 +121,7 @@ pub struct Scene {
     pub gears: Vec<Option<Gears>>,
     /// State at t = 0.
     pub start: InitialState,
-    /// End time of the run [s]; infinite in a scene without `[run]`, which has modes and multipliers, but no run.
+    /// End time of the run \[s\]; infinite in a scene without `[run]`, which has modes and multipliers, but no run.
     pub t_end: f64,
     /// Method, tolerance and precision.
     pub solver: Solver,
@@ -172,9 +172,9 @@ pub struct Effects(pub u64);
 pub struct InitialState {
     /// Coordinates, in the order of `model.coordinates`.
     pub q: Vec<Start>,
-    /// Speeds [SI]; `None` where the scene states none: the speed is then that of the rigid motions, which may be 0.
+    /// Speeds \[SI\]; `None` where the scene states none: the speed is then that of the rigid motions, which may be 0.
     pub q_dot: Vec<Option<f64>>,
-    /// Speeds of the rigid motions [SI], in the order of `model.motions`; 0 where the scene states none.
+    /// Speeds of the rigid motions \[SI\], in the order of `model.motions`; 0 where the scene states none.
     pub motions: Vec<f64>,
 }
 

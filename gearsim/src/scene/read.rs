@@ -27,7 +27,7 @@ impl Scene {
         Template::parse(name, source_name, text, overrides)?.scene(&[], models)
     }
 
-    /// Value [SI] of the parameter with this name; `None` if the model does not have it.
+    /// Value \[SI\] of the parameter with this name; `None` if the model does not have it.
     pub fn parameter(&self, name: &str) -> Option<f64> {
         let index = self.model.parameters.iter().position(|parameter| parameter.name == name)?;
         self.parameters.get(index).copied()

@@ -70,7 +70,7 @@ pub struct Reference {
     /// Its value \[SI\].
     pub value: f64,
     /// Its dimension: it is the reference of signals of this dimension.
-    pub dimension: Dimension,
+    pub(crate) dimension: Dimension,
 }
 
 /// Default references of signals, by unit. For other units the reference is 1 in the SI unit.

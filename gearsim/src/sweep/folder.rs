@@ -88,26 +88,44 @@ impl Folder {
     /// # Errors
     /// Those of writing the files.
     pub fn keep(&mut self, rows: &[Row]) -> Result<(), OutputError> {
-        let rows: Rows = rows.iter().map(|row| (row.point, row.clone())).collect();
-        let Some(first) = rows.keys().next() else { return Ok(()) };
-        // No other part has this point, so the name is free.
-        let name = format!("{first:08}.parquet");
-        let names = (&*format!("rows-{name}"), &*format!("spectra-{name}"));
-        write(&mut self.parts, names, &self.manifest, &self.layout, &rows)
+        let mut rows: Vec<&Row> = rows.iter().collect();
+        rows.sort_by_key(|row| row.point);
+        let Some(first) = rows.first() else { return Ok(()) };
+        let names = (&*part("rows", first.point), &*part("spectra", first.point));
+        write(&mut self.parts, names, &self.manifest, &self.layout, &rows).map(drop)
     }
 
-    /// Joins the parts to one file and removes them. The folder says that it is incomplete until [`end`].
+    /// Writes a part from the bytes of its file, as [`table_in_bytes`] has them; `first` is its first point.
+    ///
+    /// # Errors
+    /// Those of writing the file.
+    pub fn keep_bytes(&mut self, first: usize, bytes: &[u8]) -> Result<(), OutputError> {
+        self.parts.write_bytes(&part("rows", first), bytes)
+    }
+
+    /// The manifest of the sweep.
+    pub fn manifest(&self) -> &Manifest {
+        &self.manifest
+    }
+
+    /// Joins the parts to one file and removes them; returns the rows, and their table. The folder says that it is incomplete until [`end`].
     ///
     /// # Errors
     /// Those of reading and writing the files. The parts are kept then.
-    pub fn finish(self) -> Result<Rows, OutputError> {
+    pub fn finish(self) -> Result<(Rows, Table), OutputError> {
         let rows = self.rows()?;
         let mut folder = WholeFiles::create(&self.path)?;
-        write(&mut folder, (ROWS, SPECTRA), &self.manifest, &self.layout, &rows)?;
+        let ordered: Vec<&Row> = rows.values().collect();
+        let table = write(&mut folder, (ROWS, SPECTRA), &self.manifest, &self.layout, &ordered)?;
         let parts = self.path.join(PARTS);
         std::fs::remove_dir_all(&parts).map_err(|source| OutputError::Write { path: parts, source })?;
-        Ok(rows)
+        Ok((rows, table))
     }
+}
+
+/// Name of the file of the part whose first point is `first`. No other part has this point, so that the name is free.
+fn part(prefix: &str, first: usize) -> String {
+    format!("{prefix}-{first:08}.parquet")
 }
 
 /// Says that the folder at `path` is incomplete.
@@ -189,31 +207,47 @@ fn read(file: &Path, manifest: &Manifest) -> Result<Option<Table>, OutputError> 
     Ok(ours.then_some(table))
 }
 
-/// Writes rows to the file `rows_name`, and their spectra, if the manifest asks for them, to `spectra_name`. The spectra are written
-/// first, so that a row on disk always has its spectra.
+/// Writes rows in the order of their points to the file `rows_name`, and their spectra, if the manifest asks for them, to `spectra_name`.
+/// The spectra are written first, so that a row on disk always has its spectra. Returns the table of the rows.
 pub(super) fn write(
     folder: &mut WholeFiles,
     (rows_name, spectra_name): (&str, &str),
     manifest: &Manifest,
     layout: &Layout,
-    rows: &Rows,
-) -> Result<(), OutputError> {
+    rows: &[&Row],
+) -> Result<Table, OutputError> {
     let json = manifest.json()?;
-    let provenance = [
-        ("program", manifest.program.as_str()),
+    if manifest.spectra {
+        let table = spectra::table(rows.iter().map(|row| (row.point, row.spectra.as_slice())))?;
+        folder.write(spectra_name, |sink| parquet::write(&table, provenance(manifest, &json), sink))?;
+    }
+    let table = row::table(&layout.plan, &layout.columns, &layout.units, rows)?;
+    folder.write(rows_name, |sink| parquet::write(&table, provenance(manifest, &json), sink))?;
+    Ok(table)
+}
+
+/// The bytes of the file of a part with these rows, of a sweep without spectra. The rows are in the order of their points.
+///
+/// # Errors
+/// [`OutputError::Format`].
+pub fn table_in_bytes(manifest: &Manifest, layout: &Layout, rows: &[&Row]) -> Result<Vec<u8>, OutputError> {
+    let (json, mut bytes) = (manifest.json()?, vec![]);
+    let table = row::table(&layout.plan, &layout.columns, &layout.units, rows)?;
+    parquet::write(&table, provenance(manifest, &json), &mut bytes)?;
+    Ok(bytes)
+}
+
+/// The metadata of a file of rows; `json` is the manifest as text.
+fn provenance<'a>(manifest: &'a Manifest, json: &'a str) -> [(&'static str, &'a str); 7] {
+    [
+        ("program", &manifest.program),
         ("version", &manifest.program_version),
         ("commit", manifest.commit.as_deref().unwrap_or_default()),
         ("scene", &manifest.scene),
         ("scene_sha256", &manifest.scene_sha256),
         ("model", &manifest.model),
-        (PROVENANCE, &json),
-    ];
-    if manifest.spectra {
-        let table = spectra::table(rows.values().map(|row| (row.point, row.spectra.as_slice())))?;
-        folder.write(spectra_name, |sink| parquet::write(&table, provenance, sink))?;
-    }
-    let table = row::table(&layout.plan, &layout.columns, &layout.units, &rows.values().collect::<Vec<_>>())?;
-    folder.write(rows_name, |sink| parquet::write(&table, provenance, sink))
+        (PROVENANCE, json),
+    ]
 }
 
 /// The names of the files in a folder, sorted; empty if the folder does not exist.

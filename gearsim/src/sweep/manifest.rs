@@ -55,7 +55,7 @@ pub struct Manifest {
     pub seed: u64,
     /// Number of points.
     pub points: usize,
-    /// Start of the time span over which extremes and spectra are computed [s].
+    /// Start of the time span over which extremes and spectra are computed \[s\].
     pub from: Number,
     /// Names of the groups of quantities that are recorded.
     pub record: Vec<String>,

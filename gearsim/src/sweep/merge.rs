@@ -87,7 +87,8 @@ pub fn write(out: &Path, manifest: &Manifest, layout: &Layout, rows: &Rows) -> R
     folder.clear_leftovers();
     folder::begin(out)?;
     folder.write_bytes(manifest::FILE, manifest.json()?.as_bytes())?;
-    Ok(folder::write(&mut folder, (ROWS, SPECTRA), manifest, layout, rows)?)
+    folder::write(&mut folder, (ROWS, SPECTRA), manifest, layout, &rows.values().collect::<Vec<_>>())?;
+    Ok(())
 }
 
 /// Ascending numbers as ranges: `3, 7-9`.

@@ -49,13 +49,13 @@ pub struct Response {
 pub struct Point {
     /// Whether the value was reached from below.
     pub upward: bool,
-    /// The value of the varied key [SI].
+    /// The value of the varied key \[SI\].
     pub value: f64,
-    /// The mean speed of the varied motion, or of the model's first one, over the measured time [SI]; NaN if it has none.
+    /// The mean speed of the varied motion, or of the model's first one, over the measured time \[SI\]; NaN if it has none.
     pub speed: f64,
     /// Relative change of this speed over the measured time \[1\], without its oscillation; NaN if the model has no motion.
     pub drift: f64,
-    /// The value of the parameter that holds the speed [SI]; NaN if no parameter holds it.
+    /// The value of the parameter that holds the speed \[SI\]; NaN if no parameter holds it.
     pub hold: f64,
     /// What was measured; `None` if there is no result.
     pub span: Option<Span>,

@@ -90,3 +90,7 @@ pub const INDEPENDENT: f64 = 1e-9;
 /// A factor of a coordinate in a deflection of a train is zero if it is less than this part of the terms that it is the sum of \[1\]: some
 /// hundred rounding errors, since the companion run changes radii by a few.
 pub const CANCELLED: f64 = 1e-13;
+
+/// Constant forces along a coordinate of a train are in balance if their sum is less than this part of the sum of their sizes \[1\]: some
+/// twenty rounding errors, those of the ratios along which they act. The phase of a mesh is then free of acceleration, as in a derived model.
+pub const BALANCED: f64 = 5e-15;

@@ -2,9 +2,9 @@
 
 use std::f64::consts::{PI, TAU};
 
-use gearsim::__private::{Inside, Motion};
+use gearsim::__private::{Inside, Motion, linear};
 use gearsim::analysis::floquet::{Floquet, Verdict};
-use gearsim::analysis::modes;
+use gearsim::analysis::modes::CellModes;
 use gearsim::model::Start;
 use gearsim::run::Entry;
 use gearsim::scene::Scene;
@@ -18,10 +18,13 @@ const LINKAGE: Entry = Entry::new::<linkage::Linkage>();
 
 const G: f64 = 9.81;
 
-fn cell(entry: &Entry, scene: &Scene) -> (modes::CellModes, Motion) {
+fn cell(entry: &Entry, scene: &Scene) -> (CellModes, Motion) {
     let system = entry.about_steady_motion(scene).unwrap();
     let levels: Vec<f64> = scene.stiffnesses().map(|(_, law)| law.mid()).collect();
-    (modes::of(&system, &levels, &modes::Parts::default()).unwrap(), system.steady().expect("M depends on q").motion)
+    (
+        linear::modes(&system, &levels, &linear::Parts::default()).unwrap(),
+        system.steady().expect("M depends on q").motion,
+    )
 }
 
 /// omega² = g/l, from a start at which the pendulum hangs, and from one at which it does not.
@@ -93,7 +96,7 @@ fn a_vibration_that_the_crank_does_not_reach_keeps_its_multipliers() {
                 l_p = \"200 mm\"\nm_p = \"4 kg\"\n[laws.k]\nsteps = [{ value = \"40 N*m/rad\", width = \"0.5 rad\" }, { value = \"40 N*m/rad\" }]\n\
                 [start]\nspeed = \"50 rad/s\"\n[run]\nt_end = \"1 s\"\n";
     let scene = scene(&LINKAGE, text, &[]);
-    let floquet = Floquet::of(&scene, &LINKAGE.about_steady_motion(&scene).unwrap()).unwrap();
+    let floquet = linear::floquet(&scene, &LINKAGE.about_steady_motion(&scene).unwrap()).unwrap();
     let orbit = floquet.orbit.as_ref().expect("the inertia changes");
     let omega = (40.0f64 / 0.1).sqrt();
     let expected = Complex::new(0.0, omega * floquet.period).exp();
@@ -191,7 +194,7 @@ fn multipliers_are_those_of_the_flow_of_dop853() {
         let all: Vec<String> = set.iter().chain(&steps).map(|s| s.to_string()).collect();
         let scene = common::scene(name, &all);
         let entry = common::model(name);
-        let floquet = Floquet::of(&scene, &entry.about_steady_motion(&scene).unwrap()).unwrap();
+        let floquet = linear::floquet(&scene, &entry.about_steady_motion(&scene).unwrap()).unwrap();
         let orbit = floquet.orbit.as_ref().expect("the inertia changes");
         let start: Vec<f64> = orbit.start.concat();
         let [end, rate] = flow(entry, &scene, &start, floquet.period);
@@ -265,7 +268,7 @@ fn multipliers_behind_a_joint_are_those_of_hand_written_equations() {
         ];
         let scene = common::scene("cardan_drive", &all);
         let entry = common::model("cardan_drive");
-        let floquet = Floquet::of(&scene, &entry.about_steady_motion(&scene).unwrap()).unwrap();
+        let floquet = linear::floquet(&scene, &entry.about_steady_motion(&scene).unwrap()).unwrap();
         let orbit = floquet.orbit.as_ref().expect("the inertia changes");
         let h = r1 / n1;
         let rotations = |q: &[f64]| [(q[0] + q[1] / (2.0 * h)) / n1, (q[0] - q[1] / (2.0 * h)) / n2];

@@ -83,6 +83,21 @@ fn chains_and_branches() {
     assert!(BRANCHES.compare(&[]) < 1e-11);
 }
 
+/// Torques in balance cancel exactly: the phase of the mesh is then not accelerated, and the fast kernel passes its steps, as in the derived
+/// model.
+#[test]
+fn a_pair_in_balance_takes_as_many_evaluations_as_its_derived_model() {
+    for numbers in [
+        &[][..],
+        &["parameters.N1=23", "parameters.N2=97", "parameters.T_motor=\"230 N*m\"", "parameters.T_load=\"970 N*m\""],
+    ] {
+        let overrides = [&["run.t_end=\"50 ms\""], numbers].concat();
+        let [derived, listed] = SHAFTS.scenes(&overrides).map(|scene| common::run(&scene).counts);
+        let [most, found] = [derived.cost.evaluations, listed.cost.evaluations].map(|n| n as f64);
+        assert!(derived.cell_changes > 20 && found <= 1.1 * most, "{overrides:?}: {found} evaluations, derived {most}");
+    }
+}
+
 const BACKLASH: &str = "parameters.b12=\"0.1 mm\"";
 const ERROR: &str = "laws.e12={steps=[{value=\"8 um\",width=\"2 rad\"},{value=\"-3 um\"}]}";
 

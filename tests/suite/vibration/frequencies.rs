@@ -3,9 +3,9 @@
 //! Source: M. I. Friswell, J. E. T. Penny, S. D. Garvey & A. W. Lees, Dynamics of Rotating Machines, Cambridge 2010,
 //! Chapter 9.
 
+use gearsim::__private::linear::{self, Mass, Parts};
 use gearsim::__private::{Inside, Matrices};
-use gearsim::analysis::modes::masses::Mass;
-use gearsim::analysis::modes::{self, CellModes, Parts};
+use gearsim::analysis::modes::CellModes;
 use nalgebra::{DMatrix, DVector};
 
 use crate::models::{DAMPERS, scene};
@@ -33,7 +33,7 @@ fn of(inertias: &[f64], shafts: &[(usize, usize, f64)]) -> CellModes {
         stiffness,
         load: DVector::zeros(n),
     };
-    modes::of_matrices(&matrices, &[], &[], &parts).expect("discs on shafts have modes")
+    linear::modes_of(&matrices, &parts).expect("discs on shafts have modes")
 }
 
 /// Checks frequencies against their printed values, to half a unit in the last digit.
@@ -75,8 +75,8 @@ fn damped_modes_are_eigenvectors_of_the_quadratic_pencil() {
     use nalgebra::Complex;
     let scene = scene("parameters = { c1 = \"0.4 N*m*s\", c2 = \"0.3 N*m*s\" }\nrun.t_end = \"1 s\"");
     let system = DAMPERS.system(&scene).expect("a linear model");
-    let parts = Parts::of(&scene, &DAMPERS, &system).expect("it has springs");
-    let cell = modes::of(&system, &[5.0], &parts).expect("it has modes");
+    let parts = linear::parts(&scene, &DAMPERS, &system).expect("it has springs");
+    let cell = linear::modes(&system, &[5.0], &parts).expect("it has modes");
     assert!(cell.coupled);
     let m = system.matrices(&[5.0]).expect("matrices");
     let mut oscillating = 0;

@@ -1,6 +1,6 @@
 //! Parametric instability: independently computed boundaries, and Floquet multipliers compared with 50 digits.
 
-use gearsim::__private::Inside;
+use gearsim::__private::{Inside, linear};
 use gearsim::analysis::floquet::{Aperiodic, Floquet, FloquetError, Verdict};
 use gearsim::scene::Scene;
 use gearsim_tests::precise::number::{Real, Scalar};
@@ -21,9 +21,9 @@ fn pair(base: &Scene, zeta: f64, ratio: f64) -> Floquet {
     scene.parameters[of("zeta")] = zeta * (law.mean() / law.mid()).sqrt();
     scene.start.motions = vec![0.0; scene.start.motions.len()];
     scene.start.q_dot[0] = Some(1.0);
-    let natural = Floquet::of(&scene, &system(&scene)).expect("a system with multipliers").natural;
+    let natural = linear::floquet(&scene, &system(&scene)).expect("a system with multipliers").natural;
     scene.start.q_dot[0] = Some(ratio * natural * std::f64::consts::TAU);
-    Floquet::of(&scene, &system(&scene)).expect("a system with multipliers")
+    linear::floquet(&scene, &system(&scene)).expect("a system with multipliers")
 }
 
 fn base() -> Scene {
@@ -100,7 +100,7 @@ fn multipliers_with_coupled_damping_agree_with_the_matrix_exponential() {
             "parameters = {{ c1 = \"{c1:?} N*m*s\", c2 = \"{c2:?} N*m*s\" }}\nstart.speed = \"{speed:?} rad/s\"\nrun.t_end = \"1 s\""
         ));
         let system = DAMPERS.system(&scene).expect("a linear model");
-        let floquet = Floquet::of(&scene, &system).expect("a system with multipliers");
+        let floquet = linear::floquet(&scene, &system).expect("a system with multipliers");
         assert_eq!(floquet.rigid, 0);
         assert!((floquet.period - 1.0 / speed).abs() < 1e-15);
         let steps = [(LEVELS[0], FIRST_ENDS), (LEVELS[1], 1.0 - FIRST_ENDS)];
@@ -131,7 +131,7 @@ fn multipliers_with_coupled_damping_agree_with_the_matrix_exponential() {
 fn a_system_that_is_not_periodic_is_refused() {
     let refused = |base: &Scene| {
         let system = common::model("gear_pair").system(base).expect("the gear pair is linear");
-        Floquet::of(base, &system).expect_err("no period")
+        linear::floquet(base, &system).expect_err("no period")
     };
     let still = common::scene("oh2005/energy_300rpm", &["start.speed=0 rpm".into()]);
     assert_eq!(refused(&still), FloquetError::Aperiodic(Aperiodic::Still { law: "k" }));

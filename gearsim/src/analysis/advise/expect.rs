@@ -102,7 +102,7 @@ pub(crate) fn short_run(scene: &Scene, mesh: f64) -> f64 {
 }
 
 impl Apart {
-    /// The deviation over a duration `long` [s], extrapolated from that over `short` [s]: those of speed and energy grow in proportion,
+    /// The deviation over a duration `long` \[s\], extrapolated from that over `short` \[s\]: those of speed and energy grow in proportion,
     /// the others stay the same.
     pub fn over(self, short: f64, long: f64) -> Apart {
         let more = long / short;

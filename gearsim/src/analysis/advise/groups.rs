@@ -11,7 +11,7 @@ use crate::scene::Scene;
 pub struct Groups {
     /// The groups of every law that steps.
     pub meshes: Vec<Mesh>,
-    /// Damped natural frequency [Hz] and damping factor of each mode at the mid stiffness, by ascending frequency.
+    /// Damped natural frequency \[Hz\] and damping factor of each mode at the mid stiffness, by ascending frequency.
     pub modes: Vec<(f64, f64)>,
     /// Harmonics of a mesh frequency near a natural frequency, the nearest first, each with the name of its law.
     pub meetings: Vec<(&'static str, Meeting)>,
@@ -28,7 +28,7 @@ pub struct Mesh {
     /// Jump strength J = 2 G dV/v²: the energy of a step over the kinetic energy of the phase. dV is the energy of the largest step, at
     /// the static deflection of the softest cell. For a gear pair J = M2 dk (T0/k)²/theta'².
     pub strength: f64,
-    /// Mesh frequency [Hz].
+    /// Mesh frequency \[Hz\].
     pub frequency: f64,
     /// Largest stiffness over smallest.
     pub ratio: f64,
@@ -39,7 +39,7 @@ impl Groups {
     ///
     /// # Errors
     /// [`Refusal`] if the modes of the scene cannot be computed.
-    pub fn of(scene: &Scene, system: &System) -> Result<Groups, Refusal> {
+    pub(crate) fn of(scene: &Scene, system: &System) -> Result<Groups, Refusal> {
         let model = scene.model;
         let courses = steady::courses(scene, system)?;
         let mids: Vec<f64> = scene.stiffnesses().map(|(_, law)| law.mid()).collect();
@@ -84,7 +84,7 @@ impl Groups {
         self.meshes.iter().fold(0.0, |m, mesh| m.max(mesh.strength))
     }
 
-    /// The lowest mesh frequency [Hz]; 0 if no law steps.
+    /// The lowest mesh frequency \[Hz\]; 0 if no law steps.
     pub fn mesh(&self) -> f64 {
         let lowest = self.meshes.iter().map(|m| m.frequency).filter(|f| *f > 0.0).fold(f64::INFINITY, f64::min);
         if lowest.is_finite() { lowest } else { 0.0 }

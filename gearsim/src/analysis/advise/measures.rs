@@ -9,9 +9,9 @@ use crate::trajectory::{Moment, Trajectory};
 /// Frequency bands, each a whole number of mesh orders wide.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Bands {
-    /// Lower end of the first band [Hz].
+    /// Lower end of the first band \[Hz\].
     pub from: f64,
-    /// Width of each band [Hz].
+    /// Width of each band \[Hz\].
     pub width: f64,
     /// Number of bands.
     pub count: usize,
@@ -20,21 +20,21 @@ pub struct Bands {
 /// The results of a run in a few numbers. Elastic coordinates are those that do not rotate continuously.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Measures {
-    /// Root mean square of each elastic coordinate about its mean [SI].
+    /// Root mean square of each elastic coordinate about its mean \[SI\].
     pub rms: Vec<f64>,
-    /// Largest deviation of each elastic coordinate from its mean [SI]. The mean itself is not compared: it contains half the backlash,
+    /// Largest deviation of each elastic coordinate from its mean \[SI\]. The mean itself is not compared: it contains half the backlash,
     /// which causes no force.
     pub peak: Vec<f64>,
-    /// Largest absolute value of each elastic coordinate [SI]: the scale of its rounding errors.
+    /// Largest absolute value of each elastic coordinate \[SI\]: the scale of its rounding errors.
     pub size: Vec<f64>,
-    /// Power of each elastic coordinate in each band [SI²].
+    /// Power of each elastic coordinate in each band \[SI²\].
     pub bands: Vec<Vec<f64>>,
     /// Mean speed of each continuously rotating coordinate, over the last tenth of the samples; in an expected result its ratio to the
     /// speed at the start.
     pub speed: Vec<f64>,
-    /// U = T + V - W at the end [J].
+    /// U = T + V - W at the end \[J\].
     pub energy: f64,
-    /// T + V at the start [J].
+    /// T + V at the start \[J\].
     pub at_start: f64,
     /// Number of steps met.
     pub events: f64,
@@ -63,15 +63,15 @@ pub struct Apart {
 const SILENT: f64 = 200.0;
 
 impl Bands {
-    /// Bands from half the mesh frequency `mesh` up to `end` [Hz]. Their width is a whole number of mesh orders, and at least 0.4 of
-    /// the natural frequency `natural` [Hz].
+    /// Bands from half the mesh frequency `mesh` up to `end` \[Hz\]. Their width is a whole number of mesh orders, and at least 0.4 of
+    /// the natural frequency `natural` \[Hz\].
     pub fn of(mesh: f64, natural: f64, end: f64) -> Bands {
         let width = (0.4 * natural / mesh).ceil().max(1.0) * mesh;
         let from = 0.5 * mesh;
         Bands { from, width, count: ((end - from) / width).floor().clamp(1.0, 1000.0) as usize }
     }
 
-    /// Index of the band that contains a frequency [Hz].
+    /// Index of the band that contains a frequency \[Hz\].
     pub fn index(&self, frequency: f64) -> Option<usize> {
         let at = ((frequency - self.from) / self.width).floor();
         (at >= 0.0 && at < self.count as f64).then_some(at as usize)

@@ -67,37 +67,35 @@ pub struct Steady<'a> {
     pub courses: Vec<SteadyLaw>,
     /// Index of the coordinate that is the phase of each law.
     phases: Vec<usize>,
-    /// Common period at the scene's speed [s].
+    /// Common period at the scene's speed \[s\].
     pub period: f64,
     /// The stretches of the period.
     stretches: Vec<Stretch>,
     /// B (n x m) and L (m x n), m the number of elastic modes.
     shapes: DMatrix<f64>,
     onto: DMatrix<f64>,
-    /// Kinetic energy of the rotation [J].
+    /// Kinetic energy of the rotation \[J\].
     pub rolling: f64,
-    /// Lowest and highest natural frequency at the mean stiffness [Hz].
+    /// Lowest and highest natural frequency at the mean stiffness \[Hz\].
     pub natural: (f64, f64),
-    /// Static deflections at the mid stiffness (n) [SI].
+    /// Static deflections at the mid stiffness (n) \[SI\].
     pub statics: DVector<f64>,
 }
 
 /// The settled motion over a period.
 #[derive(Debug, Clone)]
 pub struct Orbit {
-    /// The period [s].
+    /// The period \[s\].
     pub period: f64,
-    /// Mean of each coordinate (n) [SI].
-    pub mean: Vec<f64>,
-    /// Mean square of each coordinate about its mean (n) [SI²].
+    /// Mean square of each coordinate about its mean (n) \[SI²\].
     pub square: Vec<f64>,
-    /// Largest deviation of each coordinate from its mean (n) [SI].
+    /// Largest deviation of each coordinate from its mean (n) \[SI\].
     pub peak: Vec<f64>,
-    /// Largest absolute value of each coordinate (n) [SI].
+    /// Largest absolute value of each coordinate (n) \[SI\].
     pub size: Vec<f64>,
-    /// Power of each coordinate in each spectral line, at multiples of 1/period from 1 on (n x number of lines) [SI²].
+    /// Power of each coordinate in each spectral line, at multiples of 1/period from 1 on (n x number of lines) \[SI²\].
     pub lines: Vec<Vec<f64>>,
-    /// Energy dissipated by damping per period [J].
+    /// Energy dissipated by damping per period \[J\].
     pub lost: f64,
     /// Number of steps per period.
     pub steps: usize,

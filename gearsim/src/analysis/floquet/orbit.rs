@@ -44,9 +44,9 @@ use variational::{Carried, Variational};
 pub struct Orbit {
     /// Name of the reference coordinate.
     pub reference: &'static str,
-    /// How far it moves on in a turn [SI].
+    /// How far it moves on in a turn \[SI\].
     pub turn: f64,
-    /// Coordinates and speeds at the start of the turn (n each) [SI].
+    /// Coordinates and speeds at the start of the turn (n each) \[SI\].
     pub start: [Vec<f64>; 2],
     /// Relative change of the speed of the reference coordinate in a turn.
     pub drift: f64,

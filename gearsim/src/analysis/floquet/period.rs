@@ -30,15 +30,15 @@ pub enum Aperiodic {
 /// A part of the period in which no stiffness steps.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Stretch {
-    /// The value of each law [SI].
+    /// The value of each law \[SI\].
     pub levels: Vec<f64>,
-    /// When it begins [s].
+    /// When it begins \[s\].
     pub begin: f64,
-    /// Its duration [s].
+    /// Its duration \[s\].
     pub time: f64,
 }
 
-/// The common period [s] of the laws, and its stretches in their order.
+/// The common period \[s\] of the laws, and its stretches in their order.
 ///
 /// # Errors
 /// [`Aperiodic`] if there is none.

@@ -21,7 +21,7 @@ pub fn of(linear: &Matrices, linearised: &Matrices, k: &[f64], (laws, parts): (&
         let growth = if rate > EQUAL_EIGENVALUES * fast.norm() { rate } else { 0.0 };
         modes.push(Vibration { growth, ..vibration(&Mode::new(sigma, omega2), shape, linear, laws, parts) });
     }
-    CellModes { levels: k.to_vec(), modes, coupled: true }
+    CellModes::new(k, parts, modes, true)
 }
 
 /// The eigenvalues in pairs: conjugates, of which the first has the positive imaginary part, or two real ones, of which the first is the

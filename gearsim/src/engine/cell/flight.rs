@@ -22,7 +22,7 @@ pub struct Flight<'a> {
 /// The motion at one instant of a flight.
 #[derive(Debug, Clone)]
 pub struct Point {
-    /// Time since the start of the flight [s].
+    /// Time since the start of the flight \[s\].
     pub t: f64,
     /// Responses of each mode to a unit speed and to a unit force.
     responses: SmallVec<[Response; 10]>,

@@ -3,7 +3,7 @@
 use super::Side;
 
 /// Time that the last passage of a phase to the lower and to the upper boundary of a cell took, minus the time at the steady part
-/// of its speed [s].
+/// of its speed \[s\].
 ///
 /// A periodic motion has the same delay in the same cell. The initial guess is then so close that one full evaluation of the
 /// motion is enough. It is only a guess: the root that is found is the same, to rounding.

@@ -3,6 +3,7 @@
 
 use crate::engine::equations::Equations;
 use crate::engine::vector::{Matrix, Vector};
+use crate::tolerance::scene::BALANCED;
 
 /// A row of R: its entries that are not zero, each with its coordinate.
 #[derive(Debug, Clone)]
@@ -38,6 +39,34 @@ impl Sparse {
     }
 }
 
+/// A sum of multiples of rows. An entry whose terms cancel to rounding errors is zero.
+#[derive(Debug)]
+pub(super) struct Balance {
+    sum: Vector,
+    size: Vector,
+}
+
+impl Balance {
+    /// The empty sum over `n` coordinates.
+    pub fn zero(n: usize) -> Balance {
+        Balance { sum: Vector::zeros(n), size: Vector::zeros(n) }
+    }
+
+    /// Adds a multiple of a row.
+    pub fn add(&mut self, factor: f64, row: &Sparse) {
+        for &(i, x) in &*row.0 {
+            self.sum[i as usize] += factor * x;
+            self.size[i as usize] += (factor * x).abs();
+        }
+    }
+
+    /// The sum.
+    pub fn total(self) -> Vector {
+        let entry = |i: usize| if self.sum[i].abs() <= BALANCED * self.size[i] { 0.0 } else { self.sum[i] };
+        Vector::from_fn(self.sum.len(), entry)
+    }
+}
+
 /// A spring and a damper along a coordinate of a part.
 #[derive(Debug)]
 struct Spring {
@@ -57,18 +86,18 @@ impl Linear {
     /// The springs and dampers of `parts`, each with one coordinate, in a train with `n` coordinates. The factors are those of the derived
     /// cells.
     pub fn of<'a>(n: usize, parts: impl Iterator<Item = (&'a dyn Equations, &'a [Sparse])>) -> Linear {
-        let (mut springs, mut load): (Vec<Spring>, _) = (vec![], Vector::zeros(n));
+        let (mut springs, mut load): (Vec<Spring>, _) = (vec![], Balance::zero(n));
         for (equations, rows) in parts {
             let (stiffness, damping, force) = (equations.stiffness(&[]), equations.damping(&[]), equations.load(&[]));
             for (i, row) in rows.iter().enumerate() {
-                row.add_to(force[i], &mut load);
+                load.add(force[i], row);
                 let (stiffness, damping) = (stiffness[(i, i)], damping[(i, i)]);
                 if stiffness != 0.0 || damping != 0.0 {
                     springs.push(Spring { row: row.clone(), stiffness, damping });
                 }
             }
         }
-        Linear { springs, load }
+        Linear { springs, load: load.total() }
     }
 
     pub fn potential(&self, q: &[f64]) -> f64 {

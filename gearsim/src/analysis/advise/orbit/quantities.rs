@@ -59,7 +59,6 @@ impl Steady<'_> {
             peak: (0..n).map(|i| points.iter().fold(0.0f64, |m, p| m.max((p.2[i] - means[i]).abs()))).collect(),
             size: (0..n).map(|i| points.iter().fold(0.0f64, |m, p| m.max(p.2[i].abs()))).collect(),
             lines,
-            mean: means,
             lost,
             steps: legs.iter().filter(|leg| !leg.steps.is_empty()).count(),
             strength,
