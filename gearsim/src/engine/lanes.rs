@@ -25,7 +25,7 @@ pub mod pack;
 mod turning;
 pub mod vectors;
 
-use crate::tolerance::events::{BOUND_MARGIN, REVERSION_LIMIT, ROOT_ERROR, SHORT_BOUNCE};
+use crate::tolerance::events::{BOUND_MARGIN, REVERSION_LIMIT, ROOT_ERROR, SHORT_BOUNCE, WORTH_PREDICTING};
 use crate::tolerance::modes::{KERNEL_ANGLE, SERIES_SPAN, SHIFT_SPAN};
 use cells::Cells;
 use flight::{Flight, Point, Response, responses};
@@ -83,7 +83,7 @@ pub struct Expected<const N: usize, const L: usize> {
     lateness: Pack<L>,
     /// Duration of the last passage [s]; 0 if there was none.
     last: Pack<L>,
-    /// Predicted duration of the next passage [s].
+    /// Predicted duration of the next passage [s]; negative if the responses after it are not computed.
     t: Pack<L>,
     /// Responses of the modes after the time `t`.
     responses: [Response<L>; N],
@@ -117,12 +117,17 @@ impl<const N: usize, const L: usize> Expected<N, L> {
     }
 
     /// The prediction after a passage that took the time `taken`; `steady` is the duration at the steady part of the speed. The
-    /// next duration is a linear extrapolation from the last two.
+    /// next duration is a linear extrapolation from the last two. In a single lane its responses are not computed if the last prediction was far
+    /// off: the next one will hardly be used.
     #[inline(always)]
     fn next(&self, cells: &Cells<N, L>, rigid: &[bool; N], taken: Pack<L>, steady: Pack<L>) -> Self {
         let trend = (taken - self.last).zip(0.1 * self.last, |d, most| if d.abs() < most { d } else { 0.0 });
-        let t = taken + trend;
-        Expected { lateness: taken - steady, last: taken, t, responses: responses(cells, rigid, t) }
+        let (lateness, t) = (taken - steady, taken + trend);
+        let missed = (taken - self.t.abs()) * cells.rate;
+        if L == 1 && missed.0[0].abs() > WORTH_PREDICTING {
+            return Expected { lateness, last: taken, t: -t, responses: self.responses };
+        }
+        Expected { lateness, last: taken, t, responses: responses(cells, rigid, t) }
     }
 }
 
@@ -226,22 +231,19 @@ impl<const N: usize, const L: usize> Lanes<N, L> {
     /// Stores the events of an attempt in the lanes in which they are plain.
     #[inline(always)]
     pub fn take(&mut self, attempt: &Attempt<N, L>) {
-        let gathered;
-        let cells = match attempt.common {
-            Some(first) => &self.tables[first],
-            None => {
-                gathered = Cells::gather(&self.tables, &self.at);
-                &gathered
-            }
-        };
-        let expected = self.expected(attempt.common.is_some(), attempt.common.unwrap_or(0));
-        let next = expected.next(cells, &self.rigid, attempt.t, attempt.steady);
         // All events are plain almost always. The branch lets the next flight start without waiting for the mask.
         let all = Mask::of(|_| true);
-        if attempt.sure.is_all() && !attempt.found.intersects(all) {
-            self.keep(attempt, &next, [all, all]);
+        let predicted = attempt.sure.without(attempt.found);
+        if attempt.sure.is_all() && predicted.is_all() {
+            let next = self.prediction(attempt);
+            self.keep(attempt, all);
+            self.expect(&next, all, attempt.common);
         } else {
-            self.keep(attempt, &next, [attempt.sure, attempt.sure.without(attempt.found)]);
+            if predicted.intersects(all) {
+                let next = self.prediction(attempt);
+                self.expect(&next, predicted, attempt.common);
+            }
+            self.keep(attempt, attempt.sure);
         }
         if attempt.turned.intersects(attempt.sure) {
             for lane in (0..L).filter(|lane| attempt.turned.and(attempt.sure).is_set(*lane)) {
@@ -251,9 +253,9 @@ impl<const N: usize, const L: usize> Lanes<N, L> {
         self.enter(attempt.up, attempt.sure.without(attempt.turned));
     }
 
-    /// Stores the state after the event in the lanes `sure`, and the next prediction in those that it holds for.
+    /// Stores the state after the event in the lanes `sure`.
     #[inline(always)]
-    fn keep(&mut self, attempt: &Attempt<N, L>, next: &Expected<N, L>, [sure, predicted]: [Mask<L>; 2]) {
+    fn keep(&mut self, attempt: &Attempt<N, L>, sure: Mask<L>) {
         for i in 0..N {
             self.q[i] = attempt.q[i].or(sure, self.q[i]);
             self.q_dot[i] = attempt.q_dot[i].or(sure, self.q_dot[i]);
@@ -261,7 +263,6 @@ impl<const N: usize, const L: usize> Lanes<N, L> {
         }
         self.dissipated = attempt.dissipated.or(sure, self.dissipated);
         self.advance(attempt.t, sure);
-        self.expect(next, predicted, attempt.common);
     }
 
     /// The boundary to which the phase moves, and whether the phase is proved to be monotone: the steady part of its speed
@@ -465,6 +466,22 @@ impl<const N: usize, const L: usize> Lanes<N, L> {
         all
     }
 
+    /// The prediction for the next passage of the cells of an attempt.
+    #[inline(always)]
+    fn prediction(&self, attempt: &Attempt<N, L>) -> Expected<N, L> {
+        let gathered;
+        let cells = match attempt.common {
+            Some(first) => &self.tables[first],
+            None => {
+                gathered = Cells::gather(&self.tables, &self.at);
+                &gathered
+            }
+        };
+        let expected = self.expected(attempt.common.is_some(), attempt.common.unwrap_or(0));
+        expected.next(cells, &self.rigid, attempt.t, attempt.steady)
+    }
+
+    /// Stores the prediction of the lanes `sure`.
     #[inline(always)]
     fn expect(&mut self, next: &Expected<N, L>, sure: Mask<L>, common: Option<usize>) {
         if let Some(first) = common {

@@ -171,3 +171,7 @@ pub(crate) const TURN_NEAR: f64 = 1e-9;
 /// Step of Newton's method towards the crossing of such a phase at which the series of the motion goes on from there [fastest time of the
 /// cell]: half of the longest shift of the series. It decides the cost.
 pub(crate) const TURN_STEP: f64 = 4e-3;
+
+/// The kernel evaluates a cell's motion at the predicted time of its next passage if the last prediction was this close [fastest time of the
+/// cell]. Predictions that are used are closer than `modes::SHIFT_SPAN`. It decides the cost.
+pub(crate) const WORTH_PREDICTING: f64 = 0.1;

@@ -4,15 +4,16 @@
 //! Between two zeros of s'' the sign of s'' is constant. There the phase crosses the boundary from which it bends away at most once, on the
 //! way to it; Newton's method from the beginning of the interval does not overshoot this root. It crosses the other boundary at most once,
 //! on the way back; Newton's method from the end of the interval does not overshoot that root. The first crossing is therefore found with
-//! certainty, interval by interval. Cases that rounding errors could decide, and phases with several vibrations, are left to the general
-//! loop.
+//! certainty, interval by interval. |y'| is largest at the zeros of y'', and falls from one to the next: as soon as it is smaller than |d|/|c|
+//! there, the phase is monotone from then on, and has one crossing left. Cases that rounding errors could decide, and phases with several
+//! vibrations, are left to the general loop.
 
 use crate::engine::lanes::cells::Cells;
 use crate::engine::lanes::elementary::{exp_m1, sin_cos};
 use crate::engine::lanes::flight::Flight;
 use crate::engine::lanes::pack::{Mask, Pack};
 use crate::engine::lanes::{Lanes, Target};
-use crate::tolerance::events::{TURN_NEAR, TURN_STEP};
+use crate::tolerance::events::{BOUND_MARGIN, TURN_NEAR, TURN_STEP};
 use crate::tolerance::modes::KERNEL_ANGLE;
 
 #[cfg(test)]
@@ -55,9 +56,13 @@ impl<const N: usize, const L: usize> Lanes<N, L> {
             let place = self.q[self.phase].0[lane];
             let gaps = [place - cells.bounds[0].0[lane], cells.bounds[1].0[lane] - place];
             let left = self.end.0[lane] - self.clock[0].0[lane];
-            let phase = self.turning(cells, flight, lane);
-            let Some((up, t)) = phase.and_then(|phase| phase.first(gaps, cells.rate.0[lane], left)) else { continue };
+            let Some(phase) = self.turning(cells, flight, lane) else { continue };
             let here = Mask::of(|i| i == lane);
+            if phase.is_monotone() {
+                target.certain = target.certain.with(here);
+                continue;
+            }
+            let Some((up, t)) = phase.first(gaps, cells.rate.0[lane], left) else { continue };
             let side = usize::from(up);
             target.certain = target.certain.with(here);
             target.found = target.found.with(here);
@@ -98,6 +103,13 @@ impl<const N: usize, const L: usize> Lanes<N, L> {
 }
 
 impl Phase {
+    /// Whether the steady speed exceeds the largest speed of the vibration: then the phase never turns back.
+    #[inline(always)]
+    fn is_monotone(&self) -> bool {
+        let fastest = (self.v[0] * self.v[0] + self.v[1] * self.v[1]).sqrt();
+        self.drift.abs() > self.part.abs() * fastest * (1.0 + BOUND_MARGIN)
+    }
+
     /// The first crossing: whether it is at the upper boundary, and its approximate time \[s\]. `gaps` are the distances to the lower and
     /// the upper boundary, `fastest` bounds the rates, and the run ends after the time `left` \[s\].
     #[inline(never)]
@@ -124,7 +136,31 @@ impl Phase {
             match self.within(from, to, (up, size * self.part.abs()), gaps, fastest)? {
                 Some(found) => return Some(found),
                 None if to.t > left => return None,
+                None if self.drift.abs() > (to.rate - self.drift).abs() * (1.0 + BOUND_MARGIN) => {
+                    return self.last(to, gaps, fastest);
+                }
                 None => (from, t, sign, up) = (to, t + half, -sign, !up),
+            }
+        }
+        None
+    }
+
+    /// The crossing of a phase that is monotone after `from`, which lies between the boundaries.
+    #[inline(always)]
+    fn last(&self, from: Place, gaps: [f64; 2], fastest: f64) -> Option<(bool, f64)> {
+        let up = self.drift > 0.0;
+        let mirror = if up { 1.0 } else { -1.0 };
+        let edge = gaps[usize::from(up)];
+        let mut t = from.t + (edge - mirror * from.s) / self.drift.abs();
+        for _ in 0..MOST.1 {
+            if !(from.t..=KERNEL_ANGLE / fastest).contains(&t) {
+                return None;
+            }
+            let place = self.at(t);
+            let step = (edge - mirror * place.s) / (mirror * place.rate);
+            t += step;
+            if step.abs() * fastest <= TURN_STEP {
+                return Some((up, t));
             }
         }
         None
