@@ -338,12 +338,12 @@ impl<'a> Plan<'a> {
             refuted: None,
             digits: None,
             remarks,
-            counts: simulation.now.counts,
+            counts: simulation.now.counts.clone(),
             modes: simulation.now.switches.iter().map(|switch| times(scene, switch)).collect(),
         };
         let closes = account::closes(&simulation.now.laws);
         let contact = scene.model.in_contact(simulation.now.laws.iter().map(|law| law.level()));
-        let rounding = account::rounding(simulation.now.equations, &simulation.now.state.q, &contact);
+        let rounding = account::rounding(&simulation.now, &contact);
         outcome.refuted = Account::of(&outcome, scene, rounding).filter(|account| closes && account.refutes());
         outcome
     }

@@ -117,17 +117,17 @@ impl<const N: usize, const L: usize> Expected<N, L> {
     }
 
     /// The prediction after a passage that took the time `taken`; `steady` is the duration at the steady part of the speed. The
-    /// next duration is a linear extrapolation from the last two. In a single lane its responses are not computed if the last prediction was far
-    /// off: the next one will hardly be used.
+    /// next duration is a linear extrapolation from the last two. Its responses are not computed if the last prediction was far off: the next
+    /// one will hardly be used.
     #[inline(always)]
     fn next(&self, cells: &Cells<N, L>, rigid: &[bool; N], taken: Pack<L>, steady: Pack<L>) -> Self {
         let trend = (taken - self.last).zip(0.1 * self.last, |d, most| if d.abs() < most { d } else { 0.0 });
         let (lateness, t) = (taken - steady, taken + trend);
         let missed = (taken - self.t.abs()) * cells.rate;
-        if L == 1 && missed.0[0].abs() > WORTH_PREDICTING {
-            return Expected { lateness, last: taken, t: -t, responses: self.responses };
-        }
-        Expected { lateness, last: taken, t, responses: responses(cells, rigid, t) }
+        let near = missed.compare(missed, |missed, _| missed.abs() <= WORTH_PREDICTING);
+        let responses = if near.intersects(Mask::of(|_| true)) { responses(cells, rigid, t) } else { self.responses };
+        // Each lane decides for itself: its result does not depend on the others.
+        Expected { lateness, last: taken, t: t.or(near, -t), responses }
     }
 }
 

@@ -2,8 +2,10 @@
 
 use std::fmt;
 
-use crate::engine::equations::{Equations, Switching};
+use crate::engine::equations::Switching;
+use crate::engine::hybrid::Hybrid;
 use crate::engine::law::LawState;
+use crate::engine::vector::Matrix;
 use crate::run::Outcome;
 use crate::scene::Scene;
 use crate::scene::solver::Method;
@@ -18,7 +20,7 @@ pub struct Account {
     pub largest: f64,
     /// Allowed ratio of the residual to `largest`.
     pub allowed: f64,
-    /// Strain energy of the rounding errors of the coordinates \[J\]: a train at rest has no other energy.
+    /// Energy of rounding errors \[J\]: a train at rest has no other energy.
     pub rounding: f64,
 }
 
@@ -55,13 +57,20 @@ impl fmt::Display for Account {
     }
 }
 
-/// The strain energy of the rounding errors of the coordinates `q` (n), at the law values `k` \[J\]. Each is a sum of n modal coordinates, and
-/// these are sums of n coordinates.
-pub fn rounding(equations: &dyn Equations, q: &[f64], k: &[f64]) -> f64 {
-    let off: Vec<f64> = q.iter().map(|x| methods::COORDINATE_ROUNDING * q.len() as f64 * x.abs()).collect();
-    let stiffness = equations.stiffness(k);
-    let row = |i: usize| (0..q.len()).map(|j| stiffness[(i, j)].abs() * off[j]).sum::<f64>();
-    (0..q.len()).map(|i| 0.5 * off[i] * row(i)).sum()
+/// The energy of rounding errors at the end of a run, at the law values `k` \[J\]: strain energy of the coordinates, each a sum of n modal
+/// coordinates that are sums of n coordinates, and kinetic energy of the impulses that the forces have in the time of the run. Where
+/// friction or a clutch holds a train under load, its forces cancel to rounding errors.
+pub fn rounding(now: &Hybrid<'_>, k: &[f64]) -> f64 {
+    let n = now.state.q.len();
+    let part = methods::COORDINATE_ROUNDING * n as f64;
+    let time = now.clock.now();
+    let energy = |matrix: &Matrix, off: &[f64]| -> f64 {
+        let row = |i: usize| (0..n).map(|j| matrix[(i, j)].abs() * off[j]).sum::<f64>();
+        (0..n).map(|i| 0.5 * off[i] * row(i)).sum()
+    };
+    let places: Vec<f64> = now.state.q.iter().map(|x| part * x.abs()).collect();
+    let impulses: Vec<f64> = now.force().iter().map(|x| part * x.abs() * time).collect();
+    energy(&now.equations.stiffness(k), &places) + energy(&now.equations.mobility(&now.state.q), &impulses)
 }
 
 /// Whether the account must close. It need not if the scene leaves out the jump terms or moves a phase by time, because these equations do

@@ -38,7 +38,7 @@ pub(crate) const LANDING: f64 = 1e-6;
 pub(crate) const STIFF_STEPS: u32 = 15;
 /// Rejections of one step that end the run [1]: the motion is singular there, or the tolerance is below the rounding errors.
 pub(crate) const REJECTIONS: u32 = 100;
-/// Rounding error of a coordinate in the energy account of a train at rest [relative to the coordinate, for each coordinate of the
+/// Rounding error of a coordinate or of a force in the energy account of a train at rest [relative to it, for each coordinate of the
 /// train]. Larger: no effect on what moves. Smaller: a train at rest, whose energies are rounding errors alone, is refuted.
 pub(crate) const COORDINATE_ROUNDING: f64 = 16.0 * f64::EPSILON;
 /// Largest residual of the energy account of exact cells [relative to its largest part]: the rounding errors of ill-conditioned cells, over many

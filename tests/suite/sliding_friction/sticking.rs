@@ -117,7 +117,9 @@ fn the_breakaway_torque_is_that_of_statics() {
         );
         // While the torque rises, the mesh force follows it with a delay if the friction has a part along the line of action.
         assert!(off.abs() < if side == 0.0 { 1e-6 } else { 3e-5 }, "{released}, not {expected}");
-        assert_eq!(events.len(), 1);
+        // Until the torque has risen by a rounding error, these errors decide whether the flanks stick once more.
+        let last = run.trajectory().t[events[events.len() - 1].0] - run.trajectory().t[events[0].0];
+        assert!(last < 1e-8, "they stick again after {last} s");
         assert!(flank * psi(&run).last().unwrap() < -1e-3);
     }
 }
