@@ -81,7 +81,7 @@ fn bounces(method: Method) -> f64 {
     let place = |t: f64| {
         let mut s = t % period;
         for (from, to, stop) in [(0.0, hi, hi), (hi, lo, lo)] {
-            let side = (to - from as f64).signum();
+            let side = (to - from).signum();
             let flight = (to - from).abs() / v;
             if s <= flight {
                 return from + side * v * s;
