@@ -159,7 +159,8 @@ def every_plot_is_drawn(browser, path, settings, scheme):
     """Every plot in every section is drawn when it is in sight, and nothing is wider than the screen."""
     with opened_file(browser, path, color_scheme=scheme, **settings) as page:
         for figure in page.locator("figure.plot").all():
-            figure.scroll_into_view_if_needed()
+            # As a person scrolls: plots above it may still be growing.
+            figure.evaluate("figure => figure.scrollIntoView({ block: 'center' })")
             if figure.locator(".frame").is_visible():
                 figure.locator(".main-svg").first.wait_for()
         assert page.evaluate("document.documentElement.scrollWidth") <= settings["viewport"]["width"]
