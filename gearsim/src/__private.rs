@@ -42,7 +42,7 @@ pub mod ensemble {
 #[cfg(feature = "models")]
 pub use crate::generated::models;
 
-/// The modes and multipliers of equations that tests change: [`Scene::modes`] and [`Scene::floquet`] take those of a scene.
+/// Modes and multipliers for tests that change the equations. [`Scene::modes`] and [`Scene::floquet`] compute those of a scene.
 pub mod linear {
     use nalgebra::DMatrix;
 

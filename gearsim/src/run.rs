@@ -327,6 +327,9 @@ impl<'a> Plan<'a> {
         };
         let now = simulation.now.clock.now();
         simulation.now.switches.iter_mut().for_each(|switch| switch.spend(now));
+        let closes = account::closes(&simulation.now.laws);
+        let contact = scene.model.in_contact(simulation.now.laws.iter().map(|law| law.level()));
+        let rounding = account::rounding(&simulation.now, &contact);
         let mut outcome = Outcome {
             energy_at_start: recorder.energy_at_start,
             trajectory: recorder.trajectory,
@@ -338,12 +341,9 @@ impl<'a> Plan<'a> {
             refuted: None,
             digits: None,
             remarks,
-            counts: simulation.now.counts.clone(),
+            counts: simulation.now.counts,
             modes: simulation.now.switches.iter().map(|switch| times(scene, switch)).collect(),
         };
-        let closes = account::closes(&simulation.now.laws);
-        let contact = scene.model.in_contact(simulation.now.laws.iter().map(|law| law.level()));
-        let rounding = account::rounding(&simulation.now, &contact);
         outcome.refuted = Account::of(&outcome, scene, rounding).filter(|account| closes && account.refutes());
         outcome
     }

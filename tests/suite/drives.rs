@@ -183,7 +183,7 @@ fn every_model_has_every_drive_and_load() {
     }
 }
 
-/// The traction motor of a rotor that is free otherwise: 5 N*m up to 500 W, with 0.05 kg*m^2.
+/// A traction motor of 5 N*m and 500 W, which drives a free rotor of 0.05 kg*m^2.
 fn traction(more: &[&str]) -> Outcome {
     let set = [
         "effects=[\"traction_motor\"]",

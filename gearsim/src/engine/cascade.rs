@@ -14,8 +14,9 @@ pub struct Cascade {
 }
 
 impl Cascade {
-    /// Ends a run whose events come ever faster; `rate` bounds the rates of the motion \[1/s\]. At enormous rates, as of a damper of 1e37 times the
-    /// critical damping, a time that a number of 64 bits does not resolve is long for the motion: such events are a cascade too.
+    /// Ends a run whose events come ever faster; `rate` bounds the rates of the motion \[1/s\]. A damper of 1e37 times the
+    /// critical damping has rates so high that a time below the resolution of `f64` is long for the motion. Events so close to one another are
+    /// a cascade too.
     ///
     /// # Errors
     /// [`Stop::Cascade`].

@@ -83,7 +83,7 @@ pub struct Expected<const N: usize, const L: usize> {
     lateness: Pack<L>,
     /// Duration of the last passage [s]; 0 if there was none.
     last: Pack<L>,
-    /// Predicted duration of the next passage [s]; negative if the responses after it are not computed.
+    /// Predicted duration of the next passage [s]. It has a negative sign if the responses are not computed.
     t: Pack<L>,
     /// Responses of the modes after the time `t`.
     responses: [Response<L>; N],

@@ -69,9 +69,9 @@ fn known(asked: Asked) -> Result<Profile, GearError> {
         Law::Stiffness(shape) => mesh_stiffness::stiffness(gears, method, shape, period, scale),
         Law::Friction(what) => friction::friction(gears, method, what, period, scale),
     }?;
-    let mut recent = recent();
-    recent.truncate(MOST - 1);
-    recent.insert(0, (asked, profile.clone()));
+    let mut laws = recent();
+    laws.truncate(MOST - 1);
+    laws.insert(0, (asked, profile.clone()));
     Ok(profile)
 }
 

@@ -115,8 +115,7 @@ impl Job {
     /// # Errors
     /// As [`Job::table`].
     pub fn pack(&self, rows: &Rows) -> Result<Vec<u8>, Error> {
-        let mut rows: Vec<&Row> = rows.0.iter().collect();
-        rows.sort_by_key(|row| row.point);
+        let rows = folder::in_order(&rows.0);
         let first = rows.first().map_or(0, |row| row.point);
         let file = folder::table_in_bytes(&self.manifest, &self.layout, &rows)?;
         Ok(packed::pack(&self.manifest, first, &file)?)

@@ -57,12 +57,12 @@ impl fmt::Display for Account {
     }
 }
 
-/// The energy of rounding errors at the end of a run, at the law values `k` \[J\]: strain energy of the coordinates, each a sum of n modal
-/// coordinates that are sums of n coordinates, and kinetic energy of the impulses that the forces have in the time of the run. Where
-/// friction or a clutch holds a train under load, its forces cancel to rounding errors.
+/// The energy of rounding errors at the end of a run, at the law values `k` \[J\]. It has two parts. The strain energy is that of the
+/// coordinates: each is a sum of n modal coordinates, and these are sums of n coordinates. The kinetic energy is that of the forces, over the
+/// time of the run: where friction or a clutch holds a train under load, they cancel to rounding errors.
 pub fn rounding(now: &Hybrid<'_>, k: &[f64]) -> f64 {
     let n = now.state.q.len();
-    let part = methods::COORDINATE_ROUNDING * n as f64;
+    let part = methods::REST_ROUNDING * n as f64;
     let time = now.clock.now();
     let energy = |matrix: &Matrix, off: &[f64]| -> f64 {
         let row = |i: usize| (0..n).map(|j| matrix[(i, j)].abs() * off[j]).sum::<f64>();

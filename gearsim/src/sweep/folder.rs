@@ -88,8 +88,7 @@ impl Folder {
     /// # Errors
     /// Those of writing the files.
     pub fn keep(&mut self, rows: &[Row]) -> Result<(), OutputError> {
-        let mut rows: Vec<&Row> = rows.iter().collect();
-        rows.sort_by_key(|row| row.point);
+        let rows = in_order(rows);
         let Some(first) = rows.first() else { return Ok(()) };
         let names = (&*part("rows", first.point), &*part("spectra", first.point));
         write(&mut self.parts, names, &self.manifest, &self.layout, &rows).map(drop)
@@ -121,6 +120,13 @@ impl Folder {
         std::fs::remove_dir_all(&parts).map_err(|source| OutputError::Write { path: parts, source })?;
         Ok((rows, table))
     }
+}
+
+/// Rows in the order of their points.
+pub fn in_order(rows: &[Row]) -> Vec<&Row> {
+    let mut rows: Vec<&Row> = rows.iter().collect();
+    rows.sort_by_key(|row| row.point);
+    rows
 }
 
 /// Name of the file of the part whose first point is `first`. No other part has this point, so that the name is free.

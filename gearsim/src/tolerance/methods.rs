@@ -38,9 +38,8 @@ pub(crate) const LANDING: f64 = 1e-6;
 pub(crate) const STIFF_STEPS: u32 = 15;
 /// Rejections of one step that end the run [1]: the motion is singular there, or the tolerance is below the rounding errors.
 pub(crate) const REJECTIONS: u32 = 100;
-/// Rounding error of a coordinate or of a force in the energy account of a train at rest [relative to it, for each coordinate of the
-/// train]. Larger: no effect on what moves. Smaller: a train at rest, whose energies are rounding errors alone, is refuted.
-pub(crate) const COORDINATE_ROUNDING: f64 = 16.0 * f64::EPSILON;
+/// Rounding error in the energy account of a train at rest [relative to a coordinate or to a force, for each coordinate of the train]. Larger: no effect on what moves. Smaller: a train at rest, whose energies are rounding errors alone, is refuted.
+pub(crate) const REST_ROUNDING: f64 = 16.0 * f64::EPSILON;
 /// Largest residual of the energy account of exact cells [relative to its largest part]: the rounding errors of ill-conditioned cells, over many
 /// events. Larger: wrong results pass. Smaller: sound results of ill-conditioned models are refuted.
 pub(crate) const EXACT_RESIDUAL: f64 = 1e-9;

@@ -91,6 +91,6 @@ pub const INDEPENDENT: f64 = 1e-9;
 /// hundred rounding errors, since the companion run changes radii by a few.
 pub const CANCELLED: f64 = 1e-13;
 
-/// Constant forces along a coordinate of a train are in balance if their sum is less than this part of the sum of their sizes \[1\]: some
-/// twenty rounding errors, those of the ratios along which they act. The phase of a mesh is then free of acceleration, as in a derived model.
+/// Constant forces along a coordinate of a train are in balance if their sum is below this part of the sum of their magnitudes \[1\]. It is
+/// some twenty rounding errors: those of the gear ratios. The phase of a mesh is then free of acceleration, as in a derived model.
 pub const BALANCED: f64 = 5e-15;

@@ -1,7 +1,7 @@
 //! Variants of the functions that are called at every step. Some effects bring values of their own: laws, the symbols of switches, functions
-//! of positions. Others bring torques that depend on the speed: motors and fans. A scene without any of a kind has a variant that is compiled
-//! without the terms which need this kind, so that it does not even test whether they are present. There are at most five variants, whatever the number of effects: code still grows in
-//! proportion to that number. Which variant a scene has is decided when its equations are made.
+//! of positions. Others bring torques that depend on the speed: motors and fans. Each of these is a kind. There are variants that are compiled
+//! without the terms of a kind. A scene without this kind uses them, and does not even test whether the terms are present. There are at most
+//! five variants, whatever the number of effects: code still grows in proportion to that number. Which variant a scene has is decided when its equations are made.
 
 use std::collections::BTreeSet;
 

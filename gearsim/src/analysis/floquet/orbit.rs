@@ -170,7 +170,8 @@ impl Shooting<'_> {
             }
         }
         match shot.trouble {
-            _ if gap.is_nan() || gap > ORBIT_ACCEPTED => Err(FloquetError::NoOrbit),
+            // A search that ends with few digits has not come near.
+            _ if digits == Digits::FEW || gap.is_nan() || gap > ORBIT_ACCEPTED => Err(FloquetError::NoOrbit),
             Some(why) => Err(FloquetError::NotSmooth { why }),
             None => Ok((place, shot)),
         }
