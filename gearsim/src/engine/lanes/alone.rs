@@ -2,10 +2,11 @@
 
 use pulp::NullaryFnOnce;
 
+use crate::engine::lanes::jump::Attempt;
 use crate::engine::lanes::kind::Kind;
 use crate::engine::lanes::pack::Mask;
 use crate::engine::lanes::vectors::Vectors;
-use crate::engine::lanes::{Attempt, LARGEST, Lanes};
+use crate::engine::lanes::{LARGEST, Lanes};
 use crate::engine::record::State;
 use crate::engine::simulate::Simulation;
 

@@ -3,10 +3,11 @@
 use xprec::Df64;
 
 use crate::engine::equations::Switching;
+use crate::engine::lanes::Lanes;
 use crate::engine::lanes::cells::Cells;
+use crate::engine::lanes::expected::Expected;
 use crate::engine::lanes::kind::Kind;
 use crate::engine::lanes::pack::Pack;
-use crate::engine::lanes::{Expected, Lanes};
 use crate::engine::simulate::Simulation;
 
 impl<const N: usize, const L: usize> Lanes<N, L> {

@@ -190,3 +190,11 @@ impl<const L: usize> Neg for Pack<L> {
         self.map(|x| -x)
     }
 }
+
+/// The sum a + b and its rounding error (Knuth).
+#[inline(always)]
+pub fn two_sum<const L: usize>(a: Pack<L>, b: Pack<L>) -> [Pack<L>; 2] {
+    let sum = a + b;
+    let part = sum - a;
+    [sum, (a - (sum - part)) + (b - part)]
+}

@@ -8,11 +8,12 @@
 //! there, the phase is monotone from then on, and has one crossing left. Cases that rounding errors could decide, and phases with several
 //! vibrations, are left to the general loop.
 
+use crate::engine::lanes::Lanes;
 use crate::engine::lanes::cells::Cells;
 use crate::engine::lanes::elementary::{exp_m1, sin_cos};
 use crate::engine::lanes::flight::Flight;
+use crate::engine::lanes::locate::Target;
 use crate::engine::lanes::pack::{Mask, Pack};
-use crate::engine::lanes::{Lanes, Target};
 use crate::tolerance::events::{BOUND_MARGIN, TURN_NEAR, TURN_STEP};
 use crate::tolerance::modes::KERNEL_ANGLE;
 
