@@ -1,0 +1,38 @@
+//! Reactions and the motion that remains, from M⁻¹ and the gradients N of held motions.
+
+use nalgebra::linalg::Cholesky;
+use nalgebra::{DMatrix, DVector, Dyn};
+
+use crate::engine::vector::{Matrix, Vector};
+use crate::tolerance::events::INDEPENDENT;
+
+/// N (NᵀM⁻¹N)⁻¹ d, from M⁻¹ = `mobility` and N = `normals`; NaN if NᵀM⁻¹N is not positive definite.
+pub fn centripetal(mobility: &Matrix, normals: &DMatrix<f64>, d: &DVector<f64>) -> Vector {
+    let compliance = (normals.transpose() * (mobility * normals)).cholesky();
+    let force = compliance.map(|compliance| normals * compliance.solve(d));
+    force.map_or_else(|| Vector::from_fn(normals.nrows(), |_| f64::NAN), |force| Vector::from(&force))
+}
+
+/// P and the factors of the forces in the reactions, from M⁻¹ = `mobility` and N = `normals`; NaN if NᵀM⁻¹N is not positive definite.
+pub fn held(mobility: &Matrix, normals: &DMatrix<f64>) -> (Matrix, DMatrix<f64>) {
+    let response = mobility * normals;
+    let unknown = || DMatrix::repeat(normals.ncols(), normals.nrows(), f64::NAN);
+    let compliance = (normals.transpose() * &response).cholesky();
+    let to_reactions = compliance.map_or_else(unknown, |compliance| compliance.solve(&response.transpose()));
+    (mobility - &response * &to_reactions, to_reactions)
+}
+
+/// Whether the last of several motions is possible while those before it are held. Each is a column of gradients (n).
+pub fn is_free(mass: &Cholesky<f64, Dyn>, columns: &[DVector<f64>]) -> bool {
+    let Some((last, before)) = columns.split_last() else { return true };
+    let response = mass.solve(last);
+    let alone = last.dot(&response);
+    if before.is_empty() {
+        return alone > 0.0;
+    }
+    let before = DMatrix::from_columns(before);
+    let coupling = before.transpose() * &response;
+    let compliance = (before.transpose() * mass.solve(&before)).cholesky();
+    let left = compliance.map(|compliance| alone - coupling.dot(&compliance.solve(&coupling)));
+    left.is_some_and(|left| left > INDEPENDENT * alone)
+}
