@@ -46,6 +46,8 @@ pub struct Outcome {
     pub counts: Counts,
     /// For each switch of the scene, by its name: the time spent in each of its modes \[s\].
     pub modes: Vec<(&'static str, Vec<(&'static str, f64)>)>,
+    /// Impacts of each kind, by what the modes of the scene's switches count, e.g. "flanks met".
+    pub impacts: Vec<(&'static str, u64)>,
     /// How it was solved.
     pub solver: Solver,
     /// Why the run ended before its time, if it did.
@@ -343,6 +345,7 @@ impl<'a> Plan<'a> {
             remarks,
             counts: simulation.now.counts,
             modes: simulation.now.switches.iter().map(|switch| times(scene, switch)).collect(),
+            impacts: impacts(&simulation.now.switches),
         };
         outcome.refuted = Account::of(&outcome, scene, rounding).filter(|account| closes && account.refutes());
         outcome
@@ -353,6 +356,18 @@ impl<'a> Plan<'a> {
 fn times(scene: &Scene, switch: &Switch) -> (&'static str, Vec<(&'static str, f64)>) {
     let spent = switch.spent().map(|(mode, time)| (mode.name, time));
     (scene.model.switches[switch.index].name, spent.collect())
+}
+
+/// The impacts of each kind, in the order of the switches.
+fn impacts(switches: &[Switch]) -> Vec<(&'static str, u64)> {
+    let mut kinds: Vec<(&'static str, u64)> = vec![];
+    for (kind, impacts) in switches.iter().flat_map(Switch::impacts) {
+        match kinds.iter_mut().find(|(known, _)| *known == kind) {
+            Some((_, sum)) => *sum += impacts,
+            None => kinds.push((kind, impacts)),
+        }
+    }
+    kinds
 }
 
 /// Processor time of this thread since `begin` [s], never 0.

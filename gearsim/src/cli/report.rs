@@ -191,11 +191,11 @@ fn rare_lines(scene: &Scene, summary: &Summary, width: usize) -> String {
         let says = format!("{} times; the bounces that were ignored had {ignored} J", counts.holds);
         text += &line("held at a step", &says, width);
     }
-    if counts.impacts > 0 {
-        text += &line("flanks met", &format!("{} times after crossing the play", counts.impacts), width);
+    for (kind, impacts) in summary.impacts.iter().filter(|(_, impacts)| **impacts > 0) {
+        text += &line(kind, &format!("{impacts} times after being apart"), width);
     }
     if counts.sticks > 0 {
-        text += &line("came to rest", &format!("{} times by dry friction or a clutch", counts.sticks), width);
+        text += &line("came to rest", &format!("{} times, held by friction or a clutch", counts.sticks), width);
     }
     if counts.grazes > 0 {
         let says = format!("{} times a phase touched a step without passing it, within rounding errors", counts.grazes);

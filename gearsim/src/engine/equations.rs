@@ -43,8 +43,8 @@ pub trait Equations: Send + Sync {
     fn torque_power(&self, _i: usize, _q: &[f64], _q_dot: &[f64], _k: &[f64]) -> f64 {
         0.0
     }
-    /// Whether any torque depends on the state.
-    fn has_powers(&self) -> bool {
+    /// Whether external torque `i` has a part that depends on the state.
+    fn has_power(&self, _i: usize) -> bool {
         false
     }
     /// Output `i` at a state [unit of the output]; `q` are the unwrapped coordinates.

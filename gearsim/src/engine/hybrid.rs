@@ -31,7 +31,7 @@ pub struct Counts {
     pub reflections: u64,
     /// Times that a phase was held at a step.
     pub holds: u64,
-    /// Impacts: flanks met that had parted.
+    /// Impacts: entries that a mode counts, of a deflection that had parted.
     pub impacts: u64,
     /// Times that a clutch or dry friction locked.
     pub sticks: u64,
@@ -88,7 +88,8 @@ impl<'a> Hybrid<'a> {
     /// The state at the start of a run of `scene`.
     pub fn new(equations: &'a dyn Equations, scene: &Scene, begun: Initial, forcing: Option<Forcing>) -> Self {
         let Initial { state, laws, switches, .. } = begun;
-        let varying = forcing.is_some() || equations.has_powers();
+        let torques = scene.model.torques.len();
+        let varying = forcing.is_some() || (0..torques).any(|i| equations.has_power(i));
         let mut now = Hybrid {
             equations,
             clock: Clock::default(),
@@ -103,7 +104,7 @@ impl<'a> Hybrid<'a> {
             rattle: (f64::NAN, 0),
             dissipated: 0.0,
             ignored: 0.0,
-            work: vec![0.0; if varying { scene.model.torques.len() } else { 0 }],
+            work: vec![0.0; if varying { torques } else { 0 }],
             counts: Counts::default(),
         };
         now.set_levels();
@@ -275,7 +276,7 @@ impl Hybrid<'_> {
         place.write(&mut self.k);
         let state = (&self.state.q[..], &self.state.q_dot[..]);
         switch::settle(place, self.equations, state, &mut self.k, crossed);
-        self.counts.impacts += u64::from(place.parted && place.counted(before));
+        self.counts.impacts += u64::from(place.count(before));
         place.leave(before, self.clock.now());
     }
 

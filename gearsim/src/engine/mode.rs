@@ -248,6 +248,6 @@ fn decayed(rate: f64, t: f64) -> f64 {
 }
 
 mod loss;
-pub(crate) use loss::{GAUSS_8, GAUSS_16};
+pub(crate) use loss::GAUSS_16;
 #[cfg(test)]
 mod tests;

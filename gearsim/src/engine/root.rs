@@ -6,7 +6,7 @@
 //! first. Double roots are handled in the same way. A touch that does not pass zero by more than the tolerance is a graze: it is
 //! counted, but it is not a root.
 
-use crate::tolerance::events::{DENSE_NOISE, ROOT_ERROR, ROOT_HALVINGS};
+use crate::tolerance::events::{DENSE_FAR, DENSE_NOISE, ROOT_ERROR, ROOT_HALVINGS};
 
 /// Maximum number of coefficients of a method's dense output.
 const DENSE: usize = 8;
@@ -54,6 +54,11 @@ pub fn first_known_to(coefficients: &[f64], tolerance: f64, slack: f64) -> Found
 
 /// The same for a polynomial of at most `MOST` coefficients.
 pub fn first_of<const MOST: usize>(coefficients: &[f64], tolerance: f64) -> Found {
+    // Most polynomials stay far from zero: p(x) >= c_0 - sum |c_j|, and so is each Bernstein coefficient.
+    let first = coefficients[0];
+    if coefficients.iter().skip(1).fold(0.0, |sum, c| sum + c.abs()) < DENSE_FAR * first {
+        return Found { root: None, steps: 1, grazes: 0 };
+    }
     let mut c = coefficients.to_vec();
     // Negative by rounding and increasing: the polynomial starts on the boundary.
     if c[0] < 0.0 && c[0] >= -tolerance && c.get(1).is_some_and(|c| *c > 0.0) {

@@ -38,6 +38,8 @@ pub struct Switch {
     modes: Arc<(&'static [Mode], Vec<Vec<f64>>)>,
     /// Time spent in each mode until it was last left [s].
     spent: Vec<f64>,
+    /// Times that each mode was entered by an impact.
+    impacts: Vec<u64>,
     /// When the present mode began [s].
     since: f64,
     /// Whether its deflection has been away from the modes whose entry counts, by more than rounding errors, since the present mode began.
@@ -54,9 +56,20 @@ impl Switch {
             if let Some(values) = values {
                 let Deflection { normal, errors, .. } = equations.deflection(equations.switched(index), q, k);
                 let modes = Arc::new((switch.modes, values));
-                let spent = vec![0.0; switch.modes.len()];
+                let (spent, impacts) = (vec![0.0; switch.modes.len()], vec![0; switch.modes.len()]);
                 let shifted = !errors.is_empty();
-                all.push(Switch { index, at, normal, shifted, mode: 0, modes, spent, since: 0.0, parted: false });
+                all.push(Switch {
+                    index,
+                    at,
+                    normal,
+                    shifted,
+                    mode: 0,
+                    modes,
+                    spent,
+                    impacts,
+                    since: 0.0,
+                    parted: false,
+                });
             }
             at += switch.neutral.len();
         }
@@ -88,9 +101,17 @@ impl Switch {
         self.modes.0[mode].counts_after(self.here())
     }
 
-    /// Whether the exit from the mode `before` to the present mode counts.
-    pub fn counted(&self, before: usize) -> bool {
-        self.here().counts_after(&self.modes.0[before])
+    /// Counts the exit from the mode `before` to the present mode if it is an impact: the mode counts its entries, and the deflection had
+    /// parted. Returns whether it is.
+    pub fn count(&mut self, before: usize) -> bool {
+        let is_impact = self.parted && self.here().counts_after(&self.modes.0[before]);
+        self.impacts[self.mode] += u64::from(is_impact);
+        is_impact
+    }
+
+    /// What each mode counts, and how often it was entered by an impact.
+    pub fn impacts(&self) -> impl Iterator<Item = (&'static str, u64)> {
+        self.modes.0.iter().zip(&self.impacts).filter_map(|(mode, impacts)| Some((mode.counts?, *impacts)))
     }
 
     /// Notes that the mode `before` ended at the time `now` \[s\], if the present mode is another one.

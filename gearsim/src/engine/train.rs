@@ -198,14 +198,12 @@ impl Equations for Assembly {
     fn torque_power(&self, i: usize, q: &[f64], q_dot: &[f64], k: &[f64]) -> f64 {
         let [part, torque] = self.torques[i].0;
         let p = &self.parts[part];
-        if !p.equations.has_powers() {
-            return 0.0;
-        }
         p.equations.torque_power(torque, &p.at(q), &p.at(q_dot), &p.values(k))
     }
 
-    fn has_powers(&self) -> bool {
-        self.parts.iter().any(|p| p.equations.has_powers())
+    fn has_power(&self, i: usize) -> bool {
+        let [part, torque] = self.torques[i].0;
+        self.parts[part].equations.has_power(torque)
     }
 
     fn output(&self, i: usize, q: &[f64], q_dot: &[f64], k: &[f64], known: &Known) -> f64 {

@@ -149,6 +149,7 @@ pub(crate) fn brief(scene: &Scene, outcome: &Outcome) -> Summary {
         load_spectra: IndexMap::new(),
         sounds: IndexMap::new(),
         modes: outcome.modes.iter().map(|(switch, times)| (switch.to_string(), shares(times))).collect(),
+        impacts: outcome.impacts.iter().map(|(kind, impacts)| ((*kind).to_owned(), *impacts)).collect(),
         method: Method {
             name: outcome.solver.method.into(),
             why: outcome.solver.why.clone(),

@@ -194,7 +194,7 @@ impl Method for Explicit {
                         c.add(h * p, &self.flow(self.stage(*i)));
                     }
                 }
-                Dense::new(c)
+                Dense::new(&c)
             }
             Interpolant::Nested(rows) => {
                 let mut argument = start.clone();
@@ -203,15 +203,26 @@ impl Method for Explicit {
                     let rate = field.rate(self.tableau.nodes[i] * h, &argument);
                     self.set(i, &rate);
                 }
-                let rise = trial.end.plus(-1.0, start);
-                let first = self.flow(self.stage(0));
-                let mut bend = rise.clone().times(2.0);
-                bend.add(-h, &trial.rate);
-                bend.add(-h, &first);
-                let mut slope = first.times(h);
-                slope.add(-1.0, &rise);
-                let [a, b, c, d] = rows.map(|row| self.sum(row).times(h));
-                Dense::nested(start, &[rise, slope, bend, a, b, c, d])
+                let width = 2 * self.n + 1;
+                let mut parts = vec![0.0; 7 * width];
+                let (first, last) = parts.split_at_mut(3 * width);
+                // From both ends: the rise, and its deviations from the slopes at the ends.
+                let ends = |i: usize| match i.checked_sub(self.n) {
+                    None => (trial.end.q[i] - start.q[i], self.k[i], trial.rate.q[i]),
+                    Some(j) if j < self.n => (trial.end.v[j] - start.v[j], self.k[i], trial.rate.v[j]),
+                    Some(_) => (trial.end.lost - start.lost, self.k[i], trial.rate.lost),
+                };
+                for i in 0..width {
+                    let (rise, before, after) = ends(i);
+                    first[i] = rise;
+                    first[width + i] = before * h - rise;
+                    first[2 * width + i] = (rise * 2.0 - h * after) - h * before;
+                }
+                for (part, row) in last.chunks_exact_mut(width).zip(rows) {
+                    self.add_up(row);
+                    part.iter_mut().zip(&self.sum).for_each(|(part, sum)| *part = sum * h);
+                }
+                Dense::nested(start, &parts)
             }
         }
     }

@@ -32,6 +32,8 @@ pub struct Field<'a> {
     holds: Vec<Watch>,
     /// P (N x N); `None` where M depends on q.
     mobility: Option<Matrix>,
+    /// The torques that depend on the state.
+    of_state: Vec<usize>,
     /// The linear forces of the present mode, if the model puts them together from parts.
     linear: Option<LinearForces>,
     /// Gradients of the motions that are held (N, one a column).
@@ -62,6 +64,7 @@ impl<'a> Field<'a> {
             forcing: None,
             holds: vec![],
             mobility: None,
+            of_state: (0..now.work.len()).filter(|i| now.equations.has_power(*i)).collect(),
             linear: None,
             held: None,
             turning: None,
@@ -171,12 +174,17 @@ impl<'a> Field<'a> {
         rayleigh + Guards::of(self.equations, &self.switches, &y.q, &self.k).power(&y.q, &y.v, &self.k)
     }
 
-    /// The power of the varying part of each torque at `y`, the time `t` after the step began \[W\].
-    pub fn power(&mut self, t: f64, y: &Flow, torques: usize) -> Vec<f64> {
+    /// Writes the power of the varying part of each torque at `y`, the time `t` after the step began \[W\] (n_torques).
+    pub fn write_power(&mut self, t: f64, y: &Flow, power: &mut [f64]) {
         self.set(t, y);
-        let varying = self.forcing.as_ref().map(|forcing| forcing.power(self.begins + t, &y.v));
-        let of_state = |i| self.equations.torque_power(i, &y.q, &y.v, &self.k);
-        (0..torques).map(|i| of_state(i) + varying.as_ref().map_or(0.0, |varying| varying[i])).collect()
+        power.fill(0.0);
+        for &i in &self.of_state {
+            power[i] = self.equations.torque_power(i, &y.q, &y.v, &self.k);
+        }
+        if let Some(forcing) = &self.forcing {
+            let varying = forcing.power(self.begins + t, &y.v);
+            power.iter_mut().zip(varying).for_each(|(power, varying)| *power += varying);
+        }
     }
 
     /// Values of laws and switches, and slopes of the laws, where the field was last evaluated.

@@ -27,31 +27,12 @@ impl Flow {
         self.lost += other.lost * factor;
     }
 
-    /// `self`, multiplied by `factor`.
-    #[inline]
-    pub fn times(mut self, factor: f64) -> Self {
-        for i in 0..self.q.len() {
-            self.q[i] *= factor;
-            self.v[i] *= factor;
-        }
-        self.lost *= factor;
-        self
-    }
-
     /// `self` + `factor` `other`.
     #[inline]
     pub fn plus(&self, factor: f64, other: &Flow) -> Self {
         let mut sum = self.clone();
         sum.add(factor, other);
         sum
-    }
-
-    /// Becomes `factor` `self` + `other`.
-    #[inline]
-    pub fn times_plus(&mut self, factor: f64, other: &Flow) {
-        self.q.times_plus(factor, &other.q);
-        self.v.times_plus(factor, &other.v);
-        self.lost = other.lost + self.lost * factor;
     }
 
     /// Whether all of it is finite.

@@ -212,6 +212,6 @@ impl Method for Radau {
             [10.0 / 3.0 + 5.0 * s, 10.0 / 3.0 - 5.0 * s, 10.0 / 3.0],
         ];
         let [a, b, c] = powers.map(|factors| Self::combine(&factors, &self.z));
-        Dense::new(vec![start.clone(), a, b, c])
+        Dense::new(&[start.clone(), a, b, c])
     }
 }

@@ -23,6 +23,7 @@ use super::{Method, Trial};
 mod guards;
 mod landing;
 mod motion;
+mod work;
 
 use motion::Step;
 
@@ -166,9 +167,9 @@ impl Solver for BySteps<'_> {
         let (h, trial) = self.attempt(now, &y, &rate, horizon)?;
         let dense = match h > 0.0 {
             true => self.method.dense(&mut self.field, &y, h, &trial),
-            false => Dense::new(vec![y.clone()]),
+            false => Dense::new(std::slice::from_ref(&y)),
         };
-        Ok(Box::new(Step { solver: self, now, start: y, rate, h, trial, dense, found: None }))
+        Ok(Box::new(Step { solver: self, now, start: y, rate, h, trial, dense, found: None, work: None }))
     }
 
     fn rate(&self) -> f64 {

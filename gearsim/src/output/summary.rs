@@ -23,7 +23,7 @@ pub use observed::Observed;
 /// Name of the format of `summary.json`.
 pub const FORMAT: &str = "gearsim.summary";
 /// Version of the format. Files of version 0 have neither `format` nor `version`.
-pub const VERSION: u32 = 4;
+pub const VERSION: u32 = 5;
 
 /// The content of `summary.json`.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -63,6 +63,8 @@ pub struct Summary {
     pub sounds: IndexMap<String, Sound>,
     /// Share of the run's time in each mode of each switch: `over12`, `free` \[1\].
     pub modes: BTreeMap<String, Named>,
+    /// Impacts by their kind, in the words of the model: `flanks met`, `stop met`.
+    pub impacts: IndexMap<String, u64>,
     /// The method that solved it.
     pub method: Method,
     /// Counts of the solver.
@@ -145,7 +147,7 @@ pub struct Counts {
     pub grazes: u64,
     /// Number of times that a phase was held at a step that it had not the energy to pass.
     pub holds: u64,
-    /// Number of times that flanks met after crossing their play.
+    /// Number of impacts of all kinds: flanks or stops met that had parted.
     pub impacts: u64,
     /// Number of times that dry friction brought a motion to rest, or a clutch locked.
     pub sticks: u64,

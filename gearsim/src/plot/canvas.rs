@@ -115,16 +115,14 @@ fn frame(out: &mut Drawing, panel: &Panel, (x, shaded): (&Ruler, Option<f64>), l
         let py = bottom - at * height;
         let _ = write!(marks, "M{LEFT} {py:.1}h3M{right} {py:.1}h-3");
     }
+    let mut shade = None;
     if let Some(from) = shaded.map(|from| x.place(from).max(0.0)).filter(|from| *from < 1.0) {
         let (left, width) = (LEFT + from * FRAME, (1.0 - from) * FRAME);
         let _ = writeln!(
             out,
             "<rect x=\"{left:.1}\" y=\"{top:.1}\" width=\"{width:.1}\" height=\"{height}\" fill=\"#f3ecdf\"/>"
         );
-        let says = "no digits of the state are left";
-        if SMALL * ems(says) + 12.0 < width {
-            out.text((right - 6.0, top + 15.0), Anchor::End, SMALL, "fill=\"#8a6d3b\"", says);
-        }
+        shade = Some(width);
     }
     path(out, &grid, "stroke=\"#e4e4e4\" stroke-width=\"0.8\"");
 
@@ -150,13 +148,46 @@ fn frame(out: &mut Drawing, panel: &Panel, (x, shaded): (&Ruler, Option<f64>), l
     }
     let _ = writeln!(out, "</svg>");
     notes::draw(out, &ends, LEFT, right, (top, bottom));
+    if let Some(width) = shade {
+        shaded_note(out, width, (right, top));
+    }
 
     path(out, &marks, "stroke=\"#222\" stroke-width=\"0.8\"");
     let outline = format!("M{LEFT} {top:.1}H{right}V{bottom:.1}H{LEFT}Z");
     path(out, &outline, "stroke=\"#222\" stroke-width=\"1\"");
-    let (cx, cy) = (20.0, top + height / 2.0);
-    let turn = format!("transform=\"rotate(-90 {cx} {cy:.1})\"");
-    out.text((cx, cy), Anchor::Middle, TEXT, &turn, &y.label(&panel.y));
+    name(out, &y.label(&panel.y), top + height / 2.0, height);
+}
+
+/// Writes the name of a y axis along it, about the height `cy`. A name that is longer than the axis has its unit in a second line.
+fn name(out: &mut Drawing, text: &str, cy: f64, height: f64) {
+    let (first, unit) = match text.rsplit_once(" [") {
+        Some((first, unit)) if TEXT * ems(text) > height => (first.to_owned(), format!("[{unit}")),
+        _ => (text.to_owned(), String::new()),
+    };
+    let size = (10.0 * TEXT.min(height / ems(&first))).floor() / 10.0;
+    let lines = if unit.is_empty() { vec![(20.0, first)] } else { vec![(12.0, first), (12.0 + TEXT + 2.0, unit)] };
+    for (cx, line) in lines {
+        let turn = format!("transform=\"rotate(-90 {cx} {cy:.1})\"");
+        out.text((cx, cy), Anchor::Middle, size, &turn, &line);
+    }
+}
+
+/// Says what the shade of a panel means, over the curves that cross the text. `width` is that of the shade, which ends at `right`.
+fn shaded_note(out: &mut Drawing, width: f64, (right, top): (f64, f64)) {
+    let says = "no digits of the state are left";
+    let long = SMALL * ems(says);
+    if long + 12.0 < width {
+        let ground = format!(
+            "M{:.1} {:.1}h{:.1}v{}h-{:.1}Z",
+            right - long - 10.0,
+            top + 3.0,
+            long + 8.0,
+            SMALL + 4.0,
+            long + 8.0
+        );
+        path(out, &ground, "style=\"fill:#f3ecdf\" opacity=\"0.85\"");
+        out.text((right - 6.0, top + 15.0), Anchor::End, SMALL, "fill=\"#7a5c2e\"", says);
+    }
 }
 
 /// Draws a curve given in pixels: without what is outside the frame, in one piece between gaps.

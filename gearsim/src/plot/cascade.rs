@@ -4,6 +4,7 @@ use super::outputs::{engineering, of_unit};
 use super::{Axis, Marker, Panel, PlotError, Run, Series, Style};
 use crate::analysis::orders::{Mesh, SHAFT, meshes, reference_shaft};
 use crate::model::Output;
+use crate::output::number::short;
 
 /// Points of a curve: each is the largest line of several.
 const POINTS: usize = 500;
@@ -103,7 +104,7 @@ pub(super) fn panel(
         let y = part.amplitude[..shown].chunks(each).map(highest).collect();
         let label = match (i, named) {
             (0, true) => label.to_owned(),
-            (0, false) => format!("the highest line is {peak:.3e} {unit}"),
+            (0, false) => format!("the highest line is {} {unit}", short(peak)),
             _ => String::new(),
         };
         let style = Style { colour: "#0072b2", dashes: &[], width: 0.9, marker: Marker::None };

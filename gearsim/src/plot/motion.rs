@@ -1,10 +1,13 @@
-//! The motion: every coordinate and its speed against time. Only the speed of a coordinate that rotates continuously.
+//! The motion: every coordinate and its speed against time, in units that suit their size. Only the speed of a coordinate that rotates
+//! continuously.
 
+use super::figure::extremes;
 use super::{
     Axis, Figure, Panel, Plot, PlotError, Run, Series, coordinate_index, first_run, rotates, scene_names, symbol,
     time_axis,
 };
 use crate::model::Coordinate;
+use crate::output::unit::readable;
 use crate::trajectory::Trajectory;
 
 /// The entry in [`super::PLOTS`].
@@ -16,13 +19,12 @@ fn draw(runs: &[Run<'_>]) -> Result<Figure, PlotError> {
     for coordinate in model.coordinates {
         let (name, unit) = (coordinate.name, coordinate.unit);
         if !runs.iter().any(|run| rotates(run.trajectory, name)) {
-            let y = Axis::linear(symbol(name), unit);
-            panels.push(panel(runs, coordinate, coordinate.doc, y, |run, i| &run.q[i]));
+            let label = (symbol(name), unit.to_owned());
+            panels.push(panel(runs, coordinate, coordinate.doc, label, |run, i| &run.q[i]));
         }
         let speed = format!("d{}/dt", symbol(name));
-        let y = Axis::linear(speed, format!("{unit}/s"));
         let words = format!("speed: {}", coordinate.doc);
-        panels.push(panel(runs, coordinate, &words, y, |run, i| &run.q_dot[i]));
+        panels.push(panel(runs, coordinate, &words, (speed, format!("{unit}/s")), |run, i| &run.q_dot[i]));
     }
     // The legend of the first panel holds for all.
     if runs.len() > 1 {
@@ -36,7 +38,7 @@ fn panel(
     runs: &[Run<'_>],
     coordinate: &Coordinate,
     words: &str,
-    y: Axis,
+    (label, unit): (String, String),
     quantity: impl Fn(&Trajectory, usize) -> &Vec<f64>,
 ) -> Panel {
     let mut series = vec![];
@@ -45,8 +47,15 @@ fn panel(
         let Some(i) = coordinate_index(recorded, coordinate.name) else {
             continue;
         };
-        let label = if runs.len() > 1 { run.label } else { words };
-        series.push(Series::new(n, label, recorded.t.clone(), quantity(recorded, i).clone()));
+        let name = if runs.len() > 1 { run.label } else { words };
+        series.push(Series::new(n, name, recorded.t.clone(), quantity(recorded, i).clone()));
     }
-    Panel { y, series }
+    let (low, high) = extremes(series.iter().flat_map(|s| s.y.iter().copied()));
+    let (unit, factor) = match &*unit {
+        // Most angles are rotations, and their speeds are not those of rotors.
+        unit if unit.starts_with("rad") => (unit, 1.0),
+        unit => readable(unit, high.max(-low)),
+    };
+    series.iter_mut().flat_map(|s| &mut s.y).for_each(|y| *y *= factor);
+    Panel { y: Axis::linear(label, unit), series }
 }

@@ -5,6 +5,7 @@ use super::outputs::{engineering, of_unit};
 use super::{Axis, Figure, Panel, Plot, PlotError, Run, Series, first_run, scene_names};
 use crate::analysis::orders::{Mesh, SHAFT, Turning, cuts, meshes, reference_shaft};
 use crate::model::Output;
+use crate::output::number::short;
 
 /// The entry in [`super::PLOTS`].
 pub const PLOT: Plot = Plot { name: "order_cuts", draw };
@@ -77,7 +78,7 @@ fn wanted(run: &Run<'_>, turning: &Turning) -> Vec<(String, f64)> {
     let meshes = meshes(run.trajectory, run.asked.spectrum.from);
     let named = |mesh: &Mesh| {
         let base = mesh.frequency / turning.frequency();
-        HARMONICS.map(|n| (format!("{n} × {}, order {:.4}", mesh.name, n * base), n * base))
+        HARMONICS.map(|n| (format!("{n} × {}, order {}", mesh.name, short(n * base)), n * base))
     };
     match &meshes[..] {
         [] => HARMONICS.map(|n| (format!("order {n}"), n)).to_vec(),

@@ -12,6 +12,8 @@ pub const PLOT: Plot = Plot { name: "order_waterfall", draw };
 
 /// Revolutions in a window: orders a quarter apart are separate lines, of which the Hann window's lobe takes four.
 const WINDOW: usize = 4;
+/// Revolutions from one window to the next.
+const APART: f64 = 2.0;
 /// Windows that are drawn at most, evenly chosen.
 const MOST: usize = 40;
 
@@ -26,7 +28,7 @@ fn draw(runs: &[Run<'_>]) -> Result<Figure, PlotError> {
     let (mut all, mut end) = (vec![], 0.0_f64);
     for (run, turning) in runs.iter().zip(&turning) {
         let Some((_, column)) = run.trajectory.signal(signal) else { continue };
-        let windows = windows(turning, column, WINDOW).map_err(of(run, signal))?;
+        let windows = windows(turning, column, WINDOW, APART).map_err(of(run, signal))?;
         if windows.len() < 2 {
             let why = format!("the run has {} revolutions of {}, and needs six", turning.revolutions(), shaft.name);
             return Err(PlotError::Nothing { plot: PLOT.name, why });
@@ -76,7 +78,7 @@ mod tests {
         up.outputs[0].1 = up.t.iter().map(|t| TAU * (5.0 + 5.0 * t)).collect();
         let x: Vec<f64> = up.t.iter().map(|t| 3.0 * (17.0 * TAU * (5.0 * t + 2.5 * t * t)).sin()).collect();
         let turning = Turning::of(&up, "rotor_speed", 0.0).unwrap();
-        let parts: Vec<Part> = windows(&turning, &x, WINDOW).unwrap().into_iter().map(part).collect();
+        let parts: Vec<Part> = windows(&turning, &x, WINDOW, APART).unwrap().into_iter().map(part).collect();
         assert!(parts.len() > 25, "{}", parts.len());
         for part in &parts {
             let top = (0..part.place.len()).max_by(|&a, &b| part.amplitude[a].total_cmp(&part.amplitude[b])).unwrap();

@@ -6,6 +6,7 @@ use super::{Axis, Figure, Panel, Plot, PlotError, Run, Series, first_run, scene_
 use crate::analysis::orders::{Turning, meshes, reference_shaft};
 use crate::analysis::spectrum::SpectrumError;
 use crate::model::Output;
+use crate::output::number::short;
 
 /// The entry in [`super::PLOTS`].
 pub const PLOT: Plot = Plot { name: "orders", draw };
@@ -65,7 +66,7 @@ fn draw(runs: &[Run<'_>]) -> Result<Figure, PlotError> {
     }
     // The legend of the first panel holds for all.
     panels.iter_mut().skip(1).for_each(Panel::unnamed);
-    let orders = meshes.iter().map(|mesh| format!("{} {:.4}", mesh.name, mesh.frequency / turning[0].frequency()));
+    let orders = meshes.iter().map(|mesh| format!("{} {}", mesh.name, short(mesh.frequency / turning[0].frequency())));
     let orders = orders.collect::<Vec<_>>().join(", ");
     if panels.is_empty() {
         return Err(nothing("the run recorded no transmission error, force or torque that varies".into()));

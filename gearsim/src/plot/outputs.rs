@@ -1,7 +1,9 @@
 //! The recorded outputs against time, in the units of engineers: a panel for each unit.
 
+use super::figure::extremes;
 use super::{Axis, Figure, Panel, Plot, PlotError, Run, Series, first_run, scene_names, time_axis};
 use crate::model::Output;
+use crate::output::unit::readable;
 use crate::trajectory::Trajectory;
 
 /// The entry in [`super::PLOTS`].
@@ -41,13 +43,18 @@ pub fn is_first(output: &str) -> bool {
     output.starts_with("mesh") && !output.starts_with("mesh_deflection")
 }
 
+/// Whether an output is not zero throughout. One that is belongs to an effect that the scene does not have, or to a damper without damping.
+fn acts(run: &Run<'_>, output: &Output) -> bool {
+    run.trajectory.output(output.name).is_some_and(|column| column.iter().any(|x| *x != 0.0))
+}
+
 fn draw(runs: &[Run<'_>]) -> Result<Figure, PlotError> {
     let first = first_run(PLOT.name, runs)?.trajectory;
     let mut left_out = 0;
     let mut panels = vec![];
     for (unit, quantity, shown, factor) in UNITS {
         let mut of_unit = of_unit(first, unit);
-        of_unit.retain(|output| output.is_power() == (quantity == POWER));
+        of_unit.retain(|output| output.is_power() == (quantity == POWER) && runs.iter().any(|run| acts(run, output)));
         // Several runs are compared by the first output of each unit.
         let most = if runs.len() > 1 { 1 } else { MOST };
         left_out += of_unit.len().saturating_sub(most);
@@ -56,10 +63,13 @@ fn draw(runs: &[Run<'_>]) -> Result<Figure, PlotError> {
             for run in runs {
                 let Some(column) = run.trajectory.output(output.name) else { continue };
                 let label = if runs.len() > 1 { run.label } else { output.name };
-                let y = column.iter().map(|x| x * factor).collect();
-                series.push(Series::new(series.len(), label, run.trajectory.t.clone(), y));
+                series.push(Series::new(series.len(), label, run.trajectory.t.clone(), column.to_vec()));
             }
         }
+        // Powers range from watts to megawatts.
+        let (low, high) = extremes(series.iter().flat_map(|s| s.y.iter().copied()));
+        let (shown, factor) = if unit == "W" { readable(unit, high.max(-low)) } else { (shown, factor) };
+        series.iter_mut().flat_map(|s| &mut s.y).for_each(|y| *y *= factor);
         // Angles, such as twists, only where no length tells as much.
         let told = unit == "rad" && first.outputs.iter().any(|(output, _)| output.unit == "m");
         if !series.is_empty() && !told {
@@ -72,7 +82,10 @@ fn draw(runs: &[Run<'_>]) -> Result<Figure, PlotError> {
         panels.iter_mut().skip(1).for_each(Panel::unnamed);
     }
     if panels.is_empty() {
-        return Err(PlotError::Nothing { plot: PLOT.name, why: "the run recorded no outputs".into() });
+        return Err(PlotError::Nothing {
+            plot: PLOT.name,
+            why: "the run recorded no outputs that differ from zero".into(),
+        });
     }
     let mut subtitle = scene_names(runs);
     if left_out > 0 {

@@ -1,8 +1,7 @@
 //! Spectra of outputs and coordinates: power spectral density, peak or rms amplitude, or levels of them in dB.
 //!
-//! What is drawn is the scene's choice (`[output] spectrum`). The axis reaches beyond the mesh frequencies and the content of the
-//! spectra. If every run has a damped natural frequency wd that its mesh frequencies do not leave far behind, it is in units of wd, as
-//! in Oh, Grosh and Barber (2005), Fig. 4; else in Hz. The density is always per Hz.
+//! What is drawn is the scene's choice (`[output] spectrum`). The axis is in Hz and reaches as far as the content of the spectra and the
+//! first mesh lines; or in units of the damped natural frequency wd, as in Oh, Grosh and Barber (2005), Fig. 4. The density is always per Hz.
 
 mod scale;
 
@@ -102,12 +101,13 @@ fn abscissa<'a>(
 ) -> (Axis, Vec<f64>) {
     let references: Option<Vec<f64>> = runs
         .iter()
+        .filter(|run| run.asked.spectrum.natural)
         .map(|run| run.reference_frequency.filter(|wd| *wd > 0.0 && wd.is_finite()).map(|wd| wd / TAU))
         .collect();
     let mesh = meshes.iter().map(|mesh| mesh.frequency).fold(0.0, f64::max);
     let longest = all.clone().filter_map(|s| s.frequency.last().copied()).fold(0.0, f64::max);
     match references {
-        Some(units) if mesh <= LONGEST * units[0] => {
+        Some(units) if units.len() == runs.len() => {
             let end = LONGEST.max(MESHES * mesh / units[0]).min(longest / units[0]);
             (Axis::linear("frequency ω/ω_{d}", "").between(0.0, end), units)
         }

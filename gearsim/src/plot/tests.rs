@@ -30,7 +30,7 @@ fn every_plot_has_its_labels_units_and_scene_name() {
     let expected: [(&str, &[&str]); 3] = [
         ("energy", &["U = T + V − W", "dissipated", "residual [", "time t [s]"]),
         ("motion", &["φ [rad]", "dφ/dt [rad/s]", "dθ/dt [", "time t [s]"]),
-        ("spectrum", &["PSD of φ [rad²/Hz]", "frequency ω/ω<tspan", "10⁻"]),
+        ("spectrum", &["PSD of φ [rad²/Hz]", "frequency f [Hz]", "10⁻"]),
     ];
     for (name, words) in expected {
         let figure = (find(name).unwrap().draw)(&[run("exact", &recorded)]).unwrap();
@@ -43,6 +43,57 @@ fn every_plot_has_its_labels_units_and_scene_name() {
         let png = figure.png().unwrap();
         assert_eq!(&png[1..4], b"PNG");
     }
+}
+
+/// Frequencies are in Hz; over the natural frequency where the scene asks for it and the run has one.
+#[test]
+fn frequencies_are_in_hertz_unless_the_scene_asks_for_the_natural_one() {
+    let recorded = oscillator(4000);
+    let asked = Output { spectrum: Spectrum { natural: true, ..Spectrum::DEFAULT }, ..ASKED.clone() };
+    let natural = Run { asked: &asked, ..run("exact", &recorded) };
+    let without = Run { reference_frequency: None, ..natural };
+    for (run, label) in
+        [(natural, "frequency ω/ω_{d}"), (without, "frequency f"), (run("exact", &recorded), "frequency f")]
+    {
+        assert_eq!((spectrum::PLOT.draw)(&[run]).unwrap().x.label, label);
+    }
+}
+
+/// What is zero throughout is not drawn: it belongs to an effect that the scene does not have.
+#[test]
+fn outputs_that_are_zero_throughout_are_not_drawn() {
+    let mut recorded = oscillator(100);
+    let names = |recorded: &Trajectory| {
+        let figure = (outputs::PLOT.draw)(&[run("exact", recorded)])?;
+        Ok::<_, PlotError>(figure.panels.into_iter().flat_map(|p| p.series).map(|s| s.label).collect::<Vec<_>>())
+    };
+    let all = names(&recorded).unwrap();
+    recorded.outputs[1].1.iter_mut().for_each(|x| *x = 0.0);
+    assert_eq!(names(&recorded).unwrap().len() + 1, all.len());
+    recorded.outputs[0].1.iter_mut().for_each(|x| *x = 0.0);
+    assert!(matches!(names(&recorded), Err(PlotError::Nothing { .. })));
+}
+
+/// The name of an axis that is longer than the axis has its unit in a second line, and no name is longer than its axis.
+#[test]
+fn names_of_axes_are_not_longer_than_the_axes() {
+    let recorded = oscillator(100);
+    let mut figure = (outputs::PLOT.draw)(&[run("exact", &recorded)]).unwrap();
+    figure.panels = vec![figure.panels[0].clone(); 3];
+    figure.panels[1].y = Axis::linear("PSD of mesh_deflection_12", "um^2/Hz");
+    figure.panels[2].y = Axis::linear("a name that is longer than its axis even without the unit", "um");
+    let svg = figure.svg().unwrap();
+    let size = |words: &str| {
+        let line =
+            svg.lines().find(|line| line.contains(&format!(">{words}<"))).unwrap_or_else(|| panic!("no `{words}`"));
+        line.split("font-size=\"").nth(1).and_then(|rest| rest.split('"').next()?.parse::<f64>().ok()).unwrap()
+    };
+    for words in ["PSD of mesh_deflection_12", "[um²/Hz]", "a name that is longer than its axis even without the unit"]
+    {
+        let length = size(words) * text::ems(words);
+        assert!(length <= 190.0, "{words}: {length}");
+    }
+    assert!(size("speed [rpm]") == 13.0, "a name that fits has the usual size");
 }
 
 #[test]

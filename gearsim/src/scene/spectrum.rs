@@ -19,6 +19,12 @@ pub(super) const KEYS: &[Key] = &[
     key("kind", Kind::Choice(&KIND_NAMES), "psd", "power spectral density, peak amplitude, or rms of a sine"),
     key("scale", Kind::Choice(&SCALES), "log", "a logarithmic axis, or levels"),
     key("reference", Kind::Either(&[Kind::Text, Kind::List(&Kind::Text)]), REFERENCES, "what levels refer to, by unit"),
+    key(
+        "axis",
+        Kind::Choice(&AXES),
+        "Hz",
+        "frequencies in Hz, or over the damped natural frequency at the mean stiffness",
+    ),
     key("from", Kind::Quantity("s"), "output.from", "where the transformed part of the record begins"),
 ];
 
@@ -28,6 +34,9 @@ const SPEED: &str = "a recorded speed of a rotor";
 const REFERENCES: &str = "1 um, 1 urad, else 1 of the SI unit";
 /// Scales of a spectrum.
 const SCALES: [&str; 2] = ["log", "dB"];
+
+/// Axes of frequencies.
+const AXES: [&str; 2] = ["Hz", "natural"];
 
 /// How spectra of a run are computed and drawn.
 #[derive(Debug, Clone, PartialEq)]
@@ -40,6 +49,8 @@ pub struct Spectrum {
     pub kind: SpectrumKind,
     /// Whether values are levels in dB re a reference.
     pub decibels: bool,
+    /// Whether frequencies are those over the damped natural frequency of the lowest elastic mode at the mean stiffness; else in Hz.
+    pub natural: bool,
     /// The references that the scene states.
     pub references: Vec<Reference>,
     /// Time from which on the record is transformed \[s\].
@@ -78,8 +89,15 @@ const USUAL: [(&str, &str, f64); 2] = [("m", "1 um", 1e-6), ("rad", "1 urad", 1e
 
 impl Spectrum {
     /// Densities of the signals that the program chooses, over the whole run.
-    pub const DEFAULT: Spectrum =
-        Spectrum { of: vec![], shaft: None, kind: SpectrumKind::Psd, decibels: false, references: vec![], from: 0.0 };
+    pub const DEFAULT: Spectrum = Spectrum {
+        of: vec![],
+        shaft: None,
+        kind: SpectrumKind::Psd,
+        decibels: false,
+        natural: false,
+        references: vec![],
+        from: 0.0,
+    };
 
     /// The reference of levels of a signal with the SI unit `unit`: in words, and its value \[SI\].
     pub fn reference(&self, unit: &str) -> (String, f64) {
@@ -124,6 +142,7 @@ pub(super) fn read(
     };
     let kind = choice("kind", "kind of spectrum", &KIND_NAMES)?;
     let decibels = choice("scale", "scale", &SCALES)? == 1;
+    let natural = choice("axis", "axis of frequencies", &AXES)? == 1;
     let references = match keys::get(given, "reference") {
         Some(node) if !decibels => {
             let help = "add scale = \"dB\", or remove the reference";
@@ -137,7 +156,7 @@ pub(super) fn read(
         Some(node) => output::read_from("output.spectrum.from", node, t_end, report)?,
         None => from,
     };
-    Some(Spectrum { of, shaft, kind: KINDS[kind].1, decibels, references, from })
+    Some(Spectrum { of, shaft, kind: KINDS[kind].1, decibels, natural, references, from })
 }
 
 /// The signals of a run, one column each: recorded outputs, then coordinates.

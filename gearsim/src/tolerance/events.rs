@@ -58,6 +58,10 @@ pub(crate) const SIGNAL_ROUNDING: f64 = 8.0 * f64::EPSILON;
 /// two sums of such terms. Smaller: a crossing could be missed. Larger: shorter steps of the search.
 pub(crate) const REACH_ROUNDING: f64 = 16.0 * f64::EPSILON;
 
+/// Largest sum of the sizes of the coefficients c_1, c_2, ... of a dense output for which it is not searched [c_0]: it then stays above
+/// (1 - 0.999) c_0. Smaller: more searches that find nothing. Larger: at 1, rounding errors of the sum could hide a root.
+pub(crate) const DENSE_FAR: f64 = 0.999;
+
 /// Rounding error of the coefficients of a dense output [tolerance of the root search]: they are differences of states, times
 /// numbers up to some tens. A polynomial whose coefficients are all below this has no sign of its own within the step. Smaller:
 /// rounding errors become events. Larger: slow departures from a boundary are found a step late.

@@ -194,15 +194,18 @@ fn output(m: &Model) -> Option<Cold> {
     })
 }
 
-/// The power of each torque that is not constant, and whether such a torque is present; nothing if the model has none.
+/// The power of each torque that is not constant, and whether it is present; nothing if the model has none.
 fn powers(m: &Model) -> Vec<Cold> {
-    let terms: Vec<_> = m.torques.iter().flat_map(|t| &t.power).collect();
-    if terms.is_empty() {
+    if m.torques.iter().all(|t| t.power.is_empty()) {
         return vec![];
     }
     let power = by_index("torque", format_ident!("i"), m.torques.iter().map(|t| block(&t.power)));
-    let always = terms.iter().any(|t| t.condition.is_none());
-    let present = terms.iter().filter_map(|t| t.condition.as_ref()).map(is_met);
+    let present = m.torques.iter().map(|torque| {
+        let always = torque.power.iter().any(|t| t.condition.is_none());
+        let present = torque.power.iter().filter_map(|t| t.condition.as_ref()).map(is_met);
+        quote!({ #always #(|| #present)* })
+    });
+    let present = by_index("torque", format_ident!("i"), present);
     vec![
         Cold {
             name: "torque_power",
@@ -210,12 +213,7 @@ fn powers(m: &Model) -> Vec<Cold> {
             returns: Returns::Plain(quote!(f64)),
             body: with_lets(m, power),
         },
-        Cold {
-            name: "has_powers",
-            takes: &[],
-            returns: Returns::Plain(quote!(bool)),
-            body: quote!(#always #(|| #present)*),
-        },
+        Cold { name: "has_power", takes: &[Takes::Index("i")], returns: Returns::Plain(quote!(bool)), body: present },
     ]
 }
 

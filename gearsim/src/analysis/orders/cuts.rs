@@ -1,4 +1,5 @@
-//! Order spectra and order cuts of a run-up: amplitudes over the speed, from windows of whole revolutions that overlap by half.
+//! Order spectra and order cuts of a run-up: amplitudes over the speed, from windows of whole revolutions that overlap. Those of cuts are closer,
+//! so that a narrow resonance has many points.
 
 use super::{Orders, Turning};
 use crate::analysis::spectrum::SpectrumError;
@@ -12,7 +13,13 @@ pub struct Cut {
     pub amplitude: Vec<f64>,
 }
 
-/// The amplitudes of `orders` of a column in every window of `revolutions`.
+/// Parts of a window from one cut to the next, at least and at most.
+const APART: [f64; 2] = [0.125, 0.5];
+/// Most cuts, where windows do not overlap by less than half.
+const MOST: f64 = 400.0;
+
+/// The amplitudes of `orders` of a column in windows of `revolutions`, from one of which to the next there is an eighth of a window; in long
+/// runs more, up to half.
 ///
 /// # Errors
 /// Those of [`Turning::orders`].
@@ -21,7 +28,9 @@ pub fn cuts(turning: &Turning, column: &[f64], orders: &[f64], revolutions: usiz
         let amplitude = orders.iter().map(|order| window.orders.at(*order).unwrap_or(f64::NAN)).collect();
         Cut { speed: window.speed, amplitude }
     };
-    Ok(windows(turning, column, revolutions)?.into_iter().map(cut).collect())
+    let width = revolutions as f64;
+    let apart = (turning.angle[turning.angle.len() - 1] / MOST).clamp(APART[0] * width, APART[1] * width);
+    Ok(windows(turning, column, revolutions, apart)?.into_iter().map(cut).collect())
 }
 
 /// The order spectrum in one window.
@@ -35,11 +44,16 @@ pub struct Window {
     pub orders: Orders,
 }
 
-/// The order spectra of a column in every window of `revolutions`.
+/// The order spectra of a column in windows of `revolutions`, each `apart` \[revolutions\] from the one before.
 ///
 /// # Errors
 /// Those of [`Turning::orders`].
-pub fn windows(turning: &Turning, column: &[f64], revolutions: usize) -> Result<Vec<Window>, SpectrumError> {
+pub fn windows(
+    turning: &Turning,
+    column: &[f64],
+    revolutions: usize,
+    apart: f64,
+) -> Result<Vec<Window>, SpectrumError> {
     let mut all = vec![];
     let mut begin = 0.0;
     while begin + revolutions as f64 <= turning.angle[turning.angle.len() - 1] {
@@ -47,7 +61,7 @@ pub fn windows(turning: &Turning, column: &[f64], revolutions: usize) -> Result<
         // One sample more, so that the revolutions are whole.
         let end = begin + revolutions as f64;
         let to = (turning.angle.partition_point(|&angle| angle <= end) + 2).min(turning.angle.len());
-        begin += 0.5 * revolutions as f64;
+        begin += apart;
         if to - from < 4 {
             continue;
         }

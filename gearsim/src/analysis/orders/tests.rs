@@ -67,7 +67,8 @@ fn an_order_cut_follows_the_amplitude_over_speed() {
     let x: Vec<f64> = run.t.iter().map(|t| (5.0 + 10.0 * t) * (TAU * 17.0 * (5.0 * t + 5.0 * t * t)).sin()).collect();
     let turning = Turning::of(&run, "rotor_speed", 0.0).unwrap();
     let cuts = cuts(&turning, &x, &[17.0, 11.0], 8).unwrap();
-    assert!(cuts.len() > 10 && cuts[cuts.len() - 1].speed > 4.0 * cuts[0].speed);
+    // Of 100 revolutions, one cut each: a narrow resonance has many points.
+    assert!(cuts.len() > 85 && cuts[cuts.len() - 1].speed > 4.0 * cuts[0].speed);
     for cut in &cuts {
         let expected = cut.speed / TAU;
         // Within a window of 8 revolutions the speed changes by up to a third at its beginning.

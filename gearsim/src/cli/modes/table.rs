@@ -122,8 +122,16 @@ fn harmonics(courses: &[SteadyLaw], chosen: &CellModes) -> String {
         return "There are no mesh frequencies: the scene has no speed, or no stiffness steps.\n".into();
     }
     let mut text = String::new();
+    let mut frequencies: Vec<(Vec<&str>, String)> = vec![];
     for course in moving {
-        let _ = writeln!(text, "mesh frequency of {}: {} Hz", course.name, short(course.mesh_frequency()));
+        let frequency = short(course.mesh_frequency()).to_string();
+        match frequencies.iter_mut().find(|(_, other)| *other == frequency) {
+            Some((names, _)) => names.push(course.name),
+            None => frequencies.push((vec![course.name], frequency)),
+        }
+    }
+    for (names, frequency) in frequencies {
+        let _ = writeln!(text, "mesh frequency of {}: {frequency} Hz", names.join(", "));
     }
     let near = meetings(courses, chosen);
     if near.is_empty() {
@@ -133,13 +141,18 @@ fn harmonics(courses: &[SteadyLaw], chosen: &CellModes) -> String {
             100.0 * NEAR_RESONANCE
         );
     }
+    // Meshes that turn alike, such as those of planets, meet the same modes.
+    let mut merged: Vec<(String, Vec<&str>, String)> = vec![];
     for m in near {
-        let percent = 100.0 * (m.ratio - 1.0);
-        let _ = writeln!(
-            text,
-            "  harmonic {} of {} is {percent:+.1} % from mode {}",
-            m.harmonic, courses[m.law].name, m.mode
-        );
+        let (harmonic, percent) = (format!("harmonic {} of", m.harmonic), 100.0 * (m.ratio - 1.0));
+        let says = format!("{percent:+.1} % from mode {}", m.mode);
+        match merged.iter_mut().find(|(other, _, said)| *other == harmonic && *said == says) {
+            Some((_, names, _)) => names.push(courses[m.law].name),
+            None => merged.push((harmonic, vec![courses[m.law].name], says)),
+        }
+    }
+    for (harmonic, names, says) in merged {
+        let _ = writeln!(text, "  {harmonic} {} is {says}", names.join(", "));
     }
     text
 }

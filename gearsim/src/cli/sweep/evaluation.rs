@@ -202,7 +202,9 @@ impl Evaluation {
         let found: Vec<_> = found.collect();
         let mut text = String::new();
         for (i, indices) in found.iter().take(LISTED.0) {
-            let index = |index: sensitivity::Index| format!("{:.2} ± {:.2}", index.value, index.bound);
+            // The sum with 0.0 turns -0.0 into 0.0.
+            let rounded = |x: f64| (100.0 * x).round() / 100.0 + 0.0;
+            let index = |index: sensitivity::Index| format!("{:.2} ± {:.2}", rounded(index.value), index.bound);
             let one = |one: &sensitivity::Indices| {
                 format!("{} alone {}, in all {}", one.key, index(one.first), index(one.total))
             };

@@ -58,14 +58,6 @@ impl Mode {
     }
 }
 
-/// Nodes and weights of the 8-point Gauss-Legendre rule on [-1, 1], positive half (Abramowitz & Stegun, Table 25.4).
-pub(crate) const GAUSS_8: [(f64, f64); 4] = [
-    (0.183_434_642_495_649_8, 0.362_683_783_378_362),
-    (0.525_532_409_916_329, 0.313_706_645_877_887_3),
-    (0.796_666_477_413_626_7, 0.222_381_034_453_374_48),
-    (0.960_289_856_497_536_3, 0.101_228_536_290_376_26),
-];
-
 /// Nodes and weights of the 16-point Gauss-Legendre rule on [-1, 1], positive half (Abramowitz & Stegun, Table 25.4).
 pub(crate) const GAUSS_16: [(f64, f64); 8] = [
     (0.095_012_509_837_637_44, 0.189_450_610_455_068_5),

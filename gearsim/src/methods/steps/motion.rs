@@ -4,13 +4,13 @@ use xprec::Df64;
 
 use crate::engine::crossing::{Cost, SearchError, Side};
 use crate::engine::hybrid::Hybrid;
-use crate::engine::mode::GAUSS_8;
 use crate::engine::motion::{End, Guard, Motion, Reached};
 use crate::engine::record::State;
 use crate::methods::Trial;
 use crate::methods::dense::Dense;
 use crate::methods::flow::Flow;
 
+use super::work::Work;
 use super::{BySteps, Events};
 
 /// A step from the state of `now`.
@@ -26,6 +26,8 @@ pub struct Step<'s, 'f> {
     pub dense: Dense,
     /// The event that was found last.
     pub found: Option<Found>,
+    /// The work of torques that vary, until where the motion ends; `None` until it is asked for.
+    pub work: Option<Work>,
 }
 
 /// An event in a step.
@@ -39,31 +41,27 @@ pub struct Found {
 }
 
 impl Step<'_, '_> {
-    /// The state of the run at `y`, which the method has reached after the time `t` \[s\].
-    fn reached(&mut self, y: Flow, t: f64) -> Reached {
+    /// The state of the run at `y`, which the method has reached after the time `t` \[s\] of a motion of at most `length` \[s\].
+    fn reached(&mut self, y: Flow, t: f64, length: f64) -> Reached {
         let mut dissipated = y.lost;
         if self.now.steps_only() {
             dissipated += self.now.lost_by_switches(&(&y.q - &self.start.q));
         }
-        let work = self.work(t);
+        let work = self.work(t, length);
         Reached { state: State { turns: self.now.state.turns.clone(), ..State::new(y.q, y.v) }, dissipated, work }
     }
 
-    /// The work of the varying part of each torque until the time `t` \[s\], the integral of its power \[J\]. The rule is exact to order 15:
-    /// what it leaves out is far below the error of the step, which is of order 8 at most in the motion.
-    fn work(&mut self, t: f64) -> Vec<f64> {
-        let mut work = vec![0.0; self.now.work.len()];
-        if work.is_empty() || t <= 0.0 {
-            return work;
+    /// The work of the varying part of each torque until the time `t` \[s\], which is at most `length` \[J\].
+    fn work(&mut self, t: f64, length: f64) -> Vec<f64> {
+        let torques = self.now.work.len();
+        if torques == 0 {
+            return vec![];
         }
-        for (node, weight) in GAUSS_8 {
-            for node in [-node, node] {
-                let at = 0.5 * t * (1.0 + node);
-                let power = self.solver.field.power(at, &self.dense.at(at / self.h), work.len());
-                work.iter_mut().zip(power).for_each(|(work, power)| *work += 0.5 * t * weight * power);
-            }
-        }
-        work
+        let (h, dense, field) = (self.h, &self.dense, &mut self.solver.field);
+        let work = self.work.get_or_insert_with(|| {
+            Work::new(length, torques, |t, power| field.write_power(t, &dense.at(t / h), power))
+        });
+        work.until(t)
     }
 }
 
@@ -89,7 +87,7 @@ impl Motion for Step<'_, '_> {
 
     fn at(&mut self, t: f64) -> Reached {
         let y = if self.h > 0.0 { self.dense.at((t / self.h).clamp(0.0, 1.0)) } else { self.start.clone() };
-        self.reached(y, t)
+        self.reached(y, t, self.h)
     }
 
     fn arrive(&mut self, t: f64, _: End, cost: &mut Cost) -> (Df64, Reached) {
@@ -102,7 +100,8 @@ impl Motion for Step<'_, '_> {
         self.solver.follow_energy(&end);
         self.solver.last = Some((end.clone(), trial.rate));
         self.solver.watch_stiffness(self.now.clock.now(), self.trial.stiffness);
-        let reached = self.reached(end, taken);
+        self.work = None;
+        let reached = self.reached(end, taken, taken);
         cost.evaluations = self.solver.field.evaluations;
         (taken.into(), reached)
     }

@@ -36,6 +36,7 @@ fn summary() -> Summary {
         load_spectra: [("dte".to_owned(), load)].into_iter().collect(),
         sounds: [("dte".to_owned(), sound)].into_iter().collect(),
         modes: BTreeMap::new(),
+        impacts: [("flanks met".to_owned(), 3), ("stop met".to_owned(), 2)].into_iter().collect(),
         method: Method { name: "exact".into(), why: "linear cells".into(), steps: 0, rejected: 0 },
         counts: Counts {
             function_evaluations: 1,

@@ -8,11 +8,11 @@ use crate::page::html::{Cell, Html};
 pub(super) fn fill(report: &Report<'_>, html: &mut Html) {
     let summary = report.run.summary;
     let counts = &summary.counts;
+    let impacts = summary.impacts.iter().map(|(kind, impacts)| (&**kind, *impacts, "after being apart"));
     let rows = [
         ("cell changes", summary.cell_changes, "steps of a law that the motion passed"),
         ("reflections", summary.reflections, "steps that the motion could not pass"),
-        ("flanks met", counts.impacts, "after crossing the play"),
-        ("came to rest", counts.sticks, "by dry friction or a clutch"),
+        ("came to rest", counts.sticks, "held by friction or a clutch"),
         ("held at a step", counts.holds, "once the bounces were negligible"),
         ("grazes", counts.grazes, "boundaries touched and not passed, within rounding errors"),
         ("ambiguous", counts.ambiguous, "steps of two meshes at the same instant: the result depends on their order"),
@@ -29,5 +29,5 @@ pub(super) fn fill(report: &Report<'_>, html: &mut Html) {
         shares.0.iter().map(row).collect::<Vec<_>>()
     });
     html.table("Share of the time in each mode", &["switch", "mode", "share"], &modes.collect::<Vec<_>>());
-    html.table("Events and steps", &["what", "count", "meaning"], &rows.map(row));
+    html.table("Events and steps", &["what", "count", "meaning"], &impacts.chain(rows).map(row).collect::<Vec<_>>());
 }

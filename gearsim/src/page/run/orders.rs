@@ -74,6 +74,8 @@ fn plot(
         y: Axis {
             log: true,
             range: (peak > 0.0).then_some((DECADES * peak, 2.0 * peak)),
+            // As over time: speeds of rotors in revolutions a minute.
+            usual: (group.kind == Kind::Signal && group.unit == "rad/s").then_some("rpm"),
             ..Axis::linear("", &*group.unit)
         },
         curves,
