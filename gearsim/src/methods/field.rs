@@ -171,12 +171,13 @@ impl<'a> Field<'a> {
         rayleigh + Guards::of(self.equations, &self.switches, &y.q, &self.k).power(&y.q, &y.v, &self.k)
     }
 
-    /// The power of the varying part of each torque at `y`, the time `t` after the step began \[W\].
-    pub fn power(&mut self, t: f64, y: &Flow, torques: usize) -> Vec<f64> {
+    /// The power of the varying part of each of the scene's `torques` at `y`, the time `t` after the step began \[W\].
+    pub fn power(&mut self, t: f64, y: &Flow, torques: &[usize]) -> Vec<f64> {
         self.set(t, y);
         let varying = self.forcing.as_ref().map(|forcing| forcing.power(self.begins + t, &y.v));
         let of_state = |i| self.equations.torque_power(i, &y.q, &y.v, &self.k);
-        (0..torques).map(|i| of_state(i) + varying.as_ref().map_or(0.0, |varying| varying[i])).collect()
+        let torques = torques.iter().enumerate();
+        torques.map(|(at, &i)| of_state(i) + varying.as_ref().map_or(0.0, |varying| varying[at])).collect()
     }
 
     /// Values of laws and switches, and slopes of the laws, where the field was last evaluated.

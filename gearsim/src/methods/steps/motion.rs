@@ -59,7 +59,7 @@ impl Step<'_, '_> {
         for (node, weight) in GAUSS_8 {
             for node in [-node, node] {
                 let at = 0.5 * t * (1.0 + node);
-                let power = self.solver.field.power(at, &self.dense.at(at / self.h), work.len());
+                let power = self.solver.field.power(at, &self.dense.at(at / self.h), &self.now.torques);
                 work.iter_mut().zip(power).for_each(|(work, power)| *work += 0.5 * t * weight * power);
             }
         }
