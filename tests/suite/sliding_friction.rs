@@ -6,6 +6,8 @@ mod account;
 #[path = "sliding_friction/by_hand.rs"]
 mod by_hand;
 mod common;
+#[path = "sliding_friction/everywhere.rs"]
+mod everywhere;
 #[path = "sliding_friction/forces.rs"]
 mod forces;
 #[path = "sliding_friction/loss.rs"]
