@@ -31,13 +31,13 @@ pub(crate) fn derive(model: &Model, s: &Symbols, motion: &Motion) -> Cell {
             .extend(not_quadratic(pieces).into_iter().map(|(marks, term)| (marks, format!("{term} in the {energy}"))));
     }
     for torque in model.torques.iter().filter(|t| model.varies(t)) {
-        let value = torque.value.atom();
         // Effects that only change the torque do not count.
-        let value = optional(&value).iter().fold(value, |value, effect| without(&value, effect));
-        let value_text = print(&Tree::new(&all_present(&value)), Style::Plain);
+        let unchanged = |e: Atom| optional(&e).iter().fold(e, |e, effect| without(&e, effect));
+        let value = torque.value.atom();
+        let marks = markers(&unchanged(model.written_out(&value)));
+        let value_text = print(&Tree::new(&all_present(&unchanged(value))), Style::Plain);
         let how = if torque.is_linear() { "" } else { ", whose displacement is not linear" };
-        culprits
-            .push((markers(&model.written_out(&value)), format!("{value_text} in the torque `{}`{how}", torque.name)));
+        culprits.push((marks, format!("{value_text} in the torque `{}`{how}", torque.name)));
     }
     let bends = Bends::of(model, s);
     culprits.extend(bends.culprits.iter().cloned());

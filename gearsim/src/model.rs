@@ -21,7 +21,7 @@ pub struct Model {
     pub motions: &'static [Motion],
     /// Effects that a scene may activate; bit `i` of an effect set is entry `i`.
     pub effects: &'static [Effect],
-    /// External torques, in the order of their columns of work.
+    /// External torques, in the order of their columns of work. A run has the columns of those whose effects it has.
     pub torques: &'static [Torque],
     /// What a run can record besides the coordinates, in the order of their columns.
     pub outputs: &'static [Output],
@@ -315,6 +315,8 @@ impl Output {
 pub struct Torque {
     /// Name, e.g. `drive`.
     pub name: &'static str,
+    /// The effects that each of its terms needs: without one of them the torque is absent.
+    pub with: &'static [&'static str],
     /// What it is.
     pub doc: &'static str,
 }

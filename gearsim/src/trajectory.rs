@@ -3,7 +3,7 @@
 use std::borrow::Cow;
 use std::ops::Range;
 
-use crate::model::{Model, Output};
+use crate::model::{Model, Output, Torque};
 
 /// The kind of instant that a row belongs to.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -48,8 +48,8 @@ pub struct Trajectory {
     pub strain: Vec<f64>,
     /// Net work of the external torques since the start, W \[J\].
     pub work: Vec<f64>,
-    /// Work of each external torque since the start \[J\]: (n_torques, n_rows).
-    pub torque_work: Vec<Vec<f64>>,
+    /// The external torques that are present, each with its work since the start \[J\].
+    pub torque_work: Vec<(&'static Torque, Vec<f64>)>,
     /// The outputs that are recorded, each with its column \[SI\].
     pub outputs: Vec<(&'static Output, Vec<f64>)>,
     /// Energy dissipated by damping since the start \[J\]. It is integrated from the speeds, not computed as an energy difference.
@@ -59,8 +59,8 @@ pub struct Trajectory {
 }
 
 impl Trajectory {
-    /// A trajectory of `model` without rows that has the outputs `recorded`, by their numbers.
-    pub fn new(model: &'static Model, recorded: &[usize]) -> Self {
+    /// A trajectory of `model` without rows that has the external `torques` and the outputs `recorded`, by their numbers.
+    pub fn new(model: &'static Model, torques: &[usize], recorded: &[usize]) -> Self {
         let n = model.coordinates.len();
         Trajectory {
             model,
@@ -72,7 +72,7 @@ impl Trajectory {
             kinetic: vec![],
             strain: vec![],
             work: vec![],
-            torque_work: vec![vec![]; model.torques.len()],
+            torque_work: torques.iter().map(|&i| (&model.torques[i], vec![])).collect(),
             outputs: recorded.iter().map(|&i| (&model.outputs[i], vec![])).collect(),
             dissipated: vec![],
             residual: vec![],
@@ -82,12 +82,13 @@ impl Trajectory {
     /// A trajectory with the same columns, without rows.
     pub fn without_rows(&self) -> Self {
         let outputs = self.outputs.iter().map(|(output, _)| (*output, vec![])).collect();
-        Trajectory { outputs, ..Trajectory::new(self.model, &[]) }
+        let torque_work = self.torque_work.iter().map(|(torque, _)| (*torque, vec![])).collect();
+        Trajectory { outputs, torque_work, ..Trajectory::new(self.model, &[], &[]) }
     }
 
-    /// Memory of one row with a number of outputs \[bytes\].
-    pub fn bytes_of_row(model: &Model, outputs: usize) -> usize {
-        let columns = 2 * model.coordinates.len() + model.torques.len() + outputs + 6;
+    /// Memory of one row with a number of external torques and of outputs \[bytes\].
+    pub fn bytes_of_row(model: &Model, torques: usize, outputs: usize) -> usize {
+        let columns = 2 * model.coordinates.len() + torques + outputs + 6;
         columns * size_of::<f64>() + size_of::<Moment>()
     }
 
@@ -119,7 +120,8 @@ impl Trajectory {
     /// The largest magnitude of T, V, the dissipated energy and the work of each torque, over all rows \[J\].
     pub fn largest_energy(&self) -> f64 {
         let parts = [&self.kinetic, &self.strain, &self.dissipated];
-        parts.into_iter().chain(&self.torque_work).flatten().fold(0.0, |m: f64, x| m.max(x.abs()))
+        let works = self.torque_work.iter().map(|(_, work)| work);
+        parts.into_iter().chain(works).flatten().fold(0.0, |m: f64, x| m.max(x.abs()))
     }
 
     /// The columns with numbers, in the order of files: time, each coordinate and its speed, the recorded outputs, the energy account.
@@ -134,7 +136,7 @@ impl Trajectory {
             [plain(name, unit, q), speed]
         });
         let outputs = self.outputs.iter().map(move |(output, values)| plain(output.name, output.unit, values));
-        let torques = self.model.torques.iter().zip(&self.torque_work);
+        let torques = self.torque_work.iter();
         let torques =
             torques.map(move |(torque, work)| series(format!("work_{}", torque.name).into(), "J".into(), Some(work)));
         let energies = [("kinetic", &self.kinetic), ("strain", &self.strain), ("work", &self.work)];
@@ -163,6 +165,11 @@ impl Trajectory {
     /// The column of the recorded output `name`.
     pub fn output(&self, name: &str) -> Option<&[f64]> {
         self.outputs.iter().find(|(output, _)| output.name == name).map(|(_, column)| &column[..])
+    }
+
+    /// The work of the external torque `name` since the start \[J\]; `None` if the scene does not have it.
+    pub fn work_of(&self, name: &str) -> Option<&[f64]> {
+        self.torque_work.iter().find(|(torque, _)| torque.name == name).map(|(_, column)| &column[..])
     }
 
     /// The recorded output or the coordinate `name`: its SI unit and its column.

@@ -83,10 +83,8 @@ fn a_motor_and_a_fan_reach_their_working_point() {
     assert!(unaccounted(&outcome) < 1e-6, "{:e}", unaccounted(&outcome));
     // The motor does positive work and the fan negative work.
     let t = &outcome.trajectory;
-    let torque =
-        |name: &str| t.model.torques.iter().position(|torque| torque.name == name).expect("a torque of the model");
-    let last = t.len() - 1;
-    assert!(t.torque_work[torque("induction")][last] > 0.0 && t.torque_work[torque("fan")][last] < 0.0);
+    let works = ["induction", "fan"].map(|name| *t.work_of(name).expect("a torque of the scene").last().expect("rows"));
+    assert!(works[0] > 0.0 && works[1] < 0.0, "{works:?}");
 }
 
 /// The speed falls below the set point by the load torque over the gain.

@@ -6,6 +6,8 @@ mod account;
 #[path = "sliding_friction/by_hand.rs"]
 mod by_hand;
 mod common;
+#[path = "sliding_friction/everywhere.rs"]
+mod everywhere;
 #[path = "sliding_friction/forces.rs"]
 mod forces;
 #[path = "sliding_friction/loss.rs"]
@@ -42,8 +44,7 @@ fn unaccounted(outcome: &Outcome) -> f64 {
 
 /// The work of a torque at every row [J].
 fn work<'a>(outcome: &'a Outcome, torque: &str) -> &'a [f64] {
-    let t = &outcome.trajectory;
-    &t.torque_work[t.model.torques.iter().position(|t| t.name == torque).expect("a torque of the model")]
+    outcome.trajectory.work_of(torque).expect("a torque of the scene")
 }
 
 /// theta, phi and their speeds at a row.

@@ -5,7 +5,7 @@ use symbolica::atom::{Atom, AtomCore};
 use super::block::Block;
 use crate::derivation::Derivation;
 use crate::expr::{Expr, Kind, kind_and_name, number, symbol, symbols};
-use crate::markers::all_present;
+use crate::markers::{all_present, terms};
 use crate::model::Switch;
 use crate::print::{Style, print};
 use crate::tree::Tree;
@@ -51,25 +51,25 @@ pub(super) fn write(b: &mut Block, d: &Derivation) {
     }
     if !m.forces.is_empty() {
         b.braces(1, "forces", |b| {
-            for force in &m.forces {
-                let condition = force.with.as_deref().unwrap_or("_");
-                let value = print(&Tree::new(&force.value.atom()), Style::Rust);
-                b.braces(2, &force.name, |b| b.line(3, &format!("{condition} => {value};")));
-            }
+            m.forces.iter().for_each(|force| with_effect(b, &force.name, force.with.as_deref(), &force.value.atom()));
         });
     }
     if !d.partials.is_empty() {
         b.braces(1, "partials", |b| {
-            for (name, effect, value) in &d.partials {
-                let condition = effect.as_deref().unwrap_or("_");
-                let value = print(&Tree::new(value), Style::Rust);
-                b.braces(2, name, |b| b.line(3, &format!("{condition} => {value};")));
-            }
+            d.partials.iter().for_each(|(name, effect, value)| with_effect(b, name, effect.as_deref(), value));
         });
     }
     if !m.switches.is_empty() {
         b.braces(1, "switches", |b| m.switches.iter().for_each(|s| switch(b, s)));
     }
+}
+
+/// A force of an effect, or a partial derivative of one, with the terms by which another effect changes it.
+fn with_effect(b: &mut Block, name: &str, effect: Option<&str>, value: &Atom) {
+    let mut groups = b.not_expanded(&terms(value));
+    let always = groups.iter_mut().filter(|group| group.effects.is_empty());
+    always.for_each(|group| group.effects.extend(effect.map(String::from)));
+    b.sum(2, name, &groups);
 }
 
 fn switch(b: &mut Block, switch: &Switch) {

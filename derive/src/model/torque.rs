@@ -80,7 +80,8 @@ impl Model {
     }
 
     /// Names a force, for example a friction force, that is a factor in several torques or acts on several coordinates. It may depend on
-    /// everything on which those torques may depend. The equations contain its name; it is not multiplied out.
+    /// everything on which those torques may depend. The equations contain its name; it is not multiplied out. A term of [`Model::only_with`]
+    /// is added to it in scenes with the effect of that term.
     pub fn force(&mut self, name: &str, value: Expr) -> Expr {
         self.forces.push(Force { name: name.into(), value, with: self.within.clone() });
         Expr::var(Kind::Force, name)

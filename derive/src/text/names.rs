@@ -5,7 +5,7 @@ use symbolica::atom::Atom;
 use super::Writer;
 use crate::derivation::Derivation;
 use crate::expr::Expr;
-use crate::markers::all_present;
+use crate::markers::{all_present, as_written, terms};
 use crate::model::{Exit, Law, Mode, Role, Switch};
 use crate::print::{Style, print};
 use crate::tree::Tree;
@@ -27,8 +27,10 @@ pub(super) fn write(d: &Derivation, w: &Writer) -> Vec<String> {
         }
     }
     for force in &m.forces {
-        let effect = force.with.as_ref().filter(|_| w.plain()).map(|effect| format!(" [{}]", effect.replace('_', " ")));
-        lines.push(is(&force.name, &force.value.atom()) + effect.as_deref().unwrap_or_default());
+        let mut groups = as_written(&terms(&force.value.atom()), &w.order);
+        let always = groups.iter_mut().filter(|group| group.effects.is_empty() && w.plain());
+        always.for_each(|group| group.effects.extend(force.with.clone()));
+        lines.extend(w.equation(&w.name(&force.name), &groups));
     }
     if w.plain() {
         lines.extend(idle_texts(&m.laws));

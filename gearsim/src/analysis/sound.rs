@@ -107,7 +107,7 @@ mod tests {
     use std::f64::consts::TAU;
 
     fn sine(rate: f64, frequency: f64, seconds: f64) -> (Trajectory, Vec<f64>) {
-        let mut run = Trajectory::new(&MODEL, &[]);
+        let mut run = Trajectory::new(&MODEL, &[], &[]);
         run.t = (0..=(seconds * rate) as usize).map(|i| i as f64 / rate).collect();
         run.moment = vec![Moment::Sample; run.t.len()];
         let x = run.t.iter().map(|t| 7.0 + 2.5 * (TAU * frequency * t).sin()).collect();

@@ -25,7 +25,7 @@ pub struct Forcing {
     drives: Arc<[Drive]>,
     /// The piece of its time history in which each parameter is. State: never computed from the time.
     pieces: SmallVec<[usize; 4]>,
-    /// Number of external torques of the model.
+    /// Number of external torques of the scene.
     torques: usize,
 }
 
@@ -39,7 +39,7 @@ struct Drive {
     at_start: f64,
     /// B_p: generalised forces per unit of the parameter (N).
     load: Vector,
-    /// Power of each torque per unit of the parameter: its factors of the speeds (N each).
+    /// Power of each torque of the scene per unit of the parameter: its factors of the speeds (N each).
     power: Vec<Vector>,
 }
 
@@ -51,6 +51,7 @@ impl Forcing {
         let bare: Vec<f64> =
             scene.parameters.iter().zip(varies).map(|(x, varies)| if varies { 0.0 } else { *x }).collect();
         let (k, flat) = (scene.model.in_contact(mids.iter().copied()), vec![0.0; scene.model.laws.len()]);
+        let torques = scene.torques();
         let drive = |(p, course): &(usize, TimeHistory)| {
             // The forces are linear in the parameter: B_p is the difference of those at 1 and at 0.
             let mut unit = bare.clone();
@@ -65,13 +66,13 @@ impl Forcing {
                 let unit_dq = Vector::from_fn(n, |k| f64::from(u8::from(k == j)));
                 unit.torque_work(i, &unit_dq) - none.torque_work(i, &unit_dq)
             };
-            let power = (0..scene.model.torques.len()).map(|i| Vector::from_fn(n, |j| along(i, j))).collect();
+            let power = torques.iter().map(|&i| Vector::from_fn(n, |j| along(i, j))).collect();
             let at_start = course.at(course.piece(0.0), 0.0);
             (load.amax() > 0.0).then(|| Drive { parameter: *p, course: course.clone(), at_start, load, power })
         };
         let drives: Arc<[_]> = scene.time_histories.iter().filter(|c| !c.1.is_constant()).filter_map(drive).collect();
         let pieces = drives.iter().map(|d| d.course.piece(0.0)).collect();
-        (!drives.is_empty()).then(|| Forcing { drives, pieces, torques: scene.model.torques.len() })
+        (!drives.is_empty()).then(|| Forcing { drives, pieces, torques: torques.len() })
     }
 
     /// The time of the next breakpoint \[s\]; infinite if there is none.
@@ -129,7 +130,7 @@ impl Forcing {
         })
     }
 
-    /// Power of each torque beyond that of its value at the start, at the speeds `q_dot` \[W\].
+    /// Power of each torque of the scene beyond that of its value at the start, at the speeds `q_dot` \[W\].
     pub fn power(&self, t: f64, q_dot: &Vector) -> Vec<f64> {
         let mut power = vec![0.0; self.torques];
         for (d, change) in self.changes(t) {

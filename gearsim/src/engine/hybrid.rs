@@ -71,6 +71,8 @@ pub struct Hybrid<'a> {
     pub contact: Option<Box<Contact>>,
     /// Torques that vary in time, if any does.
     pub forcing: Option<Box<Forcing>>,
+    /// The external torques of the scene, by their numbers.
+    pub torques: Arc<[usize]>,
     /// When a switch last changed its mode \[s\], and the number of changes between which the deflections did not move.
     pub rattle: (f64, u32),
 
@@ -78,7 +80,7 @@ pub struct Hybrid<'a> {
     pub dissipated: f64,
     /// Energy of bounces that were not followed to their ends, so far \[J\].
     pub ignored: f64,
-    /// Work of the varying part of each torque so far \[J\]; empty if all torques are constant.
+    /// Work of the varying part of each of `torques` so far \[J\]; empty if all are constant.
     pub work: Vec<f64>,
     /// Events so far.
     pub counts: Counts,
@@ -88,8 +90,8 @@ impl<'a> Hybrid<'a> {
     /// The state at the start of a run of `scene`.
     pub fn new(equations: &'a dyn Equations, scene: &Scene, begun: Initial, forcing: Option<Forcing>) -> Self {
         let Initial { state, laws, switches, .. } = begun;
-        let torques = scene.model.torques.len();
-        let varying = forcing.is_some() || (0..torques).any(|i| equations.has_power(i));
+        let torques: Arc<[usize]> = scene.torques().into();
+        let varying = forcing.is_some() || torques.iter().any(|&i| equations.has_power(i));
         let mut now = Hybrid {
             equations,
             clock: Clock::default(),
@@ -104,7 +106,8 @@ impl<'a> Hybrid<'a> {
             rattle: (f64::NAN, 0),
             dissipated: 0.0,
             ignored: 0.0,
-            work: vec![0.0; if varying { torques } else { 0 }],
+            work: vec![0.0; if varying { torques.len() } else { 0 }],
+            torques,
             counts: Counts::default(),
         };
         now.set_levels();

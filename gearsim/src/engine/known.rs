@@ -17,7 +17,7 @@ type Numbers = SmallVec<[f64; 4]>;
 pub struct Known {
     /// For each switch of the model, the force along the deflection that its hold resists [N or N m].
     pub reactions: Numbers,
-    /// For each external torque of the model, its power \[W\].
+    /// For each external torque of the model up to the last one that the scene has, its power \[W\]; zero for those that it does not have.
     pub powers: Numbers,
 }
 
@@ -32,16 +32,16 @@ impl Known {
         self.powers.get(torque).copied().unwrap_or(0.0)
     }
 
-    /// Reactions and powers in a `state` of the present mode of a run, with the law values `k`, at the time `t` \[s\]; `torques` is the
-    /// number of external torques of the model.
-    pub fn of(now: &Hybrid<'_>, t: f64, state: &State, k: &[f64], torques: usize) -> Self {
+    /// Reactions and powers in a `state` of the present mode of a run, with the law values `k`, at the time `t` \[s\].
+    pub fn of(now: &Hybrid<'_>, t: f64, state: &State, k: &[f64]) -> Self {
         let State { q, q_dot, .. } = state;
         let further = now.forcing.as_ref().map(|forcing| forcing.power(t, q_dot));
-        let power = |i: usize| {
-            let varying = further.as_ref().map_or(0.0, |further| further[i]);
-            now.equations.torque_work(i, q_dot) + now.equations.torque_power(i, q, q_dot, k) + varying
-        };
-        Known { reactions: reactions(now, t, state, k), powers: (0..torques).map(power).collect() }
+        let mut powers = Numbers::from_elem(0.0, now.torques.last().map_or(0, |last| last + 1));
+        for (at, &i) in now.torques.iter().enumerate() {
+            let varying = further.as_ref().map_or(0.0, |further| further[at]);
+            powers[i] = now.equations.torque_work(i, q_dot) + now.equations.torque_power(i, q, q_dot, k) + varying;
+        }
+        Known { reactions: reactions(now, t, state, k), powers }
     }
 }
 

@@ -100,7 +100,7 @@ pub struct Recorder<'a> {
     start: State,
     /// T + V at the start \[J\].
     pub energy_at_start: f64,
-    /// Work of each torque beyond that of a constant one \[J\] in the next row (n_torques); empty where all are constant.
+    /// Work of each torque of the scene beyond that of a constant one \[J\] in the next row; empty where all are constant.
     pub beyond: Vec<f64>,
     /// The rows.
     pub trajectory: Trajectory,
@@ -113,7 +113,7 @@ impl<'a> Recorder<'a> {
     pub fn new(scene: &Scene, equations: &'a dyn Equations, pitch: Vector, start: State, k: &[f64]) -> Self {
         let energy_at_start = equations.kinetic(&start.q, &start.q_dot) + equations.potential(&start.q, k);
         let outputs = scene.output.record.clone();
-        let mut trajectory = Trajectory::new(scene.model, &outputs);
+        let mut trajectory = Trajectory::new(scene.model, &scene.torques(), &outputs);
         trajectory.inertia = equations.mass(&start.q).diagonal().iter().copied().collect();
         Recorder {
             equations,
@@ -153,8 +153,7 @@ impl<'a> Recorder<'a> {
         (dissipated, ignored): (f64, f64),
     ) {
         let asked = self.trajectory.outputs.iter().any(|(output, _)| output.known);
-        let known =
-            if asked { Known::of(now, t, state, k, self.trajectory.torque_work.len()) } else { Known::default() };
+        let known = if asked { Known::of(now, t, state, k) } else { Known::default() };
         let (kinetic, strain) = (self.equations.kinetic(&state.q, &state.q_dot), self.equations.potential(&state.q, k));
         // Displacements from differences of counts and of remainders: whole pitches cancel exactly.
         let moved = Vector::from_fn(state.q.len(), |i| {
@@ -175,9 +174,9 @@ impl<'a> Recorder<'a> {
         row.kinetic.push(kinetic);
         row.strain.push(strain);
         row.work.push(work);
-        for (i, column) in row.torque_work.iter_mut().enumerate() {
+        for (at, (&i, (_, column))) in now.torques.iter().zip(&mut row.torque_work).enumerate() {
             let constant = self.equations.torque_work(i, &moved);
-            column.push(self.beyond.get(i).map_or(constant, |beyond| constant + beyond));
+            column.push(self.beyond.get(at).map_or(constant, |beyond| constant + beyond));
         }
         row.dissipated.push(dissipated);
         row.residual.push(kinetic + strain - work + dissipated + ignored - self.energy_at_start);

@@ -27,6 +27,8 @@ equations! {
         mu12 "1" required with sliding_friction_12, from 0.0 to inf, "coefficient of friction of the mesh";
         w_mix12 "rad/s" default 0.1, open 0.0 to inf,
             "rolling speed omega1 + omega2 of the mesh below which friction decreases to zero (mixed film)";
+        mu_rise12 "1" default 0.0, from 0.0 to inf,
+            "excess of the static coefficient of friction of the mesh over that of sliding, relative to that";
         T_motor "N*m" required with torques, open -inf to inf, "driving torque of the driving gear";
         c_motor "N*m*s/rad" required with speed_governor, open 0.0 to inf,
             "gain of the governor of the driving gear: torque per difference of set point and speed";
@@ -70,6 +72,8 @@ equations! {
         backlash_12 of backlash "play between the flanks: contact on the drive or coast flank, free motion between";
         sliding_friction_12 of sliding_friction requires(stiffness_step)
             "Coulomb friction between the flanks, against their sliding, which turns as a tooth pair passes the pitch point";
+        flank_stiction_12 of flank_stiction requires(sliding_friction_12)
+            "flanks at rest stick, up to their static friction; sliding, their friction has its full size at any speed";
         torques "constant torques of motor and load";
         speed_governor excludes(dc_motor, induction_motor, traction_motor)
             "a speed governor: motor torque proportional to the set point minus the speed";
@@ -128,6 +132,8 @@ equations! {
         F_mu12 {
             sliding_friction_12 => mu12*k12*touch12*psi12_dot*(tiny12.powi(2) + over12.powi(2)).sqrt()
                 /(w_mix12.powi(2) + psi12_dot.powi(2)).sqrt();
+            flank_stiction_12 => mu12*k12*slide_dir12*touch12*(tiny12.powi(2) + over12.powi(2)).sqrt()
+                - mu12*k12*touch12*psi12_dot*(tiny12.powi(2) + over12.powi(2)).sqrt()/(w_mix12.powi(2) + psi12_dot.powi(2)).sqrt();
         }
         T_induction_motor {
             induction_motor => 2.0*Tb_motor*sb_motor*(1.0 - theta_motor_dot/ns_motor)
@@ -144,15 +150,22 @@ equations! {
         F_mu12_by_over12 {
             sliding_friction_12 => mu12*k12*touch12*over12*psi12_dot
                 /((tiny12.powi(2) + over12.powi(2)).sqrt()*(w_mix12.powi(2) + psi12_dot.powi(2)).sqrt());
+            flank_stiction_12 => mu12*k12*slide_dir12*touch12*over12/(tiny12.powi(2) + over12.powi(2)).sqrt()
+                - mu12*k12*touch12*over12*psi12_dot/((tiny12.powi(2) + over12.powi(2)).sqrt()*(w_mix12.powi(2) + psi12_dot.powi(2)).sqrt());
         }
         F_mu12_by_psi12_dot {
             sliding_friction_12 => mu12*k12*touch12*(tiny12.powi(2) + over12.powi(2)).sqrt()/(w_mix12.powi(2) + psi12_dot.powi(2)).sqrt()
                 - mu12*k12*touch12*psi12_dot.powi(2)*(tiny12.powi(2) + over12.powi(2)).sqrt()
                 /(w_mix12.powi(2) + psi12_dot.powi(2)).powf(3.0/2.0);
+            flank_stiction_12 => mu12*k12*touch12*psi12_dot.powi(2)*(tiny12.powi(2) + over12.powi(2)).sqrt()
+                /(w_mix12.powi(2) + psi12_dot.powi(2)).powf(3.0/2.0)
+                - mu12*k12*touch12*(tiny12.powi(2) + over12.powi(2)).sqrt()/(w_mix12.powi(2) + psi12_dot.powi(2)).sqrt();
         }
         F_mu12_by_k12 {
             sliding_friction_12 => mu12*touch12*psi12_dot*(tiny12.powi(2) + over12.powi(2)).sqrt()
                 /(w_mix12.powi(2) + psi12_dot.powi(2)).sqrt();
+            flank_stiction_12 => mu12*slide_dir12*touch12*(tiny12.powi(2) + over12.powi(2)).sqrt()
+                - mu12*touch12*psi12_dot*(tiny12.powi(2) + over12.powi(2)).sqrt()/(w_mix12.powi(2) + psi12_dot.powi(2)).sqrt();
         }
         T_induction_motor_by_theta_motor_dot {
             induction_motor => 4.0*Tb_motor*sb_motor*(1.0 - theta_motor_dot/ns_motor).powi(2)
@@ -236,6 +249,42 @@ equations! {
                 }
             }
             loss { over12 { _ => k12*clip12*touch12; } }
+        }
+        psi12 "rad" (slide_dir12 0.0) with flank_stiction_12, "whether the flanks of the mesh stick" {
+            stuck (0.0) holds rests counts "stuck" {
+                unless stuck_coast { over12 { _ => 1.0; } }
+                until forward {
+                    over12 { _ => mu12*mu_rise12*k12*touch12 + mu12*k12*touch12; }
+                    reaction { _ => -1.0; }
+                }
+                until backward {
+                    over12 { _ => mu12*mu_rise12*k12*touch12 + mu12*k12*touch12; }
+                    reaction { _ => 1.0; }
+                }
+            }
+            stuck_coast (0.0) holds rests counts "stuck" {
+                unless stuck { over12 { _ => -1.0; } }
+                until forward {
+                    over12 { _ => -mu12*mu_rise12*k12*touch12 - mu12*k12*touch12; }
+                    reaction { _ => -1.0; }
+                }
+                until backward {
+                    over12 { _ => -mu12*mu_rise12*k12*touch12 - mu12*k12*touch12; }
+                    reaction { _ => 1.0; }
+                }
+            }
+            forward (1.0) {
+                until stuck {
+                    psi12_dot { _ => arm12; }
+                    tau12_dot { _ => side12; }
+                }
+            }
+            backward (-1.0) {
+                until stuck {
+                    psi12_dot { _ => -arm12; }
+                    tau12_dot { _ => -side12; }
+                }
+            }
         }
     }
     energies {
@@ -562,10 +611,13 @@ equations! {
 // - the force of the switch over12 takes energy or none: f over12_dot >= 0 in every mode, from the guards that hold in it; of a damper that
 //   is clipped to f = c F, where F = dV/dover12 and c = 1 or -1, since F over12 >= 0, over12_dot dD/dover12_dot >= 0 and c over12
 //   dD/dover12_dot >= F over12
+// - V is the same on both sides of the exits of psi12: no impulse there
 // - every damper takes energy or none: each term of D has a power q'.dD/dq' that is never negative
 // - the friction `roll12` takes energy or none: its power is never positive
 // - the friction `slide12` takes with `roll12` energy or none where psi12_dot and arm12 psi12_dot + side12 tau12_dot have one sign: where
 //   flanks slide as rolling makes them
+// - the friction `slide12` takes with `roll12` energy or none in every mode of psi12, in scenes with flank_stiction_12: from the guards
+//   that hold in the mode
 // - every deflection equals the linear form by which the equations differentiate it
 // - without the jump terms the balance fails: energy is created at the rate dk12*touch12*over12^2*theta_dot/2 -
 //   k12*de12*touch12*over12*theta_dot
@@ -575,6 +627,6 @@ equations! {
 // | output | sums | products, quotients | functions, roots |
 // | --- | --- | --- | --- |
 // | constants (once a scene) | 0 | 3 | 2 |
-// | named forces | 17 | 48 | 5 |
+// | named forces | 21 | 63 | 8 |
 // | force | 21 | 176 | 0 |
 // | energy steps, all laws | 1 | 11 | 0 |

@@ -63,16 +63,12 @@ equations! {
     conditions {
         jump_terms = stiffness_step, !rigid_kinematics, !frozen_phase;
         moving_phase = stiffness_step, !frozen_phase;
-        sliding_friction_x_and_flank_stiction_x = sliding_friction_x, flank_stiction_x;
         transmission_error_x_and_jump_terms = transmission_error_x, stiffness_step, !rigid_kinematics, !frozen_phase;
         transmission_error_x_and_backlash_x_and_moving_phase = transmission_error_x, backlash_x, stiffness_step, !frozen_phase;
-        transmission_error_x_and_sliding_friction_x_and_flank_stiction_x_and_moving_phase = transmission_error_x, sliding_friction_x,
-            flank_stiction_x, stiffness_step, !frozen_phase;
         transmission_error_x_and_sliding_friction_x_and_moving_phase = transmission_error_x, sliding_friction_x, stiffness_step,
             !frozen_phase;
         transmission_error_x_and_moving_phase = transmission_error_x, stiffness_step, !frozen_phase;
         backlash_x_and_moving_phase = backlash_x, stiffness_step, !frozen_phase;
-        sliding_friction_x_and_flank_stiction_x_and_moving_phase = sliding_friction_x, flank_stiction_x, stiffness_step, !frozen_phase;
         sliding_friction_x_and_moving_phase = sliding_friction_x, stiffness_step, !frozen_phase;
     }
 
@@ -89,8 +85,6 @@ equations! {
         F_mu_x {
             sliding_friction_x => mu_x*k_x*touchx*psi_x_dot*(tiny_x.powi(2) + overx.powi(2)).sqrt()
                 /(w_mix_x.powi(2) + psi_x_dot.powi(2)).sqrt();
-        }
-        F_dir_x {
             flank_stiction_x => mu_x*k_x*slide_dir_x*touchx*(tiny_x.powi(2) + overx.powi(2)).sqrt()
                 - mu_x*k_x*touchx*psi_x_dot*(tiny_x.powi(2) + overx.powi(2)).sqrt()/(w_mix_x.powi(2) + psi_x_dot.powi(2)).sqrt();
         }
@@ -99,26 +93,20 @@ equations! {
         F_mu_x_by_overx {
             sliding_friction_x => mu_x*k_x*touchx*overx*psi_x_dot
                 /((tiny_x.powi(2) + overx.powi(2)).sqrt()*(w_mix_x.powi(2) + psi_x_dot.powi(2)).sqrt());
+            flank_stiction_x => mu_x*k_x*slide_dir_x*touchx*overx/(tiny_x.powi(2) + overx.powi(2)).sqrt()
+                - mu_x*k_x*touchx*overx*psi_x_dot/((tiny_x.powi(2) + overx.powi(2)).sqrt()*(w_mix_x.powi(2) + psi_x_dot.powi(2)).sqrt());
         }
         F_mu_x_by_psi_x_dot {
             sliding_friction_x => mu_x*k_x*touchx*(tiny_x.powi(2) + overx.powi(2)).sqrt()/(w_mix_x.powi(2) + psi_x_dot.powi(2)).sqrt()
                 - mu_x*k_x*touchx*psi_x_dot.powi(2)*(tiny_x.powi(2) + overx.powi(2)).sqrt()
                 /(w_mix_x.powi(2) + psi_x_dot.powi(2)).powf(3.0/2.0);
-        }
-        F_mu_x_by_k_x {
-            sliding_friction_x => mu_x*touchx*psi_x_dot*(tiny_x.powi(2) + overx.powi(2)).sqrt()
-                /(w_mix_x.powi(2) + psi_x_dot.powi(2)).sqrt();
-        }
-        F_dir_x_by_overx {
-            flank_stiction_x => mu_x*k_x*slide_dir_x*touchx*overx/(tiny_x.powi(2) + overx.powi(2)).sqrt()
-                - mu_x*k_x*touchx*overx*psi_x_dot/((tiny_x.powi(2) + overx.powi(2)).sqrt()*(w_mix_x.powi(2) + psi_x_dot.powi(2)).sqrt());
-        }
-        F_dir_x_by_psi_x_dot {
             flank_stiction_x => mu_x*k_x*touchx*psi_x_dot.powi(2)*(tiny_x.powi(2) + overx.powi(2)).sqrt()
                 /(w_mix_x.powi(2) + psi_x_dot.powi(2)).powf(3.0/2.0)
                 - mu_x*k_x*touchx*(tiny_x.powi(2) + overx.powi(2)).sqrt()/(w_mix_x.powi(2) + psi_x_dot.powi(2)).sqrt();
         }
-        F_dir_x_by_k_x {
+        F_mu_x_by_k_x {
+            sliding_friction_x => mu_x*touchx*psi_x_dot*(tiny_x.powi(2) + overx.powi(2)).sqrt()
+                /(w_mix_x.powi(2) + psi_x_dot.powi(2)).sqrt();
             flank_stiction_x => mu_x*slide_dir_x*touchx*(tiny_x.powi(2) + overx.powi(2)).sqrt()
                 - mu_x*touchx*psi_x_dot*(tiny_x.powi(2) + overx.powi(2)).sqrt()/(w_mix_x.powi(2) + psi_x_dot.powi(2)).sqrt();
         }
@@ -231,15 +219,9 @@ equations! {
     }
     torques {
         slide_x "friction of the mesh {}, through the sliding of the flanks at the pitch point" {}
-        power {
-            sliding_friction_x => -side_x*F_mu_x*tau_x_dot;
-            sliding_friction_x_and_flank_stiction_x => -side_x*F_dir_x*tau_x_dot;
-        }
+        power { sliding_friction_x => -side_x*F_mu_x*tau_x_dot; }
         roll_x "friction of the mesh {}, through the rolling of the gears" {}
-        power {
-            sliding_friction_x => -arm_x*F_mu_x*psi_x_dot;
-            sliding_friction_x_and_flank_stiction_x => -arm_x*F_dir_x*psi_x_dot;
-        }
+        power { sliding_friction_x => -arm_x*F_mu_x*psi_x_dot; }
     }
     work {
     }
@@ -257,13 +239,9 @@ equations! {
             _ => -k_x*touchx*overx;
             backlash_x => -k_x*clipx*touchx*overx;
             sliding_friction_x => -tan_a*side_x*F_mu_x;
-            sliding_friction_x_and_flank_stiction_x => -tan_a*side_x*F_dir_x;
             damping => -beta_K*k_x_mid*dampx*overx_dot;
         }
-        psi {
-            sliding_friction_x => -arm_x*F_mu_x;
-            sliding_friction_x_and_flank_stiction_x => -arm_x*F_dir_x;
-        }
+        psi { sliding_friction_x => -arm_x*F_mu_x; }
     }
     jacobian {
         phase phase {
@@ -276,11 +254,9 @@ equations! {
         }
         s phase {
             transmission_error_x_and_backlash_x_and_moving_phase => k_x*de_x*clipx*touchx;
-            transmission_error_x_and_sliding_friction_x_and_flank_stiction_x_and_moving_phase => tan_a*de_x*side_x*F_dir_x_by_overx;
             transmission_error_x_and_sliding_friction_x_and_moving_phase => tan_a*de_x*side_x*F_mu_x_by_overx;
             transmission_error_x_and_moving_phase => k_x*de_x*touchx;
             backlash_x_and_moving_phase => -dk_x*clipx*touchx*overx;
-            sliding_friction_x_and_flank_stiction_x_and_moving_phase => -tan_a*dk_x*side_x*F_dir_x_by_k_x - tan_a*dside_x*F_dir_x;
             sliding_friction_x_and_moving_phase => -tan_a*dk_x*side_x*F_mu_x_by_k_x - tan_a*dside_x*F_mu_x;
             moving_phase => -dk_x*touchx*overx;
         }
@@ -288,27 +264,15 @@ equations! {
             _ => -k_x*touchx;
             backlash_x => -k_x*clipx*touchx;
             sliding_friction_x => -tan_a*side_x*F_mu_x_by_overx;
-            sliding_friction_x_and_flank_stiction_x => -tan_a*side_x*F_dir_x_by_overx;
         }
         s s_dot { damping => -beta_K*k_x_mid*dampx; }
-        s psi_dot {
-            sliding_friction_x => -tan_a*side_x*F_mu_x_by_psi_x_dot;
-            sliding_friction_x_and_flank_stiction_x => -tan_a*side_x*F_dir_x_by_psi_x_dot;
-        }
+        s psi_dot { sliding_friction_x => -tan_a*side_x*F_mu_x_by_psi_x_dot; }
         psi phase {
-            transmission_error_x_and_sliding_friction_x_and_flank_stiction_x_and_moving_phase => de_x*arm_x*F_dir_x_by_overx;
             transmission_error_x_and_sliding_friction_x_and_moving_phase => de_x*arm_x*F_mu_x_by_overx;
-            sliding_friction_x_and_flank_stiction_x_and_moving_phase => -darm_x*F_dir_x - dk_x*arm_x*F_dir_x_by_k_x;
             sliding_friction_x_and_moving_phase => -darm_x*F_mu_x - dk_x*arm_x*F_mu_x_by_k_x;
         }
-        psi s {
-            sliding_friction_x => -arm_x*F_mu_x_by_overx;
-            sliding_friction_x_and_flank_stiction_x => -arm_x*F_dir_x_by_overx;
-        }
-        psi psi_dot {
-            sliding_friction_x => -arm_x*F_mu_x_by_psi_x_dot;
-            sliding_friction_x_and_flank_stiction_x => -arm_x*F_dir_x_by_psi_x_dot;
-        }
+        psi s { sliding_friction_x => -arm_x*F_mu_x_by_overx; }
+        psi psi_dot { sliding_friction_x => -arm_x*F_mu_x_by_psi_x_dot; }
     }
     cell {
         stiffness {
@@ -393,5 +357,5 @@ equations! {
 // | --- | --- | --- | --- |
 // | constants (once a scene) | 0 | 1 | 2 |
 // | named forces | 6 | 24 | 5 |
-// | force | 0 | 21 | 0 |
+// | force | 0 | 18 | 0 |
 // | energy steps, all laws | 1 | 11 | 0 |

@@ -90,12 +90,8 @@ equations! {
     conditions {
         jump_terms = stiffness_step, !rigid_kinematics, !frozen_phase;
         moving_phase = stiffness_step, !frozen_phase;
-        sliding_friction_and_flank_stiction = sliding_friction, flank_stiction;
         transmission_error_and_jump_terms = transmission_error, stiffness_step, !rigid_kinematics, !frozen_phase;
-        transmission_error_and_sliding_friction_and_flank_stiction_and_moving_phase = transmission_error, sliding_friction,
-            flank_stiction, stiffness_step, !frozen_phase;
         transmission_error_and_sliding_friction_and_moving_phase = transmission_error, sliding_friction, stiffness_step, !frozen_phase;
-        sliding_friction_and_flank_stiction_and_moving_phase = sliding_friction, flank_stiction, stiffness_step, !frozen_phase;
         sliding_friction_and_moving_phase = sliding_friction, stiffness_step, !frozen_phase;
         transmission_error_and_backlash_and_moving_phase = transmission_error, backlash, stiffness_step, !frozen_phase;
         transmission_error_and_moving_phase = transmission_error, stiffness_step, !frozen_phase;
@@ -118,8 +114,8 @@ equations! {
         theta_load = theta/N2 - phi/N2;
     }
     forces {
-        F_mu { sliding_friction => mu*k*touch*psi_dot*(tiny.powi(2) + over.powi(2)).sqrt()/(w_mix.powi(2) + psi_dot.powi(2)).sqrt(); }
-        F_dir {
+        F_mu {
+            sliding_friction => mu*k*touch*psi_dot*(tiny.powi(2) + over.powi(2)).sqrt()/(w_mix.powi(2) + psi_dot.powi(2)).sqrt();
             flank_stiction => mu*k*slide_dir*touch*(tiny.powi(2) + over.powi(2)).sqrt()
                 - mu*k*touch*psi_dot*(tiny.powi(2) + over.powi(2)).sqrt()/(w_mix.powi(2) + psi_dot.powi(2)).sqrt();
         }
@@ -137,22 +133,18 @@ equations! {
     partials {
         F_mu_by_over {
             sliding_friction => mu*k*touch*over*psi_dot/((tiny.powi(2) + over.powi(2)).sqrt()*(w_mix.powi(2) + psi_dot.powi(2)).sqrt());
+            flank_stiction => mu*k*slide_dir*touch*over/(tiny.powi(2) + over.powi(2)).sqrt()
+                - mu*k*touch*over*psi_dot/((tiny.powi(2) + over.powi(2)).sqrt()*(w_mix.powi(2) + psi_dot.powi(2)).sqrt());
         }
         F_mu_by_psi_dot {
             sliding_friction => mu*k*touch*(tiny.powi(2) + over.powi(2)).sqrt()/(w_mix.powi(2) + psi_dot.powi(2)).sqrt()
                 - mu*k*touch*psi_dot.powi(2)*(tiny.powi(2) + over.powi(2)).sqrt()/(w_mix.powi(2) + psi_dot.powi(2)).powf(3.0/2.0);
-        }
-        F_mu_by_k { sliding_friction => mu*touch*psi_dot*(tiny.powi(2) + over.powi(2)).sqrt()/(w_mix.powi(2) + psi_dot.powi(2)).sqrt(); }
-        F_dir_by_over {
-            flank_stiction => mu*k*slide_dir*touch*over/(tiny.powi(2) + over.powi(2)).sqrt()
-                - mu*k*touch*over*psi_dot/((tiny.powi(2) + over.powi(2)).sqrt()*(w_mix.powi(2) + psi_dot.powi(2)).sqrt());
-        }
-        F_dir_by_psi_dot {
             flank_stiction => mu*k*touch*psi_dot.powi(2)*(tiny.powi(2) + over.powi(2)).sqrt()
                 /(w_mix.powi(2) + psi_dot.powi(2)).powf(3.0/2.0)
                 - mu*k*touch*(tiny.powi(2) + over.powi(2)).sqrt()/(w_mix.powi(2) + psi_dot.powi(2)).sqrt();
         }
-        F_dir_by_k {
+        F_mu_by_k {
+            sliding_friction => mu*touch*psi_dot*(tiny.powi(2) + over.powi(2)).sqrt()/(w_mix.powi(2) + psi_dot.powi(2)).sqrt();
             flank_stiction => mu*slide_dir*touch*(tiny.powi(2) + over.powi(2)).sqrt()
                 - mu*touch*psi_dot*(tiny.powi(2) + over.powi(2)).sqrt()/(w_mix.powi(2) + psi_dot.powi(2)).sqrt();
         }
@@ -290,15 +282,9 @@ equations! {
         drive "torque T0 N1 on the driving gear" { torques => T0*(phi + theta); }
         load "torque -T0 N2 on the driven gear" { torques => -T0*(theta - phi); }
         slide "friction of the mesh, through the sliding of the flanks at the pitch point" {}
-        power {
-            sliding_friction => -side*F_mu*tau_dot;
-            sliding_friction_and_flank_stiction => -side*F_dir*tau_dot;
-        }
+        power { sliding_friction => -side*F_mu*tau_dot; }
         roll "friction of the mesh, through the rolling of the gears" {}
-        power {
-            sliding_friction => -arm*F_mu*psi_dot;
-            sliding_friction_and_flank_stiction => -arm*F_dir*psi_dot;
-        }
+        power { sliding_friction => -arm*F_mu*psi_dot; }
         governor "torque c n of the governor; its part -c omega is in D" { speed_governor => c_motor*n_motor*(phi/N1 + theta/N1); }
         dc "stall torque of the DC motor; the part proportional to the speed is in D" { dc_motor => Ts_motor*(phi/N1 + theta/N1); }
         induction "torque of the induction motor" {}
@@ -333,7 +319,6 @@ equations! {
         theta {
             transmission_error_and_jump_terms => 2.0*k*de*touch*over;
             sliding_friction => -arm*F_mu/N1 - arm*F_mu/N2;
-            sliding_friction_and_flank_stiction => -arm*F_dir/N1 - arm*F_dir/N2;
             speed_governor => c_motor*n_motor/N1 - c_motor*theta_motor_dot/N1;
             dc_motor => Ts_motor/N1 - Ts_motor*theta_motor_dot/(N1*n0_motor);
             induction_motor => T_induction_motor/N1;
@@ -347,7 +332,6 @@ equations! {
             damping => -2.0*C*damp*over_dot;
             torques => 2.0*T0;
             sliding_friction => arm*F_mu/N2 - 2.0*tan_a*side*F_mu - arm*F_mu/N1;
-            sliding_friction_and_flank_stiction => arm*F_dir/N2 - 2.0*tan_a*side*F_dir - arm*F_dir/N1;
             speed_governor => c_motor*n_motor/N1 - c_motor*theta_motor_dot/N1;
             dc_motor => Ts_motor/N1 - Ts_motor*theta_motor_dot/(N1*n0_motor);
             induction_motor => T_induction_motor/N1;
@@ -357,25 +341,18 @@ equations! {
     }
     jacobian {
         theta theta {
-            transmission_error_and_sliding_friction_and_flank_stiction_and_moving_phase => de*arm*F_dir_by_over/N1
-                + de*arm*F_dir_by_over/N2;
             transmission_error_and_sliding_friction_and_moving_phase => de*arm*F_mu_by_over/N1 + de*arm*F_mu_by_over/N2;
             transmission_error_and_jump_terms => 2.0*k*dde*touch*over - 2.0*k*de.powi(2)*touch + 4.0*de*dk*touch*over;
-            sliding_friction_and_flank_stiction_and_moving_phase => -darm*F_dir/N1 - dk*arm*F_dir_by_k/N1 - darm*F_dir/N2
-                - dk*arm*F_dir_by_k/N2;
             sliding_friction_and_moving_phase => -darm*F_mu/N1 - dk*arm*F_mu_by_k/N1 - darm*F_mu/N2 - dk*arm*F_mu_by_k/N2;
             jump_terms => -ddk*touch*over.powi(2);
         }
         theta phi {
             transmission_error_and_jump_terms => 2.0*k*de*touch;
             sliding_friction => -arm*F_mu_by_over/N1 - arm*F_mu_by_over/N2;
-            sliding_friction_and_flank_stiction => -arm*F_dir_by_over/N1 - arm*F_dir_by_over/N2;
             jump_terms => -2.0*dk*touch*over;
         }
         theta theta_dot {
             sliding_friction => -arm*F_mu_by_psi_dot/N1.powi(2) - 2.0*arm*F_mu_by_psi_dot/(N1*N2) - arm*F_mu_by_psi_dot/N2.powi(2);
-            sliding_friction_and_flank_stiction => -arm*F_dir_by_psi_dot/N1.powi(2) - 2.0*arm*F_dir_by_psi_dot/(N1*N2)
-                - arm*F_dir_by_psi_dot/N2.powi(2);
             speed_governor => -c_motor/N1.powi(2);
             dc_motor => -Ts_motor/(N1.powi(2)*n0_motor);
             induction_motor => T_induction_motor_by_theta_motor_dot/N1.powi(2);
@@ -384,7 +361,6 @@ equations! {
         }
         theta phi_dot {
             sliding_friction => arm*F_mu_by_psi_dot/N2.powi(2) - arm*F_mu_by_psi_dot/N1.powi(2);
-            sliding_friction_and_flank_stiction => arm*F_dir_by_psi_dot/N2.powi(2) - arm*F_dir_by_psi_dot/N1.powi(2);
             speed_governor => -c_motor/N1.powi(2);
             dc_motor => -Ts_motor/(N1.powi(2)*n0_motor);
             induction_motor => T_induction_motor_by_theta_motor_dot/N1.powi(2);
@@ -393,14 +369,10 @@ equations! {
         }
         phi theta {
             transmission_error_and_backlash_and_moving_phase => 2.0*k*de*clip*touch;
-            transmission_error_and_sliding_friction_and_flank_stiction_and_moving_phase => 2.0*tan_a*de*side*F_dir_by_over
-                + de*arm*F_dir_by_over/N1 - de*arm*F_dir_by_over/N2;
             transmission_error_and_sliding_friction_and_moving_phase => 2.0*tan_a*de*side*F_mu_by_over + de*arm*F_mu_by_over/N1
                 - de*arm*F_mu_by_over/N2;
             transmission_error_and_moving_phase => 2.0*k*de*touch;
             backlash_and_moving_phase => -2.0*dk*clip*touch*over;
-            sliding_friction_and_flank_stiction_and_moving_phase => darm*F_dir/N2 - 2.0*tan_a*dk*side*F_dir_by_k - 2.0*tan_a*dside*F_dir
-                - darm*F_dir/N1 - dk*arm*F_dir_by_k/N1 + dk*arm*F_dir_by_k/N2;
             sliding_friction_and_moving_phase => darm*F_mu/N2 - 2.0*tan_a*dk*side*F_mu_by_k - 2.0*tan_a*dside*F_mu - darm*F_mu/N1
                 - dk*arm*F_mu_by_k/N1 + dk*arm*F_mu_by_k/N2;
             moving_phase => -2.0*dk*touch*over;
@@ -409,13 +381,10 @@ equations! {
             _ => -2.0*k*touch;
             backlash => -2.0*k*clip*touch;
             sliding_friction => arm*F_mu_by_over/N2 - 2.0*tan_a*side*F_mu_by_over - arm*F_mu_by_over/N1;
-            sliding_friction_and_flank_stiction => arm*F_dir_by_over/N2 - 2.0*tan_a*side*F_dir_by_over - arm*F_dir_by_over/N1;
         }
         phi theta_dot {
             sliding_friction => arm*F_mu_by_psi_dot/N2.powi(2) - 2.0*tan_a*side*F_mu_by_psi_dot/N1 - 2.0*tan_a*side*F_mu_by_psi_dot/N2
                 - arm*F_mu_by_psi_dot/N1.powi(2);
-            sliding_friction_and_flank_stiction => arm*F_dir_by_psi_dot/N2.powi(2) - 2.0*tan_a*side*F_dir_by_psi_dot/N1
-                - 2.0*tan_a*side*F_dir_by_psi_dot/N2 - arm*F_dir_by_psi_dot/N1.powi(2);
             speed_governor => -c_motor/N1.powi(2);
             dc_motor => -Ts_motor/(N1.powi(2)*n0_motor);
             induction_motor => T_induction_motor_by_theta_motor_dot/N1.powi(2);
@@ -426,8 +395,6 @@ equations! {
             damping => -2.0*C*damp;
             sliding_friction => 2.0*tan_a*side*F_mu_by_psi_dot/N2 - 2.0*tan_a*side*F_mu_by_psi_dot/N1 - arm*F_mu_by_psi_dot/N1.powi(2)
                 + 2.0*arm*F_mu_by_psi_dot/(N1*N2) - arm*F_mu_by_psi_dot/N2.powi(2);
-            sliding_friction_and_flank_stiction => 2.0*tan_a*side*F_dir_by_psi_dot/N2 - 2.0*tan_a*side*F_dir_by_psi_dot/N1
-                - arm*F_dir_by_psi_dot/N1.powi(2) + 2.0*arm*F_dir_by_psi_dot/(N1*N2) - arm*F_dir_by_psi_dot/N2.powi(2);
             speed_governor => -c_motor/N1.powi(2);
             dc_motor => -Ts_motor/(N1.powi(2)*n0_motor);
             induction_motor => T_induction_motor_by_theta_motor_dot/N1.powi(2);
@@ -582,6 +549,6 @@ equations! {
 // | --- | --- | --- | --- |
 // | constants (once a scene) | 2 | 17 | 3 |
 // | named forces | 21 | 63 | 8 |
-// | force | 10 | 62 | 0 |
-// | acceleration | 34 | 216 | 0 |
+// | force | 7 | 51 | 0 |
+// | acceleration | 26 | 178 | 0 |
 // | energy steps, all laws | 1 | 10 | 0 |

@@ -29,9 +29,13 @@ equations! {
         mu12 "1" required with sliding_friction_12, from 0.0 to inf, "coefficient of friction of the mesh of gears 1 and 2";
         w_mix12 "rad/s" default 0.1, open 0.0 to inf,
             "rolling speed omega1 + omega2 of the mesh of gears 1 and 2 below which friction decreases to zero (mixed film)";
+        mu_rise12 "1" default 0.0, from 0.0 to inf,
+            "excess of the static coefficient of friction of the mesh of gears 1 and 2 over that of sliding, relative to that";
         mu23 "1" required with sliding_friction_23, from 0.0 to inf, "coefficient of friction of the mesh of gears 2 and 3";
         w_mix23 "rad/s" default 0.1, open 0.0 to inf,
             "rolling speed omega1 + omega2 of the mesh of gears 2 and 3 below which friction decreases to zero (mixed film)";
+        mu_rise23 "1" default 0.0, from 0.0 to inf,
+            "excess of the static coefficient of friction of the mesh of gears 2 and 3 over that of sliding, relative to that";
         T_motor "N*m" required with torques, open -inf to inf, "driving torque of the driving gear";
         c_motor "N*m*s/rad" required with speed_governor, open 0.0 to inf,
             "gain of the governor of the driving gear: torque per difference of set point and speed";
@@ -86,8 +90,12 @@ equations! {
         backlash_23 of backlash "play between the flanks: contact on the drive or coast flank, free motion between";
         sliding_friction_12 of sliding_friction requires(stiffness_step)
             "Coulomb friction between the flanks, against their sliding, which turns as a tooth pair passes the pitch point";
+        flank_stiction_12 of flank_stiction requires(sliding_friction_12)
+            "flanks at rest stick, up to their static friction; sliding, their friction has its full size at any speed";
         sliding_friction_23 of sliding_friction requires(stiffness_step)
             "Coulomb friction between the flanks, against their sliding, which turns as a tooth pair passes the pitch point";
+        flank_stiction_23 of flank_stiction requires(sliding_friction_23)
+            "flanks at rest stick, up to their static friction; sliding, their friction has its full size at any speed";
         torques "constant torques of motor and load";
         speed_governor excludes(dc_motor, induction_motor, traction_motor)
             "a speed governor: motor torque proportional to the set point minus the speed";
@@ -143,10 +151,14 @@ equations! {
         F_mu12 {
             sliding_friction_12 => mu12*k12*touch12*psi12_dot*(tiny12.powi(2) + over12.powi(2)).sqrt()
                 /(w_mix12.powi(2) + psi12_dot.powi(2)).sqrt();
+            flank_stiction_12 => mu12*k12*slide_dir12*touch12*(tiny12.powi(2) + over12.powi(2)).sqrt()
+                - mu12*k12*touch12*psi12_dot*(tiny12.powi(2) + over12.powi(2)).sqrt()/(w_mix12.powi(2) + psi12_dot.powi(2)).sqrt();
         }
         F_mu23 {
             sliding_friction_23 => mu23*k23*touch23*psi23_dot*(tiny23.powi(2) + over23.powi(2)).sqrt()
                 /(w_mix23.powi(2) + psi23_dot.powi(2)).sqrt();
+            flank_stiction_23 => mu23*k23*slide_dir23*touch23*(tiny23.powi(2) + over23.powi(2)).sqrt()
+                - mu23*k23*touch23*psi23_dot*(tiny23.powi(2) + over23.powi(2)).sqrt()/(w_mix23.powi(2) + psi23_dot.powi(2)).sqrt();
         }
         T_induction_motor {
             induction_motor => 2.0*Tb_motor*sb_motor*(1.0 - theta_motor_dot/ns_motor)
@@ -163,28 +175,42 @@ equations! {
         F_mu12_by_over12 {
             sliding_friction_12 => mu12*k12*touch12*over12*psi12_dot
                 /((tiny12.powi(2) + over12.powi(2)).sqrt()*(w_mix12.powi(2) + psi12_dot.powi(2)).sqrt());
+            flank_stiction_12 => mu12*k12*slide_dir12*touch12*over12/(tiny12.powi(2) + over12.powi(2)).sqrt()
+                - mu12*k12*touch12*over12*psi12_dot/((tiny12.powi(2) + over12.powi(2)).sqrt()*(w_mix12.powi(2) + psi12_dot.powi(2)).sqrt());
         }
         F_mu12_by_psi12_dot {
             sliding_friction_12 => mu12*k12*touch12*(tiny12.powi(2) + over12.powi(2)).sqrt()/(w_mix12.powi(2) + psi12_dot.powi(2)).sqrt()
                 - mu12*k12*touch12*psi12_dot.powi(2)*(tiny12.powi(2) + over12.powi(2)).sqrt()
                 /(w_mix12.powi(2) + psi12_dot.powi(2)).powf(3.0/2.0);
+            flank_stiction_12 => mu12*k12*touch12*psi12_dot.powi(2)*(tiny12.powi(2) + over12.powi(2)).sqrt()
+                /(w_mix12.powi(2) + psi12_dot.powi(2)).powf(3.0/2.0)
+                - mu12*k12*touch12*(tiny12.powi(2) + over12.powi(2)).sqrt()/(w_mix12.powi(2) + psi12_dot.powi(2)).sqrt();
         }
         F_mu12_by_k12 {
             sliding_friction_12 => mu12*touch12*psi12_dot*(tiny12.powi(2) + over12.powi(2)).sqrt()
                 /(w_mix12.powi(2) + psi12_dot.powi(2)).sqrt();
+            flank_stiction_12 => mu12*slide_dir12*touch12*(tiny12.powi(2) + over12.powi(2)).sqrt()
+                - mu12*touch12*psi12_dot*(tiny12.powi(2) + over12.powi(2)).sqrt()/(w_mix12.powi(2) + psi12_dot.powi(2)).sqrt();
         }
         F_mu23_by_over23 {
             sliding_friction_23 => mu23*k23*touch23*over23*psi23_dot
                 /((tiny23.powi(2) + over23.powi(2)).sqrt()*(w_mix23.powi(2) + psi23_dot.powi(2)).sqrt());
+            flank_stiction_23 => mu23*k23*slide_dir23*touch23*over23/(tiny23.powi(2) + over23.powi(2)).sqrt()
+                - mu23*k23*touch23*over23*psi23_dot/((tiny23.powi(2) + over23.powi(2)).sqrt()*(w_mix23.powi(2) + psi23_dot.powi(2)).sqrt());
         }
         F_mu23_by_psi23_dot {
             sliding_friction_23 => mu23*k23*touch23*(tiny23.powi(2) + over23.powi(2)).sqrt()/(w_mix23.powi(2) + psi23_dot.powi(2)).sqrt()
                 - mu23*k23*touch23*psi23_dot.powi(2)*(tiny23.powi(2) + over23.powi(2)).sqrt()
                 /(w_mix23.powi(2) + psi23_dot.powi(2)).powf(3.0/2.0);
+            flank_stiction_23 => mu23*k23*touch23*psi23_dot.powi(2)*(tiny23.powi(2) + over23.powi(2)).sqrt()
+                /(w_mix23.powi(2) + psi23_dot.powi(2)).powf(3.0/2.0)
+                - mu23*k23*touch23*(tiny23.powi(2) + over23.powi(2)).sqrt()/(w_mix23.powi(2) + psi23_dot.powi(2)).sqrt();
         }
         F_mu23_by_k23 {
             sliding_friction_23 => mu23*touch23*psi23_dot*(tiny23.powi(2) + over23.powi(2)).sqrt()
                 /(w_mix23.powi(2) + psi23_dot.powi(2)).sqrt();
+            flank_stiction_23 => mu23*slide_dir23*touch23*(tiny23.powi(2) + over23.powi(2)).sqrt()
+                - mu23*touch23*psi23_dot*(tiny23.powi(2) + over23.powi(2)).sqrt()/(w_mix23.powi(2) + psi23_dot.powi(2)).sqrt();
         }
         T_induction_motor_by_theta_motor_dot {
             induction_motor => 4.0*Tb_motor*sb_motor*(1.0 - theta_motor_dot/ns_motor).powi(2)
@@ -331,6 +357,78 @@ equations! {
                 }
             }
             loss { over23 { _ => k23*clip23*touch23; } }
+        }
+        psi12 "rad" (slide_dir12 0.0) with flank_stiction_12, "whether the flanks of the mesh of gears 1 and 2 stick" {
+            stuck (0.0) holds rests counts "stuck" {
+                unless stuck_coast { over12 { _ => 1.0; } }
+                until forward {
+                    over12 { _ => mu12*mu_rise12*k12*touch12 + mu12*k12*touch12; }
+                    reaction { _ => -1.0; }
+                }
+                until backward {
+                    over12 { _ => mu12*mu_rise12*k12*touch12 + mu12*k12*touch12; }
+                    reaction { _ => 1.0; }
+                }
+            }
+            stuck_coast (0.0) holds rests counts "stuck" {
+                unless stuck { over12 { _ => -1.0; } }
+                until forward {
+                    over12 { _ => -mu12*mu_rise12*k12*touch12 - mu12*k12*touch12; }
+                    reaction { _ => -1.0; }
+                }
+                until backward {
+                    over12 { _ => -mu12*mu_rise12*k12*touch12 - mu12*k12*touch12; }
+                    reaction { _ => 1.0; }
+                }
+            }
+            forward (1.0) {
+                until stuck {
+                    psi12_dot { _ => arm12; }
+                    tau12_dot { _ => side12; }
+                }
+            }
+            backward (-1.0) {
+                until stuck {
+                    psi12_dot { _ => -arm12; }
+                    tau12_dot { _ => -side12; }
+                }
+            }
+        }
+        psi23 "rad" (slide_dir23 0.0) with flank_stiction_23, "whether the flanks of the mesh of gears 2 and 3 stick" {
+            stuck (0.0) holds rests counts "stuck" {
+                unless stuck_coast { over23 { _ => 1.0; } }
+                until forward {
+                    over23 { _ => mu23*mu_rise23*k23*touch23 + mu23*k23*touch23; }
+                    reaction { _ => -1.0; }
+                }
+                until backward {
+                    over23 { _ => mu23*mu_rise23*k23*touch23 + mu23*k23*touch23; }
+                    reaction { _ => 1.0; }
+                }
+            }
+            stuck_coast (0.0) holds rests counts "stuck" {
+                unless stuck { over23 { _ => -1.0; } }
+                until forward {
+                    over23 { _ => -mu23*mu_rise23*k23*touch23 - mu23*k23*touch23; }
+                    reaction { _ => -1.0; }
+                }
+                until backward {
+                    over23 { _ => -mu23*mu_rise23*k23*touch23 - mu23*k23*touch23; }
+                    reaction { _ => 1.0; }
+                }
+            }
+            forward (1.0) {
+                until stuck {
+                    psi23_dot { _ => arm23; }
+                    tau23_dot { _ => side23; }
+                }
+            }
+            backward (-1.0) {
+                until stuck {
+                    psi23_dot { _ => -arm23; }
+                    tau23_dot { _ => -side23; }
+                }
+            }
         }
     }
     energies {
@@ -723,13 +821,19 @@ equations! {
 // - the force of the switch over23 takes energy or none: f over23_dot >= 0 in every mode, from the guards that hold in it; of a damper that
 //   is clipped to f = c F, where F = dV/dover23 and c = 1 or -1, since F over23 >= 0, over23_dot dD/dover23_dot >= 0 and c over23
 //   dD/dover23_dot >= F over23
+// - V is the same on both sides of the exits of psi12: no impulse there
+// - V is the same on both sides of the exits of psi23: no impulse there
 // - every damper takes energy or none: each term of D has a power q'.dD/dq' that is never negative
 // - the friction `roll12` takes energy or none: its power is never positive
 // - the friction `roll23` takes energy or none: its power is never positive
 // - the friction `slide12` takes with `roll12` energy or none where psi12_dot and arm12 psi12_dot + side12 tau12_dot have one sign: where
 //   flanks slide as rolling makes them
+// - the friction `slide12` takes with `roll12` energy or none in every mode of psi12, in scenes with flank_stiction_12: from the guards
+//   that hold in the mode
 // - the friction `slide23` takes with `roll23` energy or none where psi23_dot and arm23 psi23_dot + side23 tau23_dot have one sign: where
 //   flanks slide as rolling makes them
+// - the friction `slide23` takes with `roll23` energy or none in every mode of psi23, in scenes with flank_stiction_23: from the guards
+//   that hold in the mode
 // - every deflection equals the linear form by which the equations differentiate it
 // - without the jump terms the balance fails: energy is created at the rate dk12*touch12*over12^2*theta_dot/2 -
 //   k12*de12*touch12*over12*theta_dot - k23*de23*touch23*over23*theta_dot + dk23*touch23*over23^2*theta_dot/2
@@ -739,6 +843,6 @@ equations! {
 // | output | sums | products, quotients | functions, roots |
 // | --- | --- | --- | --- |
 // | constants (once a scene) | 0 | 3 | 2 |
-// | named forces | 19 | 57 | 7 |
+// | named forces | 27 | 87 | 13 |
 // | force | 18 | 127 | 0 |
 // | energy steps, all laws | 2 | 22 | 0 |

@@ -65,55 +65,75 @@ equations! {
         mu_s1 "1" required with sliding_friction_s1, from 0.0 to inf, "coefficient of friction of the mesh of sun and planet 1";
         w_mix_s1 "rad/s" default 0.1, open 0.0 to inf,
             "rolling speed omega1 + omega2 of the mesh of sun and planet 1 below which friction decreases to zero (mixed film)";
+        mu_rise_s1 "1" default 0.0, from 0.0 to inf,
+            "excess of the static coefficient of friction of the mesh of sun and planet 1 over that of sliding, relative to that";
         b_r1 "m" required with backlash_r1, open 0.0 to inf,
             "backlash of the mesh of ring and planet 1: no contact within b/2 to either side";
         mu_r1 "1" required with sliding_friction_r1, from 0.0 to inf, "coefficient of friction of the mesh of ring and planet 1";
         w_mix_r1 "rad/s" default 0.1, open 0.0 to inf,
             "rolling speed omega1 + omega2 of the mesh of ring and planet 1 below which friction decreases to zero (mixed film)";
+        mu_rise_r1 "1" default 0.0, from 0.0 to inf,
+            "excess of the static coefficient of friction of the mesh of ring and planet 1 over that of sliding, relative to that";
         psi2 "rad" default 1.2566370614359172, open -inf to inf, "angular position of planet 2";
         b_s2 "m" required with backlash_s2, open 0.0 to inf,
             "backlash of the mesh of sun and planet 2: no contact within b/2 to either side";
         mu_s2 "1" required with sliding_friction_s2, from 0.0 to inf, "coefficient of friction of the mesh of sun and planet 2";
         w_mix_s2 "rad/s" default 0.1, open 0.0 to inf,
             "rolling speed omega1 + omega2 of the mesh of sun and planet 2 below which friction decreases to zero (mixed film)";
+        mu_rise_s2 "1" default 0.0, from 0.0 to inf,
+            "excess of the static coefficient of friction of the mesh of sun and planet 2 over that of sliding, relative to that";
         b_r2 "m" required with backlash_r2, open 0.0 to inf,
             "backlash of the mesh of ring and planet 2: no contact within b/2 to either side";
         mu_r2 "1" required with sliding_friction_r2, from 0.0 to inf, "coefficient of friction of the mesh of ring and planet 2";
         w_mix_r2 "rad/s" default 0.1, open 0.0 to inf,
             "rolling speed omega1 + omega2 of the mesh of ring and planet 2 below which friction decreases to zero (mixed film)";
+        mu_rise_r2 "1" default 0.0, from 0.0 to inf,
+            "excess of the static coefficient of friction of the mesh of ring and planet 2 over that of sliding, relative to that";
         psi3 "rad" default 2.5132741228718345, open -inf to inf, "angular position of planet 3";
         b_s3 "m" required with backlash_s3, open 0.0 to inf,
             "backlash of the mesh of sun and planet 3: no contact within b/2 to either side";
         mu_s3 "1" required with sliding_friction_s3, from 0.0 to inf, "coefficient of friction of the mesh of sun and planet 3";
         w_mix_s3 "rad/s" default 0.1, open 0.0 to inf,
             "rolling speed omega1 + omega2 of the mesh of sun and planet 3 below which friction decreases to zero (mixed film)";
+        mu_rise_s3 "1" default 0.0, from 0.0 to inf,
+            "excess of the static coefficient of friction of the mesh of sun and planet 3 over that of sliding, relative to that";
         b_r3 "m" required with backlash_r3, open 0.0 to inf,
             "backlash of the mesh of ring and planet 3: no contact within b/2 to either side";
         mu_r3 "1" required with sliding_friction_r3, from 0.0 to inf, "coefficient of friction of the mesh of ring and planet 3";
         w_mix_r3 "rad/s" default 0.1, open 0.0 to inf,
             "rolling speed omega1 + omega2 of the mesh of ring and planet 3 below which friction decreases to zero (mixed film)";
+        mu_rise_r3 "1" default 0.0, from 0.0 to inf,
+            "excess of the static coefficient of friction of the mesh of ring and planet 3 over that of sliding, relative to that";
         psi4 "rad" default 3.7699111843077517, open -inf to inf, "angular position of planet 4";
         b_s4 "m" required with backlash_s4, open 0.0 to inf,
             "backlash of the mesh of sun and planet 4: no contact within b/2 to either side";
         mu_s4 "1" required with sliding_friction_s4, from 0.0 to inf, "coefficient of friction of the mesh of sun and planet 4";
         w_mix_s4 "rad/s" default 0.1, open 0.0 to inf,
             "rolling speed omega1 + omega2 of the mesh of sun and planet 4 below which friction decreases to zero (mixed film)";
+        mu_rise_s4 "1" default 0.0, from 0.0 to inf,
+            "excess of the static coefficient of friction of the mesh of sun and planet 4 over that of sliding, relative to that";
         b_r4 "m" required with backlash_r4, open 0.0 to inf,
             "backlash of the mesh of ring and planet 4: no contact within b/2 to either side";
         mu_r4 "1" required with sliding_friction_r4, from 0.0 to inf, "coefficient of friction of the mesh of ring and planet 4";
         w_mix_r4 "rad/s" default 0.1, open 0.0 to inf,
             "rolling speed omega1 + omega2 of the mesh of ring and planet 4 below which friction decreases to zero (mixed film)";
+        mu_rise_r4 "1" default 0.0, from 0.0 to inf,
+            "excess of the static coefficient of friction of the mesh of ring and planet 4 over that of sliding, relative to that";
         psi5 "rad" default 5.026548245743669, open -inf to inf, "angular position of planet 5";
         b_s5 "m" required with backlash_s5, open 0.0 to inf,
             "backlash of the mesh of sun and planet 5: no contact within b/2 to either side";
         mu_s5 "1" required with sliding_friction_s5, from 0.0 to inf, "coefficient of friction of the mesh of sun and planet 5";
         w_mix_s5 "rad/s" default 0.1, open 0.0 to inf,
             "rolling speed omega1 + omega2 of the mesh of sun and planet 5 below which friction decreases to zero (mixed film)";
+        mu_rise_s5 "1" default 0.0, from 0.0 to inf,
+            "excess of the static coefficient of friction of the mesh of sun and planet 5 over that of sliding, relative to that";
         b_r5 "m" required with backlash_r5, open 0.0 to inf,
             "backlash of the mesh of ring and planet 5: no contact within b/2 to either side";
         mu_r5 "1" required with sliding_friction_r5, from 0.0 to inf, "coefficient of friction of the mesh of ring and planet 5";
         w_mix_r5 "rad/s" default 0.1, open 0.0 to inf,
             "rolling speed omega1 + omega2 of the mesh of ring and planet 5 below which friction decreases to zero (mixed film)";
+        mu_rise_r5 "1" default 0.0, from 0.0 to inf,
+            "excess of the static coefficient of friction of the mesh of ring and planet 5 over that of sliding, relative to that";
         cb_p "N*s/m" required with viscous_friction_p, from 0.0 to inf, "radial damping of the bearing of a planet: force per speed";
         T_motor "N*m" required with torques, open -inf to inf, "driving torque of the sun";
         c_motor "N*m*s/rad" required with speed_governor, open 0.0 to inf,
@@ -236,51 +256,71 @@ equations! {
         backlash_s1 of backlash "play between the flanks: contact on the drive or coast flank, free motion between";
         sliding_friction_s1 of sliding_friction requires(stiffness_step)
             "Coulomb friction between the flanks, against their sliding, which turns as a tooth pair passes the pitch point";
+        flank_stiction_s1 of flank_stiction requires(sliding_friction_s1)
+            "flanks at rest stick, up to their static friction; sliding, their friction has its full size at any speed";
         transmission_error_r1 of transmission_error requires(stiffness_step)
             "flanks deviate from their ideal position: V = k (delta - e)^2/2, with the jump terms of e where it steps";
         backlash_r1 of backlash "play between the flanks: contact on the drive or coast flank, free motion between";
         sliding_friction_r1 of sliding_friction requires(stiffness_step)
             "Coulomb friction between the flanks, against their sliding, which turns as a tooth pair passes the pitch point";
+        flank_stiction_r1 of flank_stiction requires(sliding_friction_r1)
+            "flanks at rest stick, up to their static friction; sliding, their friction has its full size at any speed";
         transmission_error_s2 of transmission_error requires(stiffness_step)
             "flanks deviate from their ideal position: V = k (delta - e)^2/2, with the jump terms of e where it steps";
         backlash_s2 of backlash "play between the flanks: contact on the drive or coast flank, free motion between";
         sliding_friction_s2 of sliding_friction requires(stiffness_step)
             "Coulomb friction between the flanks, against their sliding, which turns as a tooth pair passes the pitch point";
+        flank_stiction_s2 of flank_stiction requires(sliding_friction_s2)
+            "flanks at rest stick, up to their static friction; sliding, their friction has its full size at any speed";
         transmission_error_r2 of transmission_error requires(stiffness_step)
             "flanks deviate from their ideal position: V = k (delta - e)^2/2, with the jump terms of e where it steps";
         backlash_r2 of backlash "play between the flanks: contact on the drive or coast flank, free motion between";
         sliding_friction_r2 of sliding_friction requires(stiffness_step)
             "Coulomb friction between the flanks, against their sliding, which turns as a tooth pair passes the pitch point";
+        flank_stiction_r2 of flank_stiction requires(sliding_friction_r2)
+            "flanks at rest stick, up to their static friction; sliding, their friction has its full size at any speed";
         transmission_error_s3 of transmission_error requires(stiffness_step)
             "flanks deviate from their ideal position: V = k (delta - e)^2/2, with the jump terms of e where it steps";
         backlash_s3 of backlash "play between the flanks: contact on the drive or coast flank, free motion between";
         sliding_friction_s3 of sliding_friction requires(stiffness_step)
             "Coulomb friction between the flanks, against their sliding, which turns as a tooth pair passes the pitch point";
+        flank_stiction_s3 of flank_stiction requires(sliding_friction_s3)
+            "flanks at rest stick, up to their static friction; sliding, their friction has its full size at any speed";
         transmission_error_r3 of transmission_error requires(stiffness_step)
             "flanks deviate from their ideal position: V = k (delta - e)^2/2, with the jump terms of e where it steps";
         backlash_r3 of backlash "play between the flanks: contact on the drive or coast flank, free motion between";
         sliding_friction_r3 of sliding_friction requires(stiffness_step)
             "Coulomb friction between the flanks, against their sliding, which turns as a tooth pair passes the pitch point";
+        flank_stiction_r3 of flank_stiction requires(sliding_friction_r3)
+            "flanks at rest stick, up to their static friction; sliding, their friction has its full size at any speed";
         transmission_error_s4 of transmission_error requires(stiffness_step)
             "flanks deviate from their ideal position: V = k (delta - e)^2/2, with the jump terms of e where it steps";
         backlash_s4 of backlash "play between the flanks: contact on the drive or coast flank, free motion between";
         sliding_friction_s4 of sliding_friction requires(stiffness_step)
             "Coulomb friction between the flanks, against their sliding, which turns as a tooth pair passes the pitch point";
+        flank_stiction_s4 of flank_stiction requires(sliding_friction_s4)
+            "flanks at rest stick, up to their static friction; sliding, their friction has its full size at any speed";
         transmission_error_r4 of transmission_error requires(stiffness_step)
             "flanks deviate from their ideal position: V = k (delta - e)^2/2, with the jump terms of e where it steps";
         backlash_r4 of backlash "play between the flanks: contact on the drive or coast flank, free motion between";
         sliding_friction_r4 of sliding_friction requires(stiffness_step)
             "Coulomb friction between the flanks, against their sliding, which turns as a tooth pair passes the pitch point";
+        flank_stiction_r4 of flank_stiction requires(sliding_friction_r4)
+            "flanks at rest stick, up to their static friction; sliding, their friction has its full size at any speed";
         transmission_error_s5 of transmission_error requires(stiffness_step)
             "flanks deviate from their ideal position: V = k (delta - e)^2/2, with the jump terms of e where it steps";
         backlash_s5 of backlash "play between the flanks: contact on the drive or coast flank, free motion between";
         sliding_friction_s5 of sliding_friction requires(stiffness_step)
             "Coulomb friction between the flanks, against their sliding, which turns as a tooth pair passes the pitch point";
+        flank_stiction_s5 of flank_stiction requires(sliding_friction_s5)
+            "flanks at rest stick, up to their static friction; sliding, their friction has its full size at any speed";
         transmission_error_r5 of transmission_error requires(stiffness_step)
             "flanks deviate from their ideal position: V = k (delta - e)^2/2, with the jump terms of e where it steps";
         backlash_r5 of backlash "play between the flanks: contact on the drive or coast flank, free motion between";
         sliding_friction_r5 of sliding_friction requires(stiffness_step)
             "Coulomb friction between the flanks, against their sliding, which turns as a tooth pair passes the pitch point";
+        flank_stiction_r5 of flank_stiction requires(sliding_friction_r5)
+            "flanks at rest stick, up to their static friction; sliding, their friction has its full size at any speed";
         viscous_friction_p of viscous_friction "friction proportional to speed";
         torques "constant torques of motor and load";
         speed_governor excludes(dc_motor, induction_motor, traction_motor)
@@ -486,42 +526,62 @@ equations! {
         F_mu_s1 {
             sliding_friction_s1 => mu_s1*k_s1*touchs1*psi_s1_dot*(tiny_s1.powi(2) + overs1.powi(2)).sqrt()
                 /(w_mix_s1.powi(2) + psi_s1_dot.powi(2)).sqrt();
+            flank_stiction_s1 => mu_s1*k_s1*slide_dir_s1*touchs1*(tiny_s1.powi(2) + overs1.powi(2)).sqrt()
+                - mu_s1*k_s1*touchs1*psi_s1_dot*(tiny_s1.powi(2) + overs1.powi(2)).sqrt()/(w_mix_s1.powi(2) + psi_s1_dot.powi(2)).sqrt();
         }
         F_mu_r1 {
             sliding_friction_r1 => mu_r1*k_r1*touchr1*psi_r1_dot*(tiny_r1.powi(2) + overr1.powi(2)).sqrt()
                 /(w_mix_r1.powi(2) + psi_r1_dot.powi(2)).sqrt();
+            flank_stiction_r1 => mu_r1*k_r1*slide_dir_r1*touchr1*(tiny_r1.powi(2) + overr1.powi(2)).sqrt()
+                - mu_r1*k_r1*touchr1*psi_r1_dot*(tiny_r1.powi(2) + overr1.powi(2)).sqrt()/(w_mix_r1.powi(2) + psi_r1_dot.powi(2)).sqrt();
         }
         F_mu_s2 {
             sliding_friction_s2 => mu_s2*k_s2*touchs2*psi_s2_dot*(tiny_s2.powi(2) + overs2.powi(2)).sqrt()
                 /(w_mix_s2.powi(2) + psi_s2_dot.powi(2)).sqrt();
+            flank_stiction_s2 => mu_s2*k_s2*slide_dir_s2*touchs2*(tiny_s2.powi(2) + overs2.powi(2)).sqrt()
+                - mu_s2*k_s2*touchs2*psi_s2_dot*(tiny_s2.powi(2) + overs2.powi(2)).sqrt()/(w_mix_s2.powi(2) + psi_s2_dot.powi(2)).sqrt();
         }
         F_mu_r2 {
             sliding_friction_r2 => mu_r2*k_r2*touchr2*psi_r2_dot*(tiny_r2.powi(2) + overr2.powi(2)).sqrt()
                 /(w_mix_r2.powi(2) + psi_r2_dot.powi(2)).sqrt();
+            flank_stiction_r2 => mu_r2*k_r2*slide_dir_r2*touchr2*(tiny_r2.powi(2) + overr2.powi(2)).sqrt()
+                - mu_r2*k_r2*touchr2*psi_r2_dot*(tiny_r2.powi(2) + overr2.powi(2)).sqrt()/(w_mix_r2.powi(2) + psi_r2_dot.powi(2)).sqrt();
         }
         F_mu_s3 {
             sliding_friction_s3 => mu_s3*k_s3*touchs3*psi_s3_dot*(tiny_s3.powi(2) + overs3.powi(2)).sqrt()
                 /(w_mix_s3.powi(2) + psi_s3_dot.powi(2)).sqrt();
+            flank_stiction_s3 => mu_s3*k_s3*slide_dir_s3*touchs3*(tiny_s3.powi(2) + overs3.powi(2)).sqrt()
+                - mu_s3*k_s3*touchs3*psi_s3_dot*(tiny_s3.powi(2) + overs3.powi(2)).sqrt()/(w_mix_s3.powi(2) + psi_s3_dot.powi(2)).sqrt();
         }
         F_mu_r3 {
             sliding_friction_r3 => mu_r3*k_r3*touchr3*psi_r3_dot*(tiny_r3.powi(2) + overr3.powi(2)).sqrt()
                 /(w_mix_r3.powi(2) + psi_r3_dot.powi(2)).sqrt();
+            flank_stiction_r3 => mu_r3*k_r3*slide_dir_r3*touchr3*(tiny_r3.powi(2) + overr3.powi(2)).sqrt()
+                - mu_r3*k_r3*touchr3*psi_r3_dot*(tiny_r3.powi(2) + overr3.powi(2)).sqrt()/(w_mix_r3.powi(2) + psi_r3_dot.powi(2)).sqrt();
         }
         F_mu_s4 {
             sliding_friction_s4 => mu_s4*k_s4*touchs4*psi_s4_dot*(tiny_s4.powi(2) + overs4.powi(2)).sqrt()
                 /(w_mix_s4.powi(2) + psi_s4_dot.powi(2)).sqrt();
+            flank_stiction_s4 => mu_s4*k_s4*slide_dir_s4*touchs4*(tiny_s4.powi(2) + overs4.powi(2)).sqrt()
+                - mu_s4*k_s4*touchs4*psi_s4_dot*(tiny_s4.powi(2) + overs4.powi(2)).sqrt()/(w_mix_s4.powi(2) + psi_s4_dot.powi(2)).sqrt();
         }
         F_mu_r4 {
             sliding_friction_r4 => mu_r4*k_r4*touchr4*psi_r4_dot*(tiny_r4.powi(2) + overr4.powi(2)).sqrt()
                 /(w_mix_r4.powi(2) + psi_r4_dot.powi(2)).sqrt();
+            flank_stiction_r4 => mu_r4*k_r4*slide_dir_r4*touchr4*(tiny_r4.powi(2) + overr4.powi(2)).sqrt()
+                - mu_r4*k_r4*touchr4*psi_r4_dot*(tiny_r4.powi(2) + overr4.powi(2)).sqrt()/(w_mix_r4.powi(2) + psi_r4_dot.powi(2)).sqrt();
         }
         F_mu_s5 {
             sliding_friction_s5 => mu_s5*k_s5*touchs5*psi_s5_dot*(tiny_s5.powi(2) + overs5.powi(2)).sqrt()
                 /(w_mix_s5.powi(2) + psi_s5_dot.powi(2)).sqrt();
+            flank_stiction_s5 => mu_s5*k_s5*slide_dir_s5*touchs5*(tiny_s5.powi(2) + overs5.powi(2)).sqrt()
+                - mu_s5*k_s5*touchs5*psi_s5_dot*(tiny_s5.powi(2) + overs5.powi(2)).sqrt()/(w_mix_s5.powi(2) + psi_s5_dot.powi(2)).sqrt();
         }
         F_mu_r5 {
             sliding_friction_r5 => mu_r5*k_r5*touchr5*psi_r5_dot*(tiny_r5.powi(2) + overr5.powi(2)).sqrt()
                 /(w_mix_r5.powi(2) + psi_r5_dot.powi(2)).sqrt();
+            flank_stiction_r5 => mu_r5*k_r5*slide_dir_r5*touchr5*(tiny_r5.powi(2) + overr5.powi(2)).sqrt()
+                - mu_r5*k_r5*touchr5*psi_r5_dot*(tiny_r5.powi(2) + overr5.powi(2)).sqrt()/(w_mix_r5.powi(2) + psi_r5_dot.powi(2)).sqrt();
         }
         T_induction_motor {
             induction_motor => 2.0*Tb_motor*sb_motor*(1.0 - theta_motor_dot/ns_motor)
@@ -538,19 +598,30 @@ equations! {
         F_mu_s1_by_overs1 {
             sliding_friction_s1 => mu_s1*k_s1*touchs1*overs1*psi_s1_dot
                 /((tiny_s1.powi(2) + overs1.powi(2)).sqrt()*(w_mix_s1.powi(2) + psi_s1_dot.powi(2)).sqrt());
+            flank_stiction_s1 => mu_s1*k_s1*slide_dir_s1*touchs1*overs1/(tiny_s1.powi(2) + overs1.powi(2)).sqrt()
+                - mu_s1*k_s1*touchs1*overs1*psi_s1_dot
+                /((tiny_s1.powi(2) + overs1.powi(2)).sqrt()*(w_mix_s1.powi(2) + psi_s1_dot.powi(2)).sqrt());
         }
         F_mu_s1_by_psi_s1_dot {
             sliding_friction_s1 => mu_s1*k_s1*touchs1*(tiny_s1.powi(2) + overs1.powi(2)).sqrt()
                 /(w_mix_s1.powi(2) + psi_s1_dot.powi(2)).sqrt()
                 - mu_s1*k_s1*touchs1*psi_s1_dot.powi(2)*(tiny_s1.powi(2) + overs1.powi(2)).sqrt()
                 /(w_mix_s1.powi(2) + psi_s1_dot.powi(2)).powf(3.0/2.0);
+            flank_stiction_s1 => mu_s1*k_s1*touchs1*psi_s1_dot.powi(2)*(tiny_s1.powi(2) + overs1.powi(2)).sqrt()
+                /(w_mix_s1.powi(2) + psi_s1_dot.powi(2)).powf(3.0/2.0)
+                - mu_s1*k_s1*touchs1*(tiny_s1.powi(2) + overs1.powi(2)).sqrt()/(w_mix_s1.powi(2) + psi_s1_dot.powi(2)).sqrt();
         }
         F_mu_s1_by_k_s1 {
             sliding_friction_s1 => mu_s1*touchs1*psi_s1_dot*(tiny_s1.powi(2) + overs1.powi(2)).sqrt()
                 /(w_mix_s1.powi(2) + psi_s1_dot.powi(2)).sqrt();
+            flank_stiction_s1 => mu_s1*slide_dir_s1*touchs1*(tiny_s1.powi(2) + overs1.powi(2)).sqrt()
+                - mu_s1*touchs1*psi_s1_dot*(tiny_s1.powi(2) + overs1.powi(2)).sqrt()/(w_mix_s1.powi(2) + psi_s1_dot.powi(2)).sqrt();
         }
         F_mu_r1_by_overr1 {
             sliding_friction_r1 => mu_r1*k_r1*touchr1*overr1*psi_r1_dot
+                /((tiny_r1.powi(2) + overr1.powi(2)).sqrt()*(w_mix_r1.powi(2) + psi_r1_dot.powi(2)).sqrt());
+            flank_stiction_r1 => mu_r1*k_r1*slide_dir_r1*touchr1*overr1/(tiny_r1.powi(2) + overr1.powi(2)).sqrt()
+                - mu_r1*k_r1*touchr1*overr1*psi_r1_dot
                 /((tiny_r1.powi(2) + overr1.powi(2)).sqrt()*(w_mix_r1.powi(2) + psi_r1_dot.powi(2)).sqrt());
         }
         F_mu_r1_by_psi_r1_dot {
@@ -558,13 +629,21 @@ equations! {
                 /(w_mix_r1.powi(2) + psi_r1_dot.powi(2)).sqrt()
                 - mu_r1*k_r1*touchr1*psi_r1_dot.powi(2)*(tiny_r1.powi(2) + overr1.powi(2)).sqrt()
                 /(w_mix_r1.powi(2) + psi_r1_dot.powi(2)).powf(3.0/2.0);
+            flank_stiction_r1 => mu_r1*k_r1*touchr1*psi_r1_dot.powi(2)*(tiny_r1.powi(2) + overr1.powi(2)).sqrt()
+                /(w_mix_r1.powi(2) + psi_r1_dot.powi(2)).powf(3.0/2.0)
+                - mu_r1*k_r1*touchr1*(tiny_r1.powi(2) + overr1.powi(2)).sqrt()/(w_mix_r1.powi(2) + psi_r1_dot.powi(2)).sqrt();
         }
         F_mu_r1_by_k_r1 {
             sliding_friction_r1 => mu_r1*touchr1*psi_r1_dot*(tiny_r1.powi(2) + overr1.powi(2)).sqrt()
                 /(w_mix_r1.powi(2) + psi_r1_dot.powi(2)).sqrt();
+            flank_stiction_r1 => mu_r1*slide_dir_r1*touchr1*(tiny_r1.powi(2) + overr1.powi(2)).sqrt()
+                - mu_r1*touchr1*psi_r1_dot*(tiny_r1.powi(2) + overr1.powi(2)).sqrt()/(w_mix_r1.powi(2) + psi_r1_dot.powi(2)).sqrt();
         }
         F_mu_s2_by_overs2 {
             sliding_friction_s2 => mu_s2*k_s2*touchs2*overs2*psi_s2_dot
+                /((tiny_s2.powi(2) + overs2.powi(2)).sqrt()*(w_mix_s2.powi(2) + psi_s2_dot.powi(2)).sqrt());
+            flank_stiction_s2 => mu_s2*k_s2*slide_dir_s2*touchs2*overs2/(tiny_s2.powi(2) + overs2.powi(2)).sqrt()
+                - mu_s2*k_s2*touchs2*overs2*psi_s2_dot
                 /((tiny_s2.powi(2) + overs2.powi(2)).sqrt()*(w_mix_s2.powi(2) + psi_s2_dot.powi(2)).sqrt());
         }
         F_mu_s2_by_psi_s2_dot {
@@ -572,13 +651,21 @@ equations! {
                 /(w_mix_s2.powi(2) + psi_s2_dot.powi(2)).sqrt()
                 - mu_s2*k_s2*touchs2*psi_s2_dot.powi(2)*(tiny_s2.powi(2) + overs2.powi(2)).sqrt()
                 /(w_mix_s2.powi(2) + psi_s2_dot.powi(2)).powf(3.0/2.0);
+            flank_stiction_s2 => mu_s2*k_s2*touchs2*psi_s2_dot.powi(2)*(tiny_s2.powi(2) + overs2.powi(2)).sqrt()
+                /(w_mix_s2.powi(2) + psi_s2_dot.powi(2)).powf(3.0/2.0)
+                - mu_s2*k_s2*touchs2*(tiny_s2.powi(2) + overs2.powi(2)).sqrt()/(w_mix_s2.powi(2) + psi_s2_dot.powi(2)).sqrt();
         }
         F_mu_s2_by_k_s2 {
             sliding_friction_s2 => mu_s2*touchs2*psi_s2_dot*(tiny_s2.powi(2) + overs2.powi(2)).sqrt()
                 /(w_mix_s2.powi(2) + psi_s2_dot.powi(2)).sqrt();
+            flank_stiction_s2 => mu_s2*slide_dir_s2*touchs2*(tiny_s2.powi(2) + overs2.powi(2)).sqrt()
+                - mu_s2*touchs2*psi_s2_dot*(tiny_s2.powi(2) + overs2.powi(2)).sqrt()/(w_mix_s2.powi(2) + psi_s2_dot.powi(2)).sqrt();
         }
         F_mu_r2_by_overr2 {
             sliding_friction_r2 => mu_r2*k_r2*touchr2*overr2*psi_r2_dot
+                /((tiny_r2.powi(2) + overr2.powi(2)).sqrt()*(w_mix_r2.powi(2) + psi_r2_dot.powi(2)).sqrt());
+            flank_stiction_r2 => mu_r2*k_r2*slide_dir_r2*touchr2*overr2/(tiny_r2.powi(2) + overr2.powi(2)).sqrt()
+                - mu_r2*k_r2*touchr2*overr2*psi_r2_dot
                 /((tiny_r2.powi(2) + overr2.powi(2)).sqrt()*(w_mix_r2.powi(2) + psi_r2_dot.powi(2)).sqrt());
         }
         F_mu_r2_by_psi_r2_dot {
@@ -586,13 +673,21 @@ equations! {
                 /(w_mix_r2.powi(2) + psi_r2_dot.powi(2)).sqrt()
                 - mu_r2*k_r2*touchr2*psi_r2_dot.powi(2)*(tiny_r2.powi(2) + overr2.powi(2)).sqrt()
                 /(w_mix_r2.powi(2) + psi_r2_dot.powi(2)).powf(3.0/2.0);
+            flank_stiction_r2 => mu_r2*k_r2*touchr2*psi_r2_dot.powi(2)*(tiny_r2.powi(2) + overr2.powi(2)).sqrt()
+                /(w_mix_r2.powi(2) + psi_r2_dot.powi(2)).powf(3.0/2.0)
+                - mu_r2*k_r2*touchr2*(tiny_r2.powi(2) + overr2.powi(2)).sqrt()/(w_mix_r2.powi(2) + psi_r2_dot.powi(2)).sqrt();
         }
         F_mu_r2_by_k_r2 {
             sliding_friction_r2 => mu_r2*touchr2*psi_r2_dot*(tiny_r2.powi(2) + overr2.powi(2)).sqrt()
                 /(w_mix_r2.powi(2) + psi_r2_dot.powi(2)).sqrt();
+            flank_stiction_r2 => mu_r2*slide_dir_r2*touchr2*(tiny_r2.powi(2) + overr2.powi(2)).sqrt()
+                - mu_r2*touchr2*psi_r2_dot*(tiny_r2.powi(2) + overr2.powi(2)).sqrt()/(w_mix_r2.powi(2) + psi_r2_dot.powi(2)).sqrt();
         }
         F_mu_s3_by_overs3 {
             sliding_friction_s3 => mu_s3*k_s3*touchs3*overs3*psi_s3_dot
+                /((tiny_s3.powi(2) + overs3.powi(2)).sqrt()*(w_mix_s3.powi(2) + psi_s3_dot.powi(2)).sqrt());
+            flank_stiction_s3 => mu_s3*k_s3*slide_dir_s3*touchs3*overs3/(tiny_s3.powi(2) + overs3.powi(2)).sqrt()
+                - mu_s3*k_s3*touchs3*overs3*psi_s3_dot
                 /((tiny_s3.powi(2) + overs3.powi(2)).sqrt()*(w_mix_s3.powi(2) + psi_s3_dot.powi(2)).sqrt());
         }
         F_mu_s3_by_psi_s3_dot {
@@ -600,13 +695,21 @@ equations! {
                 /(w_mix_s3.powi(2) + psi_s3_dot.powi(2)).sqrt()
                 - mu_s3*k_s3*touchs3*psi_s3_dot.powi(2)*(tiny_s3.powi(2) + overs3.powi(2)).sqrt()
                 /(w_mix_s3.powi(2) + psi_s3_dot.powi(2)).powf(3.0/2.0);
+            flank_stiction_s3 => mu_s3*k_s3*touchs3*psi_s3_dot.powi(2)*(tiny_s3.powi(2) + overs3.powi(2)).sqrt()
+                /(w_mix_s3.powi(2) + psi_s3_dot.powi(2)).powf(3.0/2.0)
+                - mu_s3*k_s3*touchs3*(tiny_s3.powi(2) + overs3.powi(2)).sqrt()/(w_mix_s3.powi(2) + psi_s3_dot.powi(2)).sqrt();
         }
         F_mu_s3_by_k_s3 {
             sliding_friction_s3 => mu_s3*touchs3*psi_s3_dot*(tiny_s3.powi(2) + overs3.powi(2)).sqrt()
                 /(w_mix_s3.powi(2) + psi_s3_dot.powi(2)).sqrt();
+            flank_stiction_s3 => mu_s3*slide_dir_s3*touchs3*(tiny_s3.powi(2) + overs3.powi(2)).sqrt()
+                - mu_s3*touchs3*psi_s3_dot*(tiny_s3.powi(2) + overs3.powi(2)).sqrt()/(w_mix_s3.powi(2) + psi_s3_dot.powi(2)).sqrt();
         }
         F_mu_r3_by_overr3 {
             sliding_friction_r3 => mu_r3*k_r3*touchr3*overr3*psi_r3_dot
+                /((tiny_r3.powi(2) + overr3.powi(2)).sqrt()*(w_mix_r3.powi(2) + psi_r3_dot.powi(2)).sqrt());
+            flank_stiction_r3 => mu_r3*k_r3*slide_dir_r3*touchr3*overr3/(tiny_r3.powi(2) + overr3.powi(2)).sqrt()
+                - mu_r3*k_r3*touchr3*overr3*psi_r3_dot
                 /((tiny_r3.powi(2) + overr3.powi(2)).sqrt()*(w_mix_r3.powi(2) + psi_r3_dot.powi(2)).sqrt());
         }
         F_mu_r3_by_psi_r3_dot {
@@ -614,13 +717,21 @@ equations! {
                 /(w_mix_r3.powi(2) + psi_r3_dot.powi(2)).sqrt()
                 - mu_r3*k_r3*touchr3*psi_r3_dot.powi(2)*(tiny_r3.powi(2) + overr3.powi(2)).sqrt()
                 /(w_mix_r3.powi(2) + psi_r3_dot.powi(2)).powf(3.0/2.0);
+            flank_stiction_r3 => mu_r3*k_r3*touchr3*psi_r3_dot.powi(2)*(tiny_r3.powi(2) + overr3.powi(2)).sqrt()
+                /(w_mix_r3.powi(2) + psi_r3_dot.powi(2)).powf(3.0/2.0)
+                - mu_r3*k_r3*touchr3*(tiny_r3.powi(2) + overr3.powi(2)).sqrt()/(w_mix_r3.powi(2) + psi_r3_dot.powi(2)).sqrt();
         }
         F_mu_r3_by_k_r3 {
             sliding_friction_r3 => mu_r3*touchr3*psi_r3_dot*(tiny_r3.powi(2) + overr3.powi(2)).sqrt()
                 /(w_mix_r3.powi(2) + psi_r3_dot.powi(2)).sqrt();
+            flank_stiction_r3 => mu_r3*slide_dir_r3*touchr3*(tiny_r3.powi(2) + overr3.powi(2)).sqrt()
+                - mu_r3*touchr3*psi_r3_dot*(tiny_r3.powi(2) + overr3.powi(2)).sqrt()/(w_mix_r3.powi(2) + psi_r3_dot.powi(2)).sqrt();
         }
         F_mu_s4_by_overs4 {
             sliding_friction_s4 => mu_s4*k_s4*touchs4*overs4*psi_s4_dot
+                /((tiny_s4.powi(2) + overs4.powi(2)).sqrt()*(w_mix_s4.powi(2) + psi_s4_dot.powi(2)).sqrt());
+            flank_stiction_s4 => mu_s4*k_s4*slide_dir_s4*touchs4*overs4/(tiny_s4.powi(2) + overs4.powi(2)).sqrt()
+                - mu_s4*k_s4*touchs4*overs4*psi_s4_dot
                 /((tiny_s4.powi(2) + overs4.powi(2)).sqrt()*(w_mix_s4.powi(2) + psi_s4_dot.powi(2)).sqrt());
         }
         F_mu_s4_by_psi_s4_dot {
@@ -628,13 +739,21 @@ equations! {
                 /(w_mix_s4.powi(2) + psi_s4_dot.powi(2)).sqrt()
                 - mu_s4*k_s4*touchs4*psi_s4_dot.powi(2)*(tiny_s4.powi(2) + overs4.powi(2)).sqrt()
                 /(w_mix_s4.powi(2) + psi_s4_dot.powi(2)).powf(3.0/2.0);
+            flank_stiction_s4 => mu_s4*k_s4*touchs4*psi_s4_dot.powi(2)*(tiny_s4.powi(2) + overs4.powi(2)).sqrt()
+                /(w_mix_s4.powi(2) + psi_s4_dot.powi(2)).powf(3.0/2.0)
+                - mu_s4*k_s4*touchs4*(tiny_s4.powi(2) + overs4.powi(2)).sqrt()/(w_mix_s4.powi(2) + psi_s4_dot.powi(2)).sqrt();
         }
         F_mu_s4_by_k_s4 {
             sliding_friction_s4 => mu_s4*touchs4*psi_s4_dot*(tiny_s4.powi(2) + overs4.powi(2)).sqrt()
                 /(w_mix_s4.powi(2) + psi_s4_dot.powi(2)).sqrt();
+            flank_stiction_s4 => mu_s4*slide_dir_s4*touchs4*(tiny_s4.powi(2) + overs4.powi(2)).sqrt()
+                - mu_s4*touchs4*psi_s4_dot*(tiny_s4.powi(2) + overs4.powi(2)).sqrt()/(w_mix_s4.powi(2) + psi_s4_dot.powi(2)).sqrt();
         }
         F_mu_r4_by_overr4 {
             sliding_friction_r4 => mu_r4*k_r4*touchr4*overr4*psi_r4_dot
+                /((tiny_r4.powi(2) + overr4.powi(2)).sqrt()*(w_mix_r4.powi(2) + psi_r4_dot.powi(2)).sqrt());
+            flank_stiction_r4 => mu_r4*k_r4*slide_dir_r4*touchr4*overr4/(tiny_r4.powi(2) + overr4.powi(2)).sqrt()
+                - mu_r4*k_r4*touchr4*overr4*psi_r4_dot
                 /((tiny_r4.powi(2) + overr4.powi(2)).sqrt()*(w_mix_r4.powi(2) + psi_r4_dot.powi(2)).sqrt());
         }
         F_mu_r4_by_psi_r4_dot {
@@ -642,13 +761,21 @@ equations! {
                 /(w_mix_r4.powi(2) + psi_r4_dot.powi(2)).sqrt()
                 - mu_r4*k_r4*touchr4*psi_r4_dot.powi(2)*(tiny_r4.powi(2) + overr4.powi(2)).sqrt()
                 /(w_mix_r4.powi(2) + psi_r4_dot.powi(2)).powf(3.0/2.0);
+            flank_stiction_r4 => mu_r4*k_r4*touchr4*psi_r4_dot.powi(2)*(tiny_r4.powi(2) + overr4.powi(2)).sqrt()
+                /(w_mix_r4.powi(2) + psi_r4_dot.powi(2)).powf(3.0/2.0)
+                - mu_r4*k_r4*touchr4*(tiny_r4.powi(2) + overr4.powi(2)).sqrt()/(w_mix_r4.powi(2) + psi_r4_dot.powi(2)).sqrt();
         }
         F_mu_r4_by_k_r4 {
             sliding_friction_r4 => mu_r4*touchr4*psi_r4_dot*(tiny_r4.powi(2) + overr4.powi(2)).sqrt()
                 /(w_mix_r4.powi(2) + psi_r4_dot.powi(2)).sqrt();
+            flank_stiction_r4 => mu_r4*slide_dir_r4*touchr4*(tiny_r4.powi(2) + overr4.powi(2)).sqrt()
+                - mu_r4*touchr4*psi_r4_dot*(tiny_r4.powi(2) + overr4.powi(2)).sqrt()/(w_mix_r4.powi(2) + psi_r4_dot.powi(2)).sqrt();
         }
         F_mu_s5_by_overs5 {
             sliding_friction_s5 => mu_s5*k_s5*touchs5*overs5*psi_s5_dot
+                /((tiny_s5.powi(2) + overs5.powi(2)).sqrt()*(w_mix_s5.powi(2) + psi_s5_dot.powi(2)).sqrt());
+            flank_stiction_s5 => mu_s5*k_s5*slide_dir_s5*touchs5*overs5/(tiny_s5.powi(2) + overs5.powi(2)).sqrt()
+                - mu_s5*k_s5*touchs5*overs5*psi_s5_dot
                 /((tiny_s5.powi(2) + overs5.powi(2)).sqrt()*(w_mix_s5.powi(2) + psi_s5_dot.powi(2)).sqrt());
         }
         F_mu_s5_by_psi_s5_dot {
@@ -656,13 +783,21 @@ equations! {
                 /(w_mix_s5.powi(2) + psi_s5_dot.powi(2)).sqrt()
                 - mu_s5*k_s5*touchs5*psi_s5_dot.powi(2)*(tiny_s5.powi(2) + overs5.powi(2)).sqrt()
                 /(w_mix_s5.powi(2) + psi_s5_dot.powi(2)).powf(3.0/2.0);
+            flank_stiction_s5 => mu_s5*k_s5*touchs5*psi_s5_dot.powi(2)*(tiny_s5.powi(2) + overs5.powi(2)).sqrt()
+                /(w_mix_s5.powi(2) + psi_s5_dot.powi(2)).powf(3.0/2.0)
+                - mu_s5*k_s5*touchs5*(tiny_s5.powi(2) + overs5.powi(2)).sqrt()/(w_mix_s5.powi(2) + psi_s5_dot.powi(2)).sqrt();
         }
         F_mu_s5_by_k_s5 {
             sliding_friction_s5 => mu_s5*touchs5*psi_s5_dot*(tiny_s5.powi(2) + overs5.powi(2)).sqrt()
                 /(w_mix_s5.powi(2) + psi_s5_dot.powi(2)).sqrt();
+            flank_stiction_s5 => mu_s5*slide_dir_s5*touchs5*(tiny_s5.powi(2) + overs5.powi(2)).sqrt()
+                - mu_s5*touchs5*psi_s5_dot*(tiny_s5.powi(2) + overs5.powi(2)).sqrt()/(w_mix_s5.powi(2) + psi_s5_dot.powi(2)).sqrt();
         }
         F_mu_r5_by_overr5 {
             sliding_friction_r5 => mu_r5*k_r5*touchr5*overr5*psi_r5_dot
+                /((tiny_r5.powi(2) + overr5.powi(2)).sqrt()*(w_mix_r5.powi(2) + psi_r5_dot.powi(2)).sqrt());
+            flank_stiction_r5 => mu_r5*k_r5*slide_dir_r5*touchr5*overr5/(tiny_r5.powi(2) + overr5.powi(2)).sqrt()
+                - mu_r5*k_r5*touchr5*overr5*psi_r5_dot
                 /((tiny_r5.powi(2) + overr5.powi(2)).sqrt()*(w_mix_r5.powi(2) + psi_r5_dot.powi(2)).sqrt());
         }
         F_mu_r5_by_psi_r5_dot {
@@ -670,10 +805,15 @@ equations! {
                 /(w_mix_r5.powi(2) + psi_r5_dot.powi(2)).sqrt()
                 - mu_r5*k_r5*touchr5*psi_r5_dot.powi(2)*(tiny_r5.powi(2) + overr5.powi(2)).sqrt()
                 /(w_mix_r5.powi(2) + psi_r5_dot.powi(2)).powf(3.0/2.0);
+            flank_stiction_r5 => mu_r5*k_r5*touchr5*psi_r5_dot.powi(2)*(tiny_r5.powi(2) + overr5.powi(2)).sqrt()
+                /(w_mix_r5.powi(2) + psi_r5_dot.powi(2)).powf(3.0/2.0)
+                - mu_r5*k_r5*touchr5*(tiny_r5.powi(2) + overr5.powi(2)).sqrt()/(w_mix_r5.powi(2) + psi_r5_dot.powi(2)).sqrt();
         }
         F_mu_r5_by_k_r5 {
             sliding_friction_r5 => mu_r5*touchr5*psi_r5_dot*(tiny_r5.powi(2) + overr5.powi(2)).sqrt()
                 /(w_mix_r5.powi(2) + psi_r5_dot.powi(2)).sqrt();
+            flank_stiction_r5 => mu_r5*slide_dir_r5*touchr5*(tiny_r5.powi(2) + overr5.powi(2)).sqrt()
+                - mu_r5*touchr5*psi_r5_dot*(tiny_r5.powi(2) + overr5.powi(2)).sqrt()/(w_mix_r5.powi(2) + psi_r5_dot.powi(2)).sqrt();
         }
         T_induction_motor_by_theta_motor_dot {
             induction_motor => 4.0*Tb_motor*sb_motor*(1.0 - theta_motor_dot/ns_motor).powi(2)
@@ -758,6 +898,42 @@ equations! {
             }
             loss { overs1 { _ => k_s1*clips1*touchs1; } }
         }
+        psi_s1 "rad" (slide_dir_s1 0.0) with flank_stiction_s1, "whether the flanks of the mesh of sun and planet 1 stick" {
+            stuck (0.0) holds rests counts "stuck" {
+                unless stuck_coast { overs1 { _ => 1.0; } }
+                until forward {
+                    overs1 { _ => mu_rise_s1*mu_s1*k_s1*touchs1 + mu_s1*k_s1*touchs1; }
+                    reaction { _ => -1.0; }
+                }
+                until backward {
+                    overs1 { _ => mu_rise_s1*mu_s1*k_s1*touchs1 + mu_s1*k_s1*touchs1; }
+                    reaction { _ => 1.0; }
+                }
+            }
+            stuck_coast (0.0) holds rests counts "stuck" {
+                unless stuck { overs1 { _ => -1.0; } }
+                until forward {
+                    overs1 { _ => -mu_rise_s1*mu_s1*k_s1*touchs1 - mu_s1*k_s1*touchs1; }
+                    reaction { _ => -1.0; }
+                }
+                until backward {
+                    overs1 { _ => -mu_rise_s1*mu_s1*k_s1*touchs1 - mu_s1*k_s1*touchs1; }
+                    reaction { _ => 1.0; }
+                }
+            }
+            forward (1.0) {
+                until stuck {
+                    psi_s1_dot { _ => arm_s1; }
+                    tau_s1_dot { _ => side_s1; }
+                }
+            }
+            backward (-1.0) {
+                until stuck {
+                    psi_s1_dot { _ => -arm_s1; }
+                    tau_s1_dot { _ => -side_s1; }
+                }
+            }
+        }
         overr1 "m" (touchr1 1.0, edger1 0.0, dampr1 1.0, clipr1 0.0) with backlash_r1, "play of the mesh of ring and planet 1" {
             upper (1.0, b_r1/2.0, 1.0, 0.0) rests counts "flanks met" {
                 unless free { overr1 { _ => 1.0; } }
@@ -820,6 +996,42 @@ equations! {
                 }
             }
             loss { overr1 { _ => k_r1*clipr1*touchr1; } }
+        }
+        psi_r1 "rad" (slide_dir_r1 0.0) with flank_stiction_r1, "whether the flanks of the mesh of ring and planet 1 stick" {
+            stuck (0.0) holds rests counts "stuck" {
+                unless stuck_coast { overr1 { _ => 1.0; } }
+                until forward {
+                    overr1 { _ => mu_r1*mu_rise_r1*k_r1*touchr1 + mu_r1*k_r1*touchr1; }
+                    reaction { _ => -1.0; }
+                }
+                until backward {
+                    overr1 { _ => mu_r1*mu_rise_r1*k_r1*touchr1 + mu_r1*k_r1*touchr1; }
+                    reaction { _ => 1.0; }
+                }
+            }
+            stuck_coast (0.0) holds rests counts "stuck" {
+                unless stuck { overr1 { _ => -1.0; } }
+                until forward {
+                    overr1 { _ => -mu_r1*mu_rise_r1*k_r1*touchr1 - mu_r1*k_r1*touchr1; }
+                    reaction { _ => -1.0; }
+                }
+                until backward {
+                    overr1 { _ => -mu_r1*mu_rise_r1*k_r1*touchr1 - mu_r1*k_r1*touchr1; }
+                    reaction { _ => 1.0; }
+                }
+            }
+            forward (1.0) {
+                until stuck {
+                    psi_r1_dot { _ => arm_r1; }
+                    tau_r1_dot { _ => side_r1; }
+                }
+            }
+            backward (-1.0) {
+                until stuck {
+                    psi_r1_dot { _ => -arm_r1; }
+                    tau_r1_dot { _ => -side_r1; }
+                }
+            }
         }
         overs2 "m" (touchs2 1.0, edges2 0.0, damps2 1.0, clips2 0.0) with backlash_s2, "play of the mesh of sun and planet 2" {
             upper (1.0, b_s2/2.0, 1.0, 0.0) rests counts "flanks met" {
@@ -884,6 +1096,42 @@ equations! {
             }
             loss { overs2 { _ => k_s2*clips2*touchs2; } }
         }
+        psi_s2 "rad" (slide_dir_s2 0.0) with flank_stiction_s2, "whether the flanks of the mesh of sun and planet 2 stick" {
+            stuck (0.0) holds rests counts "stuck" {
+                unless stuck_coast { overs2 { _ => 1.0; } }
+                until forward {
+                    overs2 { _ => mu_rise_s2*mu_s2*k_s2*touchs2 + mu_s2*k_s2*touchs2; }
+                    reaction { _ => -1.0; }
+                }
+                until backward {
+                    overs2 { _ => mu_rise_s2*mu_s2*k_s2*touchs2 + mu_s2*k_s2*touchs2; }
+                    reaction { _ => 1.0; }
+                }
+            }
+            stuck_coast (0.0) holds rests counts "stuck" {
+                unless stuck { overs2 { _ => -1.0; } }
+                until forward {
+                    overs2 { _ => -mu_rise_s2*mu_s2*k_s2*touchs2 - mu_s2*k_s2*touchs2; }
+                    reaction { _ => -1.0; }
+                }
+                until backward {
+                    overs2 { _ => -mu_rise_s2*mu_s2*k_s2*touchs2 - mu_s2*k_s2*touchs2; }
+                    reaction { _ => 1.0; }
+                }
+            }
+            forward (1.0) {
+                until stuck {
+                    psi_s2_dot { _ => arm_s2; }
+                    tau_s2_dot { _ => side_s2; }
+                }
+            }
+            backward (-1.0) {
+                until stuck {
+                    psi_s2_dot { _ => -arm_s2; }
+                    tau_s2_dot { _ => -side_s2; }
+                }
+            }
+        }
         overr2 "m" (touchr2 1.0, edger2 0.0, dampr2 1.0, clipr2 0.0) with backlash_r2, "play of the mesh of ring and planet 2" {
             upper (1.0, b_r2/2.0, 1.0, 0.0) rests counts "flanks met" {
                 unless free { overr2 { _ => 1.0; } }
@@ -946,6 +1194,42 @@ equations! {
                 }
             }
             loss { overr2 { _ => k_r2*clipr2*touchr2; } }
+        }
+        psi_r2 "rad" (slide_dir_r2 0.0) with flank_stiction_r2, "whether the flanks of the mesh of ring and planet 2 stick" {
+            stuck (0.0) holds rests counts "stuck" {
+                unless stuck_coast { overr2 { _ => 1.0; } }
+                until forward {
+                    overr2 { _ => mu_r2*mu_rise_r2*k_r2*touchr2 + mu_r2*k_r2*touchr2; }
+                    reaction { _ => -1.0; }
+                }
+                until backward {
+                    overr2 { _ => mu_r2*mu_rise_r2*k_r2*touchr2 + mu_r2*k_r2*touchr2; }
+                    reaction { _ => 1.0; }
+                }
+            }
+            stuck_coast (0.0) holds rests counts "stuck" {
+                unless stuck { overr2 { _ => -1.0; } }
+                until forward {
+                    overr2 { _ => -mu_r2*mu_rise_r2*k_r2*touchr2 - mu_r2*k_r2*touchr2; }
+                    reaction { _ => -1.0; }
+                }
+                until backward {
+                    overr2 { _ => -mu_r2*mu_rise_r2*k_r2*touchr2 - mu_r2*k_r2*touchr2; }
+                    reaction { _ => 1.0; }
+                }
+            }
+            forward (1.0) {
+                until stuck {
+                    psi_r2_dot { _ => arm_r2; }
+                    tau_r2_dot { _ => side_r2; }
+                }
+            }
+            backward (-1.0) {
+                until stuck {
+                    psi_r2_dot { _ => -arm_r2; }
+                    tau_r2_dot { _ => -side_r2; }
+                }
+            }
         }
         overs3 "m" (touchs3 1.0, edges3 0.0, damps3 1.0, clips3 0.0) with backlash_s3, "play of the mesh of sun and planet 3" {
             upper (1.0, b_s3/2.0, 1.0, 0.0) rests counts "flanks met" {
@@ -1010,6 +1294,42 @@ equations! {
             }
             loss { overs3 { _ => k_s3*clips3*touchs3; } }
         }
+        psi_s3 "rad" (slide_dir_s3 0.0) with flank_stiction_s3, "whether the flanks of the mesh of sun and planet 3 stick" {
+            stuck (0.0) holds rests counts "stuck" {
+                unless stuck_coast { overs3 { _ => 1.0; } }
+                until forward {
+                    overs3 { _ => mu_rise_s3*mu_s3*k_s3*touchs3 + mu_s3*k_s3*touchs3; }
+                    reaction { _ => -1.0; }
+                }
+                until backward {
+                    overs3 { _ => mu_rise_s3*mu_s3*k_s3*touchs3 + mu_s3*k_s3*touchs3; }
+                    reaction { _ => 1.0; }
+                }
+            }
+            stuck_coast (0.0) holds rests counts "stuck" {
+                unless stuck { overs3 { _ => -1.0; } }
+                until forward {
+                    overs3 { _ => -mu_rise_s3*mu_s3*k_s3*touchs3 - mu_s3*k_s3*touchs3; }
+                    reaction { _ => -1.0; }
+                }
+                until backward {
+                    overs3 { _ => -mu_rise_s3*mu_s3*k_s3*touchs3 - mu_s3*k_s3*touchs3; }
+                    reaction { _ => 1.0; }
+                }
+            }
+            forward (1.0) {
+                until stuck {
+                    psi_s3_dot { _ => arm_s3; }
+                    tau_s3_dot { _ => side_s3; }
+                }
+            }
+            backward (-1.0) {
+                until stuck {
+                    psi_s3_dot { _ => -arm_s3; }
+                    tau_s3_dot { _ => -side_s3; }
+                }
+            }
+        }
         overr3 "m" (touchr3 1.0, edger3 0.0, dampr3 1.0, clipr3 0.0) with backlash_r3, "play of the mesh of ring and planet 3" {
             upper (1.0, b_r3/2.0, 1.0, 0.0) rests counts "flanks met" {
                 unless free { overr3 { _ => 1.0; } }
@@ -1072,6 +1392,42 @@ equations! {
                 }
             }
             loss { overr3 { _ => k_r3*clipr3*touchr3; } }
+        }
+        psi_r3 "rad" (slide_dir_r3 0.0) with flank_stiction_r3, "whether the flanks of the mesh of ring and planet 3 stick" {
+            stuck (0.0) holds rests counts "stuck" {
+                unless stuck_coast { overr3 { _ => 1.0; } }
+                until forward {
+                    overr3 { _ => mu_r3*mu_rise_r3*k_r3*touchr3 + mu_r3*k_r3*touchr3; }
+                    reaction { _ => -1.0; }
+                }
+                until backward {
+                    overr3 { _ => mu_r3*mu_rise_r3*k_r3*touchr3 + mu_r3*k_r3*touchr3; }
+                    reaction { _ => 1.0; }
+                }
+            }
+            stuck_coast (0.0) holds rests counts "stuck" {
+                unless stuck { overr3 { _ => -1.0; } }
+                until forward {
+                    overr3 { _ => -mu_r3*mu_rise_r3*k_r3*touchr3 - mu_r3*k_r3*touchr3; }
+                    reaction { _ => -1.0; }
+                }
+                until backward {
+                    overr3 { _ => -mu_r3*mu_rise_r3*k_r3*touchr3 - mu_r3*k_r3*touchr3; }
+                    reaction { _ => 1.0; }
+                }
+            }
+            forward (1.0) {
+                until stuck {
+                    psi_r3_dot { _ => arm_r3; }
+                    tau_r3_dot { _ => side_r3; }
+                }
+            }
+            backward (-1.0) {
+                until stuck {
+                    psi_r3_dot { _ => -arm_r3; }
+                    tau_r3_dot { _ => -side_r3; }
+                }
+            }
         }
         overs4 "m" (touchs4 1.0, edges4 0.0, damps4 1.0, clips4 0.0) with backlash_s4, "play of the mesh of sun and planet 4" {
             upper (1.0, b_s4/2.0, 1.0, 0.0) rests counts "flanks met" {
@@ -1136,6 +1492,42 @@ equations! {
             }
             loss { overs4 { _ => k_s4*clips4*touchs4; } }
         }
+        psi_s4 "rad" (slide_dir_s4 0.0) with flank_stiction_s4, "whether the flanks of the mesh of sun and planet 4 stick" {
+            stuck (0.0) holds rests counts "stuck" {
+                unless stuck_coast { overs4 { _ => 1.0; } }
+                until forward {
+                    overs4 { _ => mu_rise_s4*mu_s4*k_s4*touchs4 + mu_s4*k_s4*touchs4; }
+                    reaction { _ => -1.0; }
+                }
+                until backward {
+                    overs4 { _ => mu_rise_s4*mu_s4*k_s4*touchs4 + mu_s4*k_s4*touchs4; }
+                    reaction { _ => 1.0; }
+                }
+            }
+            stuck_coast (0.0) holds rests counts "stuck" {
+                unless stuck { overs4 { _ => -1.0; } }
+                until forward {
+                    overs4 { _ => -mu_rise_s4*mu_s4*k_s4*touchs4 - mu_s4*k_s4*touchs4; }
+                    reaction { _ => -1.0; }
+                }
+                until backward {
+                    overs4 { _ => -mu_rise_s4*mu_s4*k_s4*touchs4 - mu_s4*k_s4*touchs4; }
+                    reaction { _ => 1.0; }
+                }
+            }
+            forward (1.0) {
+                until stuck {
+                    psi_s4_dot { _ => arm_s4; }
+                    tau_s4_dot { _ => side_s4; }
+                }
+            }
+            backward (-1.0) {
+                until stuck {
+                    psi_s4_dot { _ => -arm_s4; }
+                    tau_s4_dot { _ => -side_s4; }
+                }
+            }
+        }
         overr4 "m" (touchr4 1.0, edger4 0.0, dampr4 1.0, clipr4 0.0) with backlash_r4, "play of the mesh of ring and planet 4" {
             upper (1.0, b_r4/2.0, 1.0, 0.0) rests counts "flanks met" {
                 unless free { overr4 { _ => 1.0; } }
@@ -1198,6 +1590,42 @@ equations! {
                 }
             }
             loss { overr4 { _ => k_r4*clipr4*touchr4; } }
+        }
+        psi_r4 "rad" (slide_dir_r4 0.0) with flank_stiction_r4, "whether the flanks of the mesh of ring and planet 4 stick" {
+            stuck (0.0) holds rests counts "stuck" {
+                unless stuck_coast { overr4 { _ => 1.0; } }
+                until forward {
+                    overr4 { _ => mu_r4*mu_rise_r4*k_r4*touchr4 + mu_r4*k_r4*touchr4; }
+                    reaction { _ => -1.0; }
+                }
+                until backward {
+                    overr4 { _ => mu_r4*mu_rise_r4*k_r4*touchr4 + mu_r4*k_r4*touchr4; }
+                    reaction { _ => 1.0; }
+                }
+            }
+            stuck_coast (0.0) holds rests counts "stuck" {
+                unless stuck { overr4 { _ => -1.0; } }
+                until forward {
+                    overr4 { _ => -mu_r4*mu_rise_r4*k_r4*touchr4 - mu_r4*k_r4*touchr4; }
+                    reaction { _ => -1.0; }
+                }
+                until backward {
+                    overr4 { _ => -mu_r4*mu_rise_r4*k_r4*touchr4 - mu_r4*k_r4*touchr4; }
+                    reaction { _ => 1.0; }
+                }
+            }
+            forward (1.0) {
+                until stuck {
+                    psi_r4_dot { _ => arm_r4; }
+                    tau_r4_dot { _ => side_r4; }
+                }
+            }
+            backward (-1.0) {
+                until stuck {
+                    psi_r4_dot { _ => -arm_r4; }
+                    tau_r4_dot { _ => -side_r4; }
+                }
+            }
         }
         overs5 "m" (touchs5 1.0, edges5 0.0, damps5 1.0, clips5 0.0) with backlash_s5, "play of the mesh of sun and planet 5" {
             upper (1.0, b_s5/2.0, 1.0, 0.0) rests counts "flanks met" {
@@ -1262,6 +1690,42 @@ equations! {
             }
             loss { overs5 { _ => k_s5*clips5*touchs5; } }
         }
+        psi_s5 "rad" (slide_dir_s5 0.0) with flank_stiction_s5, "whether the flanks of the mesh of sun and planet 5 stick" {
+            stuck (0.0) holds rests counts "stuck" {
+                unless stuck_coast { overs5 { _ => 1.0; } }
+                until forward {
+                    overs5 { _ => mu_rise_s5*mu_s5*k_s5*touchs5 + mu_s5*k_s5*touchs5; }
+                    reaction { _ => -1.0; }
+                }
+                until backward {
+                    overs5 { _ => mu_rise_s5*mu_s5*k_s5*touchs5 + mu_s5*k_s5*touchs5; }
+                    reaction { _ => 1.0; }
+                }
+            }
+            stuck_coast (0.0) holds rests counts "stuck" {
+                unless stuck { overs5 { _ => -1.0; } }
+                until forward {
+                    overs5 { _ => -mu_rise_s5*mu_s5*k_s5*touchs5 - mu_s5*k_s5*touchs5; }
+                    reaction { _ => -1.0; }
+                }
+                until backward {
+                    overs5 { _ => -mu_rise_s5*mu_s5*k_s5*touchs5 - mu_s5*k_s5*touchs5; }
+                    reaction { _ => 1.0; }
+                }
+            }
+            forward (1.0) {
+                until stuck {
+                    psi_s5_dot { _ => arm_s5; }
+                    tau_s5_dot { _ => side_s5; }
+                }
+            }
+            backward (-1.0) {
+                until stuck {
+                    psi_s5_dot { _ => -arm_s5; }
+                    tau_s5_dot { _ => -side_s5; }
+                }
+            }
+        }
         overr5 "m" (touchr5 1.0, edger5 0.0, dampr5 1.0, clipr5 0.0) with backlash_r5, "play of the mesh of ring and planet 5" {
             upper (1.0, b_r5/2.0, 1.0, 0.0) rests counts "flanks met" {
                 unless free { overr5 { _ => 1.0; } }
@@ -1324,6 +1788,42 @@ equations! {
                 }
             }
             loss { overr5 { _ => k_r5*clipr5*touchr5; } }
+        }
+        psi_r5 "rad" (slide_dir_r5 0.0) with flank_stiction_r5, "whether the flanks of the mesh of ring and planet 5 stick" {
+            stuck (0.0) holds rests counts "stuck" {
+                unless stuck_coast { overr5 { _ => 1.0; } }
+                until forward {
+                    overr5 { _ => mu_r5*mu_rise_r5*k_r5*touchr5 + mu_r5*k_r5*touchr5; }
+                    reaction { _ => -1.0; }
+                }
+                until backward {
+                    overr5 { _ => mu_r5*mu_rise_r5*k_r5*touchr5 + mu_r5*k_r5*touchr5; }
+                    reaction { _ => 1.0; }
+                }
+            }
+            stuck_coast (0.0) holds rests counts "stuck" {
+                unless stuck { overr5 { _ => -1.0; } }
+                until forward {
+                    overr5 { _ => -mu_r5*mu_rise_r5*k_r5*touchr5 - mu_r5*k_r5*touchr5; }
+                    reaction { _ => -1.0; }
+                }
+                until backward {
+                    overr5 { _ => -mu_r5*mu_rise_r5*k_r5*touchr5 - mu_r5*k_r5*touchr5; }
+                    reaction { _ => 1.0; }
+                }
+            }
+            forward (1.0) {
+                until stuck {
+                    psi_r5_dot { _ => arm_r5; }
+                    tau_r5_dot { _ => side_r5; }
+                }
+            }
+            backward (-1.0) {
+                until stuck {
+                    psi_r5_dot { _ => -arm_r5; }
+                    tau_r5_dot { _ => -side_r5; }
+                }
+            }
         }
     }
     energies {
@@ -6855,42 +7355,52 @@ equations! {
 // - the force of the switch overs1 takes energy or none: f overs1_dot >= 0 in every mode, from the guards that hold in it; of a damper that
 //   is clipped to f = c F, where F = dV/dovers1 and c = 1 or -1, since F overs1 >= 0, overs1_dot dD/dovers1_dot >= 0 and c overs1
 //   dD/dovers1_dot >= F overs1
+// - V is the same on both sides of the exits of psi_s1: no impulse there
 // - V is the same on both sides of the exits of overr1: no impulse there
 // - the force of the switch overr1 takes energy or none: f overr1_dot >= 0 in every mode, from the guards that hold in it; of a damper that
 //   is clipped to f = c F, where F = dV/doverr1 and c = 1 or -1, since F overr1 >= 0, overr1_dot dD/doverr1_dot >= 0 and c overr1
 //   dD/doverr1_dot >= F overr1
+// - V is the same on both sides of the exits of psi_r1: no impulse there
 // - V is the same on both sides of the exits of overs2: no impulse there
 // - the force of the switch overs2 takes energy or none: f overs2_dot >= 0 in every mode, from the guards that hold in it; of a damper that
 //   is clipped to f = c F, where F = dV/dovers2 and c = 1 or -1, since F overs2 >= 0, overs2_dot dD/dovers2_dot >= 0 and c overs2
 //   dD/dovers2_dot >= F overs2
+// - V is the same on both sides of the exits of psi_s2: no impulse there
 // - V is the same on both sides of the exits of overr2: no impulse there
 // - the force of the switch overr2 takes energy or none: f overr2_dot >= 0 in every mode, from the guards that hold in it; of a damper that
 //   is clipped to f = c F, where F = dV/doverr2 and c = 1 or -1, since F overr2 >= 0, overr2_dot dD/doverr2_dot >= 0 and c overr2
 //   dD/doverr2_dot >= F overr2
+// - V is the same on both sides of the exits of psi_r2: no impulse there
 // - V is the same on both sides of the exits of overs3: no impulse there
 // - the force of the switch overs3 takes energy or none: f overs3_dot >= 0 in every mode, from the guards that hold in it; of a damper that
 //   is clipped to f = c F, where F = dV/dovers3 and c = 1 or -1, since F overs3 >= 0, overs3_dot dD/dovers3_dot >= 0 and c overs3
 //   dD/dovers3_dot >= F overs3
+// - V is the same on both sides of the exits of psi_s3: no impulse there
 // - V is the same on both sides of the exits of overr3: no impulse there
 // - the force of the switch overr3 takes energy or none: f overr3_dot >= 0 in every mode, from the guards that hold in it; of a damper that
 //   is clipped to f = c F, where F = dV/doverr3 and c = 1 or -1, since F overr3 >= 0, overr3_dot dD/doverr3_dot >= 0 and c overr3
 //   dD/doverr3_dot >= F overr3
+// - V is the same on both sides of the exits of psi_r3: no impulse there
 // - V is the same on both sides of the exits of overs4: no impulse there
 // - the force of the switch overs4 takes energy or none: f overs4_dot >= 0 in every mode, from the guards that hold in it; of a damper that
 //   is clipped to f = c F, where F = dV/dovers4 and c = 1 or -1, since F overs4 >= 0, overs4_dot dD/dovers4_dot >= 0 and c overs4
 //   dD/dovers4_dot >= F overs4
+// - V is the same on both sides of the exits of psi_s4: no impulse there
 // - V is the same on both sides of the exits of overr4: no impulse there
 // - the force of the switch overr4 takes energy or none: f overr4_dot >= 0 in every mode, from the guards that hold in it; of a damper that
 //   is clipped to f = c F, where F = dV/doverr4 and c = 1 or -1, since F overr4 >= 0, overr4_dot dD/doverr4_dot >= 0 and c overr4
 //   dD/doverr4_dot >= F overr4
+// - V is the same on both sides of the exits of psi_r4: no impulse there
 // - V is the same on both sides of the exits of overs5: no impulse there
 // - the force of the switch overs5 takes energy or none: f overs5_dot >= 0 in every mode, from the guards that hold in it; of a damper that
 //   is clipped to f = c F, where F = dV/dovers5 and c = 1 or -1, since F overs5 >= 0, overs5_dot dD/dovers5_dot >= 0 and c overs5
 //   dD/dovers5_dot >= F overs5
+// - V is the same on both sides of the exits of psi_s5: no impulse there
 // - V is the same on both sides of the exits of overr5: no impulse there
 // - the force of the switch overr5 takes energy or none: f overr5_dot >= 0 in every mode, from the guards that hold in it; of a damper that
 //   is clipped to f = c F, where F = dV/doverr5 and c = 1 or -1, since F overr5 >= 0, overr5_dot dD/doverr5_dot >= 0 and c overr5
 //   dD/doverr5_dot >= F overr5
+// - V is the same on both sides of the exits of psi_r5: no impulse there
 // - every damper takes energy or none: each term of D has a power q'.dD/dq' that is never negative
 // - the friction `roll_s1` takes energy or none: its power is never positive
 // - the friction `roll_r1` takes energy or none: its power is never positive
@@ -6904,24 +7414,44 @@ equations! {
 // - the friction `roll_r5` takes energy or none: its power is never positive
 // - the friction `slide_s1` takes with `roll_s1` energy or none where psi_s1_dot and arm_s1 psi_s1_dot + side_s1 tau_s1_dot have one sign:
 //   where flanks slide as rolling makes them
+// - the friction `slide_s1` takes with `roll_s1` energy or none in every mode of psi_s1, in scenes with flank_stiction_s1: from the guards
+//   that hold in the mode
 // - the friction `slide_r1` takes with `roll_r1` energy or none where psi_r1_dot and arm_r1 psi_r1_dot + side_r1 tau_r1_dot have one sign:
 //   where flanks slide as rolling makes them
+// - the friction `slide_r1` takes with `roll_r1` energy or none in every mode of psi_r1, in scenes with flank_stiction_r1: from the guards
+//   that hold in the mode
 // - the friction `slide_s2` takes with `roll_s2` energy or none where psi_s2_dot and arm_s2 psi_s2_dot + side_s2 tau_s2_dot have one sign:
 //   where flanks slide as rolling makes them
+// - the friction `slide_s2` takes with `roll_s2` energy or none in every mode of psi_s2, in scenes with flank_stiction_s2: from the guards
+//   that hold in the mode
 // - the friction `slide_r2` takes with `roll_r2` energy or none where psi_r2_dot and arm_r2 psi_r2_dot + side_r2 tau_r2_dot have one sign:
 //   where flanks slide as rolling makes them
+// - the friction `slide_r2` takes with `roll_r2` energy or none in every mode of psi_r2, in scenes with flank_stiction_r2: from the guards
+//   that hold in the mode
 // - the friction `slide_s3` takes with `roll_s3` energy or none where psi_s3_dot and arm_s3 psi_s3_dot + side_s3 tau_s3_dot have one sign:
 //   where flanks slide as rolling makes them
+// - the friction `slide_s3` takes with `roll_s3` energy or none in every mode of psi_s3, in scenes with flank_stiction_s3: from the guards
+//   that hold in the mode
 // - the friction `slide_r3` takes with `roll_r3` energy or none where psi_r3_dot and arm_r3 psi_r3_dot + side_r3 tau_r3_dot have one sign:
 //   where flanks slide as rolling makes them
+// - the friction `slide_r3` takes with `roll_r3` energy or none in every mode of psi_r3, in scenes with flank_stiction_r3: from the guards
+//   that hold in the mode
 // - the friction `slide_s4` takes with `roll_s4` energy or none where psi_s4_dot and arm_s4 psi_s4_dot + side_s4 tau_s4_dot have one sign:
 //   where flanks slide as rolling makes them
+// - the friction `slide_s4` takes with `roll_s4` energy or none in every mode of psi_s4, in scenes with flank_stiction_s4: from the guards
+//   that hold in the mode
 // - the friction `slide_r4` takes with `roll_r4` energy or none where psi_r4_dot and arm_r4 psi_r4_dot + side_r4 tau_r4_dot have one sign:
 //   where flanks slide as rolling makes them
+// - the friction `slide_r4` takes with `roll_r4` energy or none in every mode of psi_r4, in scenes with flank_stiction_r4: from the guards
+//   that hold in the mode
 // - the friction `slide_s5` takes with `roll_s5` energy or none where psi_s5_dot and arm_s5 psi_s5_dot + side_s5 tau_s5_dot have one sign:
 //   where flanks slide as rolling makes them
+// - the friction `slide_s5` takes with `roll_s5` energy or none in every mode of psi_s5, in scenes with flank_stiction_s5: from the guards
+//   that hold in the mode
 // - the friction `slide_r5` takes with `roll_r5` energy or none where psi_r5_dot and arm_r5 psi_r5_dot + side_r5 tau_r5_dot have one sign:
 //   where flanks slide as rolling makes them
+// - the friction `slide_r5` takes with `roll_r5` energy or none in every mode of psi_r5, in scenes with flank_stiction_r5: from the guards
+//   that hold in the mode
 // - every deflection equals the linear form by which the equations differentiate it
 // - without the jump terms the balance fails: energy is created at the rate dk_r1*touchr1*overr1^2*theta_dot/2 -
 //   k_r1*de_r1*touchr1*overr1*theta_dot - k_r2*de_r2*touchr2*overr2*theta_dot - k_r3*de_r3*touchr3*overr3*theta_dot -
@@ -6937,6 +7467,6 @@ equations! {
 // | output | sums | products, quotients | functions, roots |
 // | --- | --- | --- | --- |
 // | constants (once a scene) | 24 | 14 | 32 |
-// | named forces | 35 | 129 | 23 |
+// | named forces | 75 | 279 | 53 |
 // | force | 305 | 1542 | 0 |
 // | energy steps, all laws | 10 | 110 | 0 |

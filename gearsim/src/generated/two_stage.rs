@@ -39,10 +39,14 @@ equations! {
         mu12 "1" required with sliding_friction_12, from 0.0 to inf, "coefficient of friction of the mesh of gears 1 and 2";
         w_mix12 "rad/s" default 0.1, open 0.0 to inf,
             "rolling speed omega1 + omega2 of the mesh of gears 1 and 2 below which friction decreases to zero (mixed film)";
+        mu_rise12 "1" default 0.0, from 0.0 to inf,
+            "excess of the static coefficient of friction of the mesh of gears 1 and 2 over that of sliding, relative to that";
         b34 "m" required with backlash_34, open 0.0 to inf, "backlash of the mesh of gears 3 and 4: no contact within b/2 to either side";
         mu34 "1" required with sliding_friction_34, from 0.0 to inf, "coefficient of friction of the mesh of gears 3 and 4";
         w_mix34 "rad/s" default 0.1, open 0.0 to inf,
             "rolling speed omega1 + omega2 of the mesh of gears 3 and 4 below which friction decreases to zero (mixed film)";
+        mu_rise34 "1" default 0.0, from 0.0 to inf,
+            "excess of the static coefficient of friction of the mesh of gears 3 and 4 over that of sliding, relative to that";
         T_motor "N*m" required with torques, open -inf to inf, "driving torque of the motor";
         c_motor "N*m*s/rad" required with speed_governor, open 0.0 to inf,
             "gain of the governor of the motor: torque per difference of set point and speed";
@@ -93,11 +97,15 @@ equations! {
         backlash_12 of backlash "play between the flanks: contact on the drive or coast flank, free motion between";
         sliding_friction_12 of sliding_friction requires(stiffness_step)
             "Coulomb friction between the flanks, against their sliding, which turns as a tooth pair passes the pitch point";
+        flank_stiction_12 of flank_stiction requires(sliding_friction_12)
+            "flanks at rest stick, up to their static friction; sliding, their friction has its full size at any speed";
         transmission_error_34 of transmission_error requires(stiffness_step)
             "flanks deviate from their ideal position: V = k (delta - e)^2/2, with the jump terms of e where it steps";
         backlash_34 of backlash "play between the flanks: contact on the drive or coast flank, free motion between";
         sliding_friction_34 of sliding_friction requires(stiffness_step)
             "Coulomb friction between the flanks, against their sliding, which turns as a tooth pair passes the pitch point";
+        flank_stiction_34 of flank_stiction requires(sliding_friction_34)
+            "flanks at rest stick, up to their static friction; sliding, their friction has its full size at any speed";
         torques "constant torques of motor and load";
         speed_governor excludes(dc_motor, induction_motor, traction_motor)
             "a speed governor: motor torque proportional to the set point minus the speed";
@@ -157,10 +165,14 @@ equations! {
         F_mu12 {
             sliding_friction_12 => mu12*k12*touch12*psi12_dot*(tiny12.powi(2) + over12.powi(2)).sqrt()
                 /(w_mix12.powi(2) + psi12_dot.powi(2)).sqrt();
+            flank_stiction_12 => mu12*k12*slide_dir12*touch12*(tiny12.powi(2) + over12.powi(2)).sqrt()
+                - mu12*k12*touch12*psi12_dot*(tiny12.powi(2) + over12.powi(2)).sqrt()/(w_mix12.powi(2) + psi12_dot.powi(2)).sqrt();
         }
         F_mu34 {
             sliding_friction_34 => mu34*k34*touch34*psi34_dot*(tiny34.powi(2) + over34.powi(2)).sqrt()
                 /(w_mix34.powi(2) + psi34_dot.powi(2)).sqrt();
+            flank_stiction_34 => mu34*k34*slide_dir34*touch34*(tiny34.powi(2) + over34.powi(2)).sqrt()
+                - mu34*k34*touch34*psi34_dot*(tiny34.powi(2) + over34.powi(2)).sqrt()/(w_mix34.powi(2) + psi34_dot.powi(2)).sqrt();
         }
         T_induction_motor {
             induction_motor => 2.0*Tb_motor*sb_motor*(1.0 - theta_motor_dot/ns_motor)
@@ -177,28 +189,42 @@ equations! {
         F_mu12_by_over12 {
             sliding_friction_12 => mu12*k12*touch12*over12*psi12_dot
                 /((tiny12.powi(2) + over12.powi(2)).sqrt()*(w_mix12.powi(2) + psi12_dot.powi(2)).sqrt());
+            flank_stiction_12 => mu12*k12*slide_dir12*touch12*over12/(tiny12.powi(2) + over12.powi(2)).sqrt()
+                - mu12*k12*touch12*over12*psi12_dot/((tiny12.powi(2) + over12.powi(2)).sqrt()*(w_mix12.powi(2) + psi12_dot.powi(2)).sqrt());
         }
         F_mu12_by_psi12_dot {
             sliding_friction_12 => mu12*k12*touch12*(tiny12.powi(2) + over12.powi(2)).sqrt()/(w_mix12.powi(2) + psi12_dot.powi(2)).sqrt()
                 - mu12*k12*touch12*psi12_dot.powi(2)*(tiny12.powi(2) + over12.powi(2)).sqrt()
                 /(w_mix12.powi(2) + psi12_dot.powi(2)).powf(3.0/2.0);
+            flank_stiction_12 => mu12*k12*touch12*psi12_dot.powi(2)*(tiny12.powi(2) + over12.powi(2)).sqrt()
+                /(w_mix12.powi(2) + psi12_dot.powi(2)).powf(3.0/2.0)
+                - mu12*k12*touch12*(tiny12.powi(2) + over12.powi(2)).sqrt()/(w_mix12.powi(2) + psi12_dot.powi(2)).sqrt();
         }
         F_mu12_by_k12 {
             sliding_friction_12 => mu12*touch12*psi12_dot*(tiny12.powi(2) + over12.powi(2)).sqrt()
                 /(w_mix12.powi(2) + psi12_dot.powi(2)).sqrt();
+            flank_stiction_12 => mu12*slide_dir12*touch12*(tiny12.powi(2) + over12.powi(2)).sqrt()
+                - mu12*touch12*psi12_dot*(tiny12.powi(2) + over12.powi(2)).sqrt()/(w_mix12.powi(2) + psi12_dot.powi(2)).sqrt();
         }
         F_mu34_by_over34 {
             sliding_friction_34 => mu34*k34*touch34*over34*psi34_dot
                 /((tiny34.powi(2) + over34.powi(2)).sqrt()*(w_mix34.powi(2) + psi34_dot.powi(2)).sqrt());
+            flank_stiction_34 => mu34*k34*slide_dir34*touch34*over34/(tiny34.powi(2) + over34.powi(2)).sqrt()
+                - mu34*k34*touch34*over34*psi34_dot/((tiny34.powi(2) + over34.powi(2)).sqrt()*(w_mix34.powi(2) + psi34_dot.powi(2)).sqrt());
         }
         F_mu34_by_psi34_dot {
             sliding_friction_34 => mu34*k34*touch34*(tiny34.powi(2) + over34.powi(2)).sqrt()/(w_mix34.powi(2) + psi34_dot.powi(2)).sqrt()
                 - mu34*k34*touch34*psi34_dot.powi(2)*(tiny34.powi(2) + over34.powi(2)).sqrt()
                 /(w_mix34.powi(2) + psi34_dot.powi(2)).powf(3.0/2.0);
+            flank_stiction_34 => mu34*k34*touch34*psi34_dot.powi(2)*(tiny34.powi(2) + over34.powi(2)).sqrt()
+                /(w_mix34.powi(2) + psi34_dot.powi(2)).powf(3.0/2.0)
+                - mu34*k34*touch34*(tiny34.powi(2) + over34.powi(2)).sqrt()/(w_mix34.powi(2) + psi34_dot.powi(2)).sqrt();
         }
         F_mu34_by_k34 {
             sliding_friction_34 => mu34*touch34*psi34_dot*(tiny34.powi(2) + over34.powi(2)).sqrt()
                 /(w_mix34.powi(2) + psi34_dot.powi(2)).sqrt();
+            flank_stiction_34 => mu34*slide_dir34*touch34*(tiny34.powi(2) + over34.powi(2)).sqrt()
+                - mu34*touch34*psi34_dot*(tiny34.powi(2) + over34.powi(2)).sqrt()/(w_mix34.powi(2) + psi34_dot.powi(2)).sqrt();
         }
         T_induction_motor_by_theta_motor_dot {
             induction_motor => 4.0*Tb_motor*sb_motor*(1.0 - theta_motor_dot/ns_motor).powi(2)
@@ -283,6 +309,42 @@ equations! {
             }
             loss { over12 { _ => k12*clip12*touch12; } }
         }
+        psi12 "rad" (slide_dir12 0.0) with flank_stiction_12, "whether the flanks of the mesh of gears 1 and 2 stick" {
+            stuck (0.0) holds rests counts "stuck" {
+                unless stuck_coast { over12 { _ => 1.0; } }
+                until forward {
+                    over12 { _ => mu12*mu_rise12*k12*touch12 + mu12*k12*touch12; }
+                    reaction { _ => -1.0; }
+                }
+                until backward {
+                    over12 { _ => mu12*mu_rise12*k12*touch12 + mu12*k12*touch12; }
+                    reaction { _ => 1.0; }
+                }
+            }
+            stuck_coast (0.0) holds rests counts "stuck" {
+                unless stuck { over12 { _ => -1.0; } }
+                until forward {
+                    over12 { _ => -mu12*mu_rise12*k12*touch12 - mu12*k12*touch12; }
+                    reaction { _ => -1.0; }
+                }
+                until backward {
+                    over12 { _ => -mu12*mu_rise12*k12*touch12 - mu12*k12*touch12; }
+                    reaction { _ => 1.0; }
+                }
+            }
+            forward (1.0) {
+                until stuck {
+                    psi12_dot { _ => arm12; }
+                    tau12_dot { _ => side12; }
+                }
+            }
+            backward (-1.0) {
+                until stuck {
+                    psi12_dot { _ => -arm12; }
+                    tau12_dot { _ => -side12; }
+                }
+            }
+        }
         over34 "m" (touch34 1.0, edge34 0.0, damp34 1.0, clip34 0.0) with backlash_34, "play of the mesh of gears 3 and 4" {
             upper (1.0, b34/2.0, 1.0, 0.0) rests counts "flanks met" {
                 unless free { over34 { _ => 1.0; } }
@@ -345,6 +407,42 @@ equations! {
                 }
             }
             loss { over34 { _ => k34*clip34*touch34; } }
+        }
+        psi34 "rad" (slide_dir34 0.0) with flank_stiction_34, "whether the flanks of the mesh of gears 3 and 4 stick" {
+            stuck (0.0) holds rests counts "stuck" {
+                unless stuck_coast { over34 { _ => 1.0; } }
+                until forward {
+                    over34 { _ => mu34*mu_rise34*k34*touch34 + mu34*k34*touch34; }
+                    reaction { _ => -1.0; }
+                }
+                until backward {
+                    over34 { _ => mu34*mu_rise34*k34*touch34 + mu34*k34*touch34; }
+                    reaction { _ => 1.0; }
+                }
+            }
+            stuck_coast (0.0) holds rests counts "stuck" {
+                unless stuck { over34 { _ => -1.0; } }
+                until forward {
+                    over34 { _ => -mu34*mu_rise34*k34*touch34 - mu34*k34*touch34; }
+                    reaction { _ => -1.0; }
+                }
+                until backward {
+                    over34 { _ => -mu34*mu_rise34*k34*touch34 - mu34*k34*touch34; }
+                    reaction { _ => 1.0; }
+                }
+            }
+            forward (1.0) {
+                until stuck {
+                    psi34_dot { _ => arm34; }
+                    tau34_dot { _ => side34; }
+                }
+            }
+            backward (-1.0) {
+                until stuck {
+                    psi34_dot { _ => -arm34; }
+                    tau34_dot { _ => -side34; }
+                }
+            }
         }
     }
     energies {
@@ -963,17 +1061,23 @@ equations! {
 // - the force of the switch over12 takes energy or none: f over12_dot >= 0 in every mode, from the guards that hold in it; of a damper that
 //   is clipped to f = c F, where F = dV/dover12 and c = 1 or -1, since F over12 >= 0, over12_dot dD/dover12_dot >= 0 and c over12
 //   dD/dover12_dot >= F over12
+// - V is the same on both sides of the exits of psi12: no impulse there
 // - V is the same on both sides of the exits of over34: no impulse there
 // - the force of the switch over34 takes energy or none: f over34_dot >= 0 in every mode, from the guards that hold in it; of a damper that
 //   is clipped to f = c F, where F = dV/dover34 and c = 1 or -1, since F over34 >= 0, over34_dot dD/dover34_dot >= 0 and c over34
 //   dD/dover34_dot >= F over34
+// - V is the same on both sides of the exits of psi34: no impulse there
 // - every damper takes energy or none: each term of D has a power q'.dD/dq' that is never negative
 // - the friction `roll12` takes energy or none: its power is never positive
 // - the friction `roll34` takes energy or none: its power is never positive
 // - the friction `slide12` takes with `roll12` energy or none where psi12_dot and arm12 psi12_dot + side12 tau12_dot have one sign: where
 //   flanks slide as rolling makes them
+// - the friction `slide12` takes with `roll12` energy or none in every mode of psi12, in scenes with flank_stiction_12: from the guards
+//   that hold in the mode
 // - the friction `slide34` takes with `roll34` energy or none where psi34_dot and arm34 psi34_dot + side34 tau34_dot have one sign: where
 //   flanks slide as rolling makes them
+// - the friction `slide34` takes with `roll34` energy or none in every mode of psi34, in scenes with flank_stiction_34: from the guards
+//   that hold in the mode
 // - every deflection equals the linear form by which the equations differentiate it
 // - without the jump terms the balance fails: energy is created at the rate dk12*touch12*over12^2*theta1_dot/2 -
 //   k12*de12*touch12*over12*theta1_dot - k34*de34*touch34*over34*theta2_dot + dk34*touch34*over34^2*theta2_dot/2
@@ -983,6 +1087,6 @@ equations! {
 // | output | sums | products, quotients | functions, roots |
 // | --- | --- | --- | --- |
 // | constants (once a scene) | 0 | 4 | 2 |
-// | named forces | 19 | 57 | 7 |
+// | named forces | 27 | 87 | 13 |
 // | force | 50 | 314 | 0 |
 // | energy steps, all laws | 2 | 22 | 0 |

@@ -32,8 +32,8 @@ pub struct Field<'a> {
     holds: Vec<Watch>,
     /// P (N x N); `None` where M depends on q.
     mobility: Option<Matrix>,
-    /// The torques that depend on the state.
-    of_state: Vec<usize>,
+    /// The torques that depend on the state: which of the scene each is, and which of the model.
+    of_state: Vec<(usize, usize)>,
     /// The linear forces of the present mode, if the model puts them together from parts.
     linear: Option<LinearForces>,
     /// Gradients of the motions that are held (N, one a column).
@@ -64,7 +64,7 @@ impl<'a> Field<'a> {
             forcing: None,
             holds: vec![],
             mobility: None,
-            of_state: (0..now.work.len()).filter(|i| now.equations.has_power(*i)).collect(),
+            of_state: now.torques.iter().copied().enumerate().filter(|(_, i)| now.equations.has_power(*i)).collect(),
             linear: None,
             held: None,
             turning: None,
@@ -174,12 +174,12 @@ impl<'a> Field<'a> {
         rayleigh + Guards::of(self.equations, &self.switches, &y.q, &self.k).power(&y.q, &y.v, &self.k)
     }
 
-    /// Writes the power of the varying part of each torque at `y`, the time `t` after the step began \[W\] (n_torques).
+    /// Writes the power of the varying part of each of the scene's torques at `y`, the time `t` after the step began \[W\] (n_torques).
     pub fn write_power(&mut self, t: f64, y: &Flow, power: &mut [f64]) {
         self.set(t, y);
         power.fill(0.0);
-        for &i in &self.of_state {
-            power[i] = self.equations.torque_power(i, &y.q, &y.v, &self.k);
+        for &(at, i) in &self.of_state {
+            power[at] = self.equations.torque_power(i, &y.q, &y.v, &self.k);
         }
         if let Some(forcing) = &self.forcing {
             let varying = forcing.power(self.begins + t, &y.v);

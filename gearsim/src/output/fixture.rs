@@ -24,8 +24,8 @@ pub(crate) static MODEL: Model = Model {
     nonlinear: "",
     nonlinear_with: &[],
     torques: &[
-        Torque { name: "drive", doc: "on the driving gear" },
-        Torque { name: "load", doc: "on the driven gear" },
+        Torque { name: "drive", with: &[], doc: "on the driving gear" },
+        Torque { name: "load", with: &[], doc: "on the driven gear" },
     ],
     equations: "",
     elements: &[],
@@ -51,7 +51,7 @@ pub(crate) fn oscillator(n: usize) -> Trajectory {
     let (dt, mut level, mut next) = (1.0 / RATE, 0, 6.04e-3);
     let phi_0 = FORCE / levels[0];
     let mut x = [0.0, SPEED, phi_0, 0.0, 0.0];
-    let mut run = Trajectory::new(&MODEL, &[0, 1]);
+    let mut run = Trajectory::new(&MODEL, &[0, 1], &[0, 1]);
     let mut push = |t: f64, moment, k: f64, x: &[f64; 5]| {
         let kinetic = 0.5 * (INERTIA * x[1] * x[1] + MASS * x[3] * x[3]);
         let (strain, work) = (0.5 * k * x[2] * x[2], FORCE * (x[2] - phi_0));
@@ -66,8 +66,8 @@ pub(crate) fn oscillator(n: usize) -> Trajectory {
         run.kinetic.push(kinetic);
         run.strain.push(strain);
         run.work.push(work);
-        run.torque_work[0].push(0.5 * work);
-        run.torque_work[1].push(0.5 * work);
+        run.torque_work[0].1.push(0.5 * work);
+        run.torque_work[1].1.push(0.5 * work);
         run.dissipated.push(x[4]);
         let start = run.kinetic[0] + run.strain[0];
         run.residual.push(kinetic + strain - work + x[4] - start);

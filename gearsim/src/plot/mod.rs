@@ -201,12 +201,13 @@ fn first_run<'a, 'r>(plot: &'static str, runs: &'r [Run<'a>]) -> Result<&'r Run<
 /// Whether every column has exactly one entry per row.
 fn has_full_columns(run: &Trajectory) -> bool {
     let single = [&run.kinetic, &run.strain, &run.work, &run.dissipated, &run.residual];
-    let columns = single.into_iter().chain(&run.q).chain(&run.q_dot).chain(&run.torque_work);
+    let columns = single.into_iter().chain(&run.q).chain(&run.q_dot);
     let coordinates = run.model.coordinates.len();
     run.moment.len() == run.len()
         && run.q.len() == coordinates
         && run.q_dot.len() == coordinates
         && run.outputs.iter().all(|(_, column)| column.len() == run.len())
+        && run.torque_work.iter().all(|(_, column)| column.len() == run.len())
         && columns.into_iter().all(|column| column.len() == run.len())
 }
 

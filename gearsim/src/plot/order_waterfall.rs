@@ -72,7 +72,7 @@ mod tests {
     /// amplitude in every window, where a spectrum over frequency smears it.
     #[test]
     fn an_order_stays_in_its_place_while_the_speed_rises() {
-        let mut up = Trajectory::new(&MODEL, &[0, 1]);
+        let mut up = Trajectory::new(&MODEL, &[], &[0, 1]);
         up.t = (0..=80_000).map(|i| f64::from(i) / 20e3).collect();
         up.moment = vec![Moment::Sample; up.t.len()];
         up.outputs[0].1 = up.t.iter().map(|t| TAU * (5.0 + 5.0 * t)).collect();

@@ -88,7 +88,7 @@ mod tests {
     /// A run-up from 5 to 25 revolutions a second in 4 s, with 17 pulses of amplitude 3 a revolution.
     #[test]
     fn each_part_has_its_line_at_its_speed() {
-        let mut up = Trajectory::new(&MODEL, &[0, 1]);
+        let mut up = Trajectory::new(&MODEL, &[], &[0, 1]);
         up.t = (0..=80_000).map(|i| f64::from(i) / 20e3).collect();
         up.moment = vec![Moment::Sample; up.t.len()];
         let speed: Vec<f64> = up.t.iter().map(|t| TAU * (5.0 + 5.0 * t)).collect();
@@ -108,7 +108,7 @@ mod tests {
 
     #[test]
     fn at_constant_speed_a_part_has_the_amplitude_of_a_sine() {
-        let mut steady = Trajectory::new(&MODEL, &[0, 1]);
+        let mut steady = Trajectory::new(&MODEL, &[], &[0, 1]);
         steady.t = (0..=80_000).map(|i| f64::from(i) / 20e3).collect();
         steady.moment = vec![Moment::Sample; steady.t.len()];
         let speed = vec![TAU * 10.0; steady.t.len()];

@@ -125,7 +125,7 @@ fn a_plot_with_values_that_are_not_finite_has_no_nan_and_no_inf_in_its_svg() {
 
 #[test]
 fn drawing_empty_or_inconsistent_data_is_an_error() {
-    let empty = Trajectory::new(&MODEL, &[]);
+    let empty = Trajectory::new(&MODEL, &[], &[]);
     for plot in PLOTS {
         assert!((plot.draw)(&[]).is_err());
         assert!((plot.draw)(&[run("exact", &empty)]).is_err());

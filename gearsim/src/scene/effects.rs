@@ -4,7 +4,7 @@ use super::Effects;
 use super::document::Node;
 use super::field;
 use super::mistake::{Report, list};
-use crate::model::{Effect, Law, Model};
+use crate::model::{Effect, Law, Model, Torque};
 
 impl Effects {
     /// Whether effect `i` of the model is in the set.
@@ -25,6 +25,12 @@ impl Effects {
     /// Whether a term that needs the effect `with` is active; a term without effect always is.
     pub fn activate(self, with: Option<&str>, model: &Model) -> bool {
         with.is_none_or(|effect| self.has(effect, model))
+    }
+
+    /// The external torques of a model that scenes with these effects have, by their numbers.
+    pub fn torques(self, model: &Model) -> Vec<usize> {
+        let has = |torque: &Torque| torque.with.iter().all(|effect| self.has(effect, model));
+        (0..model.torques.len()).filter(|&i| has(&model.torques[i])).collect()
     }
 
     /// The names of the effects, in the model's order. If all parts have an effect, its name stands for them.

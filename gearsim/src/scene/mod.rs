@@ -150,6 +150,11 @@ impl Scene {
         self.model.laws.iter().zip(&self.laws).take(last.map_or(0, |last| last + 1))
     }
 
+    /// The external torques that the scene has, by their numbers.
+    pub fn torques(&self) -> Vec<usize> {
+        self.effects.torques(self.model)
+    }
+
     /// What linear analyses leave out: the switches of the scene's effects, each in words. There every play is closed, every clutch is
     /// open, and dry friction is absent.
     pub fn left_out_if_linear(&self) -> Vec<&'static str> {

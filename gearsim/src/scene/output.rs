@@ -115,7 +115,10 @@ pub(super) fn read(
         Some(node) => field::names("output.plots", node, "plot", PLOTS, report),
         None => Some(default_plots(model, record.as_deref(), counted)),
     };
-    let bytes = model.zip(record.as_ref()).map(|(model, record)| Trajectory::bytes_of_row(model, record.len()) as f64);
+    let bytes = model.zip(record.as_ref()).map(|(model, record)| {
+        let torques = effects.map_or(model.torques.len(), |effects| effects.torques(model).len());
+        Trajectory::bytes_of_row(model, torques, record.len()) as f64
+    });
     let most_rows = match keys::get(given, "most_rows") {
         Some(node) => read_most_rows(node, bytes, report),
         None => bytes.map(|bytes| ROW_MEMORY / bytes),

@@ -42,19 +42,10 @@ pub struct Sliding {
 }
 
 /// Friction in a mesh whose deflection has the unit `unit`. Declares the laws `side` [1] and `arm` [unit], both periodic in the
-/// phase, the coefficient of friction `mu`, and the rolling speed `w_mix` [rad/s] below which friction decreases.
+/// phase, the coefficient of friction `mu`, the rolling speed `w_mix` [rad/s] below which friction decreases, and the effect `flank_stiction`, by
+/// which the flanks stick.
 pub fn sliding_friction(m: &mut Model, part: &str, what: &str, unit: &str, mesh: Mesh, sliding: Sliding) {
-    friction(m, part, what, unit, mesh, sliding, false);
-}
-
-/// The same with the effect `flank_stiction`, by which the flanks stick.
-pub fn sliding_friction_with_sticking(m: &mut Model, part: &str, what: &str, unit: &str, mesh: Mesh, sliding: Sliding) {
-    let effect = friction(m, part, what, unit, mesh, sliding, true);
-    m.require(&of_part(FLANK_STICTION, part), &[&effect]);
-}
-
-fn friction(m: &mut Model, part: &str, what: &str, unit: &str, mesh: Mesh, sliding: Sliding, sticks: bool) -> String {
-    friction_effect(m, part, |m| {
+    let effect = friction_effect(m, part, |m| {
         let doc = format!("coefficient of friction of the {what}");
         let mu = m.parameter(&named("mu", part), "1", None, Range::NotNegative, &doc);
         let doc =
@@ -72,19 +63,19 @@ fn friction(m: &mut Model, part: &str, what: &str, unit: &str, mesh: Mesh, slidi
         let tiny = m.constant(&named("tiny", part), Expr::from(1) / 1_000_000_000_000);
         let tau = m.deflection(&named("tau", part), tau);
         let stiction = Stiction { psi, tau, side, arm, mu };
-        let sticking = sticks.then(|| flank_stiction(m, part, what, mesh, stiction));
-        let psi = sticking.as_ref().map_or_else(|| m.deflection(&named("psi", part), psi), |sticking| sticking.psi);
+        let sticking = flank_stiction(m, part, what, mesh, stiction);
+        let psi = sticking.psi;
         let direction = psi.dot() / (psi.dot().sq() + mixed.sq()).sqrt();
         let size = mu * mesh.stiffness * (mesh.delta.sq() + tiny.sq()).sqrt();
-        let mut friction = m.force(&named("F_mu", part), size * direction);
-        if let Some(sticking) = sticking {
-            friction = friction + sticking.instead(m, part, size * direction, size);
-        }
+        let smoothed = size * direction;
+        let friction = smoothed + sticking.instead(m, smoothed, size);
+        let friction = m.force(&named("F_mu", part), friction);
         let doc = format!("friction of the {what}, through the sliding of the flanks at the pitch point");
         m.torque(&named("slide", part), -side * friction, tau, &doc);
         let doc = format!("friction of the {what}, through the rolling of the gears");
         m.torque(&named("roll", part), -arm * friction, psi, &doc);
-    })
+    });
+    m.require(&of_part(FLANK_STICTION, part), &[&effect]);
 }
 
 /// Declares the effect `sliding_friction` of a part. The terms that `add` adds are in the equations only if a scene names this effect.

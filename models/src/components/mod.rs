@@ -41,9 +41,7 @@ pub use drive::{drive, driven, load, loaded, machine};
 pub use dry_friction::dry_friction;
 pub use end_stop::end_stop;
 pub use fan::fan;
-pub use friction::{
-    Sliding, friction_effect, pressure_tangent, pressure_tangent_of, sliding_friction, sliding_friction_with_sticking,
-};
+pub use friction::{Sliding, friction_effect, pressure_tangent, pressure_tangent_of, sliding_friction};
 pub use gear::{Direction, Gear, external, external_sliding, internal, internal_sliding};
 pub use governor::{dc_motor, governor};
 pub use mesh::{Mesh, mesh_on_centres, mesh_stiffness, mesh_with_play};

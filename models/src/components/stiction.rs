@@ -81,10 +81,8 @@ pub fn flank_stiction(m: &mut Model, part: &str, what: &str, mesh: Mesh, stictio
 }
 
 impl Sticking {
-    /// What replaces the `smoothed` friction by one of a constant direction and the given `size`, in scenes with the effect.
-    pub fn instead(&self, m: &mut Model, part: &str, smoothed: Expr, size: Expr) -> Expr {
-        let mut sharp = Expr::from(0);
-        m.effect(&self.effect, DOC, |m| sharp = m.force(&named("F_dir", part), size * self.direction - smoothed));
-        m.only_with(&self.effect, sharp)
+    /// What the effect adds to the `smoothed` friction, so that it has a constant direction and the given `size`.
+    pub fn instead(&self, m: &Model, smoothed: Expr, size: Expr) -> Expr {
+        m.only_with(&self.effect, size * self.direction - smoothed)
     }
 }

@@ -3,7 +3,7 @@
 use gearsim_derive::{Expr, Model, Range, Start, half};
 
 use super::{coordinate, damping};
-use crate::components::{self, Sliding, mesh_with_play, pressure_tangent, sliding_friction_with_sticking};
+use crate::components::{self, Sliding, mesh_with_play, pressure_tangent, sliding_friction};
 
 /// A torsional shaft.
 pub fn shaft(m: &mut Model) {
@@ -47,7 +47,7 @@ pub fn mesh_with_friction(m: &mut Model) {
     let psi = coordinate(m, "psi", "rad", "rotation of the first gear relative to the second");
     let mesh = mesh_with_play(m, "x", "mesh {}", phase, s, None::<Expr>);
     let tau = pressure_tangent(m) * s;
-    sliding_friction_with_sticking(m, "x", "mesh {}", "m", mesh, Sliding { phase, tau, psi });
+    sliding_friction(m, "x", "mesh {}", "m", mesh, Sliding { phase, tau, psi });
     damping(m);
 }
 

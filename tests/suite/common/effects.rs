@@ -99,12 +99,16 @@ fn scene(base: &Scene, effect: &'static str) -> Result<Scene, String> {
     Scene::from_toml_with(&base.name, &base.text, &overrides(base, &names)).map_err(|error| error.to_string())
 }
 
-/// An effect and all that it requires.
+/// An effect and all that it requires, at each of its parts.
 pub fn needed(model: &Model, effect: &'static str) -> Vec<&'static str> {
     let (mut names, mut i) = (vec![effect], 0);
     while i < names.len() {
-        let needed = model.effects.iter().find(|e| is(e, names[i])).map_or(&[][..], |e| e.requires);
-        names.extend(needed.iter().filter(|name| !names.contains(name)).copied().collect::<Vec<_>>());
+        let name = names[i];
+        for needed in model.effects.iter().filter(|e| is(e, name)).flat_map(|e| e.requires) {
+            if !names.contains(needed) {
+                names.push(needed);
+            }
+        }
         i += 1;
     }
     names

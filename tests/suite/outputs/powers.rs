@@ -38,16 +38,9 @@ fn the_powers_of_torques_are_the_rates_of_their_works() {
     ] {
         // The trapezoidal rule has a relative error of (w h)²/12 for a vibration with w, 3e-6 of the power of friction at this rate.
         let run = run(&scene(name, &["run.t_end=20 ms".into(), "output.rate=2 MHz".into()])).trajectory;
-        for (i, torque) in run.model.torques.iter().enumerate() {
-            let power = format!("power_{}", torque.name);
-            // Torques of effects that the scene does not have have no output, and do no work.
-            let Some(power) = run.output(&power) else {
-                assert_eq!(size(&run.torque_work[i]), 0.0, "{name}: {}", torque.name);
-                continue;
-            };
-            let rows = run.t.windows(2).zip(power.windows(2));
-            let work: f64 = rows.map(|(t, p)| 0.5 * (t[1] - t[0]) * (p[0] + p[1])).sum();
-            let [found, expected] = [work, run.torque_work[i][run.len() - 1]];
+        for (torque, work_done) in &run.torque_work {
+            let power = run.output(&format!("power_{}", torque.name)).expect("an output of a torque of the scene");
+            let [found, expected] = [work(&run, power), work_done[run.len() - 1]];
             let scale = size(power) * run.t[run.len() - 1];
             assert!((found - expected).abs() <= 1e-6 * scale, "{name}: {} {found}, not {expected} J", torque.name);
             *seen.entry(torque.name).or_insert(0) += 1;
@@ -57,6 +50,44 @@ fn the_powers_of_torques_are_the_rates_of_their_works() {
         ["motor", "load", "governor", "fan", "slide12", "roll12"].iter().all(|name| seen.contains_key(name)),
         "{seen:?}"
     );
+}
+
+/// A run has the works of the torques of its effects, and of no others. They sum to the work of the account, which closes with the losses
+/// by cause.
+#[test]
+fn a_run_has_the_works_of_its_torques_alone() {
+    let cases: [(&str, &str, &[&str]); 6] = [
+        ("gear_pair_shafts", "\"stiffness_step\", \"damping\"", &[]),
+        ("gear_pair_shafts", "\"stiffness_step\", \"damping\", \"torques\"", &["motor", "load"]),
+        ("sliding_friction", "\"stiffness_step\", \"sliding_friction\"", &["slide12", "roll12"]),
+        ("drives/governor", "\"speed_governor\", \"torques\"", &["motor", "governor", "load"]),
+        ("train_turbine", "\"stiffness_step\", \"damping\"", &[]),
+        ("train_turbine", "\"stiffness_step\", \"damping\", \"torques\"", &["wind", "grid"]),
+    ];
+    for (name, effects, expected) in cases {
+        let set = [&format!("effects=[{effects}]"), "run.t_end=5 ms", "output.rate=2 MHz", "output.plots=[]"];
+        let run = run(&scene(name, &set.map(String::from))).trajectory;
+        let names: Vec<_> = run.columns().filter_map(|c| Some(c.name.strip_prefix("work_")?.to_owned())).collect();
+        assert_eq!(names, *expected, "{name}, {effects}");
+        let scale = run.kinetic[0] + size(&run.strain);
+        for row in 0..run.len() {
+            let sum: f64 = run.torque_work.iter().map(|(_, work)| work[row]).sum();
+            assert!((sum - run.work[row]).abs() <= 1e-12 * scale, "{name}: {sum} J, not {} J", run.work[row]);
+            assert!(run.residual[row].abs() <= 1e-9 * scale, "{name}: {} J of {scale} J", run.residual[row]);
+        }
+        let lost: f64 =
+            run.outputs.iter().filter(|(output, _)| output.is_loss()).map(|(_, power)| work(&run, power)).sum();
+        let dissipated = run.dissipated[run.len() - 1];
+        // Without torques the turbine stands: what it loses is a rounding error.
+        let allowed = 1e-6 * dissipated + 1e-18 * scale;
+        assert!((lost - dissipated).abs() <= allowed, "{name}: {lost} J by cause, {dissipated} J in all");
+    }
+}
+
+/// The integral of a power over the rows [J].
+fn work(run: &Trajectory, power: &[f64]) -> f64 {
+    let rows = run.t.windows(2).zip(power.windows(2));
+    rows.map(|(t, p)| 0.5 * (t[1] - t[0]) * (p[0] + p[1])).sum()
 }
 
 /// The power of the motor minus the power that accelerates its rotor enters the shaft. The power that leaves the shaft minus the power that

@@ -19,8 +19,7 @@ fn rolling_takes_energy_at_every_mesh() {
             run(model, 3, &[EFFECTS, "run.t_end=\"4 ms\"", "run.tolerance=1e-11", "output.rate=\"50 kHz\""], &each);
         let t = &outcome.trajectory;
         for mesh in meshes(3) {
-            let at = t.model.torques.iter().position(|torque| torque.name == format!("roll_{mesh}")).expect("a torque");
-            let roll = &t.torque_work[at];
+            let roll = t.work_of(&format!("roll_{mesh}")).expect("a torque of the scene");
             assert!(roll.windows(2).all(|w| w[1] <= w[0]) && roll[roll.len() - 1] < 0.0, "{model}, {mesh}");
         }
         println!("{model}: unaccounted for {:.1e}", unaccounted(&outcome));

@@ -190,7 +190,7 @@ fn gears_come_to_rest_and_stay_or_turn_back() {
                 (final_speed(&run) + back).abs() / speed,
                 (run.trajectory().t[run.events().next().unwrap().0] / stop - 1.0).abs(),
             ];
-            let lost = run.trajectory().torque_work.iter().map(|w| *w.last().unwrap()).fold(0.0f64, f64::min);
+            let lost = run.trajectory().torque_work.iter().map(|(_, w)| *w.last().unwrap()).fold(0.0f64, f64::min);
             println!("{method}, {part} of the breakaway torque: off by {off:?}, least work {lost:.4e} J");
             assert!(off.iter().all(|off| *off < 2e-9), "{off:?}");
             let account = residual(&run, INERTIA * speed * speed);

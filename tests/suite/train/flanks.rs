@@ -34,7 +34,7 @@ fn losses(tables: &str, meshes: &[Mesh], turns: [f64; 2]) -> [f64; 2] {
         let t = &run.trajectory.t;
         expected += (1..t.len()).map(|i| (t[i] - t[i - 1]) * (power[i] + power[i - 1]) / 2.0).sum::<f64>();
     }
-    let works = run.trajectory.model.torques.iter().zip(&run.trajectory.torque_work);
+    let works = run.trajectory.torque_work.iter();
     let friction = works.filter(|(torque, _)| ["slide", "roll"].iter().any(|of| torque.name.starts_with(of)));
     [-friction.map(|(_, work)| work.last().expect("rows")).sum::<f64>(), expected]
 }

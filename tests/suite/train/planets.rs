@@ -127,11 +127,11 @@ fn friction_of_the_flanks_of_every_mesh() {
         let (off, run) = compare(&pair, &overrides(&all, &each));
         assert!(off < 1e-8, "{effects}: {off:e}");
         let t = &run.trajectory;
-        let of = |name: &str| t.model.torques.iter().position(|torque| torque.name == name).expect("a torque");
+        let of = |name: String| t.work_of(&name).expect("a torque of the scene");
         for mesh in MESHES {
-            let roll = &t.torque_work[of(&format!("roll_{mesh}"))];
+            let roll = of(format!("roll_{mesh}"));
             assert!(roll.windows(2).all(|w| w[1] <= w[0]) && roll[roll.len() - 1] < 0.0, "{mesh}");
-            assert!(t.torque_work[of(&format!("slide_{mesh}"))].iter().any(|w| *w != 0.0), "{mesh}");
+            assert!(of(format!("slide_{mesh}")).iter().any(|w| *w != 0.0), "{mesh}");
         }
     }
 }

@@ -42,9 +42,9 @@ pub fn describe(m: &Model) -> TokenStream {
             name: #name, of: #of, doc: #doc, requires: #requires, excludes: #excludes, switching: #switching, bends: #bends
         })
     });
-    let torques = m.torques.iter().map(|Torque { name, doc, .. }| {
-        let name = name.to_string();
-        quote!(model::Torque { name: #name, doc: #doc })
+    let torques = m.torques.iter().map(|torque| {
+        let (name, with, doc) = (torque.name.to_string(), strings(&needs(m, torque)), &torque.doc);
+        quote!(model::Torque { name: #name, with: #with, doc: #doc })
     });
     let outputs = m.outputs.iter().map(|Output { unit, with, doc, value }| {
         let (name, with) = (value.name.to_string(), option(with));
@@ -78,6 +78,21 @@ pub fn describe(m: &Model) -> TokenStream {
             elements: &[],
         }
     }
+}
+
+/// The effects that each term of a torque needs.
+fn needs(m: &Model, torque: &Torque) -> Vec<Ident> {
+    let active = |term: &Term| -> Vec<Ident> {
+        let condition = m.conditions.iter().find(|condition| Some(&condition.name) == term.condition.as_ref());
+        match condition {
+            Some(condition) => {
+                condition.effects.iter().filter(|(present, _)| *present).map(|(_, e)| e.clone()).collect()
+            }
+            None => term.condition.iter().cloned().collect(),
+        }
+    };
+    let needs = torque.work.iter().chain(&torque.power).map(active);
+    needs.reduce(|all, more| all.into_iter().filter(|effect| more.contains(effect)).collect()).unwrap_or_default()
 }
 
 fn switch(Switch { over, unit, symbols, effect, doc, modes, .. }: &Switch) -> TokenStream {

@@ -10,7 +10,7 @@ static TURNS: Model = Model { outputs: &OUTPUTS, ..MODEL };
 
 /// A run of `n` samples at `rate` with the rotor at the speed `speed(t)` [revolutions/s].
 fn run(n: usize, rate: f64, speed: impl Fn(f64) -> f64) -> Trajectory {
-    let mut run = Trajectory::new(&TURNS, &[0]);
+    let mut run = Trajectory::new(&TURNS, &[], &[0]);
     run.t = (0..n).map(|i| i as f64 / rate).collect();
     run.moment = vec![Moment::Sample; n];
     run.outputs[0].1 = run.t.iter().map(|t| TAU * speed(*t)).collect();

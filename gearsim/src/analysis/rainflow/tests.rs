@@ -58,7 +58,7 @@ fn the_equivalent_range_is_a_power_mean() {
 
 #[test]
 fn a_ramp_spends_the_same_time_in_every_class() {
-    let mut run = Trajectory::new(&MODEL, &[]);
+    let mut run = Trajectory::new(&MODEL, &[], &[]);
     run.t = (0..=1000).map(|i| f64::from(i) * 2e-3).collect();
     run.moment = vec![Moment::Sample; 1001];
     let column: Vec<f64> = run.t.iter().map(|t| 3.0 + 5.0 * t).collect();

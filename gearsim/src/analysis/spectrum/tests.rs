@@ -111,5 +111,5 @@ fn bad_data_is_an_error() {
     assert!(welch(&[0.0; 3], 1.0, 3).is_err());
     assert!(welch(&[0.0; 8], 0.0, 4).is_err());
     assert!(welch(&[0.0; 8], 1.0, 9).is_err());
-    assert!(uniform_samples(&Trajectory::new(&MODEL, &[])).is_err());
+    assert!(uniform_samples(&Trajectory::new(&MODEL, &[], &[])).is_err());
 }

@@ -153,7 +153,7 @@ fn what_is_at_rest_has_the_size_that_the_energy_of_the_run_allows() {
     let coordinate = |(name, unit)| Coordinate { name, unit, doc: "", start: Start::At(0.0) };
     let model =
         Box::leak(Box::new(Model { coordinates: vec![coordinate(rotor), coordinate(mass)].leak(), ..fixture::MODEL }));
-    let mut run = Trajectory::new(model, &[]);
+    let mut run = Trajectory::new(model, &[], &[]);
     run.inertia = vec![2.0, 0.5];
     (run.t, run.kinetic) = (vec![0.0, 2.0], vec![9.0; 2]);
     (run.q, run.q_dot) = (vec![vec![0.0, 6.0], vec![0.0, 1e-300]], vec![vec![3.0; 2], vec![0.0, 1e-300]]);
@@ -174,7 +174,7 @@ fn what_is_at_rest_has_the_size_that_the_energy_of_the_run_allows() {
 fn rounding_errors_of_faster_coordinates_are_no_jumps() {
     let coordinate = |(name, unit)| Coordinate { name, unit, doc: "", start: Start::At(0.0) };
     let coordinates = [("theta", "rad"), ("x", "m")].map(coordinate).to_vec().leak();
-    let mut run = Trajectory::new(Box::leak(Box::new(Model { coordinates, ..fixture::MODEL })), &[]);
+    let mut run = Trajectory::new(Box::leak(Box::new(Model { coordinates, ..fixture::MODEL })), &[], &[]);
     run.inertia = vec![2.0, 0.5];
     run.moment = vec![Moment::Before, Moment::After];
     (run.t, run.kinetic, run.strain) = (vec![1.0; 2], vec![9.0; 2], vec![0.0; 2]);

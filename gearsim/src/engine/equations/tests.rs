@@ -257,6 +257,10 @@ fn model() {
     assert_eq!((m.effects[2].name, m.effects[2].requires), ("frozen_phase", &["stiffness_step"][..]));
     assert_eq!(m.effects[2].excludes, ["rigid_kinematics"]);
     assert_eq!((m.torques[0].name, m.torques[1].name), ("drive", "load"));
+    // A term with a second effect does not make that one needed.
+    let with: Vec<_> = m.torques[..5].iter().map(|torque| torque.with).collect();
+    let [torques, friction, governor] = ["torques", "sliding_friction", "speed_governor"].map(|effect| vec![effect]);
+    assert_eq!(with, [&torques, &torques, &friction, &friction, &governor]);
     assert!(m.equations.contains("theta'' = ") && m.latex.contains(r"\ddot{\theta} = "));
 }
 

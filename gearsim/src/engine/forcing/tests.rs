@@ -88,7 +88,7 @@ fn numerical_methods_find_the_same_motion() {
         let off = crate::methods::tests::difference(&steps.trajectory, &exact.trajectory);
         assert!(off < bound, "{method}: {off:e}");
         assert!(residual(&steps) < bound, "{method}: {:e}", residual(&steps));
-        let work = |o: &Outcome| o.trajectory.torque_work.iter().map(|w| w[w.len() - 1]).collect::<Vec<_>>();
+        let work = |o: &Outcome| o.trajectory.torque_work.iter().map(|(_, w)| w[w.len() - 1]).collect::<Vec<_>>();
         let (a, b) = (work(&steps), work(&exact));
         assert!(a.iter().zip(&b).all(|(a, b)| (a - b).abs() <= bound * b.abs()), "{method}: {a:?} {b:?}");
     }

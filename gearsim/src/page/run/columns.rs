@@ -133,6 +133,6 @@ fn describe(trajectory: &Trajectory, name: &str) -> Option<(Kind, String)> {
     if let Some((output, _)) = trajectory.outputs.iter().find(|(output, _)| output.name == name) {
         return Some((Kind::Signal, output.doc.to_owned()));
     }
-    let torque = trajectory.model.torques.iter().find(|torque| name.strip_prefix("work_") == Some(torque.name));
-    Some(torque.map_or((Kind::Signal, String::new()), |torque| (Kind::Energy, format!("work: {}", torque.doc))))
+    let torque = trajectory.torque_work.iter().find(|(torque, _)| name.strip_prefix("work_") == Some(torque.name));
+    Some(torque.map_or((Kind::Signal, String::new()), |(torque, _)| (Kind::Energy, format!("work: {}", torque.doc))))
 }

@@ -64,7 +64,10 @@ pub static GEAR_PAIR: Model = Model {
         effect("transmission_error", &["stiffness_step"], &[]),
         effect("sliding_friction", &["stiffness_step"], &["rigid_kinematics", "frozen_phase"]),
     ],
-    torques: &[Torque { name: "drive", doc: "" }, Torque { name: "load", doc: "" }],
+    torques: &[
+        Torque { name: "drive", with: &["torques"], doc: "" },
+        Torque { name: "load", with: &["torques"], doc: "" },
+    ],
     equations: "",
     latex: "",
 };

@@ -62,7 +62,8 @@ impl Composer<'_> {
         }
         let first = self.torques.len();
         for torque in model.torques {
-            self.torques.push(Torque { name: leak(torque_name(torque.name, part)), doc: said(torque.doc, part) });
+            let with = names(torque.with.iter().map(|effect| self.renamed(part, effect)));
+            self.torques.push(Torque { name: leak(torque_name(torque.name, part)), with, doc: said(torque.doc, part) });
         }
         for (effect, term) in model.nonlinear_with {
             let with = self.renamed(part, effect);
