@@ -4,7 +4,9 @@
 //! end T. The polynomial through these values is sum c_j L_j(u) with Legendre polynomials L_j, u = 2 t/T - 1 and
 //! c_j = (2j + 1)/2 sum w_i P(s_i) L_j(u_i). Its integral is known at every time of the step, so that samples need no powers of their own:
 //!
-//!     W(t) = T/2 (d_0 (1 + u) + sum_{j > 0} d_j (L_{j+1}(u) - L_{j-1}(u))),     d_j = c_j/(2j + 1)
+//! ```text
+//! W(t) = T/2 (d_0 (1 + u) + sum_{j > 0} d_j (L_{j+1}(u) - L_{j-1}(u))),     d_j = c_j/(2j + 1)
+//! ```
 //!
 //! At T it is Gauss's rule, exact to order 11: what the rule leaves out is far below the error of the step, which is of order 8 at most in
 //! the motion. Before T it is the integral of a polynomial of order 5 in t.
