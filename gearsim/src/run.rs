@@ -12,6 +12,7 @@ pub use crate::engine::hybrid::Counts;
 use std::time::Duration;
 
 use cpu_time::ThreadTime;
+use indexmap::IndexMap;
 use xprec::Df64;
 
 use crate::engine::cell::Cell;
@@ -360,14 +361,11 @@ fn times(scene: &Scene, switch: &Switch) -> (&'static str, Vec<(&'static str, f6
 
 /// The impacts of each kind, in the order of the switches.
 fn impacts(switches: &[Switch]) -> Vec<(&'static str, u64)> {
-    let mut kinds: Vec<(&'static str, u64)> = vec![];
+    let mut kinds = IndexMap::new();
     for (kind, impacts) in switches.iter().flat_map(Switch::impacts) {
-        match kinds.iter_mut().find(|(known, _)| *known == kind) {
-            Some((_, sum)) => *sum += impacts,
-            None => kinds.push((kind, impacts)),
-        }
+        *kinds.entry(kind).or_insert(0) += impacts;
     }
-    kinds
+    kinds.into_iter().collect()
 }
 
 /// Processor time of this thread since `begin` [s], never 0.

@@ -31,7 +31,7 @@ pub struct Counts {
     pub reflections: u64,
     /// Times that a phase was held at a step.
     pub holds: u64,
-    /// Impacts: entries that a mode counts, of a deflection that had parted.
+    /// Impacts. An impact is an entry into a mode that counts its entries, after the deflection had been away from such modes.
     pub impacts: u64,
     /// Times that a clutch or dry friction locked.
     pub sticks: u64,

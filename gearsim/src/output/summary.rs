@@ -63,7 +63,7 @@ pub struct Summary {
     pub sounds: IndexMap<String, Sound>,
     /// Share of the run's time in each mode of each switch: `over12`, `free` \[1\].
     pub modes: BTreeMap<String, Named>,
-    /// Impacts by their kind, in the words of the model: `flanks met`, `stop met`.
+    /// Number of impacts of each kind. The model names the kinds, for example `flanks met` and `stop met`.
     pub impacts: IndexMap<String, u64>,
     /// The method that solved it.
     pub method: Method,
@@ -147,7 +147,7 @@ pub struct Counts {
     pub grazes: u64,
     /// Number of times that a phase was held at a step that it had not the energy to pass.
     pub holds: u64,
-    /// Number of impacts of all kinds: flanks or stops met that had parted.
+    /// Number of impacts of all kinds. An impact is a contact of flanks or stops that had been apart.
     pub impacts: u64,
     /// Number of times that dry friction brought a motion to rest, or a clutch locked.
     pub sticks: u64,

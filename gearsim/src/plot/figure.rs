@@ -213,6 +213,12 @@ impl Figure {
     }
 }
 
+/// The largest absolute value of curves; below zero if there is none.
+pub(super) fn largest(series: &[Series]) -> f64 {
+    let (low, high) = extremes(series.iter().flat_map(|s| s.y.iter().copied()));
+    high.max(-low)
+}
+
 /// Smallest and largest finite value; `(inf, -inf)` if there is none.
 pub(super) fn extremes(values: impl Iterator<Item = f64>) -> (f64, f64) {
     values

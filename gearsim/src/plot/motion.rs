@@ -1,7 +1,7 @@
 //! The motion: every coordinate and its speed against time, in units that suit their size. Only the speed of a coordinate that rotates
 //! continuously.
 
-use super::figure::extremes;
+use super::figure::largest;
 use super::{
     Axis, Figure, Panel, Plot, PlotError, Run, Series, coordinate_index, first_run, rotates, scene_names, symbol,
     time_axis,
@@ -50,11 +50,10 @@ fn panel(
         let name = if runs.len() > 1 { run.label } else { words };
         series.push(Series::new(n, name, recorded.t.clone(), quantity(recorded, i).clone()));
     }
-    let (low, high) = extremes(series.iter().flat_map(|s| s.y.iter().copied()));
     let (unit, factor) = match &*unit {
         // Most angles are rotations, and their speeds are not those of rotors.
         unit if unit.starts_with("rad") => (unit, 1.0),
-        unit => readable(unit, high.max(-low)),
+        unit => readable(unit, largest(&series)),
     };
     series.iter_mut().flat_map(|s| &mut s.y).for_each(|y| *y *= factor);
     Panel { y: Axis::linear(label, unit), series }

@@ -1,6 +1,6 @@
 //! The recorded outputs against time, in the units of engineers: a panel for each unit.
 
-use super::figure::extremes;
+use super::figure::largest;
 use super::{Axis, Figure, Panel, Plot, PlotError, Run, Series, first_run, scene_names, time_axis};
 use crate::model::Output;
 use crate::output::unit::readable;
@@ -67,8 +67,7 @@ fn draw(runs: &[Run<'_>]) -> Result<Figure, PlotError> {
             }
         }
         // Powers range from watts to megawatts.
-        let (low, high) = extremes(series.iter().flat_map(|s| s.y.iter().copied()));
-        let (shown, factor) = if unit == "W" { readable(unit, high.max(-low)) } else { (shown, factor) };
+        let (shown, factor) = if unit == "W" { readable(unit, largest(&series)) } else { (shown, factor) };
         series.iter_mut().flat_map(|s| &mut s.y).for_each(|y| *y *= factor);
         // Angles, such as twists, only where no length tells as much.
         let told = unit == "rad" && first.outputs.iter().any(|(output, _)| output.unit == "m");

@@ -194,7 +194,8 @@ fn output(m: &Model) -> Option<Cold> {
     })
 }
 
-/// The power of each torque that is not constant, and whether it is present; nothing if the model has none.
+/// Two functions: the power of each torque, and whether the torque depends on the state. No function if all torques of the model are
+/// constant.
 fn powers(m: &Model) -> Vec<Cold> {
     if m.torques.iter().all(|t| t.power.is_empty()) {
         return vec![];

@@ -1,6 +1,9 @@
 //! The modes of a scene as text.
 
 use std::fmt::Write;
+use std::hash::Hash;
+
+use indexmap::IndexMap;
 
 use crate::analysis::modes::{CellModes, HARMONICS, MOST_CELLS, OverATurn, Parts, Vibration, meetings};
 use crate::analysis::steady::SteadyLaw;
@@ -122,16 +125,8 @@ fn harmonics(courses: &[SteadyLaw], chosen: &CellModes) -> String {
         return "There are no mesh frequencies: the scene has no speed, or no stiffness steps.\n".into();
     }
     let mut text = String::new();
-    let mut frequencies: Vec<(Vec<&str>, String)> = vec![];
-    for course in moving {
-        let frequency = short(course.mesh_frequency()).to_string();
-        match frequencies.iter_mut().find(|(_, other)| *other == frequency) {
-            Some((names, _)) => names.push(course.name),
-            None => frequencies.push((vec![course.name], frequency)),
-        }
-    }
-    for (names, frequency) in frequencies {
-        let _ = writeln!(text, "mesh frequency of {}: {frequency} Hz", names.join(", "));
+    for (frequency, names) in alike(moving.iter().map(|c| (short(c.mesh_frequency()).to_string(), c.name))) {
+        let _ = writeln!(text, "mesh frequency of {names}: {frequency} Hz");
     }
     let near = meetings(courses, chosen);
     if near.is_empty() {
@@ -141,18 +136,19 @@ fn harmonics(courses: &[SteadyLaw], chosen: &CellModes) -> String {
             100.0 * NEAR_RESONANCE
         );
     }
-    // Meshes that turn alike, such as those of planets, meet the same modes.
-    let mut merged: Vec<(String, Vec<&str>, String)> = vec![];
-    for m in near {
-        let (harmonic, percent) = (format!("harmonic {} of", m.harmonic), 100.0 * (m.ratio - 1.0));
-        let says = format!("{percent:+.1} % from mode {}", m.mode);
-        match merged.iter_mut().find(|(other, _, said)| *other == harmonic && *said == says) {
-            Some((_, names, _)) => names.push(courses[m.law].name),
-            None => merged.push((harmonic, vec![courses[m.law].name], says)),
-        }
-    }
-    for (harmonic, names, says) in merged {
-        let _ = writeln!(text, "  {harmonic} {} is {says}", names.join(", "));
+    let near = near.iter().map(|m| {
+        let distance = format!("{:+.1} % from mode {}", 100.0 * (m.ratio - 1.0), m.mode);
+        ((m.harmonic, distance), courses[m.law].name)
+    });
+    for ((harmonic, distance), names) in alike(near) {
+        let _ = writeln!(text, "  harmonic {harmonic} of {names} is {distance}");
     }
     text
+}
+
+/// The names of the meshes about which the same is said, such as those of planets, which turn alike.
+fn alike<'a, T: Hash + Eq>(all: impl Iterator<Item = (T, &'a str)>) -> impl Iterator<Item = (T, String)> {
+    let mut names: IndexMap<T, Vec<&str>> = IndexMap::new();
+    all.for_each(|(says, name)| names.entry(says).or_default().push(name));
+    names.into_iter().map(|(says, names)| (says, names.join(", ")))
 }

@@ -6,14 +6,15 @@ use nalgebra::{DMatrix, DVector, Dyn};
 use crate::engine::vector::{Matrix, Vector};
 use crate::tolerance::events::INDEPENDENT;
 
-/// N (NᵀM⁻¹N)⁻¹ d, from M⁻¹ = `mobility` and N = `normals`; NaN if NᵀM⁻¹N is not positive definite.
+/// The vector N (NᵀM⁻¹N)⁻¹ d. `mobility` is M⁻¹, and `normals` is N. The result is NaN if NᵀM⁻¹N is not positive definite.
 pub fn centripetal(mobility: &Matrix, normals: &DMatrix<f64>, d: &DVector<f64>) -> Vector {
     let compliance = (normals.transpose() * (mobility * normals)).cholesky();
     let force = compliance.map(|compliance| normals * compliance.solve(d));
     force.map_or_else(|| Vector::from_fn(normals.nrows(), |_| f64::NAN), |force| Vector::from(&force))
 }
 
-/// P and the factors of the forces in the reactions, from M⁻¹ = `mobility` and N = `normals`; NaN if NᵀM⁻¹N is not positive definite.
+/// P and the factors of the forces in the reactions. `mobility` is M⁻¹, and `normals` is N. The result is NaN if NᵀM⁻¹N is not positive
+/// definite.
 pub fn held(mobility: &Matrix, normals: &DMatrix<f64>) -> (Matrix, DMatrix<f64>) {
     let response = mobility * normals;
     let unknown = || DMatrix::repeat(normals.ncols(), normals.nrows(), f64::NAN);

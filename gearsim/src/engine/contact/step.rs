@@ -43,7 +43,7 @@ impl StepOfV {
     }
 }
 
-/// Linear functions of the coordinates that are zero where the step dV = q.dK q/2 - df.q + h of a law is:
+/// The step of V at a boundary of a law is dV = q.dK q/2 - df.q + h. These linear functions of the coordinates are zero where dV is zero:
 /// - for a transmission error dK = 0, and dV itself is linear;
 /// - for the stiffness of one deflection x = d.q, dV = c x²/2 - g x + h with dK = c d dᵀ and df = g d, one function for each root x.
 ///

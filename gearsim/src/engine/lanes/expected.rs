@@ -51,9 +51,9 @@ impl<const N: usize, const L: usize> Expected<N, L> {
         }
     }
 
-    /// The prediction after a passage that took the time `taken`; `steady` is the duration at the steady part of the speed. The
-    /// next duration is a linear extrapolation from the last two. Its responses are not computed if the last prediction was far off: the next
-    /// one will hardly be used.
+    /// The prediction after a passage. The passage took the time `taken`. At the steady part of the speed it would have taken the time
+    /// `steady`. The next duration is extrapolated linearly from the last two. If the last prediction was wrong, the next one is probably wrong
+    /// too, and its responses are not computed.
     #[inline(always)]
     fn next(&self, cells: &Cells<N, L>, rigid: &[bool; N], taken: Pack<L>, steady: Pack<L>) -> Self {
         let trend = (taken - self.last).zip(0.1 * self.last, |d, most| if d.abs() < most { d } else { 0.0 });
@@ -79,7 +79,7 @@ impl<const N: usize, const L: usize> Lanes<N, L> {
         all
     }
 
-    /// The prediction for the next passage of the cells of an attempt.
+    /// Predicts the next passage of the cells that the lanes of `attempt` have passed.
     #[inline(always)]
     pub(super) fn prediction(&self, attempt: &Attempt<N, L>) -> Expected<N, L> {
         let mut gathered = None;

@@ -29,8 +29,8 @@ pub struct Target<const L: usize> {
 const MOST: usize = 3;
 
 impl<const N: usize, const L: usize> Lanes<N, L> {
-    /// The boundary to which the phase moves, and whether the phase is proved to be monotone: the steady part of its speed
-    /// exceeds a bound on the speed of the oscillations.
+    /// The boundary to which the phase moves. It is certain if the phase is monotone. This is proved where the steady part of the speed exceeds
+    /// an upper bound of the speed of the oscillations.
     #[inline(always)]
     pub(super) fn target(&self, cells: &Cells<N, L>, flight: &Flight<'_, N, L>) -> Target<L> {
         let (mut drift, mut oscillation, mut uniform) = (Pack::all(0.0), Pack::all(0.0), Mask::of(|_| true));

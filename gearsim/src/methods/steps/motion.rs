@@ -41,7 +41,7 @@ pub struct Found {
 }
 
 impl Step<'_, '_> {
-    /// The state of the run at `y`, which the method has reached after the time `t` \[s\] of a motion of at most `length` \[s\].
+    /// The state of the run after the time `t` \[s\], where the method has reached `y`. The motion takes at most the time `length` \[s\].
     fn reached(&mut self, y: Flow, t: f64, length: f64) -> Reached {
         let mut dissipated = y.lost;
         if self.now.steps_only() {
@@ -51,7 +51,7 @@ impl Step<'_, '_> {
         Reached { state: State { turns: self.now.state.turns.clone(), ..State::new(y.q, y.v) }, dissipated, work }
     }
 
-    /// The work of the varying part of each torque until the time `t` \[s\], which is at most `length` \[J\].
+    /// The work of the varying part of each torque until the time `t` \[J\]. The times `t` and `length` are in \[s\], and `t` is at most `length`.
     fn work(&mut self, t: f64, length: f64) -> Vec<f64> {
         let torques = self.now.work.len();
         if torques == 0 {

@@ -30,7 +30,8 @@ static RULE: LazyLock<[(f64, [f64; NODES]); NODES]> = LazyLock::new(|| {
     from_fn(|i| {
         let (node, weight) = GAUSS_6[i / 2];
         let node = if i % 2 == 0 { -node } else { node };
-        (node, from_fn(|j| 0.5 * weight * legendre(node)[j]))
+        let legendre = legendre(node);
+        (node, from_fn(|j| 0.5 * weight * legendre[j]))
     })
 });
 
