@@ -4,18 +4,22 @@
 use symbolica::atom::{Atom, AtomCore, Symbol};
 
 use crate::expr::{Expr, Kind, kind_and_name, number, symbol, symbols, total};
-use crate::lagrange::{self, Motion, external, hessian, rows};
+use crate::lagrange::{Motion, external};
 use crate::markers::{all_present, markers, optional, terms, without};
-use crate::model::Model;
+use crate::model::{Model, Switch};
 use crate::print::{Style, print};
-use crate::symbols::{Place, Symbols};
+use crate::symbols::{Partials, Place, Symbols, expanded};
 use crate::tree::Tree;
 
-/// The matrices of a cell, of its terms that are linear.
+/// The matrices of a cell, of its terms that are linear. They are written in coordinates and deflections: with the gradients g of
+/// deflections, an entry k of deflections d and e is the matrix k g_d g_eᵀ.
 pub(crate) struct Cell {
-    pub stiffness: Vec<Vec<Atom>>,
-    pub damping: Vec<Vec<Atom>>,
-    pub load: Vec<Atom>,
+    /// The entries of K that are not zero, of each pair of different places one.
+    pub stiffness: Vec<(Place, Place, Atom)>,
+    /// Those of C.
+    pub damping: Vec<(Place, Place, Atom)>,
+    /// Those of f: forces along coordinates and deflections.
+    pub load: Partials,
     /// The terms that make the cell nonlinear in every scene, as text, each with the energy or torque it comes from. The matrices are
     /// without them.
     pub nonlinear: Vec<String>,
@@ -48,25 +52,42 @@ pub(crate) fn derive(model: &Model, s: &Symbols, motion: &Motion) -> Cell {
             _ => nonlinear.push(text),
         }
     }
-    let n = s.q.len();
     let constant = external(model, s, |torque| !model.varies(torque));
     let linear = |pieces: &[Expr]| -> Vec<Expr> {
         let of_one = |piece: &Expr| not_quadratic(std::slice::from_ref(piece)).is_empty();
         pieces.iter().copied().filter(of_one).collect()
     };
     let (potential, dissipation) = (linear(&model.potential), linear(&model.dissipation));
-    let restoring = rows(n, lagrange::restoring(model, s, &potential, |v| s.by_coordinates(v)));
-    let restoring: Vec<Atom> = restoring.iter().map(|row| bends.straight(row)).collect();
-    let second = |row: &Atom| rows(n, s.by_coordinates(row).into_iter()).iter().map(|k| bends.straight(k)).collect();
-    let stiffness = restoring.iter().map(second).collect();
-    let damping = hessian(n, &dissipation, |d| s.by_speeds(d));
-    let damping = damping.iter().map(|row| row.iter().map(|c| bends.straight(c)).collect()).collect();
-    let load = constant
-        .iter()
-        .zip(&restoring)
-        .map(|(constant, row)| (constant - bends.straight(&at_rest(s, row))).expand())
-        .collect();
+    let straight = |(place, e): (Place, Atom)| (place, bends.straight(&e));
+    let restoring = potential.iter().flat_map(|v| s.by_positions(&v.atom())).chain(lost(model, s));
+    let restoring: Partials = expanded(restoring.map(straight));
+    let stiffness = second(&restoring, |force| s.by_positions(force));
+    let damping = expanded(dissipation.iter().flat_map(|d| s.by_motions(&d.atom())).map(straight));
+    let damping = second(&damping, |force| s.by_motions(force));
+    let constant = constant.into_iter().enumerate().map(|(i, force)| (Place::Coordinate(i), force));
+    let at_rest = restoring.iter().map(|(place, force)| (*place, -at_rest(s, force)));
+    let load = expanded(constant.chain(at_rest).map(straight));
     Cell { stiffness, damping, load, nonlinear, nonlinear_with }
+}
+
+/// The derivatives of `forces` that are not zero. They are symmetric: of each pair of different places one is given.
+fn second(forces: &[(Place, Atom)], by: impl Fn(&Atom) -> Partials) -> Vec<(Place, Place, Atom)> {
+    let row = |(place, force): &(Place, Atom)| {
+        let place = *place;
+        let entries = expanded(by(force).into_iter()).into_iter().filter(move |(other, _)| *other >= place);
+        entries.map(move |(other, entry)| (place, other, entry)).collect::<Vec<_>>()
+    };
+    forces.iter().flat_map(row).collect()
+}
+
+/// The dissipative forces of switches, each along its deflection.
+fn lost(model: &Model, s: &Symbols) -> Partials {
+    let lossy = model.switches.iter().filter(|switch| !switch.loss.atom().is_zero());
+    let along = |switch: &Switch| {
+        let over = symbol(Kind::Deflection, &switch.over);
+        s.deflections.iter().position(|d| d.symbol == over).map(Place::Deflection)
+    };
+    lossy.filter_map(|switch| Some((along(switch)?, switch.lost()))).collect()
 }
 
 /// The functions of positions by which deflections bend.

@@ -5,12 +5,12 @@ mod stages;
 use symbolica::atom::{Atom, AtomCore};
 
 use crate::cell::Cell;
-use crate::expr::{Expr, Kind, total};
+use crate::expr::{Expr, Kind, speed_name, total};
 use crate::jump::Jump;
 use crate::lagrange::Motion;
 use crate::model::{JUMP_TERMS, Law, MOVING_PHASE, Model};
 use crate::print::Style;
-use crate::symbols::Symbols;
+use crate::symbols::{Partials, Place, Symbols};
 use crate::{Home, expr, file, markers, proof, text};
 pub use stages::derive;
 pub(crate) use stages::{Formulas, derive_with};
@@ -20,8 +20,8 @@ pub struct Derivation<'a> {
     pub(crate) model: &'a Model,
     pub(crate) symbols: Symbols,
     pub(crate) motion: Motion,
-    /// Derivatives of the generalised forces F (rows) by coordinates, then speeds (columns).
-    pub(crate) jacobian: Vec<Vec<Atom>>,
+    /// Derivatives of the generalised forces F by the coordinates, the speeds, and the deflections and rates in which they are written.
+    pub(crate) jacobian: Vec<Partials>,
     /// The partial derivatives of forces in which the Jacobian is written: name, effect, value.
     pub(crate) partials: Vec<(String, Option<String>, Atom)>,
     /// The matrices of a cell, and the terms that make it nonlinear.
@@ -159,8 +159,14 @@ impl Derivation<'_> {
         self.model.coordinates.iter().map(|c| c.name.as_str()).collect()
     }
 
-    /// Names of coordinates, then of speeds.
-    pub(crate) fn states(&self) -> Vec<String> {
-        self.model.coordinates.iter().map(|c| c.name.clone()).chain(self.model.speeds()).collect()
+    /// The name of a coordinate, a speed, a deflection or a rate.
+    pub(crate) fn name(&self, place: Place) -> String {
+        match place {
+            Place::Coordinate(i) => self.model.coordinates[i].name.clone(),
+            Place::Speed(i) => self.model.speeds()[i].clone(),
+            Place::Deflection(d) => self.model.deflections[d].name.clone(),
+            Place::Rate(d) => speed_name(&self.model.deflections[d].name),
+            _ => unreachable!("nothing is differentiated by it"),
+        }
     }
 }

@@ -33,6 +33,13 @@ pub(crate) struct Motion {
 /// The gradient including the derivatives through the phases of the laws; those terms carry `marker`.
 pub(crate) fn gradient(s: &Symbols, e: &Atom, marker: &str) -> Sparse {
     let mut all = s.by_coordinates(e);
+    all.extend(through_laws(s, e, marker));
+    all
+}
+
+/// The derivatives by the coordinates through the phases of the laws; the terms carry `marker`.
+pub(crate) fn through_laws(s: &Symbols, e: &Atom, marker: &str) -> Sparse {
+    let mut all = vec![];
     let marker = Atom::var(symbol(Kind::Marker, marker));
     let values = s.by_laws(e).into_iter().map(|(l, by)| (l, by * Atom::var(s.slope[l])));
     let slopes = s.slopes(e).into_iter().map(|(l, by)| (l, by * Atom::var(s.curvature[l])));

@@ -15,6 +15,9 @@ pub(crate) use named::{Force, Linear};
 /// Nonzero entries of a vector: index and entry, by rising index.
 pub(crate) type Sparse = Vec<(usize, Atom)>;
 
+/// Nonzero derivatives by symbols: the place of each, and the derivative, by rising place.
+pub(crate) type Partials = Vec<(Place, Atom)>;
+
 /// The symbols of one model; entry i belongs to coordinate i, or law i.
 pub(crate) struct Symbols {
     pub q: Vec<Symbol>,
@@ -27,14 +30,20 @@ pub(crate) struct Symbols {
     pub phase: Vec<Sparse>,
     pub deflections: Vec<Linear>,
     pub forces: Vec<Force>,
-    /// The gradients of the named functions and of their derivatives by the coordinates; empty for the highest ones.
-    functions: Vec<Vec<Sparse>>,
+    functions: Vec<Function>,
     /// What each symbol is.
     places: HashMap<Symbol, Place>,
 }
 
+/// The derivatives of a named function, and of its derivatives; empty for the highest ones.
+struct Function {
+    by_coordinates: Vec<Sparse>,
+    /// Those by coordinates and deflections, each while all others are held.
+    by_positions: Vec<Partials>,
+}
+
 /// What a symbol is, with its index.
-#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(crate) enum Place {
     Coordinate(usize),
     Speed(usize),
@@ -47,6 +56,17 @@ pub(crate) enum Place {
     Function(usize, usize),
 }
 
+impl Place {
+    /// The coordinate of a speed, the deflection of a rate; of others itself.
+    pub fn position(self) -> Self {
+        match self {
+            Place::Speed(i) => Place::Coordinate(i),
+            Place::Rate(d) => Place::Deflection(d),
+            other => other,
+        }
+    }
+}
+
 /// The symbols of an expression that have a place, by their places.
 fn present(e: &Atom, places: &HashMap<Symbol, Place>) -> Vec<(Symbol, Place)> {
     let mut all: Vec<_> =
@@ -55,14 +75,29 @@ fn present(e: &Atom, places: &HashMap<Symbol, Place>) -> Vec<(Symbol, Place)> {
     all
 }
 
-/// The sums of parts of a vector, by rising index.
-fn merged(parts: impl Iterator<Item = (usize, Atom)>) -> Sparse {
+/// The sums of parts of a vector, by rising index or place.
+pub(crate) fn merged<I: Ord>(parts: impl Iterator<Item = (I, Atom)>) -> Vec<(I, Atom)> {
     let mut sums = BTreeMap::new();
     for (i, part) in parts {
         let sum = sums.entry(i).or_insert_with(|| number(0));
         *sum = &*sum + part;
     }
     sums.into_iter().collect()
+}
+
+/// The sums of parts by place, expanded, those that are not zero.
+pub(crate) fn expanded(parts: impl Iterator<Item = (Place, Atom)>) -> Partials {
+    let sums = merged(parts).into_iter().map(|(place, sum)| (place, sum.expand()));
+    sums.filter(|(_, sum)| !sum.is_zero()).collect()
+}
+
+/// The derivatives of functions by the chain rule: `next` has those of each by its arguments, `slopes` those of each argument.
+fn chained<I: Ord + Copy>(next: &[Vec<Atom>], slopes: &[Vec<(I, Atom)>]) -> Vec<Vec<(I, Atom)>> {
+    let through = |next: &Vec<Atom>| {
+        let parts = next.iter().zip(slopes);
+        merged(parts.flat_map(|(next, slopes)| slopes.iter().map(move |(i, slope)| (*i, next * slope))))
+    };
+    next.iter().map(through).collect()
 }
 
 impl Symbols {
@@ -103,16 +138,15 @@ impl Symbols {
             let all = function.derivatives();
             let name = |i: usize| symbol(Kind::Function, &all[i].name);
             symbols.places.extend((0..all.len()).map(|i| (name(i), Place::Function(f, i))));
-            let slopes: Vec<Sparse> = function.of.iter().map(|of| symbols.by_coordinates(&of.atom())).collect();
-            let present = gate(&function.with);
-            let gradient = |d: &Derivative| {
-                let parts = d.next.iter().zip(&slopes).flat_map(|(next, slopes)| {
-                    let next = &present * Atom::var(name(*next));
-                    slopes.iter().map(move |(i, slope)| (*i, &next * slope))
-                });
-                merged(parts)
+            let next: Vec<Vec<Atom>> = {
+                let present = gate(&function.with);
+                let next = |d: &Derivative| d.next.iter().map(|next| &present * Atom::var(name(*next))).collect();
+                all.iter().map(next).collect()
             };
-            symbols.functions.push(all.iter().map(gradient).collect());
+            let of = || function.of.iter().map(|of| of.atom());
+            let by_coordinates = chained(&next, &of().map(|of| symbols.by_coordinates(&of)).collect::<Vec<_>>());
+            let by_positions = chained(&next, &of().map(|of| symbols.by_positions(&of)).collect::<Vec<_>>());
+            symbols.functions.push(Function { by_coordinates, by_positions });
         }
         let bent: Vec<Linear> = (model.deflections.iter().zip(&symbols.deflections))
             .map(|(deflection, straight)| straight.bent(&deflection.value.atom(), &symbols))

@@ -7,8 +7,9 @@ pub use crate::engine::vector::{Matrix, Vector};
 /// For the code of `equations!`; the second list is for tests and benches.
 pub mod equations {
     pub use crate::engine::equations::{
-        Affine, Deflection, Derived, Equations, ExactCells, Exit, Known, Matrices, On, Switching, array, array_mut,
-        compliance, direction, exits, gradient, matrix, no_such, numbers, values, vector,
+        Affine, Deflection, Derived, Equations, ExactCells, Exit, Known, Matrices, On, Switching, add_force,
+        add_product, add_square, add_through, array, array_mut, compliance, direction, exits, gradient, matrix,
+        no_such, numbers, values, vector,
     };
 
     pub use crate::engine::equations::{DerivedModel, accelerated, mobility};

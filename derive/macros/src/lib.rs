@@ -79,12 +79,12 @@
 //! mobility { x x { _ => 1.0/m; } }    // M⁻¹, entries as in `mass`; without this block M is inverted numerically
 //! // inertia { x x { _ => m*x*x_ddot; } } // if M depends on coordinates: derivatives of M q'' (rows) by them (columns), not symmetric
 //! force { x { _ => -k*x; weight => 1.0; damping => -C*x_dot; jump_terms => -dk*x.powi(2)/2.0; } }
-//! jacobian {                          // derivatives of the force by coordinates and speeds; entries not given are zero
+//! jacobian {                          // derivatives of the force by coordinates, speeds, deflections and rates; those not given are zero
 //!     x x { _ => -k/m; jump_terms => -2.0*dk*x/m - ddk*x.powi(2)/(2.0*m); }
 //!     x x_dot { damping => -C/m; }
 //! }
 //! cell {                              // M q'' + C q' + K q = f while the laws are constant
-//!     stiffness { x x { _ => k; } }
+//!     stiffness { over over { _ => k; } }     // coordinates and deflections: k g gᵀ with the gradient g of `over`
 //!     damping { x x { damping => C; } }
 //!     load { x { weight => 1.0; } }
 //! }

@@ -4,10 +4,10 @@ use symbolica::atom::Atom;
 
 use super::Derivation;
 use crate::jump::{self, Jump};
-use crate::lagrange::{self, Motion, rows};
+use crate::lagrange::{self, Motion};
 use crate::model::{MOVING_PHASE, Model};
 use crate::slip::Slip;
-use crate::symbols::Symbols;
+use crate::symbols::{Partials, Place, Symbols, expanded};
 use crate::{cell, check, proof};
 
 /// Derives the equations of motion, the cells and the jump rules from the energies of `model`, and proves them.
@@ -41,7 +41,8 @@ pub(crate) fn derive_with(model: &Model, change: impl FnOnce(&mut Formulas)) -> 
     let partials: Vec<_> = named
         .flat_map(|(force, f)| f.partials.iter().map(|(name, e)| (name.clone(), force.with.clone(), e.clone())))
         .collect();
-    let derived = motion.acceleration.iter().flatten().chain(&motion.force).chain(jacobian.iter().flatten());
+    let derived =
+        motion.acceleration.iter().flatten().chain(&motion.force).chain(jacobian.iter().flatten().map(|(_, by)| by));
     let derived = derived.chain(partials.iter().map(|(.., value)| value));
     let derived = derived.chain(motion.mobility.iter().flatten().flatten());
     let derived = derived.chain(motion.inertia.iter().flatten().flatten()).chain(motion.mass.iter().flatten());
@@ -51,11 +52,12 @@ pub(crate) fn derive_with(model: &Model, change: impl FnOnce(&mut Formulas)) -> 
     Ok(Derivation { model, symbols: s, partials, motion, jacobian, cell, jumps, proofs })
 }
 
-fn jacobian(s: &Symbols, motion: &Motion) -> Vec<Vec<Atom>> {
-    let n = s.q.len();
+/// The derivatives of each force by the coordinates, the speeds, and the deflections and rates in which it is written.
+fn jacobian(s: &Symbols, motion: &Motion) -> Vec<Partials> {
     let row = |force: &Atom| {
-        let by_speed = s.by_speeds(force).into_iter().map(|(i, by)| (n + i, by));
-        rows(2 * n, lagrange::gradient(s, force, MOVING_PHASE).into_iter().chain(by_speed))
+        let through_laws = lagrange::through_laws(s, force, MOVING_PHASE);
+        let through_laws = through_laws.into_iter().map(|(i, by)| (Place::Coordinate(i), by));
+        expanded(s.by_positions(force).into_iter().chain(through_laws).chain(s.by_motions(force)))
     };
     motion.force.iter().map(row).collect()
 }

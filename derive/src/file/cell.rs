@@ -2,14 +2,26 @@
 
 use super::block::Block;
 use crate::derivation::Derivation;
+use crate::symbols::Place;
 
 /// Writes the blocks `cell`, `nonlinear` and `nonlinear_with`, those that are not empty.
 pub(super) fn write(b: &mut Block, d: &Derivation) {
-    let (names, cell) = (d.coordinates(), &d.cell);
+    let cell = &d.cell;
     b.braces(1, "cell", |b| {
-        b.matrix(2, "stiffness", &names, &cell.stiffness);
-        b.matrix(2, "damping", &names, &cell.damping);
-        b.sums(2, "load", &names, &cell.load);
+        for (what, entries) in [("stiffness", &cell.stiffness), ("damping", &cell.damping)] {
+            b.braces(2, what, |b| {
+                for (row, column, entry) in entries {
+                    // Coordinates and deflections have the names of their speeds and rates too.
+                    let name = |place: Place| d.name(place.position());
+                    b.sum(3, &format!("{} {}", name(*row), name(*column)), &b.grouped(entry));
+                }
+            });
+        }
+        b.braces(2, "load", |b| {
+            for (place, entry) in &cell.load {
+                b.sum(3, &d.name(*place), &b.grouped(entry));
+            }
+        });
     });
     if !cell.nonlinear.is_empty() {
         b.line(1, &format!("nonlinear {:?};", cell.nonlinear.join("; ")));

@@ -25,8 +25,8 @@ pub(super) fn write(b: &mut Block, d: &Derivation) {
     b.rows(1, "force", &names, &motion.force);
     b.braces(1, "jacobian", |b| {
         for (name, row) in names.iter().zip(&d.jacobian) {
-            for (by, entry) in d.states().iter().zip(row) {
-                b.sum(2, &format!("{name} {by}"), &b.grouped(entry));
+            for (by, entry) in row {
+                b.sum(2, &format!("{name} {}", d.name(*by)), &b.grouped(entry));
             }
         }
     });

@@ -4,13 +4,17 @@ use std::collections::BTreeMap;
 
 use symbolica::atom::{Atom, AtomCore};
 
-use super::{Place, Sparse, Symbols};
+use super::{Partials, Place, Sparse, Symbols};
 use crate::expr::number;
 
 impl Symbols {
     /// Sums the derivatives by the symbols of `e`, each times the value of `parts` for its place.
-    fn chain<'a>(&'a self, e: &Atom, parts: impl Fn(Place) -> Option<Part<'a>>) -> Sparse {
-        let mut sum: BTreeMap<usize, Atom> = BTreeMap::new();
+    fn chain<'a, I: Ord + Copy + 'a>(
+        &'a self,
+        e: &Atom,
+        parts: impl Fn(Place) -> Option<Part<'a, I>>,
+    ) -> Vec<(I, Atom)> {
+        let mut sum: BTreeMap<I, Atom> = BTreeMap::new();
         let mut add = |i, part: Atom| {
             let entry = sum.entry(i).or_insert_with(|| number(0));
             *entry = &*entry + part;
@@ -34,7 +38,7 @@ impl Symbols {
             Place::Coordinate(i) => Some(Part::Itself(i)),
             Place::Deflection(d) => Some(Part::Through(&self.deflections[d].slopes)),
             Place::Force(f) => Some(Part::Through(&self.forces[f].by_coordinates)),
-            Place::Function(f, order) => self.functions[f].get(order).map(Part::Through),
+            Place::Function(f, order) => self.functions[f].by_coordinates.get(order).map(|by| Part::Through(by)),
             _ => None,
         })
     }
@@ -45,6 +49,27 @@ impl Symbols {
             Place::Speed(i) => Some(Part::Itself(i)),
             Place::Rate(d) => Some(Part::Through(&self.deflections[d].slopes)),
             Place::Force(f) => Some(Part::Through(&self.forces[f].by_speeds)),
+            _ => None,
+        })
+    }
+
+    /// The derivatives by the coordinates and by the deflections, each while all others are held: with these of the deflections by the
+    /// coordinates they give the gradient. Laws are constant.
+    pub fn by_positions(&self, e: &Atom) -> Partials {
+        self.chain(e, |place| match place {
+            Place::Coordinate(_) | Place::Deflection(_) => Some(Part::Itself(place)),
+            Place::Force(f) => Some(Part::Through(&self.forces[f].by_positions)),
+            Place::Rate(d) => Some(Part::Through(&self.deflections[d].rate_by_positions)),
+            Place::Function(f, order) => self.functions[f].by_positions.get(order).map(|by| Part::Through(by)),
+            _ => None,
+        })
+    }
+
+    /// The derivatives by the speeds and by the rates of deflections, each while all others are held.
+    pub fn by_motions(&self, e: &Atom) -> Partials {
+        self.chain(e, |place| match place {
+            Place::Speed(_) | Place::Rate(_) => Some(Part::Itself(place)),
+            Place::Force(f) => Some(Part::Through(&self.forces[f].by_motions)),
             _ => None,
         })
     }
@@ -87,9 +112,9 @@ impl Symbols {
 }
 
 /// How an expression depends on the variable of differentiation through one of its symbols.
-enum Part<'a> {
+enum Part<'a, I> {
     /// The symbol is the variable of this index.
-    Itself(usize),
+    Itself(I),
     /// The symbol depends on the variables with these derivatives.
-    Through(&'a Sparse),
+    Through(&'a [(I, Atom)]),
 }

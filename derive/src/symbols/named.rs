@@ -4,7 +4,7 @@ use std::collections::HashMap;
 
 use symbolica::atom::{Atom, AtomCore, Symbol};
 
-use super::{Place, Sparse, Symbols, present};
+use super::{Partials, Place, Sparse, Symbols, present};
 use crate::expr::{Kind, kind_and_name, number, partial_name, speed_name, symbol, total};
 use crate::model::{self, Deflection};
 
@@ -20,6 +20,8 @@ pub(crate) struct Linear {
     pub by_law: Sparse,
     /// The deflection, written in the coordinates.
     value: Atom,
+    /// The derivatives of its rate by positions: where it bends, its slopes depend on them.
+    pub(super) rate_by_positions: Partials,
     /// Whether it contains functions of positions. Its derivatives by the coordinates then depend on the coordinates.
     pub bends: bool,
 }
@@ -47,6 +49,7 @@ impl Linear {
             rest: rest.expand(),
             by_law,
             value,
+            rate_by_positions: vec![],
             bends: false,
         }
     }
@@ -54,15 +57,20 @@ impl Linear {
     /// The same with the derivatives through the functions in its `value`; `s` has these.
     pub(super) fn bent(&self, value: &Atom, s: &Symbols) -> Linear {
         let functions = s.present(value).into_iter().filter_map(|(symbol, place)| match place {
-            Place::Function(f, which) => Some((value.derivative(symbol), &s.functions[f][which])),
+            Place::Function(f, which) => Some((value.derivative(symbol), &s.functions[f].by_coordinates[which])),
             _ => None,
         });
         let functions: Vec<_> = functions.collect();
         let through =
             functions.iter().flat_map(|(factor, gradient)| gradient.iter().map(move |(i, by)| (*i, factor * by)));
         let slopes = super::merged(self.slopes.iter().cloned().chain(through));
+        let bending = slopes.iter().flat_map(|(i, slope)| {
+            let speed = Atom::var(s.v[*i]);
+            s.by_positions(slope).into_iter().map(move |(place, by)| (place, by * &speed))
+        });
+        let rate_by_positions = super::merged(bending);
         let (rest, by_law, value) = (self.rest.clone(), self.by_law.clone(), self.value.clone());
-        Linear { slopes, rest, by_law, value, bends: !functions.is_empty(), ..*self }
+        Linear { slopes, rest, by_law, value, rate_by_positions, bends: !functions.is_empty(), ..*self }
     }
 
     /// The deflection, written in the coordinates `q`.
@@ -82,6 +90,8 @@ pub(crate) struct Force {
     pub partials: Vec<(String, Atom)>,
     pub(super) by_coordinates: Sparse,
     pub(super) by_speeds: Sparse,
+    pub(super) by_positions: Partials,
+    pub(super) by_motions: Partials,
     pub(super) by_laws: Sparse,
 }
 
@@ -101,6 +111,8 @@ impl Force {
             partials,
             by_coordinates: s.by_coordinates(&linear),
             by_speeds: s.by_speeds(&linear),
+            by_positions: s.by_positions(&linear),
+            by_motions: s.by_motions(&linear),
             by_laws: s.by_laws(&linear),
         }
     }

@@ -459,8 +459,10 @@ pub fn no_such(what: &str, i: usize) -> ! {
     panic!("the model has no {what} number {i}")
 }
 
+mod assembly;
 mod exits;
 mod numbers;
+pub use assembly::{add_force, add_product, add_square, add_through};
 pub use exits::{On, exits, gradient};
 pub use numbers::numbers;
 

@@ -197,40 +197,42 @@ equations! {
         }
     }
     jacobian {
-        phi phi {
+        phi phi_dot { fan_load => T_fan_load_by_phi_dot; }
+        phi over {
             _ => -c*touch;
             backlash => -c*clip*touch;
         }
-        phi phi_dot {
-            damping => -d*damp;
+        phi over_dot { damping => -d*damp; }
+        phi theta_motor_dot {
             speed_governor => -c_motor;
             dc_motor => -Ts_motor/n0_motor;
             induction_motor => T_induction_motor_by_theta_motor_dot;
             traction_motor => T_traction_motor_by_theta_motor_dot;
-            fan_load => T_fan_load_by_phi_dot;
         }
     }
     cell {
         stiffness {
-            phi phi {
+            over over {
                 _ => c*touch;
                 backlash => c*clip*touch;
             }
         }
         damping {
-            phi phi {
-                damping => d*damp;
+            over over { damping => d*damp; }
+            theta_motor theta_motor {
                 speed_governor => c_motor;
                 dc_motor => Ts_motor/n0_motor;
             }
         }
         load {
             phi {
-                _ => c*touch*edge;
-                backlash => c*clip*touch*edge;
                 torques => T_motor;
                 speed_governor => c_motor*n_motor;
                 dc_motor => Ts_motor;
+            }
+            over {
+                _ => c*touch*edge;
+                backlash => c*clip*touch*edge;
             }
         }
     }

@@ -262,63 +262,55 @@ equations! {
         }
     }
     jacobian {
-        theta theta_dot {
+        theta theta_dot { damping => -I1*alpha_M - I2*alpha_M*r1.powi(2)/r2.powi(2); }
+        theta s_dot { damping => I2*alpha_M*r1/r2.powi(2); }
+        theta theta_crank_dot {
             speed_governor => -c_crank;
             dc_motor => -Ts_crank/n0_crank;
             induction_motor => T_induction_crank_by_theta_crank_dot;
             traction_motor => T_traction_crank_by_theta_crank_dot;
-            fan_load => r1.powi(2)*T_fan_load_by_theta_load_dot/r2.powi(2);
-            damping => -I1*alpha_M - I2*alpha_M*r1.powi(2)/r2.powi(2);
         }
-        theta s_dot {
-            fan_load => -r1*T_fan_load_by_theta_load_dot/r2.powi(2);
-            damping => I2*alpha_M*r1/r2.powi(2);
-        }
-        s s { _ => -k_p - k_s; }
-        s psi { _ => a*k_s; }
-        s theta_dot {
-            fan_load => -r1*T_fan_load_by_theta_load_dot/r2.powi(2);
-            damping => I2*alpha_M*r1/r2.powi(2);
-        }
-        s s_dot {
-            fan_load => T_fan_load_by_theta_load_dot/r2.powi(2);
-            damping => -I2*alpha_M/r2.powi(2) - beta_K*k_p - beta_K*k_s;
-        }
-        s psi_dot { damping => a*beta_K*k_s; }
-        psi s { _ => a*k_s; }
-        psi psi {
-            _ => -k_t - a.powi(2)*k_s;
-            end_stop_t => -ks_t*at_stop_t - ks_t*at_stop_t*stop_clip_t;
-        }
-        psi s_dot { damping => a*beta_K*k_s; }
-        psi psi_dot {
+        theta theta_load_dot { fan_load => r1*T_fan_load_by_theta_load_dot/r2; }
+        s theta_dot { damping => I2*alpha_M*r1/r2.powi(2); }
+        s s_dot { damping => -I2*alpha_M/r2.powi(2); }
+        s s_p { _ => -k_p; }
+        s s_s { _ => k_s; }
+        s s_p_dot { damping => -beta_K*k_p; }
+        s s_s_dot { damping => beta_K*k_s; }
+        s theta_load_dot { fan_load => -T_fan_load_by_theta_load_dot/r2; }
+        psi psi_dot { damping => -I_t*alpha_M; }
+        psi s_s { _ => -a*k_s; }
+        psi twist_t { _ => -k_t; }
+        psi past_t { end_stop_t => -ks_t*at_stop_t - ks_t*at_stop_t*stop_clip_t; }
+        psi s_s_dot { damping => -a*beta_K*k_s; }
+        psi twist_t_dot { damping => -beta_K*k_t; }
+        psi past_t_dot {
             end_stop_t => -cs_t*stop_damp_t;
             end_stop_t_and_damping => -beta_K*ks_t*stop_damp_t;
-            damping => -I_t*alpha_M - beta_K*k_t - a.powi(2)*beta_K*k_s;
         }
     }
     cell {
         stiffness {
-            s s { _ => k_p + k_s; }
-            s psi { _ => -a*k_s; }
-            psi psi {
-                _ => k_t + a.powi(2)*k_s;
-                end_stop_t => ks_t*at_stop_t + ks_t*at_stop_t*stop_clip_t;
-            }
+            s_p s_p { _ => k_p; }
+            s_s s_s { _ => k_s; }
+            twist_t twist_t { _ => k_t; }
+            past_t past_t { end_stop_t => ks_t*at_stop_t + ks_t*at_stop_t*stop_clip_t; }
         }
         damping {
-            theta theta {
-                speed_governor => c_crank;
-                dc_motor => Ts_crank/n0_crank;
-                damping => I1*alpha_M + I2*alpha_M*r1.powi(2)/r2.powi(2);
-            }
+            theta theta { damping => I1*alpha_M + I2*alpha_M*r1.powi(2)/r2.powi(2); }
             theta s { damping => -I2*alpha_M*r1/r2.powi(2); }
-            s s { damping => I2*alpha_M/r2.powi(2) + beta_K*k_p + beta_K*k_s; }
-            s psi { damping => -a*beta_K*k_s; }
-            psi psi {
+            s s { damping => I2*alpha_M/r2.powi(2); }
+            psi psi { damping => I_t*alpha_M; }
+            s_p s_p { damping => beta_K*k_p; }
+            s_s s_s { damping => beta_K*k_s; }
+            twist_t twist_t { damping => beta_K*k_t; }
+            past_t past_t {
                 end_stop_t => cs_t*stop_damp_t;
                 end_stop_t_and_damping => beta_K*ks_t*stop_damp_t;
-                damping => I_t*alpha_M + beta_K*k_t + a.powi(2)*beta_K*k_s;
+            }
+            theta_crank theta_crank {
+                speed_governor => c_crank;
+                dc_motor => Ts_crank/n0_crank;
             }
         }
         load {
@@ -328,7 +320,7 @@ equations! {
                 dc_motor => Ts_crank;
             }
             s { torques => T_load/r2; }
-            psi { end_stop_t => ks_t*at_stop_t*stop_clip_t*stop_t + ks_t*at_stop_t*stop_t; }
+            past_t { end_stop_t => ks_t*at_stop_t*stop_clip_t*stop_t + ks_t*at_stop_t*stop_t; }
         }
     }
     nonlinear_with {

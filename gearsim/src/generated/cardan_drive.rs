@@ -388,53 +388,41 @@ equations! {
     }
     jacobian {
         theta theta {
-            _ => I_o*ddratio*ratio*s_dot*theta_dot/(h*N2.powi(4)) - I_o*ddratio*ratio*theta_dot.powi(2)/N2.powi(4)
-                - I_o*dratio.powi(2)*theta_dot.powi(2)/N2.powi(4) - I_o*ddratio*ratio*s_dot.powi(2)/(4.0*h.powi(2)*N2.powi(4))
-                - I_o*dratio.powi(2)*s_dot.powi(2)/(4.0*h.powi(2)*N2.powi(4)) + I_o*dratio.powi(2)*s_dot*theta_dot/(h*N2.powi(4));
             transmission_error_12_and_sliding_friction_12_and_moving_phase => de12*arm12*F_mu12_by_over12/N1
                 + de12*arm12*F_mu12_by_over12/N2;
             transmission_error_12_and_jump_terms => k12*dde12*touch12*over12 - k12*de12.powi(2)*touch12 + 2.0*de12*dk12*touch12*over12;
             sliding_friction_12_and_moving_phase => -darm12*F_mu12/N1 - dk12*arm12*F_mu12_by_k12/N1 - darm12*F_mu12/N2
                 - dk12*arm12*F_mu12_by_k12/N2;
-            torques => -T_load*dratio/N2.powi(2);
             jump_terms => -ddk12*touch12*over12.powi(2)/2.0;
-        }
-        theta s {
-            _ => I_o*ddratio*ratio*s_dot.powi(2)/(8.0*h.powi(3)*N2.powi(4)) + I_o*dratio.powi(2)*s_dot.powi(2)/(8.0*h.powi(3)*N2.powi(4))
-                - I_o*ddratio*ratio*s_dot*theta_dot/(2.0*h.powi(2)*N2.powi(4))
-                - I_o*dratio.powi(2)*s_dot*theta_dot/(2.0*h.powi(2)*N2.powi(4)) + I_o*ddratio*ratio*theta_dot.powi(2)/(2.0*h*N2.powi(4))
-                + I_o*dratio.powi(2)*theta_dot.powi(2)/(2.0*h*N2.powi(4));
-            transmission_error_12_and_jump_terms => k12*de12*touch12;
-            sliding_friction_12 => -arm12*F_mu12_by_over12/N1 - arm12*F_mu12_by_over12/N2;
-            torques => T_load*dratio/(2.0*h*N2.powi(2));
-            jump_terms => -dk12*touch12*over12;
         }
         theta theta_dot {
             _ => I_o*dratio*ratio*s_dot/(h*N2.powi(3)) - 2.0*I_o*dratio*ratio*theta_dot/N2.powi(3);
-            sliding_friction_12 => -arm12*F_mu12_by_psi12_dot/N1.powi(2) - 2.0*arm12*F_mu12_by_psi12_dot/(N1*N2)
-                - arm12*F_mu12_by_psi12_dot/N2.powi(2);
-            speed_governor => -c_motor/N1.powi(2);
-            dc_motor => -Ts_motor/(N1.powi(2)*n0_motor);
-            induction_motor => T_induction_motor_by_theta_motor_dot/N1.powi(2);
-            traction_motor => T_traction_motor_by_theta_motor_dot/N1.powi(2);
-            fan_load => T_fan_fan_by_theta_fan_dot/N2.powi(2);
             damping => -I1*alpha_M/N1.powi(2) - I2*alpha_M/N2.powi(2);
         }
         theta s_dot {
             _ => I_o*dratio*ratio*theta_dot/(h*N2.powi(3)) - I_o*dratio*ratio*s_dot/(2.0*h.powi(2)*N2.powi(3));
-            sliding_friction_12 => (arm12*F_mu12_by_psi12_dot/(h*N2.powi(2)) - arm12*F_mu12_by_psi12_dot/(h*N1.powi(2)))/2.0;
-            speed_governor => -c_motor/(2.0*h*N1.powi(2));
-            dc_motor => -Ts_motor/(2.0*h*N1.powi(2)*n0_motor);
-            induction_motor => T_induction_motor_by_theta_motor_dot/(2.0*h*N1.powi(2));
-            traction_motor => T_traction_motor_by_theta_motor_dot/(2.0*h*N1.powi(2));
-            fan_load => -T_fan_fan_by_theta_fan_dot/(2.0*h*N2.powi(2));
             damping => (I2*alpha_M/(h*N2.powi(2)) - I1*alpha_M/(h*N1.powi(2)))/2.0;
         }
+        theta fork {
+            _ => I_o*ddratio*ratio*s_dot*theta_dot/(h*N2.powi(3)) - I_o*ddratio*ratio*theta_dot.powi(2)/N2.powi(3)
+                - I_o*dratio.powi(2)*theta_dot.powi(2)/N2.powi(3) - I_o*ddratio*ratio*s_dot.powi(2)/(4.0*h.powi(2)*N2.powi(3))
+                - I_o*dratio.powi(2)*s_dot.powi(2)/(4.0*h.powi(2)*N2.powi(3)) + I_o*dratio.powi(2)*s_dot*theta_dot/(h*N2.powi(3));
+            torques => -T_load*dratio/N2;
+        }
+        theta over12 {
+            transmission_error_12_and_jump_terms => k12*de12*touch12;
+            sliding_friction_12 => -arm12*F_mu12_by_over12/N1 - arm12*F_mu12_by_over12/N2;
+            jump_terms => -dk12*touch12*over12;
+        }
+        theta psi12_dot { sliding_friction_12 => -arm12*F_mu12_by_psi12_dot/N1 - arm12*F_mu12_by_psi12_dot/N2; }
+        theta theta_motor_dot {
+            speed_governor => -c_motor/N1;
+            dc_motor => -Ts_motor/(N1*n0_motor);
+            induction_motor => T_induction_motor_by_theta_motor_dot/N1;
+            traction_motor => T_traction_motor_by_theta_motor_dot/N1;
+        }
+        theta theta_fan_dot { fan_load => T_fan_fan_by_theta_fan_dot/N2; }
         s theta {
-            _ => I_o*ddratio*ratio*s_dot.powi(2)/(8.0*h.powi(3)*N2.powi(4)) + I_o*dratio.powi(2)*s_dot.powi(2)/(8.0*h.powi(3)*N2.powi(4))
-                - I_o*ddratio*ratio*s_dot*theta_dot/(2.0*h.powi(2)*N2.powi(4))
-                - I_o*dratio.powi(2)*s_dot*theta_dot/(2.0*h.powi(2)*N2.powi(4)) + I_o*ddratio*ratio*theta_dot.powi(2)/(2.0*h*N2.powi(4))
-                + I_o*dratio.powi(2)*theta_dot.powi(2)/(2.0*h*N2.powi(4));
             transmission_error_12_and_backlash_12_and_moving_phase => k12*de12*clip12*touch12;
             transmission_error_12_and_sliding_friction_12_and_moving_phase => tan_a*de12*side12*F_mu12_by_over12
                 + de12*arm12*F_mu12_by_over12/(2.0*h*N1) - de12*arm12*F_mu12_by_over12/(2.0*h*N2);
@@ -442,66 +430,56 @@ equations! {
             backlash_12_and_moving_phase => -dk12*clip12*touch12*over12;
             sliding_friction_12_and_moving_phase => darm12*F_mu12/(2.0*h*N2) - tan_a*dk12*side12*F_mu12_by_k12 - tan_a*dside12*F_mu12
                 - darm12*F_mu12/(2.0*h*N1) - dk12*arm12*F_mu12_by_k12/(2.0*h*N1) + dk12*arm12*F_mu12_by_k12/(2.0*h*N2);
-            torques => T_load*dratio/(2.0*h*N2.powi(2));
             moving_phase => -dk12*touch12*over12;
-        }
-        s s {
-            _ => I_o*ddratio*ratio*s_dot*theta_dot/(4.0*h.powi(3)*N2.powi(4)) - k12*touch12
-                - I_o*ddratio*ratio*s_dot.powi(2)/(16.0*h.powi(4)*N2.powi(4))
-                - I_o*dratio.powi(2)*s_dot.powi(2)/(16.0*h.powi(4)*N2.powi(4))
-                + I_o*dratio.powi(2)*s_dot*theta_dot/(4.0*h.powi(3)*N2.powi(4))
-                - I_o*ddratio*ratio*theta_dot.powi(2)/(4.0*h.powi(2)*N2.powi(4))
-                - I_o*dratio.powi(2)*theta_dot.powi(2)/(4.0*h.powi(2)*N2.powi(4));
-            backlash_12 => -k12*clip12*touch12;
-            sliding_friction_12 => arm12*F_mu12_by_over12/(2.0*h*N2) - tan_a*side12*F_mu12_by_over12 - arm12*F_mu12_by_over12/(2.0*h*N1);
-            torques => -T_load*dratio/(4.0*h.powi(2)*N2.powi(2));
         }
         s theta_dot {
             _ => I_o*dratio*ratio*theta_dot/(h*N2.powi(3)) - I_o*dratio*ratio*s_dot/(2.0*h.powi(2)*N2.powi(3));
-            sliding_friction_12 => arm12*F_mu12_by_psi12_dot/(2.0*h*N2.powi(2)) - tan_a*side12*F_mu12_by_psi12_dot/N1
-                - tan_a*side12*F_mu12_by_psi12_dot/N2 - arm12*F_mu12_by_psi12_dot/(2.0*h*N1.powi(2));
-            speed_governor => -c_motor/(2.0*h*N1.powi(2));
-            dc_motor => -Ts_motor/(2.0*h*N1.powi(2)*n0_motor);
-            induction_motor => T_induction_motor_by_theta_motor_dot/(2.0*h*N1.powi(2));
-            traction_motor => T_traction_motor_by_theta_motor_dot/(2.0*h*N1.powi(2));
-            fan_load => -T_fan_fan_by_theta_fan_dot/(2.0*h*N2.powi(2));
             damping => (I2*alpha_M/(h*N2.powi(2)) - I1*alpha_M/(h*N1.powi(2)))/2.0;
         }
         s s_dot {
             _ => I_o*dratio*ratio*s_dot/(4.0*h.powi(3)*N2.powi(3)) - I_o*dratio*ratio*theta_dot/(2.0*h.powi(2)*N2.powi(3));
-            sliding_friction_12 => arm12*F_mu12_by_psi12_dot/(2.0*h.powi(2)*N1*N2) - arm12*F_mu12_by_psi12_dot/(4.0*h.powi(2)*N1.powi(2))
-                - arm12*F_mu12_by_psi12_dot/(4.0*h.powi(2)*N2.powi(2)) - tan_a*side12*F_mu12_by_psi12_dot/(2.0*h*N1)
-                + tan_a*side12*F_mu12_by_psi12_dot/(2.0*h*N2);
-            speed_governor => -c_motor/(4.0*h.powi(2)*N1.powi(2));
-            dc_motor => -Ts_motor/(4.0*h.powi(2)*N1.powi(2)*n0_motor);
-            induction_motor => T_induction_motor_by_theta_motor_dot/(4.0*h.powi(2)*N1.powi(2));
-            traction_motor => T_traction_motor_by_theta_motor_dot/(4.0*h.powi(2)*N1.powi(2));
-            fan_load => T_fan_fan_by_theta_fan_dot/(4.0*h.powi(2)*N2.powi(2));
-            damping => -beta_K*k12_mid*damp12 - I1*alpha_M/(4.0*h.powi(2)*N1.powi(2)) - I2*alpha_M/(4.0*h.powi(2)*N2.powi(2));
+            damping => (-I1*alpha_M/(h.powi(2)*N1.powi(2)) - I2*alpha_M/(h.powi(2)*N2.powi(2)))/4.0;
         }
+        s fork {
+            _ => I_o*ddratio*ratio*s_dot.powi(2)/(8.0*h.powi(3)*N2.powi(3)) + I_o*dratio.powi(2)*s_dot.powi(2)/(8.0*h.powi(3)*N2.powi(3))
+                - I_o*ddratio*ratio*s_dot*theta_dot/(2.0*h.powi(2)*N2.powi(3))
+                - I_o*dratio.powi(2)*s_dot*theta_dot/(2.0*h.powi(2)*N2.powi(3)) + I_o*ddratio*ratio*theta_dot.powi(2)/(2.0*h*N2.powi(3))
+                + I_o*dratio.powi(2)*theta_dot.powi(2)/(2.0*h*N2.powi(3));
+            torques => T_load*dratio/(2.0*h*N2);
+        }
+        s over12 {
+            _ => -k12*touch12;
+            backlash_12 => -k12*clip12*touch12;
+            sliding_friction_12 => arm12*F_mu12_by_over12/(2.0*h*N2) - tan_a*side12*F_mu12_by_over12 - arm12*F_mu12_by_over12/(2.0*h*N1);
+        }
+        s over12_dot { damping => -beta_K*k12_mid*damp12; }
+        s psi12_dot {
+            sliding_friction_12 => arm12*F_mu12_by_psi12_dot/(2.0*h*N2) - tan_a*side12*F_mu12_by_psi12_dot
+                - arm12*F_mu12_by_psi12_dot/(2.0*h*N1);
+        }
+        s theta_motor_dot {
+            speed_governor => -c_motor/(2.0*h*N1);
+            dc_motor => -Ts_motor/(2.0*h*N1*n0_motor);
+            induction_motor => T_induction_motor_by_theta_motor_dot/(2.0*h*N1);
+            traction_motor => T_traction_motor_by_theta_motor_dot/(2.0*h*N1);
+        }
+        s theta_fan_dot { fan_load => -T_fan_fan_by_theta_fan_dot/(2.0*h*N2); }
     }
     cell {
         stiffness {
-            s s {
+            over12 over12 {
                 _ => k12*touch12;
                 backlash_12 => k12*clip12*touch12;
             }
         }
         damping {
-            theta theta {
-                speed_governor => c_motor/N1.powi(2);
-                dc_motor => Ts_motor/(N1.powi(2)*n0_motor);
-                damping => I1*alpha_M/N1.powi(2) + I2*alpha_M/N2.powi(2);
-            }
-            theta s {
-                speed_governor => c_motor/(2.0*h*N1.powi(2));
-                dc_motor => Ts_motor/(2.0*h*N1.powi(2)*n0_motor);
-                damping => (I1*alpha_M/(h*N1.powi(2)) - I2*alpha_M/(h*N2.powi(2)))/2.0;
-            }
-            s s {
-                speed_governor => c_motor/(4.0*h.powi(2)*N1.powi(2));
-                dc_motor => Ts_motor/(4.0*h.powi(2)*N1.powi(2)*n0_motor);
-                damping => beta_K*k12_mid*damp12 + I1*alpha_M/(4.0*h.powi(2)*N1.powi(2)) + I2*alpha_M/(4.0*h.powi(2)*N2.powi(2));
+            theta theta { damping => I1*alpha_M/N1.powi(2) + I2*alpha_M/N2.powi(2); }
+            theta s { damping => (I1*alpha_M/(h*N1.powi(2)) - I2*alpha_M/(h*N2.powi(2)))/2.0; }
+            s s { damping => (I1*alpha_M/(h.powi(2)*N1.powi(2)) + I2*alpha_M/(h.powi(2)*N2.powi(2)))/4.0; }
+            over12 over12 { damping => beta_K*k12_mid*damp12; }
+            theta_motor theta_motor {
+                speed_governor => c_motor;
+                dc_motor => Ts_motor/n0_motor;
             }
         }
         load {
@@ -511,11 +489,13 @@ equations! {
                 dc_motor => Ts_motor/N1;
             }
             s {
-                _ => k12*touch12*edge12 + k12*touch12*e12;
-                backlash_12 => k12*clip12*touch12*edge12 + k12*clip12*touch12*e12;
                 torques => T_motor/(2.0*h*N1);
                 speed_governor => c_motor*n_motor/(2.0*h*N1);
                 dc_motor => Ts_motor/(2.0*h*N1);
+            }
+            over12 {
+                _ => k12*touch12*edge12 + k12*touch12*e12;
+                backlash_12 => k12*clip12*touch12*edge12 + k12*clip12*touch12*e12;
             }
         }
     }

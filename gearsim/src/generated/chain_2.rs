@@ -149,38 +149,30 @@ equations! {
         }
     }
     jacobian {
-        theta1 theta1 { _ => -k1; }
-        theta1 theta2 { _ => k1; }
-        theta1 theta1_dot {
+        theta1 theta1_dot { damping => -I1*alpha_M; }
+        theta1 twist1 { _ => -k1; }
+        theta1 twist1_dot { damping => -beta_K*k1; }
+        theta1 theta_motor_dot {
             speed_governor => -c_motor;
             dc_motor => -Ts_motor/n0_motor;
             induction_motor => T_induction_motor_by_theta_motor_dot;
             traction_motor => T_traction_motor_by_theta_motor_dot;
-            damping => -I1*alpha_M - beta_K*k1;
         }
-        theta1 theta2_dot { damping => beta_K*k1; }
-        theta2 theta1 { _ => k1; }
-        theta2 theta2 { _ => -k1; }
-        theta2 theta1_dot { damping => beta_K*k1; }
-        theta2 theta2_dot {
-            fan_load => T_fan_load_by_theta_load_dot;
-            damping => -I2*alpha_M - beta_K*k1;
-        }
+        theta2 theta2_dot { damping => -I2*alpha_M; }
+        theta2 twist1 { _ => k1; }
+        theta2 twist1_dot { damping => beta_K*k1; }
+        theta2 theta_load_dot { fan_load => T_fan_load_by_theta_load_dot; }
     }
     cell {
-        stiffness {
-            theta1 theta1 { _ => k1; }
-            theta1 theta2 { _ => -k1; }
-            theta2 theta2 { _ => k1; }
-        }
+        stiffness { twist1 twist1 { _ => k1; } }
         damping {
-            theta1 theta1 {
+            theta1 theta1 { damping => I1*alpha_M; }
+            theta2 theta2 { damping => I2*alpha_M; }
+            twist1 twist1 { damping => beta_K*k1; }
+            theta_motor theta_motor {
                 speed_governor => c_motor;
                 dc_motor => Ts_motor/n0_motor;
-                damping => I1*alpha_M + beta_K*k1;
             }
-            theta1 theta2 { damping => -beta_K*k1; }
-            theta2 theta2 { damping => I2*alpha_M + beta_K*k1; }
         }
         load {
             theta1 {

@@ -180,68 +180,56 @@ equations! {
         }
     }
     jacobian {
-        theta1 theta1 { _ => -k1; }
-        theta1 theta2 { _ => k1; }
-        theta1 theta1_dot {
+        theta1 theta1_dot { damping => -I1*alpha_M; }
+        theta1 twist1 { _ => -k1; }
+        theta1 twist1_dot { damping => -beta_K*k1; }
+        theta1 theta_motor_dot {
             speed_governor => -c_motor;
             dc_motor => -Ts_motor/n0_motor;
             induction_motor => T_induction_motor_by_theta_motor_dot;
             traction_motor => T_traction_motor_by_theta_motor_dot;
-            damping => -I1*alpha_M - beta_K*k1;
         }
-        theta1 theta2_dot { damping => beta_K*k1; }
-        theta2 theta1 { _ => k1; }
-        theta2 theta2 { _ => -k1 - k2; }
-        theta2 theta3 { _ => k2; }
-        theta2 theta1_dot { damping => beta_K*k1; }
-        theta2 theta2_dot { damping => -I2*alpha_M - beta_K*k1 - beta_K*k2; }
-        theta2 theta3_dot { damping => beta_K*k2; }
-        theta3 theta2 { _ => k2; }
-        theta3 theta3 { _ => -k2 - k3; }
-        theta3 theta4 { _ => k3; }
-        theta3 theta2_dot { damping => beta_K*k2; }
-        theta3 theta3_dot { damping => -I3*alpha_M - beta_K*k2 - beta_K*k3; }
-        theta3 theta4_dot { damping => beta_K*k3; }
-        theta4 theta3 { _ => k3; }
-        theta4 theta4 { _ => -k3 - k4; }
-        theta4 theta5 { _ => k4; }
-        theta4 theta3_dot { damping => beta_K*k3; }
-        theta4 theta4_dot { damping => -I4*alpha_M - beta_K*k3 - beta_K*k4; }
-        theta4 theta5_dot { damping => beta_K*k4; }
-        theta5 theta4 { _ => k4; }
-        theta5 theta5 { _ => -k4; }
-        theta5 theta4_dot { damping => beta_K*k4; }
-        theta5 theta5_dot {
-            fan_load => T_fan_load_by_theta_load_dot;
-            damping => -I5*alpha_M - beta_K*k4;
-        }
+        theta2 theta2_dot { damping => -I2*alpha_M; }
+        theta2 twist1 { _ => k1; }
+        theta2 twist2 { _ => -k2; }
+        theta2 twist1_dot { damping => beta_K*k1; }
+        theta2 twist2_dot { damping => -beta_K*k2; }
+        theta3 theta3_dot { damping => -I3*alpha_M; }
+        theta3 twist2 { _ => k2; }
+        theta3 twist3 { _ => -k3; }
+        theta3 twist2_dot { damping => beta_K*k2; }
+        theta3 twist3_dot { damping => -beta_K*k3; }
+        theta4 theta4_dot { damping => -I4*alpha_M; }
+        theta4 twist3 { _ => k3; }
+        theta4 twist4 { _ => -k4; }
+        theta4 twist3_dot { damping => beta_K*k3; }
+        theta4 twist4_dot { damping => -beta_K*k4; }
+        theta5 theta5_dot { damping => -I5*alpha_M; }
+        theta5 twist4 { _ => k4; }
+        theta5 twist4_dot { damping => beta_K*k4; }
+        theta5 theta_load_dot { fan_load => T_fan_load_by_theta_load_dot; }
     }
     cell {
         stiffness {
-            theta1 theta1 { _ => k1; }
-            theta1 theta2 { _ => -k1; }
-            theta2 theta2 { _ => k1 + k2; }
-            theta2 theta3 { _ => -k2; }
-            theta3 theta3 { _ => k2 + k3; }
-            theta3 theta4 { _ => -k3; }
-            theta4 theta4 { _ => k3 + k4; }
-            theta4 theta5 { _ => -k4; }
-            theta5 theta5 { _ => k4; }
+            twist1 twist1 { _ => k1; }
+            twist2 twist2 { _ => k2; }
+            twist3 twist3 { _ => k3; }
+            twist4 twist4 { _ => k4; }
         }
         damping {
-            theta1 theta1 {
+            theta1 theta1 { damping => I1*alpha_M; }
+            theta2 theta2 { damping => I2*alpha_M; }
+            theta3 theta3 { damping => I3*alpha_M; }
+            theta4 theta4 { damping => I4*alpha_M; }
+            theta5 theta5 { damping => I5*alpha_M; }
+            twist1 twist1 { damping => beta_K*k1; }
+            twist2 twist2 { damping => beta_K*k2; }
+            twist3 twist3 { damping => beta_K*k3; }
+            twist4 twist4 { damping => beta_K*k4; }
+            theta_motor theta_motor {
                 speed_governor => c_motor;
                 dc_motor => Ts_motor/n0_motor;
-                damping => I1*alpha_M + beta_K*k1;
             }
-            theta1 theta2 { damping => -beta_K*k1; }
-            theta2 theta2 { damping => I2*alpha_M + beta_K*k1 + beta_K*k2; }
-            theta2 theta3 { damping => -beta_K*k2; }
-            theta3 theta3 { damping => I3*alpha_M + beta_K*k2 + beta_K*k3; }
-            theta3 theta4 { damping => -beta_K*k3; }
-            theta4 theta4 { damping => I4*alpha_M + beta_K*k3 + beta_K*k4; }
-            theta4 theta5 { damping => -beta_K*k4; }
-            theta5 theta5 { damping => I5*alpha_M + beta_K*k4; }
         }
         load {
             theta1 {

@@ -60,7 +60,7 @@ equations! {
         }
         damping {
         }
-        load { theta { overrunning_clutch_x => -Tdrag_x*drags_x - Tmax_x*slips_x; } }
+        load { lead_x { overrunning_clutch_x => -Tdrag_x*drags_x - Tmax_x*slips_x; } }
     }
     outputs {
         clutch_torque_x "N*m" with overrunning_clutch_x,

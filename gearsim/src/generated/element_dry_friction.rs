@@ -61,7 +61,7 @@ equations! {
         }
         damping {
         }
-        load { theta { dry_friction_x => -Tc_x*dir_x; } }
+        load { slip_x { dry_friction_x => -Tc_x*dir_x; } }
     }
     outputs {
         friction_torque_x "N*m" with dry_friction_x, "dry friction of the bearing {}, at rest too: positive against positive motion" {

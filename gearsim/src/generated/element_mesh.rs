@@ -152,7 +152,7 @@ equations! {
             transmission_error_x_and_jump_terms => k_x*dde_x*touchx*overx - k_x*de_x.powi(2)*touchx + 2.0*de_x*dk_x*touchx*overx;
             jump_terms => -ddk_x*touchx*overx.powi(2)/2.0;
         }
-        phase s {
+        phase overx {
             transmission_error_x_and_jump_terms => k_x*de_x*touchx;
             jump_terms => -dk_x*touchx*overx;
         }
@@ -162,22 +162,22 @@ equations! {
             backlash_x_and_moving_phase => -dk_x*clipx*touchx*overx;
             moving_phase => -dk_x*touchx*overx;
         }
-        s s {
+        s overx {
             _ => -k_x*touchx;
             backlash_x => -k_x*clipx*touchx;
         }
-        s s_dot { damping => -beta_K*k_x_mid*dampx; }
+        s overx_dot { damping => -beta_K*k_x_mid*dampx; }
     }
     cell {
         stiffness {
-            s s {
+            overx overx {
                 _ => k_x*touchx;
                 backlash_x => k_x*clipx*touchx;
             }
         }
-        damping { s s { damping => beta_K*k_x_mid*dampx; } }
+        damping { overx overx { damping => beta_K*k_x_mid*dampx; } }
         load {
-            s {
+            overx {
                 _ => k_x*touchx*edgex + k_x*touchx*e_x;
                 backlash_x => k_x*clipx*touchx*edgex + k_x*clipx*touchx*e_x;
             }

@@ -248,7 +248,7 @@ equations! {
             transmission_error_x_and_jump_terms => k_x*dde_x*touchx*overx - k_x*de_x.powi(2)*touchx + 2.0*de_x*dk_x*touchx*overx;
             jump_terms => -ddk_x*touchx*overx.powi(2)/2.0;
         }
-        phase s {
+        phase overx {
             transmission_error_x_and_jump_terms => k_x*de_x*touchx;
             jump_terms => -dk_x*touchx*overx;
         }
@@ -260,30 +260,30 @@ equations! {
             sliding_friction_x_and_moving_phase => -tan_a*dk_x*side_x*F_mu_x_by_k_x - tan_a*dside_x*F_mu_x;
             moving_phase => -dk_x*touchx*overx;
         }
-        s s {
+        s overx {
             _ => -k_x*touchx;
             backlash_x => -k_x*clipx*touchx;
             sliding_friction_x => -tan_a*side_x*F_mu_x_by_overx;
         }
-        s s_dot { damping => -beta_K*k_x_mid*dampx; }
-        s psi_dot { sliding_friction_x => -tan_a*side_x*F_mu_x_by_psi_x_dot; }
+        s overx_dot { damping => -beta_K*k_x_mid*dampx; }
+        s psi_x_dot { sliding_friction_x => -tan_a*side_x*F_mu_x_by_psi_x_dot; }
         psi phase {
             transmission_error_x_and_sliding_friction_x_and_moving_phase => de_x*arm_x*F_mu_x_by_overx;
             sliding_friction_x_and_moving_phase => -darm_x*F_mu_x - dk_x*arm_x*F_mu_x_by_k_x;
         }
-        psi s { sliding_friction_x => -arm_x*F_mu_x_by_overx; }
-        psi psi_dot { sliding_friction_x => -arm_x*F_mu_x_by_psi_x_dot; }
+        psi overx { sliding_friction_x => -arm_x*F_mu_x_by_overx; }
+        psi psi_x_dot { sliding_friction_x => -arm_x*F_mu_x_by_psi_x_dot; }
     }
     cell {
         stiffness {
-            s s {
+            overx overx {
                 _ => k_x*touchx;
                 backlash_x => k_x*clipx*touchx;
             }
         }
-        damping { s s { damping => beta_K*k_x_mid*dampx; } }
+        damping { overx overx { damping => beta_K*k_x_mid*dampx; } }
         load {
-            s {
+            overx {
                 _ => k_x*touchx*edgex + k_x*touchx*e_x;
                 backlash_x => k_x*clipx*touchx*edgex + k_x*clipx*touchx*e_x;
             }

@@ -43,12 +43,12 @@ equations! {
         }
     }
     jacobian {
-        theta theta { _ => -k_x; }
-        theta theta_dot { damping => -beta_K*k_x; }
+        theta twist_x { _ => -k_x; }
+        theta twist_x_dot { damping => -beta_K*k_x; }
     }
     cell {
-        stiffness { theta theta { _ => k_x; } }
-        damping { theta theta { damping => beta_K*k_x; } }
+        stiffness { twist_x twist_x { _ => k_x; } }
+        damping { twist_x twist_x { damping => beta_K*k_x; } }
         load {
         }
     }

@@ -52,18 +52,20 @@ equations! {
         }
     }
     jacobian {
-        z z { _ => -ka_x; }
-        z z_dot {
+        z z_dot { damping => -alpha_M*ma_x; }
+        z bz_x { _ => -ka_x; }
+        z bz_x_dot {
             viscous_friction_x => -ca_x;
-            damping => -alpha_M*ma_x - beta_K*ka_x;
+            damping => -beta_K*ka_x;
         }
     }
     cell {
-        stiffness { z z { _ => ka_x; } }
+        stiffness { bz_x bz_x { _ => ka_x; } }
         damping {
-            z z {
+            z z { damping => alpha_M*ma_x; }
+            bz_x bz_x {
                 viscous_friction_x => ca_x;
-                damping => alpha_M*ma_x + beta_K*ka_x;
+                damping => beta_K*ka_x;
             }
         }
         load {

@@ -189,39 +189,34 @@ equations! {
         }
     }
     jacobian {
-        theta1 theta1_dot {
+        theta1 theta_motor_dot {
             speed_governor => -c_motor;
             dc_motor => -Ts_motor/n0_motor;
             induction_motor => T_induction_motor_by_theta_motor_dot;
             traction_motor => T_traction_motor_by_theta_motor_dot;
         }
-        theta2 theta2_dot {
-            viscous_friction_2 => -c2;
-            fan_load => T_fan_load_by_theta_load_dot;
-        }
+        theta2 theta2_dot { viscous_friction_2 => -c2; }
+        theta2 theta_load_dot { fan_load => T_fan_load_by_theta_load_dot; }
     }
     cell {
         stiffness {
         }
         damping {
-            theta1 theta1 {
+            theta2 theta2 { viscous_friction_2 => c2; }
+            theta_motor theta_motor {
                 speed_governor => c_motor;
                 dc_motor => Ts_motor/n0_motor;
             }
-            theta2 theta2 { viscous_friction_2 => c2; }
         }
         load {
             theta1 {
-                overrunning_clutch => -Tdrag*drags - Tmax*slips;
                 torques => T_motor;
                 speed_governor => c_motor*n_motor;
                 dc_motor => Ts_motor;
             }
-            theta2 {
-                overrunning_clutch => Tdrag*drags + Tmax*slips;
-                dry_friction_2 => -Tc2*dir2;
-                torques => -T_load;
-            }
+            theta2 { torques => -T_load; }
+            lead { overrunning_clutch => -Tdrag*drags - Tmax*slips; }
+            slip2 { dry_friction_2 => -Tc2*dir2; }
         }
     }
     nonlinear_with {

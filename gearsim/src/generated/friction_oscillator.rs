@@ -221,41 +221,37 @@ equations! {
         }
     }
     jacobian {
-        phi phi {
-            _ => -k;
-            end_stop => -ks*at_stop - ks*at_stop*stop_clip;
-        }
-        phi phi_dot {
-            end_stop => -cs*stop_damp;
+        phi phi_dot { fan_load => T_fan_load_by_phi_dot; }
+        phi twist { _ => -k; }
+        phi past { end_stop => -ks*at_stop - ks*at_stop*stop_clip; }
+        phi past_dot { end_stop => -cs*stop_damp; }
+        phi theta_motor_dot {
             speed_governor => -c_motor;
             dc_motor => -Ts_motor/n0_motor;
             induction_motor => T_induction_motor_by_theta_motor_dot;
             traction_motor => T_traction_motor_by_theta_motor_dot;
-            fan_load => T_fan_load_by_phi_dot;
         }
     }
     cell {
         stiffness {
-            phi phi {
-                _ => k;
-                end_stop => ks*at_stop + ks*at_stop*stop_clip;
-            }
+            twist twist { _ => k; }
+            past past { end_stop => ks*at_stop + ks*at_stop*stop_clip; }
         }
         damping {
-            phi phi {
-                end_stop => cs*stop_damp;
+            past past { end_stop => cs*stop_damp; }
+            theta_motor theta_motor {
                 speed_governor => c_motor;
                 dc_motor => Ts_motor/n0_motor;
             }
         }
         load {
             phi {
-                dry_friction => -Tc*dir;
-                end_stop => ks*at_stop*stop_clip*stop + ks*at_stop*stop;
                 torques => T_motor;
                 speed_governor => c_motor*n_motor;
                 dc_motor => Ts_motor;
             }
+            slip { dry_friction => -Tc*dir; }
+            past { end_stop => ks*at_stop*stop_clip*stop + ks*at_stop*stop; }
         }
     }
     nonlinear_with {

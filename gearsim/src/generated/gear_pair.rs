@@ -346,27 +346,19 @@ equations! {
             sliding_friction_and_moving_phase => -darm*F_mu/N1 - dk*arm*F_mu_by_k/N1 - darm*F_mu/N2 - dk*arm*F_mu_by_k/N2;
             jump_terms => -ddk*touch*over.powi(2);
         }
-        theta phi {
+        theta over {
             transmission_error_and_jump_terms => 2.0*k*de*touch;
             sliding_friction => -arm*F_mu_by_over/N1 - arm*F_mu_by_over/N2;
             jump_terms => -2.0*dk*touch*over;
         }
-        theta theta_dot {
-            sliding_friction => -arm*F_mu_by_psi_dot/N1.powi(2) - 2.0*arm*F_mu_by_psi_dot/(N1*N2) - arm*F_mu_by_psi_dot/N2.powi(2);
-            speed_governor => -c_motor/N1.powi(2);
-            dc_motor => -Ts_motor/(N1.powi(2)*n0_motor);
-            induction_motor => T_induction_motor_by_theta_motor_dot/N1.powi(2);
-            traction_motor => T_traction_motor_by_theta_motor_dot/N1.powi(2);
-            fan_load => T_fan_load_by_theta_load_dot/N2.powi(2);
+        theta psi_dot { sliding_friction => -arm*F_mu_by_psi_dot/N1 - arm*F_mu_by_psi_dot/N2; }
+        theta theta_motor_dot {
+            speed_governor => -c_motor/N1;
+            dc_motor => -Ts_motor/(N1*n0_motor);
+            induction_motor => T_induction_motor_by_theta_motor_dot/N1;
+            traction_motor => T_traction_motor_by_theta_motor_dot/N1;
         }
-        theta phi_dot {
-            sliding_friction => arm*F_mu_by_psi_dot/N2.powi(2) - arm*F_mu_by_psi_dot/N1.powi(2);
-            speed_governor => -c_motor/N1.powi(2);
-            dc_motor => -Ts_motor/(N1.powi(2)*n0_motor);
-            induction_motor => T_induction_motor_by_theta_motor_dot/N1.powi(2);
-            traction_motor => T_traction_motor_by_theta_motor_dot/N1.powi(2);
-            fan_load => -T_fan_load_by_theta_load_dot/N2.powi(2);
-        }
+        theta theta_load_dot { fan_load => T_fan_load_by_theta_load_dot/N2; }
         phi theta {
             transmission_error_and_backlash_and_moving_phase => 2.0*k*de*clip*touch;
             transmission_error_and_sliding_friction_and_moving_phase => 2.0*tan_a*de*side*F_mu_by_over + de*arm*F_mu_by_over/N1
@@ -377,51 +369,33 @@ equations! {
                 - dk*arm*F_mu_by_k/N1 + dk*arm*F_mu_by_k/N2;
             moving_phase => -2.0*dk*touch*over;
         }
-        phi phi {
+        phi over {
             _ => -2.0*k*touch;
             backlash => -2.0*k*clip*touch;
             sliding_friction => arm*F_mu_by_over/N2 - 2.0*tan_a*side*F_mu_by_over - arm*F_mu_by_over/N1;
         }
-        phi theta_dot {
-            sliding_friction => arm*F_mu_by_psi_dot/N2.powi(2) - 2.0*tan_a*side*F_mu_by_psi_dot/N1 - 2.0*tan_a*side*F_mu_by_psi_dot/N2
-                - arm*F_mu_by_psi_dot/N1.powi(2);
-            speed_governor => -c_motor/N1.powi(2);
-            dc_motor => -Ts_motor/(N1.powi(2)*n0_motor);
-            induction_motor => T_induction_motor_by_theta_motor_dot/N1.powi(2);
-            traction_motor => T_traction_motor_by_theta_motor_dot/N1.powi(2);
-            fan_load => -T_fan_load_by_theta_load_dot/N2.powi(2);
+        phi over_dot { damping => -2.0*C*damp; }
+        phi psi_dot { sliding_friction => arm*F_mu_by_psi_dot/N2 - 2.0*tan_a*side*F_mu_by_psi_dot - arm*F_mu_by_psi_dot/N1; }
+        phi theta_motor_dot {
+            speed_governor => -c_motor/N1;
+            dc_motor => -Ts_motor/(N1*n0_motor);
+            induction_motor => T_induction_motor_by_theta_motor_dot/N1;
+            traction_motor => T_traction_motor_by_theta_motor_dot/N1;
         }
-        phi phi_dot {
-            damping => -2.0*C*damp;
-            sliding_friction => 2.0*tan_a*side*F_mu_by_psi_dot/N2 - 2.0*tan_a*side*F_mu_by_psi_dot/N1 - arm*F_mu_by_psi_dot/N1.powi(2)
-                + 2.0*arm*F_mu_by_psi_dot/(N1*N2) - arm*F_mu_by_psi_dot/N2.powi(2);
-            speed_governor => -c_motor/N1.powi(2);
-            dc_motor => -Ts_motor/(N1.powi(2)*n0_motor);
-            induction_motor => T_induction_motor_by_theta_motor_dot/N1.powi(2);
-            traction_motor => T_traction_motor_by_theta_motor_dot/N1.powi(2);
-            fan_load => T_fan_load_by_theta_load_dot/N2.powi(2);
-        }
+        phi theta_load_dot { fan_load => -T_fan_load_by_theta_load_dot/N2; }
     }
     cell {
         stiffness {
-            phi phi {
+            over over {
                 _ => 2.0*k*touch;
                 backlash => 2.0*k*clip*touch;
             }
         }
         damping {
-            theta theta {
-                speed_governor => c_motor/N1.powi(2);
-                dc_motor => Ts_motor/(N1.powi(2)*n0_motor);
-            }
-            theta phi {
-                speed_governor => c_motor/N1.powi(2);
-                dc_motor => Ts_motor/(N1.powi(2)*n0_motor);
-            }
-            phi phi {
-                damping => 2.0*C*damp;
-                speed_governor => c_motor/N1.powi(2);
-                dc_motor => Ts_motor/(N1.powi(2)*n0_motor);
+            over over { damping => 2.0*C*damp; }
+            theta_motor theta_motor {
+                speed_governor => c_motor;
+                dc_motor => Ts_motor/n0_motor;
             }
         }
         load {
@@ -430,11 +404,13 @@ equations! {
                 dc_motor => Ts_motor/N1;
             }
             phi {
-                _ => 2.0*(k*touch*edge + k*touch*e);
-                backlash => 2.0*(k*clip*touch*edge + k*clip*touch*e);
                 torques => 2.0*T0;
                 speed_governor => c_motor*n_motor/N1;
                 dc_motor => Ts_motor/N1;
+            }
+            over {
+                _ => 2.0*(k*touch*edge + k*touch*e);
+                backlash => 2.0*(k*clip*touch*edge + k*clip*touch*e);
             }
         }
     }

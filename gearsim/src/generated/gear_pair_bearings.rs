@@ -111,10 +111,6 @@ equations! {
         transmission_error_12_and_sliding_friction_12_and_moving_phase = transmission_error_12, sliding_friction_12, stiffness_step,
             !frozen_phase;
         sliding_friction_12_and_moving_phase = sliding_friction_12, stiffness_step, !frozen_phase;
-        moving_centres_12_and_transmission_error_12_and_jump_terms = moving_centres_12, transmission_error_12, stiffness_step,
-            !rigid_kinematics, !frozen_phase;
-        moving_centres_12_and_sliding_friction_12 = moving_centres_12, sliding_friction_12;
-        moving_centres_12_and_jump_terms = moving_centres_12, stiffness_step, !rigid_kinematics, !frozen_phase;
         transmission_error_12_and_backlash_12_and_moving_phase = transmission_error_12, backlash_12, stiffness_step, !frozen_phase;
         transmission_error_12_and_moving_phase = transmission_error_12, stiffness_step, !frozen_phase;
         backlash_12_and_moving_phase = backlash_12, stiffness_step, !frozen_phase;
@@ -490,74 +486,21 @@ equations! {
                 - dk12*arm12*F_mu12_by_k12/N2;
             jump_terms => -ddk12*touch12*over12.powi(2)/2.0;
         }
-        theta s {
+        theta theta_dot { damping => -I1*alpha_M/N1.powi(2) - I2*alpha_M/N2.powi(2); }
+        theta s_dot { damping => (I2*alpha_M/(h*N2.powi(2)) - I1*alpha_M/(h*N1.powi(2)))/2.0; }
+        theta over12 {
             transmission_error_12_and_jump_terms => k12*de12*touch12;
             sliding_friction_12 => -arm12*F_mu12_by_over12/N1 - arm12*F_mu12_by_over12/N2;
             jump_terms => -dk12*touch12*over12;
         }
-        theta x1 {
-            moving_centres_12_and_transmission_error_12_and_jump_terms => k12*de12*flank12*touch12*open12_by_x_c12
-                + k12*de12*touch12*turn12_by_x_c12;
-            moving_centres_12_and_sliding_friction_12 => -arm12*F_mu12_by_over12*flank12*open12_by_x_c12/N1
-                - arm12*F_mu12_by_over12*turn12_by_x_c12/N1 - arm12*F_mu12_by_over12*flank12*open12_by_x_c12/N2
-                - arm12*F_mu12_by_over12*turn12_by_x_c12/N2;
-            moving_centres_12_and_jump_terms => -dk12*flank12*touch12*open12_by_x_c12*over12 - dk12*touch12*turn12_by_x_c12*over12;
-            transmission_error_12_and_jump_terms => sin_a*k12*de12*touch12;
-            sliding_friction_12 => -sin_a*arm12*F_mu12_by_over12/N1 - sin_a*arm12*F_mu12_by_over12/N2;
-            jump_terms => -sin_a*dk12*touch12*over12;
+        theta psi12_dot { sliding_friction_12 => -arm12*F_mu12_by_psi12_dot/N1 - arm12*F_mu12_by_psi12_dot/N2; }
+        theta theta_motor_dot {
+            speed_governor => -c_motor/N1;
+            dc_motor => -Ts_motor/(N1*n0_motor);
+            induction_motor => T_induction_motor_by_theta_motor_dot/N1;
+            traction_motor => T_traction_motor_by_theta_motor_dot/N1;
         }
-        theta y1 {
-            moving_centres_12_and_transmission_error_12_and_jump_terms => k12*de12*flank12*touch12*open12_by_y_c12
-                + k12*de12*touch12*turn12_by_y_c12;
-            moving_centres_12_and_sliding_friction_12 => -arm12*F_mu12_by_over12*flank12*open12_by_y_c12/N1
-                - arm12*F_mu12_by_over12*turn12_by_y_c12/N1 - arm12*F_mu12_by_over12*flank12*open12_by_y_c12/N2
-                - arm12*F_mu12_by_over12*turn12_by_y_c12/N2;
-            moving_centres_12_and_jump_terms => -dk12*flank12*touch12*open12_by_y_c12*over12 - dk12*touch12*turn12_by_y_c12*over12;
-            transmission_error_12_and_jump_terms => cos_a*k12*de12*touch12;
-            sliding_friction_12 => -cos_a*arm12*F_mu12_by_over12/N1 - cos_a*arm12*F_mu12_by_over12/N2;
-            jump_terms => -cos_a*dk12*touch12*over12;
-        }
-        theta x2 {
-            moving_centres_12_and_transmission_error_12_and_jump_terms => -k12*de12*flank12*touch12*open12_by_x_c12
-                - k12*de12*touch12*turn12_by_x_c12;
-            moving_centres_12_and_sliding_friction_12 => arm12*F_mu12_by_over12*flank12*open12_by_x_c12/N1
-                + arm12*F_mu12_by_over12*turn12_by_x_c12/N1 + arm12*F_mu12_by_over12*flank12*open12_by_x_c12/N2
-                + arm12*F_mu12_by_over12*turn12_by_x_c12/N2;
-            moving_centres_12_and_jump_terms => dk12*flank12*touch12*open12_by_x_c12*over12 + dk12*touch12*turn12_by_x_c12*over12;
-            transmission_error_12_and_jump_terms => -sin_a*k12*de12*touch12;
-            sliding_friction_12 => sin_a*arm12*F_mu12_by_over12/N1 + sin_a*arm12*F_mu12_by_over12/N2;
-            jump_terms => sin_a*dk12*touch12*over12;
-        }
-        theta y2 {
-            moving_centres_12_and_transmission_error_12_and_jump_terms => -k12*de12*flank12*touch12*open12_by_y_c12
-                - k12*de12*touch12*turn12_by_y_c12;
-            moving_centres_12_and_sliding_friction_12 => arm12*F_mu12_by_over12*flank12*open12_by_y_c12/N1
-                + arm12*F_mu12_by_over12*turn12_by_y_c12/N1 + arm12*F_mu12_by_over12*flank12*open12_by_y_c12/N2
-                + arm12*F_mu12_by_over12*turn12_by_y_c12/N2;
-            moving_centres_12_and_jump_terms => dk12*flank12*touch12*open12_by_y_c12*over12 + dk12*touch12*turn12_by_y_c12*over12;
-            transmission_error_12_and_jump_terms => -cos_a*k12*de12*touch12;
-            sliding_friction_12 => cos_a*arm12*F_mu12_by_over12/N1 + cos_a*arm12*F_mu12_by_over12/N2;
-            jump_terms => cos_a*dk12*touch12*over12;
-        }
-        theta theta_dot {
-            sliding_friction_12 => -arm12*F_mu12_by_psi12_dot/N1.powi(2) - 2.0*arm12*F_mu12_by_psi12_dot/(N1*N2)
-                - arm12*F_mu12_by_psi12_dot/N2.powi(2);
-            speed_governor => -c_motor/N1.powi(2);
-            dc_motor => -Ts_motor/(N1.powi(2)*n0_motor);
-            induction_motor => T_induction_motor_by_theta_motor_dot/N1.powi(2);
-            traction_motor => T_traction_motor_by_theta_motor_dot/N1.powi(2);
-            fan_load => T_fan_load_by_theta_load_dot/N2.powi(2);
-            damping => -I1*alpha_M/N1.powi(2) - I2*alpha_M/N2.powi(2);
-        }
-        theta s_dot {
-            sliding_friction_12 => (arm12*F_mu12_by_psi12_dot/(h*N2.powi(2)) - arm12*F_mu12_by_psi12_dot/(h*N1.powi(2)))/2.0;
-            speed_governor => -c_motor/(2.0*h*N1.powi(2));
-            dc_motor => -Ts_motor/(2.0*h*N1.powi(2)*n0_motor);
-            induction_motor => T_induction_motor_by_theta_motor_dot/(2.0*h*N1.powi(2));
-            traction_motor => T_traction_motor_by_theta_motor_dot/(2.0*h*N1.powi(2));
-            fan_load => -T_fan_load_by_theta_load_dot/(2.0*h*N2.powi(2));
-            damping => (I2*alpha_M/(h*N2.powi(2)) - I1*alpha_M/(h*N1.powi(2)))/2.0;
-        }
+        theta theta_load_dot { fan_load => T_fan_load_by_theta_load_dot/N2; }
         s theta {
             transmission_error_12_and_backlash_12_and_moving_phase => k12*de12*clip12*touch12;
             transmission_error_12_and_sliding_friction_12_and_moving_phase => sin_a*de12*side12*F_mu12_by_over12/cos_a
@@ -569,97 +512,42 @@ equations! {
                 + dk12*arm12*F_mu12_by_k12/(2.0*h*N2);
             moving_phase => -dk12*touch12*over12;
         }
-        s s {
+        s theta_dot { damping => (I2*alpha_M/(h*N2.powi(2)) - I1*alpha_M/(h*N1.powi(2)))/2.0; }
+        s s_dot { damping => (-I1*alpha_M/(h.powi(2)*N1.powi(2)) - I2*alpha_M/(h.powi(2)*N2.powi(2)))/4.0; }
+        s x_c12 {
+            moving_centres_12_and_damping => beta_K*k12_mid*damp12*flank12*open12_by_x_c12_by_x_c12*x2_dot
+                - beta_K*k12_mid*damp12*flank12*open12_by_x_c12_by_x_c12*x1_dot
+                - beta_K*k12_mid*damp12*flank12*open12_by_x_c12_by_y_c12*y1_dot
+                + beta_K*k12_mid*damp12*flank12*open12_by_x_c12_by_y_c12*y2_dot - beta_K*k12_mid*damp12*turn12_by_x_c12_by_x_c12*x1_dot
+                + beta_K*k12_mid*damp12*turn12_by_x_c12_by_x_c12*x2_dot - beta_K*k12_mid*damp12*turn12_by_x_c12_by_y_c12*y1_dot
+                + beta_K*k12_mid*damp12*turn12_by_x_c12_by_y_c12*y2_dot;
+        }
+        s y_c12 {
+            moving_centres_12_and_damping => beta_K*k12_mid*damp12*flank12*open12_by_x_c12_by_y_c12*x2_dot
+                - beta_K*k12_mid*damp12*flank12*open12_by_x_c12_by_y_c12*x1_dot
+                - beta_K*k12_mid*damp12*flank12*open12_by_y_c12_by_y_c12*y1_dot
+                + beta_K*k12_mid*damp12*flank12*open12_by_y_c12_by_y_c12*y2_dot - beta_K*k12_mid*damp12*turn12_by_x_c12_by_y_c12*x1_dot
+                + beta_K*k12_mid*damp12*turn12_by_x_c12_by_y_c12*x2_dot - beta_K*k12_mid*damp12*turn12_by_y_c12_by_y_c12*y1_dot
+                + beta_K*k12_mid*damp12*turn12_by_y_c12_by_y_c12*y2_dot;
+        }
+        s over12 {
             _ => -k12*touch12;
             backlash_12 => -k12*clip12*touch12;
             sliding_friction_12 => arm12*F_mu12_by_over12/(2.0*h*N2) - sin_a*side12*F_mu12_by_over12/cos_a
                 - arm12*F_mu12_by_over12/(2.0*h*N1);
         }
-        s x1 {
-            _ => -sin_a*k12*touch12;
-            moving_centres_12 => -k12*flank12*touch12*open12_by_x_c12 - k12*touch12*turn12_by_x_c12;
-            moving_centres_12_and_backlash_12 => -k12*clip12*flank12*touch12*open12_by_x_c12 - k12*clip12*touch12*turn12_by_x_c12;
-            moving_centres_12_and_sliding_friction_12 => arm12*F_mu12_by_over12*flank12*open12_by_x_c12/(2.0*h*N2)
-                - sin_a*side12*F_mu12_by_over12*flank12*open12_by_x_c12/cos_a - sin_a*side12*F_mu12_by_over12*turn12_by_x_c12/cos_a
-                - arm12*F_mu12_by_over12*flank12*open12_by_x_c12/(2.0*h*N1) - arm12*F_mu12_by_over12*turn12_by_x_c12/(2.0*h*N1)
-                + arm12*F_mu12_by_over12*turn12_by_x_c12/(2.0*h*N2);
-            backlash_12 => -sin_a*k12*clip12*touch12;
-            sliding_friction_12 => sin_a*arm12*F_mu12_by_over12/(2.0*h*N2) - sin_a.powi(2)*side12*F_mu12_by_over12/cos_a
-                - sin_a*arm12*F_mu12_by_over12/(2.0*h*N1);
+        s over12_dot { damping => -beta_K*k12_mid*damp12; }
+        s psi12_dot {
+            sliding_friction_12 => arm12*F_mu12_by_psi12_dot/(2.0*h*N2) - sin_a*side12*F_mu12_by_psi12_dot/cos_a
+                - arm12*F_mu12_by_psi12_dot/(2.0*h*N1);
         }
-        s y1 {
-            _ => -cos_a*k12*touch12;
-            moving_centres_12 => -k12*flank12*touch12*open12_by_y_c12 - k12*touch12*turn12_by_y_c12;
-            moving_centres_12_and_backlash_12 => -k12*clip12*flank12*touch12*open12_by_y_c12 - k12*clip12*touch12*turn12_by_y_c12;
-            moving_centres_12_and_sliding_friction_12 => arm12*F_mu12_by_over12*flank12*open12_by_y_c12/(2.0*h*N2)
-                - sin_a*side12*F_mu12_by_over12*flank12*open12_by_y_c12/cos_a - sin_a*side12*F_mu12_by_over12*turn12_by_y_c12/cos_a
-                - arm12*F_mu12_by_over12*flank12*open12_by_y_c12/(2.0*h*N1) - arm12*F_mu12_by_over12*turn12_by_y_c12/(2.0*h*N1)
-                + arm12*F_mu12_by_over12*turn12_by_y_c12/(2.0*h*N2);
-            backlash_12 => -cos_a*k12*clip12*touch12;
-            sliding_friction_12 => cos_a*arm12*F_mu12_by_over12/(2.0*h*N2) - cos_a*arm12*F_mu12_by_over12/(2.0*h*N1)
-                - sin_a*side12*F_mu12_by_over12;
+        s theta_motor_dot {
+            speed_governor => -c_motor/(2.0*h*N1);
+            dc_motor => -Ts_motor/(2.0*h*N1*n0_motor);
+            induction_motor => T_induction_motor_by_theta_motor_dot/(2.0*h*N1);
+            traction_motor => T_traction_motor_by_theta_motor_dot/(2.0*h*N1);
         }
-        s x2 {
-            _ => sin_a*k12*touch12;
-            moving_centres_12 => k12*flank12*touch12*open12_by_x_c12 + k12*touch12*turn12_by_x_c12;
-            moving_centres_12_and_backlash_12 => k12*clip12*flank12*touch12*open12_by_x_c12 + k12*clip12*touch12*turn12_by_x_c12;
-            moving_centres_12_and_sliding_friction_12 => sin_a*side12*F_mu12_by_over12*flank12*open12_by_x_c12/cos_a
-                + sin_a*side12*F_mu12_by_over12*turn12_by_x_c12/cos_a + arm12*F_mu12_by_over12*flank12*open12_by_x_c12/(2.0*h*N1)
-                + arm12*F_mu12_by_over12*turn12_by_x_c12/(2.0*h*N1) - arm12*F_mu12_by_over12*flank12*open12_by_x_c12/(2.0*h*N2)
-                - arm12*F_mu12_by_over12*turn12_by_x_c12/(2.0*h*N2);
-            backlash_12 => sin_a*k12*clip12*touch12;
-            sliding_friction_12 => sin_a.powi(2)*side12*F_mu12_by_over12/cos_a + sin_a*arm12*F_mu12_by_over12/(2.0*h*N1)
-                - sin_a*arm12*F_mu12_by_over12/(2.0*h*N2);
-        }
-        s y2 {
-            _ => cos_a*k12*touch12;
-            moving_centres_12 => k12*flank12*touch12*open12_by_y_c12 + k12*touch12*turn12_by_y_c12;
-            moving_centres_12_and_backlash_12 => k12*clip12*flank12*touch12*open12_by_y_c12 + k12*clip12*touch12*turn12_by_y_c12;
-            moving_centres_12_and_sliding_friction_12 => sin_a*side12*F_mu12_by_over12*flank12*open12_by_y_c12/cos_a
-                + sin_a*side12*F_mu12_by_over12*turn12_by_y_c12/cos_a + arm12*F_mu12_by_over12*flank12*open12_by_y_c12/(2.0*h*N1)
-                + arm12*F_mu12_by_over12*turn12_by_y_c12/(2.0*h*N1) - arm12*F_mu12_by_over12*flank12*open12_by_y_c12/(2.0*h*N2)
-                - arm12*F_mu12_by_over12*turn12_by_y_c12/(2.0*h*N2);
-            backlash_12 => cos_a*k12*clip12*touch12;
-            sliding_friction_12 => cos_a*arm12*F_mu12_by_over12/(2.0*h*N1) - cos_a*arm12*F_mu12_by_over12/(2.0*h*N2)
-                + sin_a*side12*F_mu12_by_over12;
-        }
-        s theta_dot {
-            sliding_friction_12 => arm12*F_mu12_by_psi12_dot/(2.0*h*N2.powi(2)) - sin_a*side12*F_mu12_by_psi12_dot/(cos_a*N1)
-                - sin_a*side12*F_mu12_by_psi12_dot/(cos_a*N2) - arm12*F_mu12_by_psi12_dot/(2.0*h*N1.powi(2));
-            speed_governor => -c_motor/(2.0*h*N1.powi(2));
-            dc_motor => -Ts_motor/(2.0*h*N1.powi(2)*n0_motor);
-            induction_motor => T_induction_motor_by_theta_motor_dot/(2.0*h*N1.powi(2));
-            traction_motor => T_traction_motor_by_theta_motor_dot/(2.0*h*N1.powi(2));
-            fan_load => -T_fan_load_by_theta_load_dot/(2.0*h*N2.powi(2));
-            damping => (I2*alpha_M/(h*N2.powi(2)) - I1*alpha_M/(h*N1.powi(2)))/2.0;
-        }
-        s s_dot {
-            sliding_friction_12 => sin_a*side12*F_mu12_by_psi12_dot/(2.0*cos_a*h*N2) - sin_a*side12*F_mu12_by_psi12_dot/(2.0*cos_a*h*N1)
-                - arm12*F_mu12_by_psi12_dot/(4.0*h.powi(2)*N1.powi(2)) + arm12*F_mu12_by_psi12_dot/(2.0*h.powi(2)*N1*N2)
-                - arm12*F_mu12_by_psi12_dot/(4.0*h.powi(2)*N2.powi(2));
-            speed_governor => -c_motor/(4.0*h.powi(2)*N1.powi(2));
-            dc_motor => -Ts_motor/(4.0*h.powi(2)*N1.powi(2)*n0_motor);
-            induction_motor => T_induction_motor_by_theta_motor_dot/(4.0*h.powi(2)*N1.powi(2));
-            traction_motor => T_traction_motor_by_theta_motor_dot/(4.0*h.powi(2)*N1.powi(2));
-            fan_load => T_fan_load_by_theta_load_dot/(4.0*h.powi(2)*N2.powi(2));
-            damping => -beta_K*k12_mid*damp12 - I1*alpha_M/(4.0*h.powi(2)*N1.powi(2)) - I2*alpha_M/(4.0*h.powi(2)*N2.powi(2));
-        }
-        s x1_dot {
-            moving_centres_12_and_damping => -beta_K*k12_mid*damp12*flank12*open12_by_x_c12 - beta_K*k12_mid*damp12*turn12_by_x_c12;
-            damping => -sin_a*beta_K*k12_mid*damp12;
-        }
-        s y1_dot {
-            moving_centres_12_and_damping => -beta_K*k12_mid*damp12*flank12*open12_by_y_c12 - beta_K*k12_mid*damp12*turn12_by_y_c12;
-            damping => -cos_a*beta_K*k12_mid*damp12;
-        }
-        s x2_dot {
-            moving_centres_12_and_damping => beta_K*k12_mid*damp12*flank12*open12_by_x_c12 + beta_K*k12_mid*damp12*turn12_by_x_c12;
-            damping => sin_a*beta_K*k12_mid*damp12;
-        }
-        s y2_dot {
-            moving_centres_12_and_damping => beta_K*k12_mid*damp12*flank12*open12_by_y_c12 + beta_K*k12_mid*damp12*turn12_by_y_c12;
-            damping => cos_a*beta_K*k12_mid*damp12;
-        }
+        s theta_load_dot { fan_load => -T_fan_load_by_theta_load_dot/(2.0*h*N2); }
         x1 theta {
             moving_centres_12_and_transmission_error_12_and_backlash_12_and_moving_phase => k12*de12*clip12*flank12*touch12
                 *open12_by_x_c12 + k12*de12*clip12*touch12*turn12_by_x_c12;
@@ -675,122 +563,86 @@ equations! {
             sliding_friction_12_and_moving_phase => cos_a*dk12*side12*F_mu12_by_k12 + cos_a*dside12*F_mu12;
             moving_phase => -sin_a*dk12*touch12*over12;
         }
-        x1 s {
+        x1 x1_dot { damping => -alpha_M*m1; }
+        x1 bx1 { _ => -kb1; }
+        x1 x_c12 {
+            moving_centres_12 => -k12*flank12*touch12*open12_by_x_c12_by_x_c12*over12 - k12*touch12*turn12_by_x_c12_by_x_c12*over12;
+            moving_centres_12_and_backlash_12 => -k12*clip12*flank12*touch12*open12_by_x_c12_by_x_c12*over12
+                - k12*clip12*touch12*turn12_by_x_c12_by_x_c12*over12;
+            moving_centres_12_and_damping => sin_a*beta_K*k12_mid*damp12*flank12*open12_by_x_c12_by_x_c12*x2_dot
+                - sin_a*beta_K*k12_mid*damp12*flank12*open12_by_x_c12_by_x_c12*x1_dot
+                - sin_a*beta_K*k12_mid*damp12*flank12*open12_by_x_c12_by_y_c12*y1_dot
+                + sin_a*beta_K*k12_mid*damp12*flank12*open12_by_x_c12_by_y_c12*y2_dot
+                - sin_a*beta_K*k12_mid*damp12*turn12_by_x_c12_by_x_c12*x1_dot
+                + sin_a*beta_K*k12_mid*damp12*turn12_by_x_c12_by_x_c12*x2_dot
+                - sin_a*beta_K*k12_mid*damp12*turn12_by_x_c12_by_y_c12*y1_dot
+                + sin_a*beta_K*k12_mid*damp12*turn12_by_x_c12_by_y_c12*y2_dot
+                - beta_K*k12_mid*damp12*flank12*open12_by_x_c12*turn12_by_x_c12_by_x_c12*x1_dot
+                + beta_K*k12_mid*damp12*flank12*open12_by_x_c12*turn12_by_x_c12_by_x_c12*x2_dot
+                - beta_K*k12_mid*damp12*flank12*open12_by_x_c12*turn12_by_x_c12_by_y_c12*y1_dot
+                + beta_K*k12_mid*damp12*flank12*open12_by_x_c12*turn12_by_x_c12_by_y_c12*y2_dot
+                - beta_K*k12_mid*damp12*flank12*open12_by_x_c12_by_x_c12*turn12_by_x_c12*x1_dot
+                + beta_K*k12_mid*damp12*flank12*open12_by_x_c12_by_x_c12*turn12_by_x_c12*x2_dot
+                - beta_K*k12_mid*damp12*flank12*open12_by_x_c12_by_x_c12*over12_dot
+                - beta_K*k12_mid*damp12*flank12*open12_by_x_c12_by_y_c12*turn12_by_x_c12*y1_dot
+                + beta_K*k12_mid*damp12*flank12*open12_by_x_c12_by_y_c12*turn12_by_x_c12*y2_dot
+                - beta_K*k12_mid*damp12*turn12_by_x_c12*turn12_by_x_c12_by_x_c12*x1_dot
+                + beta_K*k12_mid*damp12*turn12_by_x_c12*turn12_by_x_c12_by_x_c12*x2_dot
+                - beta_K*k12_mid*damp12*turn12_by_x_c12*turn12_by_x_c12_by_y_c12*y1_dot
+                + beta_K*k12_mid*damp12*turn12_by_x_c12*turn12_by_x_c12_by_y_c12*y2_dot
+                - beta_K*k12_mid*damp12*turn12_by_x_c12_by_x_c12*over12_dot
+                - beta_K*k12_mid*damp12*flank12.powi(2)*open12_by_x_c12*open12_by_x_c12_by_x_c12*x1_dot
+                + beta_K*k12_mid*damp12*flank12.powi(2)*open12_by_x_c12*open12_by_x_c12_by_x_c12*x2_dot
+                - beta_K*k12_mid*damp12*flank12.powi(2)*open12_by_x_c12*open12_by_x_c12_by_y_c12*y1_dot
+                + beta_K*k12_mid*damp12*flank12.powi(2)*open12_by_x_c12*open12_by_x_c12_by_y_c12*y2_dot;
+        }
+        x1 y_c12 {
+            moving_centres_12 => -k12*flank12*touch12*open12_by_x_c12_by_y_c12*over12 - k12*touch12*turn12_by_x_c12_by_y_c12*over12;
+            moving_centres_12_and_backlash_12 => -k12*clip12*flank12*touch12*open12_by_x_c12_by_y_c12*over12
+                - k12*clip12*touch12*turn12_by_x_c12_by_y_c12*over12;
+            moving_centres_12_and_damping => sin_a*beta_K*k12_mid*damp12*flank12*open12_by_x_c12_by_y_c12*x2_dot
+                - sin_a*beta_K*k12_mid*damp12*flank12*open12_by_x_c12_by_y_c12*x1_dot
+                - sin_a*beta_K*k12_mid*damp12*flank12*open12_by_y_c12_by_y_c12*y1_dot
+                + sin_a*beta_K*k12_mid*damp12*flank12*open12_by_y_c12_by_y_c12*y2_dot
+                - sin_a*beta_K*k12_mid*damp12*turn12_by_x_c12_by_y_c12*x1_dot
+                + sin_a*beta_K*k12_mid*damp12*turn12_by_x_c12_by_y_c12*x2_dot
+                - sin_a*beta_K*k12_mid*damp12*turn12_by_y_c12_by_y_c12*y1_dot
+                + sin_a*beta_K*k12_mid*damp12*turn12_by_y_c12_by_y_c12*y2_dot
+                - beta_K*k12_mid*damp12*flank12*open12_by_x_c12*turn12_by_x_c12_by_y_c12*x1_dot
+                + beta_K*k12_mid*damp12*flank12*open12_by_x_c12*turn12_by_x_c12_by_y_c12*x2_dot
+                - beta_K*k12_mid*damp12*flank12*open12_by_x_c12*turn12_by_y_c12_by_y_c12*y1_dot
+                + beta_K*k12_mid*damp12*flank12*open12_by_x_c12*turn12_by_y_c12_by_y_c12*y2_dot
+                - beta_K*k12_mid*damp12*flank12*open12_by_x_c12_by_y_c12*turn12_by_x_c12*x1_dot
+                + beta_K*k12_mid*damp12*flank12*open12_by_x_c12_by_y_c12*turn12_by_x_c12*x2_dot
+                - beta_K*k12_mid*damp12*flank12*open12_by_x_c12_by_y_c12*over12_dot
+                - beta_K*k12_mid*damp12*flank12*open12_by_y_c12_by_y_c12*turn12_by_x_c12*y1_dot
+                + beta_K*k12_mid*damp12*flank12*open12_by_y_c12_by_y_c12*turn12_by_x_c12*y2_dot
+                - beta_K*k12_mid*damp12*turn12_by_x_c12*turn12_by_x_c12_by_y_c12*x1_dot
+                + beta_K*k12_mid*damp12*turn12_by_x_c12*turn12_by_x_c12_by_y_c12*x2_dot
+                - beta_K*k12_mid*damp12*turn12_by_x_c12*turn12_by_y_c12_by_y_c12*y1_dot
+                + beta_K*k12_mid*damp12*turn12_by_x_c12*turn12_by_y_c12_by_y_c12*y2_dot
+                - beta_K*k12_mid*damp12*turn12_by_x_c12_by_y_c12*over12_dot
+                - beta_K*k12_mid*damp12*flank12.powi(2)*open12_by_x_c12*open12_by_x_c12_by_y_c12*x1_dot
+                + beta_K*k12_mid*damp12*flank12.powi(2)*open12_by_x_c12*open12_by_x_c12_by_y_c12*x2_dot
+                - beta_K*k12_mid*damp12*flank12.powi(2)*open12_by_x_c12*open12_by_y_c12_by_y_c12*y1_dot
+                + beta_K*k12_mid*damp12*flank12.powi(2)*open12_by_x_c12*open12_by_y_c12_by_y_c12*y2_dot;
+        }
+        x1 over12 {
             _ => -sin_a*k12*touch12;
             moving_centres_12 => -k12*flank12*touch12*open12_by_x_c12 - k12*touch12*turn12_by_x_c12;
             moving_centres_12_and_backlash_12 => -k12*clip12*flank12*touch12*open12_by_x_c12 - k12*clip12*touch12*turn12_by_x_c12;
             backlash_12 => -sin_a*k12*clip12*touch12;
             sliding_friction_12 => cos_a*side12*F_mu12_by_over12;
         }
-        x1 x1 {
-            _ => -kb1 - sin_a.powi(2)*k12*touch12;
-            moving_centres_12 => k12*flank12*touch12*open12_by_x_c12_by_x_c12*over12 - 2.0*sin_a*k12*flank12*touch12*open12_by_x_c12
-                - 2.0*sin_a*k12*touch12*turn12_by_x_c12 - 2.0*k12*flank12*touch12*open12_by_x_c12*turn12_by_x_c12
-                + k12*touch12*turn12_by_x_c12_by_x_c12*over12 - k12*touch12*turn12_by_x_c12.powi(2)
-                - k12*flank12.powi(2)*touch12*open12_by_x_c12.powi(2);
-            moving_centres_12_and_backlash_12 => k12*clip12*flank12*touch12*open12_by_x_c12_by_x_c12*over12
-                - 2.0*sin_a*k12*clip12*flank12*touch12*open12_by_x_c12 - 2.0*sin_a*k12*clip12*touch12*turn12_by_x_c12
-                - 2.0*k12*clip12*flank12*touch12*open12_by_x_c12*turn12_by_x_c12 + k12*clip12*touch12*turn12_by_x_c12_by_x_c12*over12
-                - k12*clip12*touch12*turn12_by_x_c12.powi(2) - k12*clip12*flank12.powi(2)*touch12*open12_by_x_c12.powi(2);
-            moving_centres_12_and_sliding_friction_12 => cos_a*side12*F_mu12_by_over12*flank12*open12_by_x_c12
-                + cos_a*side12*F_mu12_by_over12*turn12_by_x_c12;
-            moving_centres_12_and_damping => beta_K*k12_mid*damp12*flank12*open12_by_x_c12_by_x_c12*over12_dot
-                + beta_K*k12_mid*damp12*turn12_by_x_c12_by_x_c12*over12_dot;
-            backlash_12 => -sin_a.powi(2)*k12*clip12*touch12;
-            sliding_friction_12 => cos_a*sin_a*side12*F_mu12_by_over12;
+        x1 bx1_dot {
+            viscous_friction_1 => -cb1;
+            damping => -beta_K*kb1;
         }
-        x1 y1 {
-            _ => -cos_a*sin_a*k12*touch12;
-            moving_centres_12 => k12*flank12*touch12*open12_by_x_c12_by_y_c12*over12 - cos_a*k12*flank12*touch12*open12_by_x_c12
-                - cos_a*k12*touch12*turn12_by_x_c12 - sin_a*k12*flank12*touch12*open12_by_y_c12 - sin_a*k12*touch12*turn12_by_y_c12
-                - k12*flank12*touch12*open12_by_x_c12*turn12_by_y_c12 - k12*flank12*touch12*open12_by_y_c12*turn12_by_x_c12
-                - k12*touch12*turn12_by_x_c12*turn12_by_y_c12 + k12*touch12*turn12_by_x_c12_by_y_c12*over12
-                - k12*flank12.powi(2)*touch12*open12_by_x_c12*open12_by_y_c12;
-            moving_centres_12_and_backlash_12 => k12*clip12*flank12*touch12*open12_by_x_c12_by_y_c12*over12
-                - cos_a*k12*clip12*flank12*touch12*open12_by_x_c12 - cos_a*k12*clip12*touch12*turn12_by_x_c12
-                - sin_a*k12*clip12*flank12*touch12*open12_by_y_c12 - sin_a*k12*clip12*touch12*turn12_by_y_c12
-                - k12*clip12*flank12*touch12*open12_by_x_c12*turn12_by_y_c12 - k12*clip12*flank12*touch12*open12_by_y_c12*turn12_by_x_c12
-                - k12*clip12*touch12*turn12_by_x_c12*turn12_by_y_c12 + k12*clip12*touch12*turn12_by_x_c12_by_y_c12*over12
-                - k12*clip12*flank12.powi(2)*touch12*open12_by_x_c12*open12_by_y_c12;
-            moving_centres_12_and_sliding_friction_12 => cos_a*side12*F_mu12_by_over12*flank12*open12_by_y_c12
-                + cos_a*side12*F_mu12_by_over12*turn12_by_y_c12;
-            moving_centres_12_and_damping => beta_K*k12_mid*damp12*flank12*open12_by_x_c12_by_y_c12*over12_dot
-                + beta_K*k12_mid*damp12*turn12_by_x_c12_by_y_c12*over12_dot;
-            backlash_12 => -cos_a*sin_a*k12*clip12*touch12;
-            sliding_friction_12 => cos_a.powi(2)*side12*F_mu12_by_over12;
-        }
-        x1 x2 {
-            _ => sin_a.powi(2)*k12*touch12;
-            moving_centres_12 => 2.0*sin_a*k12*flank12*touch12*open12_by_x_c12 + 2.0*sin_a*k12*touch12*turn12_by_x_c12
-                + 2.0*k12*flank12*touch12*open12_by_x_c12*turn12_by_x_c12 - k12*flank12*touch12*open12_by_x_c12_by_x_c12*over12
-                - k12*touch12*turn12_by_x_c12_by_x_c12*over12 + k12*touch12*turn12_by_x_c12.powi(2)
-                + k12*flank12.powi(2)*touch12*open12_by_x_c12.powi(2);
-            moving_centres_12_and_backlash_12 => 2.0*sin_a*k12*clip12*flank12*touch12*open12_by_x_c12
-                + 2.0*sin_a*k12*clip12*touch12*turn12_by_x_c12 + 2.0*k12*clip12*flank12*touch12*open12_by_x_c12*turn12_by_x_c12
-                - k12*clip12*flank12*touch12*open12_by_x_c12_by_x_c12*over12 - k12*clip12*touch12*turn12_by_x_c12_by_x_c12*over12
-                + k12*clip12*touch12*turn12_by_x_c12.powi(2) + k12*clip12*flank12.powi(2)*touch12*open12_by_x_c12.powi(2);
-            moving_centres_12_and_sliding_friction_12 => -cos_a*side12*F_mu12_by_over12*flank12*open12_by_x_c12
-                - cos_a*side12*F_mu12_by_over12*turn12_by_x_c12;
-            moving_centres_12_and_damping => -beta_K*k12_mid*damp12*flank12*open12_by_x_c12_by_x_c12*over12_dot
-                - beta_K*k12_mid*damp12*turn12_by_x_c12_by_x_c12*over12_dot;
-            backlash_12 => sin_a.powi(2)*k12*clip12*touch12;
-            sliding_friction_12 => -cos_a*sin_a*side12*F_mu12_by_over12;
-        }
-        x1 y2 {
-            _ => cos_a*sin_a*k12*touch12;
-            moving_centres_12 => cos_a*k12*flank12*touch12*open12_by_x_c12 + cos_a*k12*touch12*turn12_by_x_c12
-                + sin_a*k12*flank12*touch12*open12_by_y_c12 + sin_a*k12*touch12*turn12_by_y_c12
-                + k12*flank12*touch12*open12_by_x_c12*turn12_by_y_c12 - k12*flank12*touch12*open12_by_x_c12_by_y_c12*over12
-                + k12*flank12*touch12*open12_by_y_c12*turn12_by_x_c12 + k12*touch12*turn12_by_x_c12*turn12_by_y_c12
-                - k12*touch12*turn12_by_x_c12_by_y_c12*over12 + k12*flank12.powi(2)*touch12*open12_by_x_c12*open12_by_y_c12;
-            moving_centres_12_and_backlash_12 => cos_a*k12*clip12*flank12*touch12*open12_by_x_c12
-                + cos_a*k12*clip12*touch12*turn12_by_x_c12 + sin_a*k12*clip12*flank12*touch12*open12_by_y_c12
-                + sin_a*k12*clip12*touch12*turn12_by_y_c12 + k12*clip12*flank12*touch12*open12_by_x_c12*turn12_by_y_c12
-                - k12*clip12*flank12*touch12*open12_by_x_c12_by_y_c12*over12 + k12*clip12*flank12*touch12*open12_by_y_c12*turn12_by_x_c12
-                + k12*clip12*touch12*turn12_by_x_c12*turn12_by_y_c12 - k12*clip12*touch12*turn12_by_x_c12_by_y_c12*over12
-                + k12*clip12*flank12.powi(2)*touch12*open12_by_x_c12*open12_by_y_c12;
-            moving_centres_12_and_sliding_friction_12 => -cos_a*side12*F_mu12_by_over12*flank12*open12_by_y_c12
-                - cos_a*side12*F_mu12_by_over12*turn12_by_y_c12;
-            moving_centres_12_and_damping => -beta_K*k12_mid*damp12*flank12*open12_by_x_c12_by_y_c12*over12_dot
-                - beta_K*k12_mid*damp12*turn12_by_x_c12_by_y_c12*over12_dot;
-            backlash_12 => cos_a*sin_a*k12*clip12*touch12;
-            sliding_friction_12 => -cos_a.powi(2)*side12*F_mu12_by_over12;
-        }
-        x1 theta_dot { sliding_friction_12 => cos_a*side12*F_mu12_by_psi12_dot/N1 + cos_a*side12*F_mu12_by_psi12_dot/N2; }
-        x1 s_dot {
+        x1 over12_dot {
             moving_centres_12_and_damping => -beta_K*k12_mid*damp12*flank12*open12_by_x_c12 - beta_K*k12_mid*damp12*turn12_by_x_c12;
-            sliding_friction_12 => (cos_a*side12*F_mu12_by_psi12_dot/(h*N1) - cos_a*side12*F_mu12_by_psi12_dot/(h*N2))/2.0;
             damping => -sin_a*beta_K*k12_mid*damp12;
         }
-        x1 x1_dot {
-            viscous_friction_1 => -cb1;
-            moving_centres_12_and_damping => -2.0*sin_a*beta_K*k12_mid*damp12*flank12*open12_by_x_c12
-                - 2.0*sin_a*beta_K*k12_mid*damp12*turn12_by_x_c12 - 2.0*beta_K*k12_mid*damp12*flank12*open12_by_x_c12*turn12_by_x_c12
-                - beta_K*k12_mid*damp12*flank12.powi(2)*open12_by_x_c12.powi(2) - beta_K*k12_mid*damp12*turn12_by_x_c12.powi(2);
-            damping => -alpha_M*m1 - beta_K*kb1 - sin_a.powi(2)*beta_K*k12_mid*damp12;
-        }
-        x1 y1_dot {
-            moving_centres_12_and_damping => -cos_a*beta_K*k12_mid*damp12*flank12*open12_by_x_c12
-                - cos_a*beta_K*k12_mid*damp12*turn12_by_x_c12 - sin_a*beta_K*k12_mid*damp12*flank12*open12_by_y_c12
-                - sin_a*beta_K*k12_mid*damp12*turn12_by_y_c12 - beta_K*k12_mid*damp12*flank12*open12_by_x_c12*turn12_by_y_c12
-                - beta_K*k12_mid*damp12*flank12*open12_by_y_c12*turn12_by_x_c12 - beta_K*k12_mid*damp12*turn12_by_x_c12*turn12_by_y_c12
-                - beta_K*k12_mid*damp12*flank12.powi(2)*open12_by_x_c12*open12_by_y_c12;
-            damping => -cos_a*sin_a*beta_K*k12_mid*damp12;
-        }
-        x1 x2_dot {
-            moving_centres_12_and_damping => 2.0*sin_a*beta_K*k12_mid*damp12*flank12*open12_by_x_c12
-                + 2.0*sin_a*beta_K*k12_mid*damp12*turn12_by_x_c12 + 2.0*beta_K*k12_mid*damp12*flank12*open12_by_x_c12*turn12_by_x_c12
-                + beta_K*k12_mid*damp12*flank12.powi(2)*open12_by_x_c12.powi(2) + beta_K*k12_mid*damp12*turn12_by_x_c12.powi(2);
-            damping => sin_a.powi(2)*beta_K*k12_mid*damp12;
-        }
-        x1 y2_dot {
-            moving_centres_12_and_damping => cos_a*beta_K*k12_mid*damp12*flank12*open12_by_x_c12
-                + cos_a*beta_K*k12_mid*damp12*turn12_by_x_c12 + sin_a*beta_K*k12_mid*damp12*flank12*open12_by_y_c12
-                + sin_a*beta_K*k12_mid*damp12*turn12_by_y_c12 + beta_K*k12_mid*damp12*flank12*open12_by_x_c12*turn12_by_y_c12
-                + beta_K*k12_mid*damp12*flank12*open12_by_y_c12*turn12_by_x_c12 + beta_K*k12_mid*damp12*turn12_by_x_c12*turn12_by_y_c12
-                + beta_K*k12_mid*damp12*flank12.powi(2)*open12_by_x_c12*open12_by_y_c12;
-            damping => cos_a*sin_a*beta_K*k12_mid*damp12;
-        }
+        x1 psi12_dot { sliding_friction_12 => cos_a*side12*F_mu12_by_psi12_dot; }
         y1 theta {
             moving_centres_12_and_transmission_error_12_and_backlash_12_and_moving_phase => k12*de12*clip12*flank12*touch12
                 *open12_by_y_c12 + k12*de12*clip12*touch12*turn12_by_y_c12;
@@ -806,122 +658,86 @@ equations! {
             sliding_friction_12_and_moving_phase => -sin_a*dk12*side12*F_mu12_by_k12 - sin_a*dside12*F_mu12;
             moving_phase => -cos_a*dk12*touch12*over12;
         }
-        y1 s {
+        y1 y1_dot { damping => -alpha_M*m1; }
+        y1 by1 { _ => -kb1; }
+        y1 x_c12 {
+            moving_centres_12 => -k12*flank12*touch12*open12_by_x_c12_by_y_c12*over12 - k12*touch12*turn12_by_x_c12_by_y_c12*over12;
+            moving_centres_12_and_backlash_12 => -k12*clip12*flank12*touch12*open12_by_x_c12_by_y_c12*over12
+                - k12*clip12*touch12*turn12_by_x_c12_by_y_c12*over12;
+            moving_centres_12_and_damping => cos_a*beta_K*k12_mid*damp12*flank12*open12_by_x_c12_by_x_c12*x2_dot
+                - cos_a*beta_K*k12_mid*damp12*flank12*open12_by_x_c12_by_x_c12*x1_dot
+                - cos_a*beta_K*k12_mid*damp12*flank12*open12_by_x_c12_by_y_c12*y1_dot
+                + cos_a*beta_K*k12_mid*damp12*flank12*open12_by_x_c12_by_y_c12*y2_dot
+                - cos_a*beta_K*k12_mid*damp12*turn12_by_x_c12_by_x_c12*x1_dot
+                + cos_a*beta_K*k12_mid*damp12*turn12_by_x_c12_by_x_c12*x2_dot
+                - cos_a*beta_K*k12_mid*damp12*turn12_by_x_c12_by_y_c12*y1_dot
+                + cos_a*beta_K*k12_mid*damp12*turn12_by_x_c12_by_y_c12*y2_dot
+                - beta_K*k12_mid*damp12*flank12*open12_by_x_c12_by_x_c12*turn12_by_y_c12*x1_dot
+                + beta_K*k12_mid*damp12*flank12*open12_by_x_c12_by_x_c12*turn12_by_y_c12*x2_dot
+                - beta_K*k12_mid*damp12*flank12*open12_by_x_c12_by_y_c12*turn12_by_y_c12*y1_dot
+                + beta_K*k12_mid*damp12*flank12*open12_by_x_c12_by_y_c12*turn12_by_y_c12*y2_dot
+                - beta_K*k12_mid*damp12*flank12*open12_by_x_c12_by_y_c12*over12_dot
+                - beta_K*k12_mid*damp12*flank12*open12_by_y_c12*turn12_by_x_c12_by_x_c12*x1_dot
+                + beta_K*k12_mid*damp12*flank12*open12_by_y_c12*turn12_by_x_c12_by_x_c12*x2_dot
+                - beta_K*k12_mid*damp12*flank12*open12_by_y_c12*turn12_by_x_c12_by_y_c12*y1_dot
+                + beta_K*k12_mid*damp12*flank12*open12_by_y_c12*turn12_by_x_c12_by_y_c12*y2_dot
+                - beta_K*k12_mid*damp12*turn12_by_x_c12_by_x_c12*turn12_by_y_c12*x1_dot
+                + beta_K*k12_mid*damp12*turn12_by_x_c12_by_x_c12*turn12_by_y_c12*x2_dot
+                - beta_K*k12_mid*damp12*turn12_by_x_c12_by_y_c12*turn12_by_y_c12*y1_dot
+                + beta_K*k12_mid*damp12*turn12_by_x_c12_by_y_c12*turn12_by_y_c12*y2_dot
+                - beta_K*k12_mid*damp12*turn12_by_x_c12_by_y_c12*over12_dot
+                - beta_K*k12_mid*damp12*flank12.powi(2)*open12_by_x_c12_by_x_c12*open12_by_y_c12*x1_dot
+                + beta_K*k12_mid*damp12*flank12.powi(2)*open12_by_x_c12_by_x_c12*open12_by_y_c12*x2_dot
+                - beta_K*k12_mid*damp12*flank12.powi(2)*open12_by_x_c12_by_y_c12*open12_by_y_c12*y1_dot
+                + beta_K*k12_mid*damp12*flank12.powi(2)*open12_by_x_c12_by_y_c12*open12_by_y_c12*y2_dot;
+        }
+        y1 y_c12 {
+            moving_centres_12 => -k12*flank12*touch12*open12_by_y_c12_by_y_c12*over12 - k12*touch12*turn12_by_y_c12_by_y_c12*over12;
+            moving_centres_12_and_backlash_12 => -k12*clip12*flank12*touch12*open12_by_y_c12_by_y_c12*over12
+                - k12*clip12*touch12*turn12_by_y_c12_by_y_c12*over12;
+            moving_centres_12_and_damping => cos_a*beta_K*k12_mid*damp12*flank12*open12_by_x_c12_by_y_c12*x2_dot
+                - cos_a*beta_K*k12_mid*damp12*flank12*open12_by_x_c12_by_y_c12*x1_dot
+                - cos_a*beta_K*k12_mid*damp12*flank12*open12_by_y_c12_by_y_c12*y1_dot
+                + cos_a*beta_K*k12_mid*damp12*flank12*open12_by_y_c12_by_y_c12*y2_dot
+                - cos_a*beta_K*k12_mid*damp12*turn12_by_x_c12_by_y_c12*x1_dot
+                + cos_a*beta_K*k12_mid*damp12*turn12_by_x_c12_by_y_c12*x2_dot
+                - cos_a*beta_K*k12_mid*damp12*turn12_by_y_c12_by_y_c12*y1_dot
+                + cos_a*beta_K*k12_mid*damp12*turn12_by_y_c12_by_y_c12*y2_dot
+                - beta_K*k12_mid*damp12*flank12*open12_by_x_c12_by_y_c12*turn12_by_y_c12*x1_dot
+                + beta_K*k12_mid*damp12*flank12*open12_by_x_c12_by_y_c12*turn12_by_y_c12*x2_dot
+                - beta_K*k12_mid*damp12*flank12*open12_by_y_c12*turn12_by_x_c12_by_y_c12*x1_dot
+                + beta_K*k12_mid*damp12*flank12*open12_by_y_c12*turn12_by_x_c12_by_y_c12*x2_dot
+                - beta_K*k12_mid*damp12*flank12*open12_by_y_c12*turn12_by_y_c12_by_y_c12*y1_dot
+                + beta_K*k12_mid*damp12*flank12*open12_by_y_c12*turn12_by_y_c12_by_y_c12*y2_dot
+                - beta_K*k12_mid*damp12*flank12*open12_by_y_c12_by_y_c12*turn12_by_y_c12*y1_dot
+                + beta_K*k12_mid*damp12*flank12*open12_by_y_c12_by_y_c12*turn12_by_y_c12*y2_dot
+                - beta_K*k12_mid*damp12*flank12*open12_by_y_c12_by_y_c12*over12_dot
+                - beta_K*k12_mid*damp12*turn12_by_x_c12_by_y_c12*turn12_by_y_c12*x1_dot
+                + beta_K*k12_mid*damp12*turn12_by_x_c12_by_y_c12*turn12_by_y_c12*x2_dot
+                - beta_K*k12_mid*damp12*turn12_by_y_c12*turn12_by_y_c12_by_y_c12*y1_dot
+                + beta_K*k12_mid*damp12*turn12_by_y_c12*turn12_by_y_c12_by_y_c12*y2_dot
+                - beta_K*k12_mid*damp12*turn12_by_y_c12_by_y_c12*over12_dot
+                - beta_K*k12_mid*damp12*flank12.powi(2)*open12_by_x_c12_by_y_c12*open12_by_y_c12*x1_dot
+                + beta_K*k12_mid*damp12*flank12.powi(2)*open12_by_x_c12_by_y_c12*open12_by_y_c12*x2_dot
+                - beta_K*k12_mid*damp12*flank12.powi(2)*open12_by_y_c12*open12_by_y_c12_by_y_c12*y1_dot
+                + beta_K*k12_mid*damp12*flank12.powi(2)*open12_by_y_c12*open12_by_y_c12_by_y_c12*y2_dot;
+        }
+        y1 over12 {
             _ => -cos_a*k12*touch12;
             moving_centres_12 => -k12*flank12*touch12*open12_by_y_c12 - k12*touch12*turn12_by_y_c12;
             moving_centres_12_and_backlash_12 => -k12*clip12*flank12*touch12*open12_by_y_c12 - k12*clip12*touch12*turn12_by_y_c12;
             backlash_12 => -cos_a*k12*clip12*touch12;
             sliding_friction_12 => -sin_a*side12*F_mu12_by_over12;
         }
-        y1 x1 {
-            _ => -cos_a*sin_a*k12*touch12;
-            moving_centres_12 => k12*flank12*touch12*open12_by_x_c12_by_y_c12*over12 - cos_a*k12*flank12*touch12*open12_by_x_c12
-                - cos_a*k12*touch12*turn12_by_x_c12 - sin_a*k12*flank12*touch12*open12_by_y_c12 - sin_a*k12*touch12*turn12_by_y_c12
-                - k12*flank12*touch12*open12_by_x_c12*turn12_by_y_c12 - k12*flank12*touch12*open12_by_y_c12*turn12_by_x_c12
-                - k12*touch12*turn12_by_x_c12*turn12_by_y_c12 + k12*touch12*turn12_by_x_c12_by_y_c12*over12
-                - k12*flank12.powi(2)*touch12*open12_by_x_c12*open12_by_y_c12;
-            moving_centres_12_and_backlash_12 => k12*clip12*flank12*touch12*open12_by_x_c12_by_y_c12*over12
-                - cos_a*k12*clip12*flank12*touch12*open12_by_x_c12 - cos_a*k12*clip12*touch12*turn12_by_x_c12
-                - sin_a*k12*clip12*flank12*touch12*open12_by_y_c12 - sin_a*k12*clip12*touch12*turn12_by_y_c12
-                - k12*clip12*flank12*touch12*open12_by_x_c12*turn12_by_y_c12 - k12*clip12*flank12*touch12*open12_by_y_c12*turn12_by_x_c12
-                - k12*clip12*touch12*turn12_by_x_c12*turn12_by_y_c12 + k12*clip12*touch12*turn12_by_x_c12_by_y_c12*over12
-                - k12*clip12*flank12.powi(2)*touch12*open12_by_x_c12*open12_by_y_c12;
-            moving_centres_12_and_sliding_friction_12 => -sin_a*side12*F_mu12_by_over12*flank12*open12_by_x_c12
-                - sin_a*side12*F_mu12_by_over12*turn12_by_x_c12;
-            moving_centres_12_and_damping => beta_K*k12_mid*damp12*flank12*open12_by_x_c12_by_y_c12*over12_dot
-                + beta_K*k12_mid*damp12*turn12_by_x_c12_by_y_c12*over12_dot;
-            backlash_12 => -cos_a*sin_a*k12*clip12*touch12;
-            sliding_friction_12 => -sin_a.powi(2)*side12*F_mu12_by_over12;
+        y1 by1_dot {
+            viscous_friction_1 => -cb1;
+            damping => -beta_K*kb1;
         }
-        y1 y1 {
-            _ => -kb1 - cos_a.powi(2)*k12*touch12;
-            moving_centres_12 => k12*flank12*touch12*open12_by_y_c12_by_y_c12*over12 - 2.0*cos_a*k12*flank12*touch12*open12_by_y_c12
-                - 2.0*cos_a*k12*touch12*turn12_by_y_c12 - 2.0*k12*flank12*touch12*open12_by_y_c12*turn12_by_y_c12
-                + k12*touch12*turn12_by_y_c12_by_y_c12*over12 - k12*touch12*turn12_by_y_c12.powi(2)
-                - k12*flank12.powi(2)*touch12*open12_by_y_c12.powi(2);
-            moving_centres_12_and_backlash_12 => k12*clip12*flank12*touch12*open12_by_y_c12_by_y_c12*over12
-                - 2.0*cos_a*k12*clip12*flank12*touch12*open12_by_y_c12 - 2.0*cos_a*k12*clip12*touch12*turn12_by_y_c12
-                - 2.0*k12*clip12*flank12*touch12*open12_by_y_c12*turn12_by_y_c12 + k12*clip12*touch12*turn12_by_y_c12_by_y_c12*over12
-                - k12*clip12*touch12*turn12_by_y_c12.powi(2) - k12*clip12*flank12.powi(2)*touch12*open12_by_y_c12.powi(2);
-            moving_centres_12_and_sliding_friction_12 => -sin_a*side12*F_mu12_by_over12*flank12*open12_by_y_c12
-                - sin_a*side12*F_mu12_by_over12*turn12_by_y_c12;
-            moving_centres_12_and_damping => beta_K*k12_mid*damp12*flank12*open12_by_y_c12_by_y_c12*over12_dot
-                + beta_K*k12_mid*damp12*turn12_by_y_c12_by_y_c12*over12_dot;
-            backlash_12 => -cos_a.powi(2)*k12*clip12*touch12;
-            sliding_friction_12 => -cos_a*sin_a*side12*F_mu12_by_over12;
-        }
-        y1 x2 {
-            _ => cos_a*sin_a*k12*touch12;
-            moving_centres_12 => cos_a*k12*flank12*touch12*open12_by_x_c12 + cos_a*k12*touch12*turn12_by_x_c12
-                + sin_a*k12*flank12*touch12*open12_by_y_c12 + sin_a*k12*touch12*turn12_by_y_c12
-                + k12*flank12*touch12*open12_by_x_c12*turn12_by_y_c12 - k12*flank12*touch12*open12_by_x_c12_by_y_c12*over12
-                + k12*flank12*touch12*open12_by_y_c12*turn12_by_x_c12 + k12*touch12*turn12_by_x_c12*turn12_by_y_c12
-                - k12*touch12*turn12_by_x_c12_by_y_c12*over12 + k12*flank12.powi(2)*touch12*open12_by_x_c12*open12_by_y_c12;
-            moving_centres_12_and_backlash_12 => cos_a*k12*clip12*flank12*touch12*open12_by_x_c12
-                + cos_a*k12*clip12*touch12*turn12_by_x_c12 + sin_a*k12*clip12*flank12*touch12*open12_by_y_c12
-                + sin_a*k12*clip12*touch12*turn12_by_y_c12 + k12*clip12*flank12*touch12*open12_by_x_c12*turn12_by_y_c12
-                - k12*clip12*flank12*touch12*open12_by_x_c12_by_y_c12*over12 + k12*clip12*flank12*touch12*open12_by_y_c12*turn12_by_x_c12
-                + k12*clip12*touch12*turn12_by_x_c12*turn12_by_y_c12 - k12*clip12*touch12*turn12_by_x_c12_by_y_c12*over12
-                + k12*clip12*flank12.powi(2)*touch12*open12_by_x_c12*open12_by_y_c12;
-            moving_centres_12_and_sliding_friction_12 => sin_a*side12*F_mu12_by_over12*flank12*open12_by_x_c12
-                + sin_a*side12*F_mu12_by_over12*turn12_by_x_c12;
-            moving_centres_12_and_damping => -beta_K*k12_mid*damp12*flank12*open12_by_x_c12_by_y_c12*over12_dot
-                - beta_K*k12_mid*damp12*turn12_by_x_c12_by_y_c12*over12_dot;
-            backlash_12 => cos_a*sin_a*k12*clip12*touch12;
-            sliding_friction_12 => sin_a.powi(2)*side12*F_mu12_by_over12;
-        }
-        y1 y2 {
-            _ => cos_a.powi(2)*k12*touch12;
-            moving_centres_12 => 2.0*cos_a*k12*flank12*touch12*open12_by_y_c12 + 2.0*cos_a*k12*touch12*turn12_by_y_c12
-                + 2.0*k12*flank12*touch12*open12_by_y_c12*turn12_by_y_c12 - k12*flank12*touch12*open12_by_y_c12_by_y_c12*over12
-                - k12*touch12*turn12_by_y_c12_by_y_c12*over12 + k12*touch12*turn12_by_y_c12.powi(2)
-                + k12*flank12.powi(2)*touch12*open12_by_y_c12.powi(2);
-            moving_centres_12_and_backlash_12 => 2.0*cos_a*k12*clip12*flank12*touch12*open12_by_y_c12
-                + 2.0*cos_a*k12*clip12*touch12*turn12_by_y_c12 + 2.0*k12*clip12*flank12*touch12*open12_by_y_c12*turn12_by_y_c12
-                - k12*clip12*flank12*touch12*open12_by_y_c12_by_y_c12*over12 - k12*clip12*touch12*turn12_by_y_c12_by_y_c12*over12
-                + k12*clip12*touch12*turn12_by_y_c12.powi(2) + k12*clip12*flank12.powi(2)*touch12*open12_by_y_c12.powi(2);
-            moving_centres_12_and_sliding_friction_12 => sin_a*side12*F_mu12_by_over12*flank12*open12_by_y_c12
-                + sin_a*side12*F_mu12_by_over12*turn12_by_y_c12;
-            moving_centres_12_and_damping => -beta_K*k12_mid*damp12*flank12*open12_by_y_c12_by_y_c12*over12_dot
-                - beta_K*k12_mid*damp12*turn12_by_y_c12_by_y_c12*over12_dot;
-            backlash_12 => cos_a.powi(2)*k12*clip12*touch12;
-            sliding_friction_12 => cos_a*sin_a*side12*F_mu12_by_over12;
-        }
-        y1 theta_dot { sliding_friction_12 => -sin_a*side12*F_mu12_by_psi12_dot/N1 - sin_a*side12*F_mu12_by_psi12_dot/N2; }
-        y1 s_dot {
+        y1 over12_dot {
             moving_centres_12_and_damping => -beta_K*k12_mid*damp12*flank12*open12_by_y_c12 - beta_K*k12_mid*damp12*turn12_by_y_c12;
-            sliding_friction_12 => (sin_a*side12*F_mu12_by_psi12_dot/(h*N2) - sin_a*side12*F_mu12_by_psi12_dot/(h*N1))/2.0;
             damping => -cos_a*beta_K*k12_mid*damp12;
         }
-        y1 x1_dot {
-            moving_centres_12_and_damping => -cos_a*beta_K*k12_mid*damp12*flank12*open12_by_x_c12
-                - cos_a*beta_K*k12_mid*damp12*turn12_by_x_c12 - sin_a*beta_K*k12_mid*damp12*flank12*open12_by_y_c12
-                - sin_a*beta_K*k12_mid*damp12*turn12_by_y_c12 - beta_K*k12_mid*damp12*flank12*open12_by_x_c12*turn12_by_y_c12
-                - beta_K*k12_mid*damp12*flank12*open12_by_y_c12*turn12_by_x_c12 - beta_K*k12_mid*damp12*turn12_by_x_c12*turn12_by_y_c12
-                - beta_K*k12_mid*damp12*flank12.powi(2)*open12_by_x_c12*open12_by_y_c12;
-            damping => -cos_a*sin_a*beta_K*k12_mid*damp12;
-        }
-        y1 y1_dot {
-            viscous_friction_1 => -cb1;
-            moving_centres_12_and_damping => -2.0*cos_a*beta_K*k12_mid*damp12*flank12*open12_by_y_c12
-                - 2.0*cos_a*beta_K*k12_mid*damp12*turn12_by_y_c12 - 2.0*beta_K*k12_mid*damp12*flank12*open12_by_y_c12*turn12_by_y_c12
-                - beta_K*k12_mid*damp12*flank12.powi(2)*open12_by_y_c12.powi(2) - beta_K*k12_mid*damp12*turn12_by_y_c12.powi(2);
-            damping => -alpha_M*m1 - beta_K*kb1 - cos_a.powi(2)*beta_K*k12_mid*damp12;
-        }
-        y1 x2_dot {
-            moving_centres_12_and_damping => cos_a*beta_K*k12_mid*damp12*flank12*open12_by_x_c12
-                + cos_a*beta_K*k12_mid*damp12*turn12_by_x_c12 + sin_a*beta_K*k12_mid*damp12*flank12*open12_by_y_c12
-                + sin_a*beta_K*k12_mid*damp12*turn12_by_y_c12 + beta_K*k12_mid*damp12*flank12*open12_by_x_c12*turn12_by_y_c12
-                + beta_K*k12_mid*damp12*flank12*open12_by_y_c12*turn12_by_x_c12 + beta_K*k12_mid*damp12*turn12_by_x_c12*turn12_by_y_c12
-                + beta_K*k12_mid*damp12*flank12.powi(2)*open12_by_x_c12*open12_by_y_c12;
-            damping => cos_a*sin_a*beta_K*k12_mid*damp12;
-        }
-        y1 y2_dot {
-            moving_centres_12_and_damping => 2.0*cos_a*beta_K*k12_mid*damp12*flank12*open12_by_y_c12
-                + 2.0*cos_a*beta_K*k12_mid*damp12*turn12_by_y_c12 + 2.0*beta_K*k12_mid*damp12*flank12*open12_by_y_c12*turn12_by_y_c12
-                + beta_K*k12_mid*damp12*flank12.powi(2)*open12_by_y_c12.powi(2) + beta_K*k12_mid*damp12*turn12_by_y_c12.powi(2);
-            damping => cos_a.powi(2)*beta_K*k12_mid*damp12;
-        }
+        y1 psi12_dot { sliding_friction_12 => -sin_a*side12*F_mu12_by_psi12_dot; }
         x2 theta {
             moving_centres_12_and_transmission_error_12_and_backlash_12_and_moving_phase => -k12*de12*clip12*flank12*touch12
                 *open12_by_x_c12 - k12*de12*clip12*touch12*turn12_by_x_c12;
@@ -937,122 +753,86 @@ equations! {
             sliding_friction_12_and_moving_phase => -cos_a*dk12*side12*F_mu12_by_k12 - cos_a*dside12*F_mu12;
             moving_phase => sin_a*dk12*touch12*over12;
         }
-        x2 s {
+        x2 x2_dot { damping => -alpha_M*m2; }
+        x2 bx2 { _ => -kb2; }
+        x2 x_c12 {
+            moving_centres_12 => k12*flank12*touch12*open12_by_x_c12_by_x_c12*over12 + k12*touch12*turn12_by_x_c12_by_x_c12*over12;
+            moving_centres_12_and_backlash_12 => k12*clip12*flank12*touch12*open12_by_x_c12_by_x_c12*over12
+                + k12*clip12*touch12*turn12_by_x_c12_by_x_c12*over12;
+            moving_centres_12_and_damping => sin_a*beta_K*k12_mid*damp12*flank12*open12_by_x_c12_by_x_c12*x1_dot
+                - sin_a*beta_K*k12_mid*damp12*flank12*open12_by_x_c12_by_x_c12*x2_dot
+                + sin_a*beta_K*k12_mid*damp12*flank12*open12_by_x_c12_by_y_c12*y1_dot
+                - sin_a*beta_K*k12_mid*damp12*flank12*open12_by_x_c12_by_y_c12*y2_dot
+                + sin_a*beta_K*k12_mid*damp12*turn12_by_x_c12_by_x_c12*x1_dot
+                - sin_a*beta_K*k12_mid*damp12*turn12_by_x_c12_by_x_c12*x2_dot
+                + sin_a*beta_K*k12_mid*damp12*turn12_by_x_c12_by_y_c12*y1_dot
+                - sin_a*beta_K*k12_mid*damp12*turn12_by_x_c12_by_y_c12*y2_dot
+                + beta_K*k12_mid*damp12*flank12*open12_by_x_c12*turn12_by_x_c12_by_x_c12*x1_dot
+                - beta_K*k12_mid*damp12*flank12*open12_by_x_c12*turn12_by_x_c12_by_x_c12*x2_dot
+                + beta_K*k12_mid*damp12*flank12*open12_by_x_c12*turn12_by_x_c12_by_y_c12*y1_dot
+                - beta_K*k12_mid*damp12*flank12*open12_by_x_c12*turn12_by_x_c12_by_y_c12*y2_dot
+                + beta_K*k12_mid*damp12*flank12*open12_by_x_c12_by_x_c12*turn12_by_x_c12*x1_dot
+                - beta_K*k12_mid*damp12*flank12*open12_by_x_c12_by_x_c12*turn12_by_x_c12*x2_dot
+                + beta_K*k12_mid*damp12*flank12*open12_by_x_c12_by_x_c12*over12_dot
+                + beta_K*k12_mid*damp12*flank12*open12_by_x_c12_by_y_c12*turn12_by_x_c12*y1_dot
+                - beta_K*k12_mid*damp12*flank12*open12_by_x_c12_by_y_c12*turn12_by_x_c12*y2_dot
+                + beta_K*k12_mid*damp12*turn12_by_x_c12*turn12_by_x_c12_by_x_c12*x1_dot
+                - beta_K*k12_mid*damp12*turn12_by_x_c12*turn12_by_x_c12_by_x_c12*x2_dot
+                + beta_K*k12_mid*damp12*turn12_by_x_c12*turn12_by_x_c12_by_y_c12*y1_dot
+                - beta_K*k12_mid*damp12*turn12_by_x_c12*turn12_by_x_c12_by_y_c12*y2_dot
+                + beta_K*k12_mid*damp12*turn12_by_x_c12_by_x_c12*over12_dot
+                + beta_K*k12_mid*damp12*flank12.powi(2)*open12_by_x_c12*open12_by_x_c12_by_x_c12*x1_dot
+                - beta_K*k12_mid*damp12*flank12.powi(2)*open12_by_x_c12*open12_by_x_c12_by_x_c12*x2_dot
+                + beta_K*k12_mid*damp12*flank12.powi(2)*open12_by_x_c12*open12_by_x_c12_by_y_c12*y1_dot
+                - beta_K*k12_mid*damp12*flank12.powi(2)*open12_by_x_c12*open12_by_x_c12_by_y_c12*y2_dot;
+        }
+        x2 y_c12 {
+            moving_centres_12 => k12*flank12*touch12*open12_by_x_c12_by_y_c12*over12 + k12*touch12*turn12_by_x_c12_by_y_c12*over12;
+            moving_centres_12_and_backlash_12 => k12*clip12*flank12*touch12*open12_by_x_c12_by_y_c12*over12
+                + k12*clip12*touch12*turn12_by_x_c12_by_y_c12*over12;
+            moving_centres_12_and_damping => sin_a*beta_K*k12_mid*damp12*flank12*open12_by_x_c12_by_y_c12*x1_dot
+                - sin_a*beta_K*k12_mid*damp12*flank12*open12_by_x_c12_by_y_c12*x2_dot
+                + sin_a*beta_K*k12_mid*damp12*flank12*open12_by_y_c12_by_y_c12*y1_dot
+                - sin_a*beta_K*k12_mid*damp12*flank12*open12_by_y_c12_by_y_c12*y2_dot
+                + sin_a*beta_K*k12_mid*damp12*turn12_by_x_c12_by_y_c12*x1_dot
+                - sin_a*beta_K*k12_mid*damp12*turn12_by_x_c12_by_y_c12*x2_dot
+                + sin_a*beta_K*k12_mid*damp12*turn12_by_y_c12_by_y_c12*y1_dot
+                - sin_a*beta_K*k12_mid*damp12*turn12_by_y_c12_by_y_c12*y2_dot
+                + beta_K*k12_mid*damp12*flank12*open12_by_x_c12*turn12_by_x_c12_by_y_c12*x1_dot
+                - beta_K*k12_mid*damp12*flank12*open12_by_x_c12*turn12_by_x_c12_by_y_c12*x2_dot
+                + beta_K*k12_mid*damp12*flank12*open12_by_x_c12*turn12_by_y_c12_by_y_c12*y1_dot
+                - beta_K*k12_mid*damp12*flank12*open12_by_x_c12*turn12_by_y_c12_by_y_c12*y2_dot
+                + beta_K*k12_mid*damp12*flank12*open12_by_x_c12_by_y_c12*turn12_by_x_c12*x1_dot
+                - beta_K*k12_mid*damp12*flank12*open12_by_x_c12_by_y_c12*turn12_by_x_c12*x2_dot
+                + beta_K*k12_mid*damp12*flank12*open12_by_x_c12_by_y_c12*over12_dot
+                + beta_K*k12_mid*damp12*flank12*open12_by_y_c12_by_y_c12*turn12_by_x_c12*y1_dot
+                - beta_K*k12_mid*damp12*flank12*open12_by_y_c12_by_y_c12*turn12_by_x_c12*y2_dot
+                + beta_K*k12_mid*damp12*turn12_by_x_c12*turn12_by_x_c12_by_y_c12*x1_dot
+                - beta_K*k12_mid*damp12*turn12_by_x_c12*turn12_by_x_c12_by_y_c12*x2_dot
+                + beta_K*k12_mid*damp12*turn12_by_x_c12*turn12_by_y_c12_by_y_c12*y1_dot
+                - beta_K*k12_mid*damp12*turn12_by_x_c12*turn12_by_y_c12_by_y_c12*y2_dot
+                + beta_K*k12_mid*damp12*turn12_by_x_c12_by_y_c12*over12_dot
+                + beta_K*k12_mid*damp12*flank12.powi(2)*open12_by_x_c12*open12_by_x_c12_by_y_c12*x1_dot
+                - beta_K*k12_mid*damp12*flank12.powi(2)*open12_by_x_c12*open12_by_x_c12_by_y_c12*x2_dot
+                + beta_K*k12_mid*damp12*flank12.powi(2)*open12_by_x_c12*open12_by_y_c12_by_y_c12*y1_dot
+                - beta_K*k12_mid*damp12*flank12.powi(2)*open12_by_x_c12*open12_by_y_c12_by_y_c12*y2_dot;
+        }
+        x2 over12 {
             _ => sin_a*k12*touch12;
             moving_centres_12 => k12*flank12*touch12*open12_by_x_c12 + k12*touch12*turn12_by_x_c12;
             moving_centres_12_and_backlash_12 => k12*clip12*flank12*touch12*open12_by_x_c12 + k12*clip12*touch12*turn12_by_x_c12;
             backlash_12 => sin_a*k12*clip12*touch12;
             sliding_friction_12 => -cos_a*side12*F_mu12_by_over12;
         }
-        x2 x1 {
-            _ => sin_a.powi(2)*k12*touch12;
-            moving_centres_12 => 2.0*sin_a*k12*flank12*touch12*open12_by_x_c12 + 2.0*sin_a*k12*touch12*turn12_by_x_c12
-                + 2.0*k12*flank12*touch12*open12_by_x_c12*turn12_by_x_c12 - k12*flank12*touch12*open12_by_x_c12_by_x_c12*over12
-                - k12*touch12*turn12_by_x_c12_by_x_c12*over12 + k12*touch12*turn12_by_x_c12.powi(2)
-                + k12*flank12.powi(2)*touch12*open12_by_x_c12.powi(2);
-            moving_centres_12_and_backlash_12 => 2.0*sin_a*k12*clip12*flank12*touch12*open12_by_x_c12
-                + 2.0*sin_a*k12*clip12*touch12*turn12_by_x_c12 + 2.0*k12*clip12*flank12*touch12*open12_by_x_c12*turn12_by_x_c12
-                - k12*clip12*flank12*touch12*open12_by_x_c12_by_x_c12*over12 - k12*clip12*touch12*turn12_by_x_c12_by_x_c12*over12
-                + k12*clip12*touch12*turn12_by_x_c12.powi(2) + k12*clip12*flank12.powi(2)*touch12*open12_by_x_c12.powi(2);
-            moving_centres_12_and_sliding_friction_12 => -cos_a*side12*F_mu12_by_over12*flank12*open12_by_x_c12
-                - cos_a*side12*F_mu12_by_over12*turn12_by_x_c12;
-            moving_centres_12_and_damping => -beta_K*k12_mid*damp12*flank12*open12_by_x_c12_by_x_c12*over12_dot
-                - beta_K*k12_mid*damp12*turn12_by_x_c12_by_x_c12*over12_dot;
-            backlash_12 => sin_a.powi(2)*k12*clip12*touch12;
-            sliding_friction_12 => -cos_a*sin_a*side12*F_mu12_by_over12;
+        x2 bx2_dot {
+            viscous_friction_2 => -cb2;
+            damping => -beta_K*kb2;
         }
-        x2 y1 {
-            _ => cos_a*sin_a*k12*touch12;
-            moving_centres_12 => cos_a*k12*flank12*touch12*open12_by_x_c12 + cos_a*k12*touch12*turn12_by_x_c12
-                + sin_a*k12*flank12*touch12*open12_by_y_c12 + sin_a*k12*touch12*turn12_by_y_c12
-                + k12*flank12*touch12*open12_by_x_c12*turn12_by_y_c12 - k12*flank12*touch12*open12_by_x_c12_by_y_c12*over12
-                + k12*flank12*touch12*open12_by_y_c12*turn12_by_x_c12 + k12*touch12*turn12_by_x_c12*turn12_by_y_c12
-                - k12*touch12*turn12_by_x_c12_by_y_c12*over12 + k12*flank12.powi(2)*touch12*open12_by_x_c12*open12_by_y_c12;
-            moving_centres_12_and_backlash_12 => cos_a*k12*clip12*flank12*touch12*open12_by_x_c12
-                + cos_a*k12*clip12*touch12*turn12_by_x_c12 + sin_a*k12*clip12*flank12*touch12*open12_by_y_c12
-                + sin_a*k12*clip12*touch12*turn12_by_y_c12 + k12*clip12*flank12*touch12*open12_by_x_c12*turn12_by_y_c12
-                - k12*clip12*flank12*touch12*open12_by_x_c12_by_y_c12*over12 + k12*clip12*flank12*touch12*open12_by_y_c12*turn12_by_x_c12
-                + k12*clip12*touch12*turn12_by_x_c12*turn12_by_y_c12 - k12*clip12*touch12*turn12_by_x_c12_by_y_c12*over12
-                + k12*clip12*flank12.powi(2)*touch12*open12_by_x_c12*open12_by_y_c12;
-            moving_centres_12_and_sliding_friction_12 => -cos_a*side12*F_mu12_by_over12*flank12*open12_by_y_c12
-                - cos_a*side12*F_mu12_by_over12*turn12_by_y_c12;
-            moving_centres_12_and_damping => -beta_K*k12_mid*damp12*flank12*open12_by_x_c12_by_y_c12*over12_dot
-                - beta_K*k12_mid*damp12*turn12_by_x_c12_by_y_c12*over12_dot;
-            backlash_12 => cos_a*sin_a*k12*clip12*touch12;
-            sliding_friction_12 => -cos_a.powi(2)*side12*F_mu12_by_over12;
-        }
-        x2 x2 {
-            _ => -kb2 - sin_a.powi(2)*k12*touch12;
-            moving_centres_12 => k12*flank12*touch12*open12_by_x_c12_by_x_c12*over12 - 2.0*sin_a*k12*flank12*touch12*open12_by_x_c12
-                - 2.0*sin_a*k12*touch12*turn12_by_x_c12 - 2.0*k12*flank12*touch12*open12_by_x_c12*turn12_by_x_c12
-                + k12*touch12*turn12_by_x_c12_by_x_c12*over12 - k12*touch12*turn12_by_x_c12.powi(2)
-                - k12*flank12.powi(2)*touch12*open12_by_x_c12.powi(2);
-            moving_centres_12_and_backlash_12 => k12*clip12*flank12*touch12*open12_by_x_c12_by_x_c12*over12
-                - 2.0*sin_a*k12*clip12*flank12*touch12*open12_by_x_c12 - 2.0*sin_a*k12*clip12*touch12*turn12_by_x_c12
-                - 2.0*k12*clip12*flank12*touch12*open12_by_x_c12*turn12_by_x_c12 + k12*clip12*touch12*turn12_by_x_c12_by_x_c12*over12
-                - k12*clip12*touch12*turn12_by_x_c12.powi(2) - k12*clip12*flank12.powi(2)*touch12*open12_by_x_c12.powi(2);
-            moving_centres_12_and_sliding_friction_12 => cos_a*side12*F_mu12_by_over12*flank12*open12_by_x_c12
-                + cos_a*side12*F_mu12_by_over12*turn12_by_x_c12;
-            moving_centres_12_and_damping => beta_K*k12_mid*damp12*flank12*open12_by_x_c12_by_x_c12*over12_dot
-                + beta_K*k12_mid*damp12*turn12_by_x_c12_by_x_c12*over12_dot;
-            backlash_12 => -sin_a.powi(2)*k12*clip12*touch12;
-            sliding_friction_12 => cos_a*sin_a*side12*F_mu12_by_over12;
-        }
-        x2 y2 {
-            _ => -cos_a*sin_a*k12*touch12;
-            moving_centres_12 => k12*flank12*touch12*open12_by_x_c12_by_y_c12*over12 - cos_a*k12*flank12*touch12*open12_by_x_c12
-                - cos_a*k12*touch12*turn12_by_x_c12 - sin_a*k12*flank12*touch12*open12_by_y_c12 - sin_a*k12*touch12*turn12_by_y_c12
-                - k12*flank12*touch12*open12_by_x_c12*turn12_by_y_c12 - k12*flank12*touch12*open12_by_y_c12*turn12_by_x_c12
-                - k12*touch12*turn12_by_x_c12*turn12_by_y_c12 + k12*touch12*turn12_by_x_c12_by_y_c12*over12
-                - k12*flank12.powi(2)*touch12*open12_by_x_c12*open12_by_y_c12;
-            moving_centres_12_and_backlash_12 => k12*clip12*flank12*touch12*open12_by_x_c12_by_y_c12*over12
-                - cos_a*k12*clip12*flank12*touch12*open12_by_x_c12 - cos_a*k12*clip12*touch12*turn12_by_x_c12
-                - sin_a*k12*clip12*flank12*touch12*open12_by_y_c12 - sin_a*k12*clip12*touch12*turn12_by_y_c12
-                - k12*clip12*flank12*touch12*open12_by_x_c12*turn12_by_y_c12 - k12*clip12*flank12*touch12*open12_by_y_c12*turn12_by_x_c12
-                - k12*clip12*touch12*turn12_by_x_c12*turn12_by_y_c12 + k12*clip12*touch12*turn12_by_x_c12_by_y_c12*over12
-                - k12*clip12*flank12.powi(2)*touch12*open12_by_x_c12*open12_by_y_c12;
-            moving_centres_12_and_sliding_friction_12 => cos_a*side12*F_mu12_by_over12*flank12*open12_by_y_c12
-                + cos_a*side12*F_mu12_by_over12*turn12_by_y_c12;
-            moving_centres_12_and_damping => beta_K*k12_mid*damp12*flank12*open12_by_x_c12_by_y_c12*over12_dot
-                + beta_K*k12_mid*damp12*turn12_by_x_c12_by_y_c12*over12_dot;
-            backlash_12 => -cos_a*sin_a*k12*clip12*touch12;
-            sliding_friction_12 => cos_a.powi(2)*side12*F_mu12_by_over12;
-        }
-        x2 theta_dot { sliding_friction_12 => -cos_a*side12*F_mu12_by_psi12_dot/N1 - cos_a*side12*F_mu12_by_psi12_dot/N2; }
-        x2 s_dot {
+        x2 over12_dot {
             moving_centres_12_and_damping => beta_K*k12_mid*damp12*flank12*open12_by_x_c12 + beta_K*k12_mid*damp12*turn12_by_x_c12;
-            sliding_friction_12 => (cos_a*side12*F_mu12_by_psi12_dot/(h*N2) - cos_a*side12*F_mu12_by_psi12_dot/(h*N1))/2.0;
             damping => sin_a*beta_K*k12_mid*damp12;
         }
-        x2 x1_dot {
-            moving_centres_12_and_damping => 2.0*sin_a*beta_K*k12_mid*damp12*flank12*open12_by_x_c12
-                + 2.0*sin_a*beta_K*k12_mid*damp12*turn12_by_x_c12 + 2.0*beta_K*k12_mid*damp12*flank12*open12_by_x_c12*turn12_by_x_c12
-                + beta_K*k12_mid*damp12*flank12.powi(2)*open12_by_x_c12.powi(2) + beta_K*k12_mid*damp12*turn12_by_x_c12.powi(2);
-            damping => sin_a.powi(2)*beta_K*k12_mid*damp12;
-        }
-        x2 y1_dot {
-            moving_centres_12_and_damping => cos_a*beta_K*k12_mid*damp12*flank12*open12_by_x_c12
-                + cos_a*beta_K*k12_mid*damp12*turn12_by_x_c12 + sin_a*beta_K*k12_mid*damp12*flank12*open12_by_y_c12
-                + sin_a*beta_K*k12_mid*damp12*turn12_by_y_c12 + beta_K*k12_mid*damp12*flank12*open12_by_x_c12*turn12_by_y_c12
-                + beta_K*k12_mid*damp12*flank12*open12_by_y_c12*turn12_by_x_c12 + beta_K*k12_mid*damp12*turn12_by_x_c12*turn12_by_y_c12
-                + beta_K*k12_mid*damp12*flank12.powi(2)*open12_by_x_c12*open12_by_y_c12;
-            damping => cos_a*sin_a*beta_K*k12_mid*damp12;
-        }
-        x2 x2_dot {
-            viscous_friction_2 => -cb2;
-            moving_centres_12_and_damping => -2.0*sin_a*beta_K*k12_mid*damp12*flank12*open12_by_x_c12
-                - 2.0*sin_a*beta_K*k12_mid*damp12*turn12_by_x_c12 - 2.0*beta_K*k12_mid*damp12*flank12*open12_by_x_c12*turn12_by_x_c12
-                - beta_K*k12_mid*damp12*flank12.powi(2)*open12_by_x_c12.powi(2) - beta_K*k12_mid*damp12*turn12_by_x_c12.powi(2);
-            damping => -alpha_M*m2 - beta_K*kb2 - sin_a.powi(2)*beta_K*k12_mid*damp12;
-        }
-        x2 y2_dot {
-            moving_centres_12_and_damping => -cos_a*beta_K*k12_mid*damp12*flank12*open12_by_x_c12
-                - cos_a*beta_K*k12_mid*damp12*turn12_by_x_c12 - sin_a*beta_K*k12_mid*damp12*flank12*open12_by_y_c12
-                - sin_a*beta_K*k12_mid*damp12*turn12_by_y_c12 - beta_K*k12_mid*damp12*flank12*open12_by_x_c12*turn12_by_y_c12
-                - beta_K*k12_mid*damp12*flank12*open12_by_y_c12*turn12_by_x_c12 - beta_K*k12_mid*damp12*turn12_by_x_c12*turn12_by_y_c12
-                - beta_K*k12_mid*damp12*flank12.powi(2)*open12_by_x_c12*open12_by_y_c12;
-            damping => -cos_a*sin_a*beta_K*k12_mid*damp12;
-        }
+        x2 psi12_dot { sliding_friction_12 => -cos_a*side12*F_mu12_by_psi12_dot; }
         y2 theta {
             moving_centres_12_and_transmission_error_12_and_backlash_12_and_moving_phase => -k12*de12*clip12*flank12*touch12
                 *open12_by_y_c12 - k12*de12*clip12*touch12*turn12_by_y_c12;
@@ -1068,227 +848,126 @@ equations! {
             sliding_friction_12_and_moving_phase => sin_a*dk12*side12*F_mu12_by_k12 + sin_a*dside12*F_mu12;
             moving_phase => cos_a*dk12*touch12*over12;
         }
-        y2 s {
+        y2 y2_dot { damping => -alpha_M*m2; }
+        y2 by2 { _ => -kb2; }
+        y2 x_c12 {
+            moving_centres_12 => k12*flank12*touch12*open12_by_x_c12_by_y_c12*over12 + k12*touch12*turn12_by_x_c12_by_y_c12*over12;
+            moving_centres_12_and_backlash_12 => k12*clip12*flank12*touch12*open12_by_x_c12_by_y_c12*over12
+                + k12*clip12*touch12*turn12_by_x_c12_by_y_c12*over12;
+            moving_centres_12_and_damping => cos_a*beta_K*k12_mid*damp12*flank12*open12_by_x_c12_by_x_c12*x1_dot
+                - cos_a*beta_K*k12_mid*damp12*flank12*open12_by_x_c12_by_x_c12*x2_dot
+                + cos_a*beta_K*k12_mid*damp12*flank12*open12_by_x_c12_by_y_c12*y1_dot
+                - cos_a*beta_K*k12_mid*damp12*flank12*open12_by_x_c12_by_y_c12*y2_dot
+                + cos_a*beta_K*k12_mid*damp12*turn12_by_x_c12_by_x_c12*x1_dot
+                - cos_a*beta_K*k12_mid*damp12*turn12_by_x_c12_by_x_c12*x2_dot
+                + cos_a*beta_K*k12_mid*damp12*turn12_by_x_c12_by_y_c12*y1_dot
+                - cos_a*beta_K*k12_mid*damp12*turn12_by_x_c12_by_y_c12*y2_dot
+                + beta_K*k12_mid*damp12*flank12*open12_by_x_c12_by_x_c12*turn12_by_y_c12*x1_dot
+                - beta_K*k12_mid*damp12*flank12*open12_by_x_c12_by_x_c12*turn12_by_y_c12*x2_dot
+                + beta_K*k12_mid*damp12*flank12*open12_by_x_c12_by_y_c12*turn12_by_y_c12*y1_dot
+                - beta_K*k12_mid*damp12*flank12*open12_by_x_c12_by_y_c12*turn12_by_y_c12*y2_dot
+                + beta_K*k12_mid*damp12*flank12*open12_by_x_c12_by_y_c12*over12_dot
+                + beta_K*k12_mid*damp12*flank12*open12_by_y_c12*turn12_by_x_c12_by_x_c12*x1_dot
+                - beta_K*k12_mid*damp12*flank12*open12_by_y_c12*turn12_by_x_c12_by_x_c12*x2_dot
+                + beta_K*k12_mid*damp12*flank12*open12_by_y_c12*turn12_by_x_c12_by_y_c12*y1_dot
+                - beta_K*k12_mid*damp12*flank12*open12_by_y_c12*turn12_by_x_c12_by_y_c12*y2_dot
+                + beta_K*k12_mid*damp12*turn12_by_x_c12_by_x_c12*turn12_by_y_c12*x1_dot
+                - beta_K*k12_mid*damp12*turn12_by_x_c12_by_x_c12*turn12_by_y_c12*x2_dot
+                + beta_K*k12_mid*damp12*turn12_by_x_c12_by_y_c12*turn12_by_y_c12*y1_dot
+                - beta_K*k12_mid*damp12*turn12_by_x_c12_by_y_c12*turn12_by_y_c12*y2_dot
+                + beta_K*k12_mid*damp12*turn12_by_x_c12_by_y_c12*over12_dot
+                + beta_K*k12_mid*damp12*flank12.powi(2)*open12_by_x_c12_by_x_c12*open12_by_y_c12*x1_dot
+                - beta_K*k12_mid*damp12*flank12.powi(2)*open12_by_x_c12_by_x_c12*open12_by_y_c12*x2_dot
+                + beta_K*k12_mid*damp12*flank12.powi(2)*open12_by_x_c12_by_y_c12*open12_by_y_c12*y1_dot
+                - beta_K*k12_mid*damp12*flank12.powi(2)*open12_by_x_c12_by_y_c12*open12_by_y_c12*y2_dot;
+        }
+        y2 y_c12 {
+            moving_centres_12 => k12*flank12*touch12*open12_by_y_c12_by_y_c12*over12 + k12*touch12*turn12_by_y_c12_by_y_c12*over12;
+            moving_centres_12_and_backlash_12 => k12*clip12*flank12*touch12*open12_by_y_c12_by_y_c12*over12
+                + k12*clip12*touch12*turn12_by_y_c12_by_y_c12*over12;
+            moving_centres_12_and_damping => cos_a*beta_K*k12_mid*damp12*flank12*open12_by_x_c12_by_y_c12*x1_dot
+                - cos_a*beta_K*k12_mid*damp12*flank12*open12_by_x_c12_by_y_c12*x2_dot
+                + cos_a*beta_K*k12_mid*damp12*flank12*open12_by_y_c12_by_y_c12*y1_dot
+                - cos_a*beta_K*k12_mid*damp12*flank12*open12_by_y_c12_by_y_c12*y2_dot
+                + cos_a*beta_K*k12_mid*damp12*turn12_by_x_c12_by_y_c12*x1_dot
+                - cos_a*beta_K*k12_mid*damp12*turn12_by_x_c12_by_y_c12*x2_dot
+                + cos_a*beta_K*k12_mid*damp12*turn12_by_y_c12_by_y_c12*y1_dot
+                - cos_a*beta_K*k12_mid*damp12*turn12_by_y_c12_by_y_c12*y2_dot
+                + beta_K*k12_mid*damp12*flank12*open12_by_x_c12_by_y_c12*turn12_by_y_c12*x1_dot
+                - beta_K*k12_mid*damp12*flank12*open12_by_x_c12_by_y_c12*turn12_by_y_c12*x2_dot
+                + beta_K*k12_mid*damp12*flank12*open12_by_y_c12*turn12_by_x_c12_by_y_c12*x1_dot
+                - beta_K*k12_mid*damp12*flank12*open12_by_y_c12*turn12_by_x_c12_by_y_c12*x2_dot
+                + beta_K*k12_mid*damp12*flank12*open12_by_y_c12*turn12_by_y_c12_by_y_c12*y1_dot
+                - beta_K*k12_mid*damp12*flank12*open12_by_y_c12*turn12_by_y_c12_by_y_c12*y2_dot
+                + beta_K*k12_mid*damp12*flank12*open12_by_y_c12_by_y_c12*turn12_by_y_c12*y1_dot
+                - beta_K*k12_mid*damp12*flank12*open12_by_y_c12_by_y_c12*turn12_by_y_c12*y2_dot
+                + beta_K*k12_mid*damp12*flank12*open12_by_y_c12_by_y_c12*over12_dot
+                + beta_K*k12_mid*damp12*turn12_by_x_c12_by_y_c12*turn12_by_y_c12*x1_dot
+                - beta_K*k12_mid*damp12*turn12_by_x_c12_by_y_c12*turn12_by_y_c12*x2_dot
+                + beta_K*k12_mid*damp12*turn12_by_y_c12*turn12_by_y_c12_by_y_c12*y1_dot
+                - beta_K*k12_mid*damp12*turn12_by_y_c12*turn12_by_y_c12_by_y_c12*y2_dot
+                + beta_K*k12_mid*damp12*turn12_by_y_c12_by_y_c12*over12_dot
+                + beta_K*k12_mid*damp12*flank12.powi(2)*open12_by_x_c12_by_y_c12*open12_by_y_c12*x1_dot
+                - beta_K*k12_mid*damp12*flank12.powi(2)*open12_by_x_c12_by_y_c12*open12_by_y_c12*x2_dot
+                + beta_K*k12_mid*damp12*flank12.powi(2)*open12_by_y_c12*open12_by_y_c12_by_y_c12*y1_dot
+                - beta_K*k12_mid*damp12*flank12.powi(2)*open12_by_y_c12*open12_by_y_c12_by_y_c12*y2_dot;
+        }
+        y2 over12 {
             _ => cos_a*k12*touch12;
             moving_centres_12 => k12*flank12*touch12*open12_by_y_c12 + k12*touch12*turn12_by_y_c12;
             moving_centres_12_and_backlash_12 => k12*clip12*flank12*touch12*open12_by_y_c12 + k12*clip12*touch12*turn12_by_y_c12;
             backlash_12 => cos_a*k12*clip12*touch12;
             sliding_friction_12 => sin_a*side12*F_mu12_by_over12;
         }
-        y2 x1 {
-            _ => cos_a*sin_a*k12*touch12;
-            moving_centres_12 => cos_a*k12*flank12*touch12*open12_by_x_c12 + cos_a*k12*touch12*turn12_by_x_c12
-                + sin_a*k12*flank12*touch12*open12_by_y_c12 + sin_a*k12*touch12*turn12_by_y_c12
-                + k12*flank12*touch12*open12_by_x_c12*turn12_by_y_c12 - k12*flank12*touch12*open12_by_x_c12_by_y_c12*over12
-                + k12*flank12*touch12*open12_by_y_c12*turn12_by_x_c12 + k12*touch12*turn12_by_x_c12*turn12_by_y_c12
-                - k12*touch12*turn12_by_x_c12_by_y_c12*over12 + k12*flank12.powi(2)*touch12*open12_by_x_c12*open12_by_y_c12;
-            moving_centres_12_and_backlash_12 => cos_a*k12*clip12*flank12*touch12*open12_by_x_c12
-                + cos_a*k12*clip12*touch12*turn12_by_x_c12 + sin_a*k12*clip12*flank12*touch12*open12_by_y_c12
-                + sin_a*k12*clip12*touch12*turn12_by_y_c12 + k12*clip12*flank12*touch12*open12_by_x_c12*turn12_by_y_c12
-                - k12*clip12*flank12*touch12*open12_by_x_c12_by_y_c12*over12 + k12*clip12*flank12*touch12*open12_by_y_c12*turn12_by_x_c12
-                + k12*clip12*touch12*turn12_by_x_c12*turn12_by_y_c12 - k12*clip12*touch12*turn12_by_x_c12_by_y_c12*over12
-                + k12*clip12*flank12.powi(2)*touch12*open12_by_x_c12*open12_by_y_c12;
-            moving_centres_12_and_sliding_friction_12 => sin_a*side12*F_mu12_by_over12*flank12*open12_by_x_c12
-                + sin_a*side12*F_mu12_by_over12*turn12_by_x_c12;
-            moving_centres_12_and_damping => -beta_K*k12_mid*damp12*flank12*open12_by_x_c12_by_y_c12*over12_dot
-                - beta_K*k12_mid*damp12*turn12_by_x_c12_by_y_c12*over12_dot;
-            backlash_12 => cos_a*sin_a*k12*clip12*touch12;
-            sliding_friction_12 => sin_a.powi(2)*side12*F_mu12_by_over12;
+        y2 by2_dot {
+            viscous_friction_2 => -cb2;
+            damping => -beta_K*kb2;
         }
-        y2 y1 {
-            _ => cos_a.powi(2)*k12*touch12;
-            moving_centres_12 => 2.0*cos_a*k12*flank12*touch12*open12_by_y_c12 + 2.0*cos_a*k12*touch12*turn12_by_y_c12
-                + 2.0*k12*flank12*touch12*open12_by_y_c12*turn12_by_y_c12 - k12*flank12*touch12*open12_by_y_c12_by_y_c12*over12
-                - k12*touch12*turn12_by_y_c12_by_y_c12*over12 + k12*touch12*turn12_by_y_c12.powi(2)
-                + k12*flank12.powi(2)*touch12*open12_by_y_c12.powi(2);
-            moving_centres_12_and_backlash_12 => 2.0*cos_a*k12*clip12*flank12*touch12*open12_by_y_c12
-                + 2.0*cos_a*k12*clip12*touch12*turn12_by_y_c12 + 2.0*k12*clip12*flank12*touch12*open12_by_y_c12*turn12_by_y_c12
-                - k12*clip12*flank12*touch12*open12_by_y_c12_by_y_c12*over12 - k12*clip12*touch12*turn12_by_y_c12_by_y_c12*over12
-                + k12*clip12*touch12*turn12_by_y_c12.powi(2) + k12*clip12*flank12.powi(2)*touch12*open12_by_y_c12.powi(2);
-            moving_centres_12_and_sliding_friction_12 => sin_a*side12*F_mu12_by_over12*flank12*open12_by_y_c12
-                + sin_a*side12*F_mu12_by_over12*turn12_by_y_c12;
-            moving_centres_12_and_damping => -beta_K*k12_mid*damp12*flank12*open12_by_y_c12_by_y_c12*over12_dot
-                - beta_K*k12_mid*damp12*turn12_by_y_c12_by_y_c12*over12_dot;
-            backlash_12 => cos_a.powi(2)*k12*clip12*touch12;
-            sliding_friction_12 => cos_a*sin_a*side12*F_mu12_by_over12;
-        }
-        y2 x2 {
-            _ => -cos_a*sin_a*k12*touch12;
-            moving_centres_12 => k12*flank12*touch12*open12_by_x_c12_by_y_c12*over12 - cos_a*k12*flank12*touch12*open12_by_x_c12
-                - cos_a*k12*touch12*turn12_by_x_c12 - sin_a*k12*flank12*touch12*open12_by_y_c12 - sin_a*k12*touch12*turn12_by_y_c12
-                - k12*flank12*touch12*open12_by_x_c12*turn12_by_y_c12 - k12*flank12*touch12*open12_by_y_c12*turn12_by_x_c12
-                - k12*touch12*turn12_by_x_c12*turn12_by_y_c12 + k12*touch12*turn12_by_x_c12_by_y_c12*over12
-                - k12*flank12.powi(2)*touch12*open12_by_x_c12*open12_by_y_c12;
-            moving_centres_12_and_backlash_12 => k12*clip12*flank12*touch12*open12_by_x_c12_by_y_c12*over12
-                - cos_a*k12*clip12*flank12*touch12*open12_by_x_c12 - cos_a*k12*clip12*touch12*turn12_by_x_c12
-                - sin_a*k12*clip12*flank12*touch12*open12_by_y_c12 - sin_a*k12*clip12*touch12*turn12_by_y_c12
-                - k12*clip12*flank12*touch12*open12_by_x_c12*turn12_by_y_c12 - k12*clip12*flank12*touch12*open12_by_y_c12*turn12_by_x_c12
-                - k12*clip12*touch12*turn12_by_x_c12*turn12_by_y_c12 + k12*clip12*touch12*turn12_by_x_c12_by_y_c12*over12
-                - k12*clip12*flank12.powi(2)*touch12*open12_by_x_c12*open12_by_y_c12;
-            moving_centres_12_and_sliding_friction_12 => -sin_a*side12*F_mu12_by_over12*flank12*open12_by_x_c12
-                - sin_a*side12*F_mu12_by_over12*turn12_by_x_c12;
-            moving_centres_12_and_damping => beta_K*k12_mid*damp12*flank12*open12_by_x_c12_by_y_c12*over12_dot
-                + beta_K*k12_mid*damp12*turn12_by_x_c12_by_y_c12*over12_dot;
-            backlash_12 => -cos_a*sin_a*k12*clip12*touch12;
-            sliding_friction_12 => -sin_a.powi(2)*side12*F_mu12_by_over12;
-        }
-        y2 y2 {
-            _ => -kb2 - cos_a.powi(2)*k12*touch12;
-            moving_centres_12 => k12*flank12*touch12*open12_by_y_c12_by_y_c12*over12 - 2.0*cos_a*k12*flank12*touch12*open12_by_y_c12
-                - 2.0*cos_a*k12*touch12*turn12_by_y_c12 - 2.0*k12*flank12*touch12*open12_by_y_c12*turn12_by_y_c12
-                + k12*touch12*turn12_by_y_c12_by_y_c12*over12 - k12*touch12*turn12_by_y_c12.powi(2)
-                - k12*flank12.powi(2)*touch12*open12_by_y_c12.powi(2);
-            moving_centres_12_and_backlash_12 => k12*clip12*flank12*touch12*open12_by_y_c12_by_y_c12*over12
-                - 2.0*cos_a*k12*clip12*flank12*touch12*open12_by_y_c12 - 2.0*cos_a*k12*clip12*touch12*turn12_by_y_c12
-                - 2.0*k12*clip12*flank12*touch12*open12_by_y_c12*turn12_by_y_c12 + k12*clip12*touch12*turn12_by_y_c12_by_y_c12*over12
-                - k12*clip12*touch12*turn12_by_y_c12.powi(2) - k12*clip12*flank12.powi(2)*touch12*open12_by_y_c12.powi(2);
-            moving_centres_12_and_sliding_friction_12 => -sin_a*side12*F_mu12_by_over12*flank12*open12_by_y_c12
-                - sin_a*side12*F_mu12_by_over12*turn12_by_y_c12;
-            moving_centres_12_and_damping => beta_K*k12_mid*damp12*flank12*open12_by_y_c12_by_y_c12*over12_dot
-                + beta_K*k12_mid*damp12*turn12_by_y_c12_by_y_c12*over12_dot;
-            backlash_12 => -cos_a.powi(2)*k12*clip12*touch12;
-            sliding_friction_12 => -cos_a*sin_a*side12*F_mu12_by_over12;
-        }
-        y2 theta_dot { sliding_friction_12 => sin_a*side12*F_mu12_by_psi12_dot/N1 + sin_a*side12*F_mu12_by_psi12_dot/N2; }
-        y2 s_dot {
+        y2 over12_dot {
             moving_centres_12_and_damping => beta_K*k12_mid*damp12*flank12*open12_by_y_c12 + beta_K*k12_mid*damp12*turn12_by_y_c12;
-            sliding_friction_12 => (sin_a*side12*F_mu12_by_psi12_dot/(h*N1) - sin_a*side12*F_mu12_by_psi12_dot/(h*N2))/2.0;
             damping => cos_a*beta_K*k12_mid*damp12;
         }
-        y2 x1_dot {
-            moving_centres_12_and_damping => cos_a*beta_K*k12_mid*damp12*flank12*open12_by_x_c12
-                + cos_a*beta_K*k12_mid*damp12*turn12_by_x_c12 + sin_a*beta_K*k12_mid*damp12*flank12*open12_by_y_c12
-                + sin_a*beta_K*k12_mid*damp12*turn12_by_y_c12 + beta_K*k12_mid*damp12*flank12*open12_by_x_c12*turn12_by_y_c12
-                + beta_K*k12_mid*damp12*flank12*open12_by_y_c12*turn12_by_x_c12 + beta_K*k12_mid*damp12*turn12_by_x_c12*turn12_by_y_c12
-                + beta_K*k12_mid*damp12*flank12.powi(2)*open12_by_x_c12*open12_by_y_c12;
-            damping => cos_a*sin_a*beta_K*k12_mid*damp12;
-        }
-        y2 y1_dot {
-            moving_centres_12_and_damping => 2.0*cos_a*beta_K*k12_mid*damp12*flank12*open12_by_y_c12
-                + 2.0*cos_a*beta_K*k12_mid*damp12*turn12_by_y_c12 + 2.0*beta_K*k12_mid*damp12*flank12*open12_by_y_c12*turn12_by_y_c12
-                + beta_K*k12_mid*damp12*flank12.powi(2)*open12_by_y_c12.powi(2) + beta_K*k12_mid*damp12*turn12_by_y_c12.powi(2);
-            damping => cos_a.powi(2)*beta_K*k12_mid*damp12;
-        }
-        y2 x2_dot {
-            moving_centres_12_and_damping => -cos_a*beta_K*k12_mid*damp12*flank12*open12_by_x_c12
-                - cos_a*beta_K*k12_mid*damp12*turn12_by_x_c12 - sin_a*beta_K*k12_mid*damp12*flank12*open12_by_y_c12
-                - sin_a*beta_K*k12_mid*damp12*turn12_by_y_c12 - beta_K*k12_mid*damp12*flank12*open12_by_x_c12*turn12_by_y_c12
-                - beta_K*k12_mid*damp12*flank12*open12_by_y_c12*turn12_by_x_c12 - beta_K*k12_mid*damp12*turn12_by_x_c12*turn12_by_y_c12
-                - beta_K*k12_mid*damp12*flank12.powi(2)*open12_by_x_c12*open12_by_y_c12;
-            damping => -cos_a*sin_a*beta_K*k12_mid*damp12;
-        }
-        y2 y2_dot {
-            viscous_friction_2 => -cb2;
-            moving_centres_12_and_damping => -2.0*cos_a*beta_K*k12_mid*damp12*flank12*open12_by_y_c12
-                - 2.0*cos_a*beta_K*k12_mid*damp12*turn12_by_y_c12 - 2.0*beta_K*k12_mid*damp12*flank12*open12_by_y_c12*turn12_by_y_c12
-                - beta_K*k12_mid*damp12*flank12.powi(2)*open12_by_y_c12.powi(2) - beta_K*k12_mid*damp12*turn12_by_y_c12.powi(2);
-            damping => -alpha_M*m2 - beta_K*kb2 - cos_a.powi(2)*beta_K*k12_mid*damp12;
-        }
+        y2 psi12_dot { sliding_friction_12 => sin_a*side12*F_mu12_by_psi12_dot; }
     }
     cell {
         stiffness {
-            s s {
+            bx1 bx1 { _ => kb1; }
+            by1 by1 { _ => kb1; }
+            bx2 bx2 { _ => kb2; }
+            by2 by2 { _ => kb2; }
+            over12 over12 {
                 _ => k12*touch12;
                 backlash_12 => k12*clip12*touch12;
             }
-            s x1 {
-                _ => sin_a*k12*touch12;
-                backlash_12 => sin_a*k12*clip12*touch12;
-            }
-            s y1 {
-                _ => cos_a*k12*touch12;
-                backlash_12 => cos_a*k12*clip12*touch12;
-            }
-            s x2 {
-                _ => -sin_a*k12*touch12;
-                backlash_12 => -sin_a*k12*clip12*touch12;
-            }
-            s y2 {
-                _ => -cos_a*k12*touch12;
-                backlash_12 => -cos_a*k12*clip12*touch12;
-            }
-            x1 x1 {
-                _ => kb1 + sin_a.powi(2)*k12*touch12;
-                backlash_12 => sin_a.powi(2)*k12*clip12*touch12;
-            }
-            x1 y1 {
-                _ => cos_a*sin_a*k12*touch12;
-                backlash_12 => cos_a*sin_a*k12*clip12*touch12;
-            }
-            x1 x2 {
-                _ => -sin_a.powi(2)*k12*touch12;
-                backlash_12 => -sin_a.powi(2)*k12*clip12*touch12;
-            }
-            x1 y2 {
-                _ => -cos_a*sin_a*k12*touch12;
-                backlash_12 => -cos_a*sin_a*k12*clip12*touch12;
-            }
-            y1 y1 {
-                _ => kb1 + cos_a.powi(2)*k12*touch12;
-                backlash_12 => cos_a.powi(2)*k12*clip12*touch12;
-            }
-            y1 x2 {
-                _ => -cos_a*sin_a*k12*touch12;
-                backlash_12 => -cos_a*sin_a*k12*clip12*touch12;
-            }
-            y1 y2 {
-                _ => -cos_a.powi(2)*k12*touch12;
-                backlash_12 => -cos_a.powi(2)*k12*clip12*touch12;
-            }
-            x2 x2 {
-                _ => kb2 + sin_a.powi(2)*k12*touch12;
-                backlash_12 => sin_a.powi(2)*k12*clip12*touch12;
-            }
-            x2 y2 {
-                _ => cos_a*sin_a*k12*touch12;
-                backlash_12 => cos_a*sin_a*k12*clip12*touch12;
-            }
-            y2 y2 {
-                _ => kb2 + cos_a.powi(2)*k12*touch12;
-                backlash_12 => cos_a.powi(2)*k12*clip12*touch12;
-            }
         }
         damping {
-            theta theta {
-                speed_governor => c_motor/N1.powi(2);
-                dc_motor => Ts_motor/(N1.powi(2)*n0_motor);
-                damping => I1*alpha_M/N1.powi(2) + I2*alpha_M/N2.powi(2);
-            }
-            theta s {
-                speed_governor => c_motor/(2.0*h*N1.powi(2));
-                dc_motor => Ts_motor/(2.0*h*N1.powi(2)*n0_motor);
-                damping => (I1*alpha_M/(h*N1.powi(2)) - I2*alpha_M/(h*N2.powi(2)))/2.0;
-            }
-            s s {
-                speed_governor => c_motor/(4.0*h.powi(2)*N1.powi(2));
-                dc_motor => Ts_motor/(4.0*h.powi(2)*N1.powi(2)*n0_motor);
-                damping => beta_K*k12_mid*damp12 + I1*alpha_M/(4.0*h.powi(2)*N1.powi(2)) + I2*alpha_M/(4.0*h.powi(2)*N2.powi(2));
-            }
-            s x1 { damping => sin_a*beta_K*k12_mid*damp12; }
-            s y1 { damping => cos_a*beta_K*k12_mid*damp12; }
-            s x2 { damping => -sin_a*beta_K*k12_mid*damp12; }
-            s y2 { damping => -cos_a*beta_K*k12_mid*damp12; }
-            x1 x1 {
+            theta theta { damping => I1*alpha_M/N1.powi(2) + I2*alpha_M/N2.powi(2); }
+            theta s { damping => (I1*alpha_M/(h*N1.powi(2)) - I2*alpha_M/(h*N2.powi(2)))/2.0; }
+            s s { damping => (I1*alpha_M/(h.powi(2)*N1.powi(2)) + I2*alpha_M/(h.powi(2)*N2.powi(2)))/4.0; }
+            x1 x1 { damping => alpha_M*m1; }
+            y1 y1 { damping => alpha_M*m1; }
+            x2 x2 { damping => alpha_M*m2; }
+            y2 y2 { damping => alpha_M*m2; }
+            bx1 bx1 {
                 viscous_friction_1 => cb1;
-                damping => alpha_M*m1 + beta_K*kb1 + sin_a.powi(2)*beta_K*k12_mid*damp12;
+                damping => beta_K*kb1;
             }
-            x1 y1 { damping => cos_a*sin_a*beta_K*k12_mid*damp12; }
-            x1 x2 { damping => -sin_a.powi(2)*beta_K*k12_mid*damp12; }
-            x1 y2 { damping => -cos_a*sin_a*beta_K*k12_mid*damp12; }
-            y1 y1 {
+            by1 by1 {
                 viscous_friction_1 => cb1;
-                damping => alpha_M*m1 + beta_K*kb1 + cos_a.powi(2)*beta_K*k12_mid*damp12;
+                damping => beta_K*kb1;
             }
-            y1 x2 { damping => -cos_a*sin_a*beta_K*k12_mid*damp12; }
-            y1 y2 { damping => -cos_a.powi(2)*beta_K*k12_mid*damp12; }
-            x2 x2 {
+            bx2 bx2 {
                 viscous_friction_2 => cb2;
-                damping => alpha_M*m2 + beta_K*kb2 + sin_a.powi(2)*beta_K*k12_mid*damp12;
+                damping => beta_K*kb2;
             }
-            x2 y2 { damping => cos_a*sin_a*beta_K*k12_mid*damp12; }
-            y2 y2 {
+            by2 by2 {
                 viscous_friction_2 => cb2;
-                damping => alpha_M*m2 + beta_K*kb2 + cos_a.powi(2)*beta_K*k12_mid*damp12;
+                damping => beta_K*kb2;
+            }
+            over12 over12 { damping => beta_K*k12_mid*damp12; }
+            theta_motor theta_motor {
+                speed_governor => c_motor;
+                dc_motor => Ts_motor/n0_motor;
             }
         }
         load {
@@ -1298,27 +977,13 @@ equations! {
                 dc_motor => Ts_motor/N1;
             }
             s {
-                _ => k12*touch12*edge12 + k12*touch12*e12;
-                backlash_12 => k12*clip12*touch12*edge12 + k12*clip12*touch12*e12;
                 torques => (T_motor/(h*N1) + T_load/(h*N2))/2.0;
                 speed_governor => c_motor*n_motor/(2.0*h*N1);
                 dc_motor => Ts_motor/(2.0*h*N1);
             }
-            x1 {
-                _ => sin_a*k12*touch12*edge12 + sin_a*k12*touch12*e12;
-                backlash_12 => sin_a*k12*clip12*touch12*edge12 + sin_a*k12*clip12*touch12*e12;
-            }
-            y1 {
-                _ => cos_a*k12*touch12*edge12 + cos_a*k12*touch12*e12;
-                backlash_12 => cos_a*k12*clip12*touch12*edge12 + cos_a*k12*clip12*touch12*e12;
-            }
-            x2 {
-                _ => -sin_a*k12*touch12*edge12 - sin_a*k12*touch12*e12;
-                backlash_12 => -sin_a*k12*clip12*touch12*edge12 - sin_a*k12*clip12*touch12*e12;
-            }
-            y2 {
-                _ => -cos_a*k12*touch12*edge12 - cos_a*k12*touch12*e12;
-                backlash_12 => -cos_a*k12*clip12*touch12*edge12 - cos_a*k12*clip12*touch12*e12;
+            over12 {
+                _ => k12*touch12*edge12 + k12*touch12*e12;
+                backlash_12 => k12*clip12*touch12*edge12 + k12*clip12*touch12*e12;
             }
         }
     }

@@ -401,42 +401,26 @@ equations! {
                 - dk12*arm12*F_mu12_by_k12/N2;
             jump_terms => -ddk12*touch12*over12.powi(2)/2.0;
         }
-        theta s {
+        theta theta_dot { damping => -I1*alpha_M/N1.powi(2) - I2*alpha_M/N2.powi(2) - I_l*alpha_M/N2.powi(2) - I_m*alpha_M/N1.powi(2); }
+        theta s_dot {
+            damping => (I2*alpha_M/(h*N2.powi(2)) - I1*alpha_M/(h*N1.powi(2)) + I_l*alpha_M/(h*N2.powi(2)) - I_m*alpha_M/(h*N1.powi(2)))
+                /2.0;
+        }
+        theta psi_m_dot { damping => -I_m*alpha_M/N1; }
+        theta psi_l_dot { damping => I_l*alpha_M/N2; }
+        theta over12 {
             transmission_error_12_and_jump_terms => k12*de12*touch12;
             sliding_friction_12 => -arm12*F_mu12_by_over12/N1 - arm12*F_mu12_by_over12/N2;
             jump_terms => -dk12*touch12*over12;
         }
-        theta theta_dot {
-            sliding_friction_12 => -arm12*F_mu12_by_psi12_dot/N1.powi(2) - 2.0*arm12*F_mu12_by_psi12_dot/(N1*N2)
-                - arm12*F_mu12_by_psi12_dot/N2.powi(2);
-            speed_governor => -c_motor/N1.powi(2);
-            dc_motor => -Ts_motor/(N1.powi(2)*n0_motor);
-            induction_motor => T_induction_motor_by_theta_motor_dot/N1.powi(2);
-            traction_motor => T_traction_motor_by_theta_motor_dot/N1.powi(2);
-            fan_load => T_fan_load_by_theta_load_dot/N2.powi(2);
-            damping => -I1*alpha_M/N1.powi(2) - I2*alpha_M/N2.powi(2) - I_l*alpha_M/N2.powi(2) - I_m*alpha_M/N1.powi(2);
-        }
-        theta s_dot {
-            sliding_friction_12 => (arm12*F_mu12_by_psi12_dot/(h*N2.powi(2)) - arm12*F_mu12_by_psi12_dot/(h*N1.powi(2)))/2.0;
-            speed_governor => -c_motor/(2.0*h*N1.powi(2));
-            dc_motor => -Ts_motor/(2.0*h*N1.powi(2)*n0_motor);
-            induction_motor => T_induction_motor_by_theta_motor_dot/(2.0*h*N1.powi(2));
-            traction_motor => T_traction_motor_by_theta_motor_dot/(2.0*h*N1.powi(2));
-            fan_load => -T_fan_load_by_theta_load_dot/(2.0*h*N2.powi(2));
-            damping => (I2*alpha_M/(h*N2.powi(2)) - I1*alpha_M/(h*N1.powi(2)) + I_l*alpha_M/(h*N2.powi(2)) - I_m*alpha_M/(h*N1.powi(2)))
-                /2.0;
-        }
-        theta psi_m_dot {
+        theta psi12_dot { sliding_friction_12 => -arm12*F_mu12_by_psi12_dot/N1 - arm12*F_mu12_by_psi12_dot/N2; }
+        theta theta_motor_dot {
             speed_governor => -c_motor/N1;
             dc_motor => -Ts_motor/(N1*n0_motor);
             induction_motor => T_induction_motor_by_theta_motor_dot/N1;
             traction_motor => T_traction_motor_by_theta_motor_dot/N1;
-            damping => -I_m*alpha_M/N1;
         }
-        theta psi_l_dot {
-            fan_load => -T_fan_load_by_theta_load_dot/N2;
-            damping => I_l*alpha_M/N2;
-        }
+        theta theta_load_dot { fan_load => T_fan_load_by_theta_load_dot/N2; }
         s theta {
             transmission_error_12_and_backlash_12_and_moving_phase => k12*de12*clip12*touch12;
             transmission_error_12_and_sliding_friction_12_and_moving_phase => tan_a*de12*side12*F_mu12_by_over12
@@ -447,126 +431,83 @@ equations! {
                 - darm12*F_mu12/(2.0*h*N1) - dk12*arm12*F_mu12_by_k12/(2.0*h*N1) + dk12*arm12*F_mu12_by_k12/(2.0*h*N2);
             moving_phase => -dk12*touch12*over12;
         }
-        s s {
-            _ => -k12*touch12;
-            backlash_12 => -k12*clip12*touch12;
-            sliding_friction_12 => arm12*F_mu12_by_over12/(2.0*h*N2) - tan_a*side12*F_mu12_by_over12 - arm12*F_mu12_by_over12/(2.0*h*N1);
-        }
         s theta_dot {
-            sliding_friction_12 => arm12*F_mu12_by_psi12_dot/(2.0*h*N2.powi(2)) - tan_a*side12*F_mu12_by_psi12_dot/N1
-                - tan_a*side12*F_mu12_by_psi12_dot/N2 - arm12*F_mu12_by_psi12_dot/(2.0*h*N1.powi(2));
-            speed_governor => -c_motor/(2.0*h*N1.powi(2));
-            dc_motor => -Ts_motor/(2.0*h*N1.powi(2)*n0_motor);
-            induction_motor => T_induction_motor_by_theta_motor_dot/(2.0*h*N1.powi(2));
-            traction_motor => T_traction_motor_by_theta_motor_dot/(2.0*h*N1.powi(2));
-            fan_load => -T_fan_load_by_theta_load_dot/(2.0*h*N2.powi(2));
             damping => (I2*alpha_M/(h*N2.powi(2)) - I1*alpha_M/(h*N1.powi(2)) + I_l*alpha_M/(h*N2.powi(2)) - I_m*alpha_M/(h*N1.powi(2)))
                 /2.0;
         }
         s s_dot {
-            sliding_friction_12 => arm12*F_mu12_by_psi12_dot/(2.0*h.powi(2)*N1*N2) - arm12*F_mu12_by_psi12_dot/(4.0*h.powi(2)*N1.powi(2))
-                - arm12*F_mu12_by_psi12_dot/(4.0*h.powi(2)*N2.powi(2)) - tan_a*side12*F_mu12_by_psi12_dot/(2.0*h*N1)
-                + tan_a*side12*F_mu12_by_psi12_dot/(2.0*h*N2);
-            speed_governor => -c_motor/(4.0*h.powi(2)*N1.powi(2));
-            dc_motor => -Ts_motor/(4.0*h.powi(2)*N1.powi(2)*n0_motor);
-            induction_motor => T_induction_motor_by_theta_motor_dot/(4.0*h.powi(2)*N1.powi(2));
-            traction_motor => T_traction_motor_by_theta_motor_dot/(4.0*h.powi(2)*N1.powi(2));
-            fan_load => T_fan_load_by_theta_load_dot/(4.0*h.powi(2)*N2.powi(2));
-            damping => -beta_K*k12_mid*damp12 - I1*alpha_M/(4.0*h.powi(2)*N1.powi(2)) - I2*alpha_M/(4.0*h.powi(2)*N2.powi(2))
-                - I_l*alpha_M/(4.0*h.powi(2)*N2.powi(2)) - I_m*alpha_M/(4.0*h.powi(2)*N1.powi(2));
+            damping => (-I1*alpha_M/(h.powi(2)*N1.powi(2)) - I2*alpha_M/(h.powi(2)*N2.powi(2)) - I_l*alpha_M/(h.powi(2)*N2.powi(2))
+                - I_m*alpha_M/(h.powi(2)*N1.powi(2)))/4.0;
         }
-        s psi_m_dot {
+        s psi_m_dot { damping => -I_m*alpha_M/(2.0*h*N1); }
+        s psi_l_dot { damping => -I_l*alpha_M/(2.0*h*N2); }
+        s over12 {
+            _ => -k12*touch12;
+            backlash_12 => -k12*clip12*touch12;
+            sliding_friction_12 => arm12*F_mu12_by_over12/(2.0*h*N2) - tan_a*side12*F_mu12_by_over12 - arm12*F_mu12_by_over12/(2.0*h*N1);
+        }
+        s over12_dot { damping => -beta_K*k12_mid*damp12; }
+        s psi12_dot {
+            sliding_friction_12 => arm12*F_mu12_by_psi12_dot/(2.0*h*N2) - tan_a*side12*F_mu12_by_psi12_dot
+                - arm12*F_mu12_by_psi12_dot/(2.0*h*N1);
+        }
+        s theta_motor_dot {
             speed_governor => -c_motor/(2.0*h*N1);
             dc_motor => -Ts_motor/(2.0*h*N1*n0_motor);
             induction_motor => T_induction_motor_by_theta_motor_dot/(2.0*h*N1);
             traction_motor => T_traction_motor_by_theta_motor_dot/(2.0*h*N1);
-            damping => -I_m*alpha_M/(2.0*h*N1);
         }
-        s psi_l_dot {
-            fan_load => T_fan_load_by_theta_load_dot/(2.0*h*N2);
-            damping => -I_l*alpha_M/(2.0*h*N2);
-        }
-        psi_m psi_m { _ => -k_m; }
-        psi_m theta_dot {
-            speed_governor => -c_motor/N1;
-            dc_motor => -Ts_motor/(N1*n0_motor);
-            induction_motor => T_induction_motor_by_theta_motor_dot/N1;
-            traction_motor => T_traction_motor_by_theta_motor_dot/N1;
-            damping => -I_m*alpha_M/N1;
-        }
-        psi_m s_dot {
-            speed_governor => -c_motor/(2.0*h*N1);
-            dc_motor => -Ts_motor/(2.0*h*N1*n0_motor);
-            induction_motor => T_induction_motor_by_theta_motor_dot/(2.0*h*N1);
-            traction_motor => T_traction_motor_by_theta_motor_dot/(2.0*h*N1);
-            damping => -I_m*alpha_M/(2.0*h*N1);
-        }
-        psi_m psi_m_dot {
+        s theta_load_dot { fan_load => -T_fan_load_by_theta_load_dot/(2.0*h*N2); }
+        psi_m theta_dot { damping => -I_m*alpha_M/N1; }
+        psi_m s_dot { damping => -I_m*alpha_M/(2.0*h*N1); }
+        psi_m psi_m_dot { damping => -I_m*alpha_M; }
+        psi_m twist_m { _ => -k_m; }
+        psi_m twist_m_dot { damping => -beta_K*k_m; }
+        psi_m theta_motor_dot {
             speed_governor => -c_motor;
             dc_motor => -Ts_motor/n0_motor;
             induction_motor => T_induction_motor_by_theta_motor_dot;
             traction_motor => T_traction_motor_by_theta_motor_dot;
-            damping => -I_m*alpha_M - beta_K*k_m;
         }
-        psi_l psi_l { _ => -k_l; }
-        psi_l theta_dot {
-            fan_load => -T_fan_load_by_theta_load_dot/N2;
-            damping => I_l*alpha_M/N2;
-        }
-        psi_l s_dot {
-            fan_load => T_fan_load_by_theta_load_dot/(2.0*h*N2);
-            damping => -I_l*alpha_M/(2.0*h*N2);
-        }
-        psi_l psi_l_dot {
-            fan_load => T_fan_load_by_theta_load_dot;
-            damping => -I_l*alpha_M - beta_K*k_l;
-        }
+        psi_l theta_dot { damping => I_l*alpha_M/N2; }
+        psi_l s_dot { damping => -I_l*alpha_M/(2.0*h*N2); }
+        psi_l psi_l_dot { damping => -I_l*alpha_M; }
+        psi_l twist_l { _ => -k_l; }
+        psi_l twist_l_dot { damping => -beta_K*k_l; }
+        psi_l theta_load_dot { fan_load => -T_fan_load_by_theta_load_dot; }
     }
     cell {
         stiffness {
-            s s {
+            twist_m twist_m { _ => k_m; }
+            twist_l twist_l { _ => k_l; }
+            over12 over12 {
                 _ => k12*touch12;
                 backlash_12 => k12*clip12*touch12;
             }
-            psi_m psi_m { _ => k_m; }
-            psi_l psi_l { _ => k_l; }
         }
         damping {
-            theta theta {
-                speed_governor => c_motor/N1.powi(2);
-                dc_motor => Ts_motor/(N1.powi(2)*n0_motor);
-                damping => I1*alpha_M/N1.powi(2) + I2*alpha_M/N2.powi(2) + I_l*alpha_M/N2.powi(2) + I_m*alpha_M/N1.powi(2);
-            }
+            theta theta { damping => I1*alpha_M/N1.powi(2) + I2*alpha_M/N2.powi(2) + I_l*alpha_M/N2.powi(2) + I_m*alpha_M/N1.powi(2); }
             theta s {
-                speed_governor => c_motor/(2.0*h*N1.powi(2));
-                dc_motor => Ts_motor/(2.0*h*N1.powi(2)*n0_motor);
                 damping => (I1*alpha_M/(h*N1.powi(2)) - I2*alpha_M/(h*N2.powi(2)) - I_l*alpha_M/(h*N2.powi(2))
                     + I_m*alpha_M/(h*N1.powi(2)))/2.0;
             }
-            theta psi_m {
-                speed_governor => c_motor/N1;
-                dc_motor => Ts_motor/(N1*n0_motor);
-                damping => I_m*alpha_M/N1;
-            }
+            theta psi_m { damping => I_m*alpha_M/N1; }
             theta psi_l { damping => -I_l*alpha_M/N2; }
             s s {
-                speed_governor => c_motor/(4.0*h.powi(2)*N1.powi(2));
-                dc_motor => Ts_motor/(4.0*h.powi(2)*N1.powi(2)*n0_motor);
-                damping => beta_K*k12_mid*damp12 + I1*alpha_M/(4.0*h.powi(2)*N1.powi(2)) + I2*alpha_M/(4.0*h.powi(2)*N2.powi(2))
-                    + I_l*alpha_M/(4.0*h.powi(2)*N2.powi(2)) + I_m*alpha_M/(4.0*h.powi(2)*N1.powi(2));
+                damping => (I1*alpha_M/(h.powi(2)*N1.powi(2)) + I2*alpha_M/(h.powi(2)*N2.powi(2)) + I_l*alpha_M/(h.powi(2)*N2.powi(2))
+                    + I_m*alpha_M/(h.powi(2)*N1.powi(2)))/4.0;
             }
-            s psi_m {
-                speed_governor => c_motor/(2.0*h*N1);
-                dc_motor => Ts_motor/(2.0*h*N1*n0_motor);
-                damping => I_m*alpha_M/(2.0*h*N1);
-            }
+            s psi_m { damping => I_m*alpha_M/(2.0*h*N1); }
             s psi_l { damping => I_l*alpha_M/(2.0*h*N2); }
-            psi_m psi_m {
+            psi_m psi_m { damping => I_m*alpha_M; }
+            psi_l psi_l { damping => I_l*alpha_M; }
+            twist_m twist_m { damping => beta_K*k_m; }
+            twist_l twist_l { damping => beta_K*k_l; }
+            over12 over12 { damping => beta_K*k12_mid*damp12; }
+            theta_motor theta_motor {
                 speed_governor => c_motor;
                 dc_motor => Ts_motor/n0_motor;
-                damping => I_m*alpha_M + beta_K*k_m;
             }
-            psi_l psi_l { damping => I_l*alpha_M + beta_K*k_l; }
         }
         load {
             theta {
@@ -575,8 +516,6 @@ equations! {
                 dc_motor => Ts_motor/N1;
             }
             s {
-                _ => k12*touch12*edge12 + k12*touch12*e12;
-                backlash_12 => k12*clip12*touch12*edge12 + k12*clip12*touch12*e12;
                 torques => (T_motor/(h*N1) + T_load/(h*N2))/2.0;
                 speed_governor => c_motor*n_motor/(2.0*h*N1);
                 dc_motor => Ts_motor/(2.0*h*N1);
@@ -587,6 +526,10 @@ equations! {
                 dc_motor => Ts_motor;
             }
             psi_l { torques => T_load; }
+            over12 {
+                _ => k12*touch12*edge12 + k12*touch12*e12;
+                backlash_12 => k12*clip12*touch12*edge12 + k12*clip12*touch12*e12;
+            }
         }
     }
     nonlinear_with {

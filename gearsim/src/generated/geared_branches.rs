@@ -176,62 +176,48 @@ equations! {
         }
     }
     jacobian {
-        theta1 theta1 { _ => -k_a - k_m - N1.powi(2)*k_b/N2.powi(2); }
-        theta1 theta_m { _ => k_m; }
-        theta1 theta_a { _ => k_a; }
-        theta1 theta_b { _ => N1*k_b/N2; }
-        theta1 theta1_dot {
-            damping => -I1*alpha_M - I2*N1.powi(2)*alpha_M/N2.powi(2) - beta_K*k_a - beta_K*k_m - N1.powi(2)*beta_K*k_b/N2.powi(2);
-        }
-        theta1 theta_m_dot { damping => beta_K*k_m; }
-        theta1 theta_a_dot { damping => beta_K*k_a; }
-        theta1 theta_b_dot { damping => N1*beta_K*k_b/N2; }
-        theta_m theta1 { _ => k_m; }
-        theta_m theta_m { _ => -k_m; }
-        theta_m theta1_dot { damping => beta_K*k_m; }
-        theta_m theta_m_dot {
+        theta1 theta1_dot { damping => -I1*alpha_M - I2*N1.powi(2)*alpha_M/N2.powi(2); }
+        theta1 twist_m { _ => k_m; }
+        theta1 twist_a { _ => -k_a; }
+        theta1 twist_b { _ => -N1*k_b/N2; }
+        theta1 twist_m_dot { damping => beta_K*k_m; }
+        theta1 twist_a_dot { damping => -beta_K*k_a; }
+        theta1 twist_b_dot { damping => -N1*beta_K*k_b/N2; }
+        theta_m theta_m_dot { damping => -I_m*alpha_M; }
+        theta_m twist_m { _ => -k_m; }
+        theta_m twist_m_dot { damping => -beta_K*k_m; }
+        theta_m theta_motor_dot {
             speed_governor => -c_motor;
             dc_motor => -Ts_motor/n0_motor;
             induction_motor => T_induction_motor_by_theta_motor_dot;
             traction_motor => T_traction_motor_by_theta_motor_dot;
-            damping => -I_m*alpha_M - beta_K*k_m;
         }
-        theta_a theta1 { _ => k_a; }
-        theta_a theta_a { _ => -k_a; }
-        theta_a theta1_dot { damping => beta_K*k_a; }
-        theta_a theta_a_dot { damping => -I_a*alpha_M - beta_K*k_a; }
-        theta_b theta1 { _ => N1*k_b/N2; }
-        theta_b theta_b { _ => -k_b; }
-        theta_b theta1_dot { damping => N1*beta_K*k_b/N2; }
-        theta_b theta_b_dot {
-            fan_load => T_fan_load_by_theta_load_dot;
-            damping => -I_b*alpha_M - beta_K*k_b;
-        }
+        theta_a theta_a_dot { damping => -I_a*alpha_M; }
+        theta_a twist_a { _ => k_a; }
+        theta_a twist_a_dot { damping => beta_K*k_a; }
+        theta_b theta_b_dot { damping => -I_b*alpha_M; }
+        theta_b twist_b { _ => k_b; }
+        theta_b twist_b_dot { damping => beta_K*k_b; }
+        theta_b theta_load_dot { fan_load => T_fan_load_by_theta_load_dot; }
     }
     cell {
         stiffness {
-            theta1 theta1 { _ => k_a + k_m + N1.powi(2)*k_b/N2.powi(2); }
-            theta1 theta_m { _ => -k_m; }
-            theta1 theta_a { _ => -k_a; }
-            theta1 theta_b { _ => -N1*k_b/N2; }
-            theta_m theta_m { _ => k_m; }
-            theta_a theta_a { _ => k_a; }
-            theta_b theta_b { _ => k_b; }
+            twist_m twist_m { _ => k_m; }
+            twist_a twist_a { _ => k_a; }
+            twist_b twist_b { _ => k_b; }
         }
         damping {
-            theta1 theta1 {
-                damping => I1*alpha_M + I2*N1.powi(2)*alpha_M/N2.powi(2) + beta_K*k_a + beta_K*k_m + N1.powi(2)*beta_K*k_b/N2.powi(2);
-            }
-            theta1 theta_m { damping => -beta_K*k_m; }
-            theta1 theta_a { damping => -beta_K*k_a; }
-            theta1 theta_b { damping => -N1*beta_K*k_b/N2; }
-            theta_m theta_m {
+            theta1 theta1 { damping => I1*alpha_M + I2*N1.powi(2)*alpha_M/N2.powi(2); }
+            theta_m theta_m { damping => I_m*alpha_M; }
+            theta_a theta_a { damping => I_a*alpha_M; }
+            theta_b theta_b { damping => I_b*alpha_M; }
+            twist_m twist_m { damping => beta_K*k_m; }
+            twist_a twist_a { damping => beta_K*k_a; }
+            twist_b twist_b { damping => beta_K*k_b; }
+            theta_motor theta_motor {
                 speed_governor => c_motor;
                 dc_motor => Ts_motor/n0_motor;
-                damping => I_m*alpha_M + beta_K*k_m;
             }
-            theta_a theta_a { damping => I_a*alpha_M + beta_K*k_a; }
-            theta_b theta_b { damping => I_b*alpha_M + beta_K*k_b; }
         }
         load {
             theta_m {

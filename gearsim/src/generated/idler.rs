@@ -537,41 +537,28 @@ equations! {
                 - dk23*arm23*F_mu23_by_k23/N3;
             jump_terms => (-ddk12*touch12*over12.powi(2) - ddk23*touch23*over23.powi(2))/2.0;
         }
-        theta delta1 {
+        theta theta_dot { damping => -I1*alpha_M/N1.powi(2) - I2*alpha_M/N2.powi(2) - I3*alpha_M/N3.powi(2); }
+        theta delta1_dot { damping => -I1*alpha_M/(h*N1.powi(2)); }
+        theta delta2_dot { damping => I3*alpha_M/(h*N3.powi(2)); }
+        theta over12 {
             transmission_error_12_and_jump_terms => k12*de12*touch12;
             sliding_friction_12 => -arm12*F_mu12_by_over12/N1 - arm12*F_mu12_by_over12/N2;
             jump_terms => -dk12*touch12*over12;
         }
-        theta delta2 {
+        theta over23 {
             transmission_error_23_and_jump_terms => k23*de23*touch23;
             sliding_friction_23 => -arm23*F_mu23_by_over23/N2 - arm23*F_mu23_by_over23/N3;
             jump_terms => -dk23*touch23*over23;
         }
-        theta theta_dot {
-            sliding_friction_12 => -arm12*F_mu12_by_psi12_dot/N1.powi(2) - 2.0*arm12*F_mu12_by_psi12_dot/(N1*N2)
-                - arm12*F_mu12_by_psi12_dot/N2.powi(2);
-            sliding_friction_23 => -arm23*F_mu23_by_psi23_dot/N2.powi(2) - 2.0*arm23*F_mu23_by_psi23_dot/(N2*N3)
-                - arm23*F_mu23_by_psi23_dot/N3.powi(2);
-            speed_governor => -c_motor/N1.powi(2);
-            dc_motor => -Ts_motor/(N1.powi(2)*n0_motor);
-            induction_motor => T_induction_motor_by_theta_motor_dot/N1.powi(2);
-            traction_motor => T_traction_motor_by_theta_motor_dot/N1.powi(2);
-            fan_load => T_fan_load_by_theta_load_dot/N3.powi(2);
-            damping => -I1*alpha_M/N1.powi(2) - I2*alpha_M/N2.powi(2) - I3*alpha_M/N3.powi(2);
+        theta psi12_dot { sliding_friction_12 => -arm12*F_mu12_by_psi12_dot/N1 - arm12*F_mu12_by_psi12_dot/N2; }
+        theta psi23_dot { sliding_friction_23 => -arm23*F_mu23_by_psi23_dot/N2 - arm23*F_mu23_by_psi23_dot/N3; }
+        theta theta_motor_dot {
+            speed_governor => -c_motor/N1;
+            dc_motor => -Ts_motor/(N1*n0_motor);
+            induction_motor => T_induction_motor_by_theta_motor_dot/N1;
+            traction_motor => T_traction_motor_by_theta_motor_dot/N1;
         }
-        theta delta1_dot {
-            sliding_friction_12 => -arm12*F_mu12_by_psi12_dot/(h*N1.powi(2)) - arm12*F_mu12_by_psi12_dot/(h*N1*N2);
-            speed_governor => -c_motor/(h*N1.powi(2));
-            dc_motor => -Ts_motor/(h*N1.powi(2)*n0_motor);
-            induction_motor => T_induction_motor_by_theta_motor_dot/(h*N1.powi(2));
-            traction_motor => T_traction_motor_by_theta_motor_dot/(h*N1.powi(2));
-            damping => -I1*alpha_M/(h*N1.powi(2));
-        }
-        theta delta2_dot {
-            sliding_friction_23 => arm23*F_mu23_by_psi23_dot/(h*N2*N3) + arm23*F_mu23_by_psi23_dot/(h*N3.powi(2));
-            fan_load => -T_fan_load_by_theta_load_dot/(h*N3.powi(2));
-            damping => I3*alpha_M/(h*N3.powi(2));
-        }
+        theta theta_load_dot { fan_load => T_fan_load_by_theta_load_dot/N3; }
         delta1 theta {
             transmission_error_12_and_backlash_12_and_moving_phase => k12*de12*clip12*touch12;
             transmission_error_12_and_sliding_friction_12_and_moving_phase => tan_a*de12*side12*F_mu12_by_over12
@@ -582,27 +569,20 @@ equations! {
                 - dk12*arm12*F_mu12_by_k12/(h*N1);
             moving_phase => -dk12*touch12*over12;
         }
-        delta1 delta1 {
+        delta1 theta_dot { damping => -I1*alpha_M/(h*N1.powi(2)); }
+        delta1 delta1_dot { damping => -I1*alpha_M/(h.powi(2)*N1.powi(2)); }
+        delta1 over12 {
             _ => -k12*touch12;
             backlash_12 => -k12*clip12*touch12;
             sliding_friction_12 => -tan_a*side12*F_mu12_by_over12 - arm12*F_mu12_by_over12/(h*N1);
         }
-        delta1 theta_dot {
-            sliding_friction_12 => -tan_a*side12*F_mu12_by_psi12_dot/N1 - tan_a*side12*F_mu12_by_psi12_dot/N2
-                - arm12*F_mu12_by_psi12_dot/(h*N1.powi(2)) - arm12*F_mu12_by_psi12_dot/(h*N1*N2);
-            speed_governor => -c_motor/(h*N1.powi(2));
-            dc_motor => -Ts_motor/(h*N1.powi(2)*n0_motor);
-            induction_motor => T_induction_motor_by_theta_motor_dot/(h*N1.powi(2));
-            traction_motor => T_traction_motor_by_theta_motor_dot/(h*N1.powi(2));
-            damping => -I1*alpha_M/(h*N1.powi(2));
-        }
-        delta1 delta1_dot {
-            sliding_friction_12 => -arm12*F_mu12_by_psi12_dot/(h.powi(2)*N1.powi(2)) - tan_a*side12*F_mu12_by_psi12_dot/(h*N1);
-            speed_governor => -c_motor/(h.powi(2)*N1.powi(2));
-            dc_motor => -Ts_motor/(h.powi(2)*N1.powi(2)*n0_motor);
-            induction_motor => T_induction_motor_by_theta_motor_dot/(h.powi(2)*N1.powi(2));
-            traction_motor => T_traction_motor_by_theta_motor_dot/(h.powi(2)*N1.powi(2));
-            damping => -beta_K*k12_mid*damp12 - I1*alpha_M/(h.powi(2)*N1.powi(2));
+        delta1 over12_dot { damping => -beta_K*k12_mid*damp12; }
+        delta1 psi12_dot { sliding_friction_12 => -tan_a*side12*F_mu12_by_psi12_dot - arm12*F_mu12_by_psi12_dot/(h*N1); }
+        delta1 theta_motor_dot {
+            speed_governor => -c_motor/(h*N1);
+            dc_motor => -Ts_motor/(h*N1*n0_motor);
+            induction_motor => T_induction_motor_by_theta_motor_dot/(h*N1);
+            traction_motor => T_traction_motor_by_theta_motor_dot/(h*N1);
         }
         delta2 theta {
             transmission_error_23_and_backlash_23_and_moving_phase => k23*de23*clip23*touch23;
@@ -614,52 +594,40 @@ equations! {
                 + dk23*arm23*F_mu23_by_k23/(h*N3);
             moving_phase => -dk23*touch23*over23;
         }
-        delta2 delta2 {
+        delta2 theta_dot { damping => I3*alpha_M/(h*N3.powi(2)); }
+        delta2 delta2_dot { damping => -I3*alpha_M/(h.powi(2)*N3.powi(2)); }
+        delta2 over23 {
             _ => -k23*touch23;
             backlash_23 => -k23*clip23*touch23;
             sliding_friction_23 => arm23*F_mu23_by_over23/(h*N3) - tan_a*side23*F_mu23_by_over23;
         }
-        delta2 theta_dot {
-            sliding_friction_23 => arm23*F_mu23_by_psi23_dot/(h*N2*N3) - tan_a*side23*F_mu23_by_psi23_dot/N2
-                - tan_a*side23*F_mu23_by_psi23_dot/N3 + arm23*F_mu23_by_psi23_dot/(h*N3.powi(2));
-            fan_load => -T_fan_load_by_theta_load_dot/(h*N3.powi(2));
-            damping => I3*alpha_M/(h*N3.powi(2));
-        }
-        delta2 delta2_dot {
-            sliding_friction_23 => tan_a*side23*F_mu23_by_psi23_dot/(h*N3) - arm23*F_mu23_by_psi23_dot/(h.powi(2)*N3.powi(2));
-            fan_load => T_fan_load_by_theta_load_dot/(h.powi(2)*N3.powi(2));
-            damping => -beta_K*k23_mid*damp23 - I3*alpha_M/(h.powi(2)*N3.powi(2));
-        }
+        delta2 over23_dot { damping => -beta_K*k23_mid*damp23; }
+        delta2 psi23_dot { sliding_friction_23 => arm23*F_mu23_by_psi23_dot/(h*N3) - tan_a*side23*F_mu23_by_psi23_dot; }
+        delta2 theta_load_dot { fan_load => -T_fan_load_by_theta_load_dot/(h*N3); }
     }
     cell {
         stiffness {
-            delta1 delta1 {
+            over12 over12 {
                 _ => k12*touch12;
                 backlash_12 => k12*clip12*touch12;
             }
-            delta2 delta2 {
+            over23 over23 {
                 _ => k23*touch23;
                 backlash_23 => k23*clip23*touch23;
             }
         }
         damping {
-            theta theta {
-                speed_governor => c_motor/N1.powi(2);
-                dc_motor => Ts_motor/(N1.powi(2)*n0_motor);
-                damping => I1*alpha_M/N1.powi(2) + I2*alpha_M/N2.powi(2) + I3*alpha_M/N3.powi(2);
-            }
-            theta delta1 {
-                speed_governor => c_motor/(h*N1.powi(2));
-                dc_motor => Ts_motor/(h*N1.powi(2)*n0_motor);
-                damping => I1*alpha_M/(h*N1.powi(2));
-            }
+            theta theta { damping => I1*alpha_M/N1.powi(2) + I2*alpha_M/N2.powi(2) + I3*alpha_M/N3.powi(2); }
+            theta delta1 { damping => I1*alpha_M/(h*N1.powi(2)); }
             theta delta2 { damping => -I3*alpha_M/(h*N3.powi(2)); }
-            delta1 delta1 {
-                speed_governor => c_motor/(h.powi(2)*N1.powi(2));
-                dc_motor => Ts_motor/(h.powi(2)*N1.powi(2)*n0_motor);
-                damping => beta_K*k12_mid*damp12 + I1*alpha_M/(h.powi(2)*N1.powi(2));
+            delta1 delta1 { damping => I1*alpha_M/(h.powi(2)*N1.powi(2)); }
+            delta2 delta2 { damping => I3*alpha_M/(h.powi(2)*N3.powi(2)); }
+            over12 over12 { damping => beta_K*k12_mid*damp12; }
+            over23 over23 { damping => beta_K*k23_mid*damp23; }
+            theta_motor theta_motor {
+                speed_governor => c_motor;
+                dc_motor => Ts_motor/n0_motor;
             }
-            delta2 delta2 { damping => beta_K*k23_mid*damp23 + I3*alpha_M/(h.powi(2)*N3.powi(2)); }
         }
         load {
             theta {
@@ -668,16 +636,18 @@ equations! {
                 dc_motor => Ts_motor/N1;
             }
             delta1 {
-                _ => k12*touch12*edge12 + k12*touch12*e12;
-                backlash_12 => k12*clip12*touch12*edge12 + k12*clip12*touch12*e12;
                 torques => T_motor/(h*N1);
                 speed_governor => c_motor*n_motor/(h*N1);
                 dc_motor => Ts_motor/(h*N1);
             }
-            delta2 {
+            delta2 { torques => T_load/(h*N3); }
+            over12 {
+                _ => k12*touch12*edge12 + k12*touch12*e12;
+                backlash_12 => k12*clip12*touch12*edge12 + k12*clip12*touch12*e12;
+            }
+            over23 {
                 _ => k23*touch23*edge23 + k23*touch23*e23;
                 backlash_23 => k23*clip23*touch23*edge23 + k23*clip23*touch23*e23;
-                torques => T_load/(h*N3);
             }
         }
     }

@@ -1525,8 +1525,6 @@ equations! {
     }
     jacobian {
         theta theta {
-            torsional_support_s => -k_s/Z_r.powi(2) - 2.0*k_s/(Z_r*Z_s) - k_s/Z_s.powi(2);
-            torsional_support_c => -k_c/Z_r.powi(2);
             transmission_error_s1_and_sliding_friction_s1_and_moving_phase => roll_s*de_s1*arm_s1*F_mu_s1_by_overs1;
             transmission_error_s1_and_jump_terms => k_s1*dde_s1*touchs1*overs1 - k_s1*de_s1.powi(2)*touchs1
                 + 2.0*de_s1*dk_s1*touchs1*overs1;
@@ -1554,185 +1552,69 @@ equations! {
             jump_terms => (-ddk_r1*touchr1*overr1.powi(2) - ddk_r2*touchr2*overr2.powi(2) - ddk_r3*touchr3*overr3.powi(2)
                 - ddk_s1*touchs1*overs1.powi(2) - ddk_s2*touchs2*overs2.powi(2) - ddk_s3*touchs3*overs3.powi(2))/2.0;
         }
-        theta theta_c {
-            torsional_support_s => -k_s/Z_r - k_s/Z_s;
-            torsional_support_c => -k_c/Z_r;
-            transmission_error_r1_and_jump_terms => -h*Z_r*k_r1*de_r1*touchr1;
-            sliding_friction_r1 => h*roll_r*Z_r*arm_r1*F_mu_r1_by_overr1;
-            transmission_error_r2_and_jump_terms => -h*Z_r*k_r2*de_r2*touchr2;
-            sliding_friction_r2 => h*roll_r*Z_r*arm_r2*F_mu_r2_by_overr2;
-            transmission_error_r3_and_jump_terms => -h*Z_r*k_r3*de_r3*touchr3;
-            sliding_friction_r3 => h*roll_r*Z_r*arm_r3*F_mu_r3_by_overr3;
-            jump_terms => h*Z_r*dk_r1*touchr1*overr1 + h*Z_r*dk_r2*touchr2*overr2 + h*Z_r*dk_r3*touchr3*overr3;
-        }
-        theta theta_r {
-            transmission_error_r1_and_jump_terms => h*Z_r*k_r1*de_r1*touchr1;
-            sliding_friction_r1 => -h*roll_r*Z_r*arm_r1*F_mu_r1_by_overr1;
-            transmission_error_r2_and_jump_terms => h*Z_r*k_r2*de_r2*touchr2;
-            sliding_friction_r2 => -h*roll_r*Z_r*arm_r2*F_mu_r2_by_overr2;
-            transmission_error_r3_and_jump_terms => h*Z_r*k_r3*de_r3*touchr3;
-            sliding_friction_r3 => -h*roll_r*Z_r*arm_r3*F_mu_r3_by_overr3;
-            jump_terms => -h*Z_r*dk_r1*touchr1*overr1 - h*Z_r*dk_r2*touchr2*overr2 - h*Z_r*dk_r3*touchr3*overr3;
-        }
-        theta x_s {
-            transmission_error_s1_and_jump_terms => -sin_s1*k_s1*de_s1*touchs1;
-            sliding_friction_s1 => roll_s*sin_s1*arm_s1*F_mu_s1_by_overs1;
-            transmission_error_s2_and_jump_terms => -sin_s2*k_s2*de_s2*touchs2;
-            sliding_friction_s2 => roll_s*sin_s2*arm_s2*F_mu_s2_by_overs2;
-            transmission_error_s3_and_jump_terms => -sin_s3*k_s3*de_s3*touchs3;
-            sliding_friction_s3 => roll_s*sin_s3*arm_s3*F_mu_s3_by_overs3;
-            jump_terms => sin_s1*dk_s1*touchs1*overs1 + sin_s2*dk_s2*touchs2*overs2 + sin_s3*dk_s3*touchs3*overs3;
-        }
-        theta y_s {
-            transmission_error_s1_and_jump_terms => cos_s1*k_s1*de_s1*touchs1;
-            sliding_friction_s1 => -cos_s1*roll_s*arm_s1*F_mu_s1_by_overs1;
-            transmission_error_s2_and_jump_terms => cos_s2*k_s2*de_s2*touchs2;
-            sliding_friction_s2 => -cos_s2*roll_s*arm_s2*F_mu_s2_by_overs2;
-            transmission_error_s3_and_jump_terms => cos_s3*k_s3*de_s3*touchs3;
-            sliding_friction_s3 => -cos_s3*roll_s*arm_s3*F_mu_s3_by_overs3;
-            jump_terms => -cos_s1*dk_s1*touchs1*overs1 - cos_s2*dk_s2*touchs2*overs2 - cos_s3*dk_s3*touchs3*overs3;
-        }
-        theta x_r {
-            transmission_error_r1_and_jump_terms => -sin_r1*k_r1*de_r1*touchr1;
-            sliding_friction_r1 => roll_r*sin_r1*arm_r1*F_mu_r1_by_overr1;
-            transmission_error_r2_and_jump_terms => -sin_r2*k_r2*de_r2*touchr2;
-            sliding_friction_r2 => roll_r*sin_r2*arm_r2*F_mu_r2_by_overr2;
-            transmission_error_r3_and_jump_terms => -sin_r3*k_r3*de_r3*touchr3;
-            sliding_friction_r3 => roll_r*sin_r3*arm_r3*F_mu_r3_by_overr3;
-            jump_terms => sin_r1*dk_r1*touchr1*overr1 + sin_r2*dk_r2*touchr2*overr2 + sin_r3*dk_r3*touchr3*overr3;
-        }
-        theta y_r {
-            transmission_error_r1_and_jump_terms => cos_r1*k_r1*de_r1*touchr1;
-            sliding_friction_r1 => -cos_r1*roll_r*arm_r1*F_mu_r1_by_overr1;
-            transmission_error_r2_and_jump_terms => cos_r2*k_r2*de_r2*touchr2;
-            sliding_friction_r2 => -cos_r2*roll_r*arm_r2*F_mu_r2_by_overr2;
-            transmission_error_r3_and_jump_terms => cos_r3*k_r3*de_r3*touchr3;
-            sliding_friction_r3 => -cos_r3*roll_r*arm_r3*F_mu_r3_by_overr3;
-            jump_terms => -cos_r1*dk_r1*touchr1*overr1 - cos_r2*dk_r2*touchr2*overr2 - cos_r3*dk_r3*touchr3*overr3;
-        }
-        theta zeta1 {
-            transmission_error_s1_and_jump_terms => -sin_a*k_s1*de_s1*touchs1;
-            sliding_friction_s1 => roll_s*sin_a*arm_s1*F_mu_s1_by_overs1;
-            transmission_error_r1_and_jump_terms => sin_a*k_r1*de_r1*touchr1;
-            sliding_friction_r1 => -roll_r*sin_a*arm_r1*F_mu_r1_by_overr1;
-            jump_terms => sin_a*dk_s1*touchs1*overs1 - sin_a*dk_r1*touchr1*overr1;
-        }
-        theta eta1 {
-            transmission_error_s1_and_jump_terms => -cos_a*k_s1*de_s1*touchs1;
-            sliding_friction_s1 => cos_a*roll_s*arm_s1*F_mu_s1_by_overs1;
-            transmission_error_r1_and_jump_terms => -cos_a*k_r1*de_r1*touchr1;
-            sliding_friction_r1 => cos_a*roll_r*arm_r1*F_mu_r1_by_overr1;
-            jump_terms => cos_a*dk_r1*touchr1*overr1 + cos_a*dk_s1*touchs1*overs1;
-        }
-        theta u1 {
-            transmission_error_s1_and_jump_terms => k_s1*de_s1*touchs1;
-            sliding_friction_s1 => -roll_s*arm_s1*F_mu_s1_by_overs1;
-            transmission_error_r1_and_jump_terms => -k_r1*de_r1*touchr1;
-            sliding_friction_r1 => roll_r*arm_r1*F_mu_r1_by_overr1;
-            jump_terms => dk_r1*touchr1*overr1 - dk_s1*touchs1*overs1;
-        }
-        theta zeta2 {
-            transmission_error_s2_and_jump_terms => -sin_a*k_s2*de_s2*touchs2;
-            sliding_friction_s2 => roll_s*sin_a*arm_s2*F_mu_s2_by_overs2;
-            transmission_error_r2_and_jump_terms => sin_a*k_r2*de_r2*touchr2;
-            sliding_friction_r2 => -roll_r*sin_a*arm_r2*F_mu_r2_by_overr2;
-            jump_terms => sin_a*dk_s2*touchs2*overs2 - sin_a*dk_r2*touchr2*overr2;
-        }
-        theta eta2 {
-            transmission_error_s2_and_jump_terms => -cos_a*k_s2*de_s2*touchs2;
-            sliding_friction_s2 => cos_a*roll_s*arm_s2*F_mu_s2_by_overs2;
-            transmission_error_r2_and_jump_terms => -cos_a*k_r2*de_r2*touchr2;
-            sliding_friction_r2 => cos_a*roll_r*arm_r2*F_mu_r2_by_overr2;
-            jump_terms => cos_a*dk_r2*touchr2*overr2 + cos_a*dk_s2*touchs2*overs2;
-        }
-        theta u2 {
-            transmission_error_s2_and_jump_terms => k_s2*de_s2*touchs2;
-            sliding_friction_s2 => -roll_s*arm_s2*F_mu_s2_by_overs2;
-            transmission_error_r2_and_jump_terms => -k_r2*de_r2*touchr2;
-            sliding_friction_r2 => roll_r*arm_r2*F_mu_r2_by_overr2;
-            jump_terms => dk_r2*touchr2*overr2 - dk_s2*touchs2*overs2;
-        }
-        theta zeta3 {
-            transmission_error_s3_and_jump_terms => -sin_a*k_s3*de_s3*touchs3;
-            sliding_friction_s3 => roll_s*sin_a*arm_s3*F_mu_s3_by_overs3;
-            transmission_error_r3_and_jump_terms => sin_a*k_r3*de_r3*touchr3;
-            sliding_friction_r3 => -roll_r*sin_a*arm_r3*F_mu_r3_by_overr3;
-            jump_terms => sin_a*dk_s3*touchs3*overs3 - sin_a*dk_r3*touchr3*overr3;
-        }
-        theta eta3 {
-            transmission_error_s3_and_jump_terms => -cos_a*k_s3*de_s3*touchs3;
-            sliding_friction_s3 => cos_a*roll_s*arm_s3*F_mu_s3_by_overs3;
-            transmission_error_r3_and_jump_terms => -cos_a*k_r3*de_r3*touchr3;
-            sliding_friction_r3 => cos_a*roll_r*arm_r3*F_mu_r3_by_overr3;
-            jump_terms => cos_a*dk_r3*touchr3*overr3 + cos_a*dk_s3*touchs3*overs3;
-        }
-        theta u3 {
-            transmission_error_s3_and_jump_terms => k_s3*de_s3*touchs3;
-            sliding_friction_s3 => -roll_s*arm_s3*F_mu_s3_by_overs3;
-            transmission_error_r3_and_jump_terms => -k_r3*de_r3*touchr3;
-            sliding_friction_r3 => roll_r*arm_r3*F_mu_r3_by_overr3;
-            jump_terms => dk_r3*touchr3*overr3 - dk_s3*touchs3*overs3;
-        }
         theta theta_dot {
-            torsional_support_s_and_damping => -beta_K*k_s/Z_r.powi(2) - 2.0*beta_K*k_s/(Z_r*Z_s) - beta_K*k_s/Z_s.powi(2);
-            torsional_support_c_and_damping => -beta_K*k_c/Z_r.powi(2);
-            sliding_friction_s1 => -roll_s.powi(2)*arm_s1*F_mu_s1_by_psi_s1_dot;
-            sliding_friction_r1 => -roll_r.powi(2)*arm_r1*F_mu_r1_by_psi_r1_dot;
-            sliding_friction_s2 => -roll_s.powi(2)*arm_s2*F_mu_s2_by_psi_s2_dot;
-            sliding_friction_r2 => -roll_r.powi(2)*arm_r2*F_mu_r2_by_psi_r2_dot;
-            sliding_friction_s3 => -roll_s.powi(2)*arm_s3*F_mu_s3_by_psi_s3_dot;
-            sliding_friction_r3 => -roll_r.powi(2)*arm_r3*F_mu_r3_by_psi_r3_dot;
-            speed_governor => -c_motor/Z_r.powi(2) - 2.0*c_motor/(Z_r*Z_s) - c_motor/Z_s.powi(2);
-            dc_motor => -Ts_motor/(Z_r.powi(2)*n0_motor) - 2.0*Ts_motor/(Z_r*Z_s*n0_motor) - Ts_motor/(Z_s.powi(2)*n0_motor);
-            induction_motor => T_induction_motor_by_theta_motor_dot/Z_r.powi(2) + 2.0*T_induction_motor_by_theta_motor_dot/(Z_r*Z_s)
-                + T_induction_motor_by_theta_motor_dot/Z_s.powi(2);
-            traction_motor => T_traction_motor_by_theta_motor_dot/Z_r.powi(2) + 2.0*T_traction_motor_by_theta_motor_dot/(Z_r*Z_s)
-                + T_traction_motor_by_theta_motor_dot/Z_s.powi(2);
-            fan_load => T_fan_load_by_theta_load_dot/Z_r.powi(2);
             damping => 6.0*h*I_p*alpha_M/(r_p*Z_r) - I_c*alpha_M/Z_r.powi(2) - 3.0*I_p*alpha_M/Z_r.powi(2) - I_s*alpha_M/Z_r.powi(2)
                 - 2.0*I_s*alpha_M/(Z_r*Z_s) - I_s*alpha_M/Z_s.powi(2) - 3.0*a.powi(2)*alpha_M*m_p/Z_r.powi(2)
                 - 3.0*h.powi(2)*I_p*alpha_M/r_p.powi(2);
         }
         theta theta_c_dot {
-            torsional_support_s_and_damping => -beta_K*k_s/Z_r - beta_K*k_s/Z_s;
-            torsional_support_c_and_damping => -beta_K*k_c/Z_r;
-            sliding_friction_r1 => roll_r*arm_r1*F_mu_r1_by_psi_r1_dot;
-            sliding_friction_r2 => roll_r*arm_r2*F_mu_r2_by_psi_r2_dot;
-            sliding_friction_r3 => roll_r*arm_r3*F_mu_r3_by_psi_r3_dot;
+            damping => 3.0*h*I_p*alpha_M/r_p - I_c*alpha_M/Z_r - 3.0*I_p*alpha_M/Z_r - I_s*alpha_M/Z_r - I_s*alpha_M/Z_s
+                - 3.0*a.powi(2)*alpha_M*m_p/Z_r;
+        }
+        theta eta1_dot { damping => -a*alpha_M*m_p/Z_r; }
+        theta u1_dot { damping => h*I_p*alpha_M/r_p.powi(2) - I_p*alpha_M/(r_p*Z_r); }
+        theta eta2_dot { damping => -a*alpha_M*m_p/Z_r; }
+        theta u2_dot { damping => h*I_p*alpha_M/r_p.powi(2) - I_p*alpha_M/(r_p*Z_r); }
+        theta eta3_dot { damping => -a*alpha_M*m_p/Z_r; }
+        theta u3_dot { damping => h*I_p*alpha_M/r_p.powi(2) - I_p*alpha_M/(r_p*Z_r); }
+        theta twist_s { torsional_support_s => -k_s/Z_r - k_s/Z_s; }
+        theta twist_c { torsional_support_c => -k_c/Z_r; }
+        theta overs1 {
+            transmission_error_s1_and_jump_terms => k_s1*de_s1*touchs1;
+            sliding_friction_s1 => -roll_s*arm_s1*F_mu_s1_by_overs1;
+            jump_terms => -dk_s1*touchs1*overs1;
+        }
+        theta overr1 {
+            transmission_error_r1_and_jump_terms => k_r1*de_r1*touchr1;
+            sliding_friction_r1 => -roll_r*arm_r1*F_mu_r1_by_overr1;
+            jump_terms => -dk_r1*touchr1*overr1;
+        }
+        theta overs2 {
+            transmission_error_s2_and_jump_terms => k_s2*de_s2*touchs2;
+            sliding_friction_s2 => -roll_s*arm_s2*F_mu_s2_by_overs2;
+            jump_terms => -dk_s2*touchs2*overs2;
+        }
+        theta overr2 {
+            transmission_error_r2_and_jump_terms => k_r2*de_r2*touchr2;
+            sliding_friction_r2 => -roll_r*arm_r2*F_mu_r2_by_overr2;
+            jump_terms => -dk_r2*touchr2*overr2;
+        }
+        theta overs3 {
+            transmission_error_s3_and_jump_terms => k_s3*de_s3*touchs3;
+            sliding_friction_s3 => -roll_s*arm_s3*F_mu_s3_by_overs3;
+            jump_terms => -dk_s3*touchs3*overs3;
+        }
+        theta overr3 {
+            transmission_error_r3_and_jump_terms => k_r3*de_r3*touchr3;
+            sliding_friction_r3 => -roll_r*arm_r3*F_mu_r3_by_overr3;
+            jump_terms => -dk_r3*touchr3*overr3;
+        }
+        theta twist_s_dot { torsional_support_s_and_damping => -beta_K*k_s/Z_r - beta_K*k_s/Z_s; }
+        theta twist_c_dot { torsional_support_c_and_damping => -beta_K*k_c/Z_r; }
+        theta psi_s1_dot { sliding_friction_s1 => -roll_s*arm_s1*F_mu_s1_by_psi_s1_dot; }
+        theta psi_r1_dot { sliding_friction_r1 => -roll_r*arm_r1*F_mu_r1_by_psi_r1_dot; }
+        theta psi_s2_dot { sliding_friction_s2 => -roll_s*arm_s2*F_mu_s2_by_psi_s2_dot; }
+        theta psi_r2_dot { sliding_friction_r2 => -roll_r*arm_r2*F_mu_r2_by_psi_r2_dot; }
+        theta psi_s3_dot { sliding_friction_s3 => -roll_s*arm_s3*F_mu_s3_by_psi_s3_dot; }
+        theta psi_r3_dot { sliding_friction_r3 => -roll_r*arm_r3*F_mu_r3_by_psi_r3_dot; }
+        theta theta_motor_dot {
             speed_governor => -c_motor/Z_r - c_motor/Z_s;
             dc_motor => -Ts_motor/(Z_r*n0_motor) - Ts_motor/(Z_s*n0_motor);
             induction_motor => T_induction_motor_by_theta_motor_dot/Z_r + T_induction_motor_by_theta_motor_dot/Z_s;
             traction_motor => T_traction_motor_by_theta_motor_dot/Z_r + T_traction_motor_by_theta_motor_dot/Z_s;
-            fan_load => T_fan_load_by_theta_load_dot/Z_r;
-            damping => 3.0*h*I_p*alpha_M/r_p - I_c*alpha_M/Z_r - 3.0*I_p*alpha_M/Z_r - I_s*alpha_M/Z_r - I_s*alpha_M/Z_s
-                - 3.0*a.powi(2)*alpha_M*m_p/Z_r;
         }
-        theta theta_r_dot {
-            sliding_friction_r1 => -roll_r*arm_r1*F_mu_r1_by_psi_r1_dot;
-            sliding_friction_r2 => -roll_r*arm_r2*F_mu_r2_by_psi_r2_dot;
-            sliding_friction_r3 => -roll_r*arm_r3*F_mu_r3_by_psi_r3_dot;
-        }
-        theta eta1_dot { damping => -a*alpha_M*m_p/Z_r; }
-        theta u1_dot {
-            sliding_friction_s1 => roll_s*arm_s1*F_mu_s1_by_psi_s1_dot/r_p;
-            sliding_friction_r1 => roll_r*arm_r1*F_mu_r1_by_psi_r1_dot/r_p;
-            damping => h*I_p*alpha_M/r_p.powi(2) - I_p*alpha_M/(r_p*Z_r);
-        }
-        theta eta2_dot { damping => -a*alpha_M*m_p/Z_r; }
-        theta u2_dot {
-            sliding_friction_s2 => roll_s*arm_s2*F_mu_s2_by_psi_s2_dot/r_p;
-            sliding_friction_r2 => roll_r*arm_r2*F_mu_r2_by_psi_r2_dot/r_p;
-            damping => h*I_p*alpha_M/r_p.powi(2) - I_p*alpha_M/(r_p*Z_r);
-        }
-        theta eta3_dot { damping => -a*alpha_M*m_p/Z_r; }
-        theta u3_dot {
-            sliding_friction_s3 => roll_s*arm_s3*F_mu_s3_by_psi_s3_dot/r_p;
-            sliding_friction_r3 => roll_r*arm_r3*F_mu_r3_by_psi_r3_dot/r_p;
-            damping => h*I_p*alpha_M/r_p.powi(2) - I_p*alpha_M/(r_p*Z_r);
-        }
+        theta theta_load_dot { fan_load => T_fan_load_by_theta_load_dot/Z_r; }
         theta_c theta {
-            torsional_support_s => -k_s/Z_r - k_s/Z_s;
-            torsional_support_c => -k_c/Z_r;
             transmission_error_r1_and_backlash_r1_and_moving_phase => -h*Z_r*k_r1*de_r1*clipr1*touchr1;
             transmission_error_r1_and_sliding_friction_r1_and_moving_phase => -de_r1*arm_r1*F_mu_r1_by_overr1
                 - h*sin_a*Z_r*de_r1*side_r1*F_mu_r1_by_overr1/cos_a;
@@ -1756,149 +1638,49 @@ equations! {
                 + h*sin_a*Z_r*dk_r3*side_r3*F_mu_r3_by_k_r3/cos_a + h*sin_a*Z_r*dside_r3*F_mu_r3/cos_a;
             moving_phase => h*Z_r*dk_r1*touchr1*overr1 + h*Z_r*dk_r2*touchr2*overr2 + h*Z_r*dk_r3*touchr3*overr3;
         }
-        theta_c theta_c {
-            _ => -h.powi(2)*Z_r.powi(2)*k_r1*touchr1 - h.powi(2)*Z_r.powi(2)*k_r2*touchr2 - h.powi(2)*Z_r.powi(2)*k_r3*touchr3;
-            torsional_support_s => -k_s;
-            torsional_support_c => -k_c;
-            backlash_r1 => -h.powi(2)*Z_r.powi(2)*k_r1*clipr1*touchr1;
-            sliding_friction_r1 => -h*Z_r*arm_r1*F_mu_r1_by_overr1 - h.powi(2)*sin_a*Z_r.powi(2)*side_r1*F_mu_r1_by_overr1/cos_a;
-            backlash_r2 => -h.powi(2)*Z_r.powi(2)*k_r2*clipr2*touchr2;
-            sliding_friction_r2 => -h*Z_r*arm_r2*F_mu_r2_by_overr2 - h.powi(2)*sin_a*Z_r.powi(2)*side_r2*F_mu_r2_by_overr2/cos_a;
-            backlash_r3 => -h.powi(2)*Z_r.powi(2)*k_r3*clipr3*touchr3;
-            sliding_friction_r3 => -h*Z_r*arm_r3*F_mu_r3_by_overr3 - h.powi(2)*sin_a*Z_r.powi(2)*side_r3*F_mu_r3_by_overr3/cos_a;
-        }
-        theta_c theta_r {
-            _ => h.powi(2)*Z_r.powi(2)*k_r1*touchr1 + h.powi(2)*Z_r.powi(2)*k_r2*touchr2 + h.powi(2)*Z_r.powi(2)*k_r3*touchr3;
-            backlash_r1 => h.powi(2)*Z_r.powi(2)*k_r1*clipr1*touchr1;
-            sliding_friction_r1 => h*Z_r*arm_r1*F_mu_r1_by_overr1 + h.powi(2)*sin_a*Z_r.powi(2)*side_r1*F_mu_r1_by_overr1/cos_a;
-            backlash_r2 => h.powi(2)*Z_r.powi(2)*k_r2*clipr2*touchr2;
-            sliding_friction_r2 => h*Z_r*arm_r2*F_mu_r2_by_overr2 + h.powi(2)*sin_a*Z_r.powi(2)*side_r2*F_mu_r2_by_overr2/cos_a;
-            backlash_r3 => h.powi(2)*Z_r.powi(2)*k_r3*clipr3*touchr3;
-            sliding_friction_r3 => h*Z_r*arm_r3*F_mu_r3_by_overr3 + h.powi(2)*sin_a*Z_r.powi(2)*side_r3*F_mu_r3_by_overr3/cos_a;
-        }
-        theta_c x_r {
-            _ => -h*sin_r1*Z_r*k_r1*touchr1 - h*sin_r2*Z_r*k_r2*touchr2 - h*sin_r3*Z_r*k_r3*touchr3;
-            backlash_r1 => -h*sin_r1*Z_r*k_r1*clipr1*touchr1;
-            sliding_friction_r1 => -sin_r1*arm_r1*F_mu_r1_by_overr1 - h*sin_a*sin_r1*Z_r*side_r1*F_mu_r1_by_overr1/cos_a;
-            backlash_r2 => -h*sin_r2*Z_r*k_r2*clipr2*touchr2;
-            sliding_friction_r2 => -sin_r2*arm_r2*F_mu_r2_by_overr2 - h*sin_a*sin_r2*Z_r*side_r2*F_mu_r2_by_overr2/cos_a;
-            backlash_r3 => -h*sin_r3*Z_r*k_r3*clipr3*touchr3;
-            sliding_friction_r3 => -sin_r3*arm_r3*F_mu_r3_by_overr3 - h*sin_a*sin_r3*Z_r*side_r3*F_mu_r3_by_overr3/cos_a;
-        }
-        theta_c y_r {
-            _ => cos_r1*h*Z_r*k_r1*touchr1 + cos_r2*h*Z_r*k_r2*touchr2 + cos_r3*h*Z_r*k_r3*touchr3;
-            backlash_r1 => cos_r1*h*Z_r*k_r1*clipr1*touchr1;
-            sliding_friction_r1 => cos_r1*arm_r1*F_mu_r1_by_overr1 + cos_r1*h*sin_a*Z_r*side_r1*F_mu_r1_by_overr1/cos_a;
-            backlash_r2 => cos_r2*h*Z_r*k_r2*clipr2*touchr2;
-            sliding_friction_r2 => cos_r2*arm_r2*F_mu_r2_by_overr2 + cos_r2*h*sin_a*Z_r*side_r2*F_mu_r2_by_overr2/cos_a;
-            backlash_r3 => cos_r3*h*Z_r*k_r3*clipr3*touchr3;
-            sliding_friction_r3 => cos_r3*arm_r3*F_mu_r3_by_overr3 + cos_r3*h*sin_a*Z_r*side_r3*F_mu_r3_by_overr3/cos_a;
-        }
-        theta_c zeta1 {
-            _ => h*sin_a*Z_r*k_r1*touchr1;
-            backlash_r1 => h*sin_a*Z_r*k_r1*clipr1*touchr1;
-            sliding_friction_r1 => sin_a*arm_r1*F_mu_r1_by_overr1 + h*sin_a.powi(2)*Z_r*side_r1*F_mu_r1_by_overr1/cos_a;
-        }
-        theta_c eta1 {
-            _ => -cos_a*h*Z_r*k_r1*touchr1;
-            backlash_r1 => -cos_a*h*Z_r*k_r1*clipr1*touchr1;
-            sliding_friction_r1 => -cos_a*arm_r1*F_mu_r1_by_overr1 - h*sin_a*Z_r*side_r1*F_mu_r1_by_overr1;
-        }
-        theta_c u1 {
-            _ => -h*Z_r*k_r1*touchr1;
-            backlash_r1 => -h*Z_r*k_r1*clipr1*touchr1;
-            sliding_friction_r1 => -arm_r1*F_mu_r1_by_overr1 - h*sin_a*Z_r*side_r1*F_mu_r1_by_overr1/cos_a;
-        }
-        theta_c zeta2 {
-            _ => h*sin_a*Z_r*k_r2*touchr2;
-            backlash_r2 => h*sin_a*Z_r*k_r2*clipr2*touchr2;
-            sliding_friction_r2 => sin_a*arm_r2*F_mu_r2_by_overr2 + h*sin_a.powi(2)*Z_r*side_r2*F_mu_r2_by_overr2/cos_a;
-        }
-        theta_c eta2 {
-            _ => -cos_a*h*Z_r*k_r2*touchr2;
-            backlash_r2 => -cos_a*h*Z_r*k_r2*clipr2*touchr2;
-            sliding_friction_r2 => -cos_a*arm_r2*F_mu_r2_by_overr2 - h*sin_a*Z_r*side_r2*F_mu_r2_by_overr2;
-        }
-        theta_c u2 {
-            _ => -h*Z_r*k_r2*touchr2;
-            backlash_r2 => -h*Z_r*k_r2*clipr2*touchr2;
-            sliding_friction_r2 => -arm_r2*F_mu_r2_by_overr2 - h*sin_a*Z_r*side_r2*F_mu_r2_by_overr2/cos_a;
-        }
-        theta_c zeta3 {
-            _ => h*sin_a*Z_r*k_r3*touchr3;
-            backlash_r3 => h*sin_a*Z_r*k_r3*clipr3*touchr3;
-            sliding_friction_r3 => sin_a*arm_r3*F_mu_r3_by_overr3 + h*sin_a.powi(2)*Z_r*side_r3*F_mu_r3_by_overr3/cos_a;
-        }
-        theta_c eta3 {
-            _ => -cos_a*h*Z_r*k_r3*touchr3;
-            backlash_r3 => -cos_a*h*Z_r*k_r3*clipr3*touchr3;
-            sliding_friction_r3 => -cos_a*arm_r3*F_mu_r3_by_overr3 - h*sin_a*Z_r*side_r3*F_mu_r3_by_overr3;
-        }
-        theta_c u3 {
-            _ => -h*Z_r*k_r3*touchr3;
-            backlash_r3 => -h*Z_r*k_r3*clipr3*touchr3;
-            sliding_friction_r3 => -arm_r3*F_mu_r3_by_overr3 - h*sin_a*Z_r*side_r3*F_mu_r3_by_overr3/cos_a;
-        }
         theta_c theta_dot {
-            torsional_support_s_and_damping => -beta_K*k_s/Z_r - beta_K*k_s/Z_s;
-            torsional_support_c_and_damping => -beta_K*k_c/Z_r;
-            sliding_friction_r1 => roll_r*arm_r1*F_mu_r1_by_psi_r1_dot + h*roll_r*sin_a*Z_r*side_r1*F_mu_r1_by_psi_r1_dot/cos_a;
-            sliding_friction_r2 => roll_r*arm_r2*F_mu_r2_by_psi_r2_dot + h*roll_r*sin_a*Z_r*side_r2*F_mu_r2_by_psi_r2_dot/cos_a;
-            sliding_friction_r3 => roll_r*arm_r3*F_mu_r3_by_psi_r3_dot + h*roll_r*sin_a*Z_r*side_r3*F_mu_r3_by_psi_r3_dot/cos_a;
-            speed_governor => -c_motor/Z_r - c_motor/Z_s;
-            dc_motor => -Ts_motor/(Z_r*n0_motor) - Ts_motor/(Z_s*n0_motor);
-            induction_motor => T_induction_motor_by_theta_motor_dot/Z_r + T_induction_motor_by_theta_motor_dot/Z_s;
-            traction_motor => T_traction_motor_by_theta_motor_dot/Z_r + T_traction_motor_by_theta_motor_dot/Z_s;
-            fan_load => T_fan_load_by_theta_load_dot/Z_r;
             damping => 3.0*h*I_p*alpha_M/r_p - I_c*alpha_M/Z_r - 3.0*I_p*alpha_M/Z_r - I_s*alpha_M/Z_r - I_s*alpha_M/Z_s
                 - 3.0*a.powi(2)*alpha_M*m_p/Z_r;
         }
-        theta_c theta_c_dot {
-            torsional_support_s_and_damping => -beta_K*k_s;
-            torsional_support_c_and_damping => -beta_K*k_c;
-            sliding_friction_r1 => -arm_r1*F_mu_r1_by_psi_r1_dot - h*sin_a*Z_r*side_r1*F_mu_r1_by_psi_r1_dot/cos_a;
-            sliding_friction_r2 => -arm_r2*F_mu_r2_by_psi_r2_dot - h*sin_a*Z_r*side_r2*F_mu_r2_by_psi_r2_dot/cos_a;
-            sliding_friction_r3 => -arm_r3*F_mu_r3_by_psi_r3_dot - h*sin_a*Z_r*side_r3*F_mu_r3_by_psi_r3_dot/cos_a;
+        theta_c theta_c_dot { damping => -I_c*alpha_M - 3.0*I_p*alpha_M - I_s*alpha_M - 3.0*a.powi(2)*alpha_M*m_p; }
+        theta_c eta1_dot { damping => -a*alpha_M*m_p; }
+        theta_c u1_dot { damping => -I_p*alpha_M/r_p; }
+        theta_c eta2_dot { damping => -a*alpha_M*m_p; }
+        theta_c u2_dot { damping => -I_p*alpha_M/r_p; }
+        theta_c eta3_dot { damping => -a*alpha_M*m_p; }
+        theta_c u3_dot { damping => -I_p*alpha_M/r_p; }
+        theta_c twist_s { torsional_support_s => -k_s; }
+        theta_c twist_c { torsional_support_c => -k_c; }
+        theta_c overr1 {
+            _ => h*Z_r*k_r1*touchr1;
+            backlash_r1 => h*Z_r*k_r1*clipr1*touchr1;
+            sliding_friction_r1 => arm_r1*F_mu_r1_by_overr1 + h*sin_a*Z_r*side_r1*F_mu_r1_by_overr1/cos_a;
+        }
+        theta_c overr2 {
+            _ => h*Z_r*k_r2*touchr2;
+            backlash_r2 => h*Z_r*k_r2*clipr2*touchr2;
+            sliding_friction_r2 => arm_r2*F_mu_r2_by_overr2 + h*sin_a*Z_r*side_r2*F_mu_r2_by_overr2/cos_a;
+        }
+        theta_c overr3 {
+            _ => h*Z_r*k_r3*touchr3;
+            backlash_r3 => h*Z_r*k_r3*clipr3*touchr3;
+            sliding_friction_r3 => arm_r3*F_mu_r3_by_overr3 + h*sin_a*Z_r*side_r3*F_mu_r3_by_overr3/cos_a;
+        }
+        theta_c twist_s_dot { torsional_support_s_and_damping => -beta_K*k_s; }
+        theta_c twist_c_dot { torsional_support_c_and_damping => -beta_K*k_c; }
+        theta_c overr1_dot { damping => h*Z_r*beta_K*k_r1_mid*dampr1; }
+        theta_c psi_r1_dot { sliding_friction_r1 => arm_r1*F_mu_r1_by_psi_r1_dot + h*sin_a*Z_r*side_r1*F_mu_r1_by_psi_r1_dot/cos_a; }
+        theta_c overr2_dot { damping => h*Z_r*beta_K*k_r2_mid*dampr2; }
+        theta_c psi_r2_dot { sliding_friction_r2 => arm_r2*F_mu_r2_by_psi_r2_dot + h*sin_a*Z_r*side_r2*F_mu_r2_by_psi_r2_dot/cos_a; }
+        theta_c overr3_dot { damping => h*Z_r*beta_K*k_r3_mid*dampr3; }
+        theta_c psi_r3_dot { sliding_friction_r3 => arm_r3*F_mu_r3_by_psi_r3_dot + h*sin_a*Z_r*side_r3*F_mu_r3_by_psi_r3_dot/cos_a; }
+        theta_c theta_motor_dot {
             speed_governor => -c_motor;
             dc_motor => -Ts_motor/n0_motor;
             induction_motor => T_induction_motor_by_theta_motor_dot;
             traction_motor => T_traction_motor_by_theta_motor_dot;
-            fan_load => T_fan_load_by_theta_load_dot;
-            damping => -I_c*alpha_M - 3.0*I_p*alpha_M - I_s*alpha_M - 3.0*a.powi(2)*alpha_M*m_p
-                - h.powi(2)*Z_r.powi(2)*beta_K*k_r1_mid*dampr1 - h.powi(2)*Z_r.powi(2)*beta_K*k_r2_mid*dampr2
-                - h.powi(2)*Z_r.powi(2)*beta_K*k_r3_mid*dampr3;
         }
-        theta_c theta_r_dot {
-            sliding_friction_r1 => arm_r1*F_mu_r1_by_psi_r1_dot + h*sin_a*Z_r*side_r1*F_mu_r1_by_psi_r1_dot/cos_a;
-            sliding_friction_r2 => arm_r2*F_mu_r2_by_psi_r2_dot + h*sin_a*Z_r*side_r2*F_mu_r2_by_psi_r2_dot/cos_a;
-            sliding_friction_r3 => arm_r3*F_mu_r3_by_psi_r3_dot + h*sin_a*Z_r*side_r3*F_mu_r3_by_psi_r3_dot/cos_a;
-            damping => h.powi(2)*Z_r.powi(2)*beta_K*k_r1_mid*dampr1 + h.powi(2)*Z_r.powi(2)*beta_K*k_r2_mid*dampr2
-                + h.powi(2)*Z_r.powi(2)*beta_K*k_r3_mid*dampr3;
-        }
-        theta_c x_r_dot {
-            damping => -h*sin_r1*Z_r*beta_K*k_r1_mid*dampr1 - h*sin_r2*Z_r*beta_K*k_r2_mid*dampr2 - h*sin_r3*Z_r*beta_K*k_r3_mid*dampr3;
-        }
-        theta_c y_r_dot {
-            damping => cos_r1*h*Z_r*beta_K*k_r1_mid*dampr1 + cos_r2*h*Z_r*beta_K*k_r2_mid*dampr2 + cos_r3*h*Z_r*beta_K*k_r3_mid*dampr3;
-        }
-        theta_c zeta1_dot { damping => h*sin_a*Z_r*beta_K*k_r1_mid*dampr1; }
-        theta_c eta1_dot { damping => -a*alpha_M*m_p - cos_a*h*Z_r*beta_K*k_r1_mid*dampr1; }
-        theta_c u1_dot {
-            sliding_friction_r1 => -h*sin_a*Z_r*side_r1*F_mu_r1_by_psi_r1_dot/(cos_a*r_p) - arm_r1*F_mu_r1_by_psi_r1_dot/r_p;
-            damping => -h*Z_r*beta_K*k_r1_mid*dampr1 - I_p*alpha_M/r_p;
-        }
-        theta_c zeta2_dot { damping => h*sin_a*Z_r*beta_K*k_r2_mid*dampr2; }
-        theta_c eta2_dot { damping => -a*alpha_M*m_p - cos_a*h*Z_r*beta_K*k_r2_mid*dampr2; }
-        theta_c u2_dot {
-            sliding_friction_r2 => -h*sin_a*Z_r*side_r2*F_mu_r2_by_psi_r2_dot/(cos_a*r_p) - arm_r2*F_mu_r2_by_psi_r2_dot/r_p;
-            damping => -h*Z_r*beta_K*k_r2_mid*dampr2 - I_p*alpha_M/r_p;
-        }
-        theta_c zeta3_dot { damping => h*sin_a*Z_r*beta_K*k_r3_mid*dampr3; }
-        theta_c eta3_dot { damping => -a*alpha_M*m_p - cos_a*h*Z_r*beta_K*k_r3_mid*dampr3; }
-        theta_c u3_dot {
-            sliding_friction_r3 => -h*sin_a*Z_r*side_r3*F_mu_r3_by_psi_r3_dot/(cos_a*r_p) - arm_r3*F_mu_r3_by_psi_r3_dot/r_p;
-            damping => -h*Z_r*beta_K*k_r3_mid*dampr3 - I_p*alpha_M/r_p;
-        }
+        theta_c theta_load_dot { fan_load => T_fan_load_by_theta_load_dot; }
         theta_r theta {
             transmission_error_r1_and_backlash_r1_and_moving_phase => h*Z_r*k_r1*de_r1*clipr1*touchr1;
             transmission_error_r1_and_sliding_friction_r1_and_moving_phase => de_r1*arm_r1*F_mu_r1_by_overr1
@@ -1923,130 +1705,30 @@ equations! {
                 - h*sin_a*Z_r*dk_r3*side_r3*F_mu_r3_by_k_r3/cos_a - h*sin_a*Z_r*dside_r3*F_mu_r3/cos_a;
             moving_phase => -h*Z_r*dk_r1*touchr1*overr1 - h*Z_r*dk_r2*touchr2*overr2 - h*Z_r*dk_r3*touchr3*overr3;
         }
-        theta_r theta_c {
-            _ => h.powi(2)*Z_r.powi(2)*k_r1*touchr1 + h.powi(2)*Z_r.powi(2)*k_r2*touchr2 + h.powi(2)*Z_r.powi(2)*k_r3*touchr3;
-            backlash_r1 => h.powi(2)*Z_r.powi(2)*k_r1*clipr1*touchr1;
-            sliding_friction_r1 => h*Z_r*arm_r1*F_mu_r1_by_overr1 + h.powi(2)*sin_a*Z_r.powi(2)*side_r1*F_mu_r1_by_overr1/cos_a;
-            backlash_r2 => h.powi(2)*Z_r.powi(2)*k_r2*clipr2*touchr2;
-            sliding_friction_r2 => h*Z_r*arm_r2*F_mu_r2_by_overr2 + h.powi(2)*sin_a*Z_r.powi(2)*side_r2*F_mu_r2_by_overr2/cos_a;
-            backlash_r3 => h.powi(2)*Z_r.powi(2)*k_r3*clipr3*touchr3;
-            sliding_friction_r3 => h*Z_r*arm_r3*F_mu_r3_by_overr3 + h.powi(2)*sin_a*Z_r.powi(2)*side_r3*F_mu_r3_by_overr3/cos_a;
+        theta_r theta_r_dot { damping => -I_r*alpha_M; }
+        theta_r twist_r { _ => -k_r; }
+        theta_r overr1 {
+            _ => -h*Z_r*k_r1*touchr1;
+            backlash_r1 => -h*Z_r*k_r1*clipr1*touchr1;
+            sliding_friction_r1 => -arm_r1*F_mu_r1_by_overr1 - h*sin_a*Z_r*side_r1*F_mu_r1_by_overr1/cos_a;
         }
-        theta_r theta_r {
-            _ => -k_r - h.powi(2)*Z_r.powi(2)*k_r1*touchr1 - h.powi(2)*Z_r.powi(2)*k_r2*touchr2 - h.powi(2)*Z_r.powi(2)*k_r3*touchr3;
-            backlash_r1 => -h.powi(2)*Z_r.powi(2)*k_r1*clipr1*touchr1;
-            sliding_friction_r1 => -h*Z_r*arm_r1*F_mu_r1_by_overr1 - h.powi(2)*sin_a*Z_r.powi(2)*side_r1*F_mu_r1_by_overr1/cos_a;
-            backlash_r2 => -h.powi(2)*Z_r.powi(2)*k_r2*clipr2*touchr2;
-            sliding_friction_r2 => -h*Z_r*arm_r2*F_mu_r2_by_overr2 - h.powi(2)*sin_a*Z_r.powi(2)*side_r2*F_mu_r2_by_overr2/cos_a;
-            backlash_r3 => -h.powi(2)*Z_r.powi(2)*k_r3*clipr3*touchr3;
-            sliding_friction_r3 => -h*Z_r*arm_r3*F_mu_r3_by_overr3 - h.powi(2)*sin_a*Z_r.powi(2)*side_r3*F_mu_r3_by_overr3/cos_a;
+        theta_r overr2 {
+            _ => -h*Z_r*k_r2*touchr2;
+            backlash_r2 => -h*Z_r*k_r2*clipr2*touchr2;
+            sliding_friction_r2 => -arm_r2*F_mu_r2_by_overr2 - h*sin_a*Z_r*side_r2*F_mu_r2_by_overr2/cos_a;
         }
-        theta_r x_r {
-            _ => h*sin_r1*Z_r*k_r1*touchr1 + h*sin_r2*Z_r*k_r2*touchr2 + h*sin_r3*Z_r*k_r3*touchr3;
-            backlash_r1 => h*sin_r1*Z_r*k_r1*clipr1*touchr1;
-            sliding_friction_r1 => sin_r1*arm_r1*F_mu_r1_by_overr1 + h*sin_a*sin_r1*Z_r*side_r1*F_mu_r1_by_overr1/cos_a;
-            backlash_r2 => h*sin_r2*Z_r*k_r2*clipr2*touchr2;
-            sliding_friction_r2 => sin_r2*arm_r2*F_mu_r2_by_overr2 + h*sin_a*sin_r2*Z_r*side_r2*F_mu_r2_by_overr2/cos_a;
-            backlash_r3 => h*sin_r3*Z_r*k_r3*clipr3*touchr3;
-            sliding_friction_r3 => sin_r3*arm_r3*F_mu_r3_by_overr3 + h*sin_a*sin_r3*Z_r*side_r3*F_mu_r3_by_overr3/cos_a;
+        theta_r overr3 {
+            _ => -h*Z_r*k_r3*touchr3;
+            backlash_r3 => -h*Z_r*k_r3*clipr3*touchr3;
+            sliding_friction_r3 => -arm_r3*F_mu_r3_by_overr3 - h*sin_a*Z_r*side_r3*F_mu_r3_by_overr3/cos_a;
         }
-        theta_r y_r {
-            _ => -cos_r1*h*Z_r*k_r1*touchr1 - cos_r2*h*Z_r*k_r2*touchr2 - cos_r3*h*Z_r*k_r3*touchr3;
-            backlash_r1 => -cos_r1*h*Z_r*k_r1*clipr1*touchr1;
-            sliding_friction_r1 => -cos_r1*arm_r1*F_mu_r1_by_overr1 - cos_r1*h*sin_a*Z_r*side_r1*F_mu_r1_by_overr1/cos_a;
-            backlash_r2 => -cos_r2*h*Z_r*k_r2*clipr2*touchr2;
-            sliding_friction_r2 => -cos_r2*arm_r2*F_mu_r2_by_overr2 - cos_r2*h*sin_a*Z_r*side_r2*F_mu_r2_by_overr2/cos_a;
-            backlash_r3 => -cos_r3*h*Z_r*k_r3*clipr3*touchr3;
-            sliding_friction_r3 => -cos_r3*arm_r3*F_mu_r3_by_overr3 - cos_r3*h*sin_a*Z_r*side_r3*F_mu_r3_by_overr3/cos_a;
-        }
-        theta_r zeta1 {
-            _ => -h*sin_a*Z_r*k_r1*touchr1;
-            backlash_r1 => -h*sin_a*Z_r*k_r1*clipr1*touchr1;
-            sliding_friction_r1 => -sin_a*arm_r1*F_mu_r1_by_overr1 - h*sin_a.powi(2)*Z_r*side_r1*F_mu_r1_by_overr1/cos_a;
-        }
-        theta_r eta1 {
-            _ => cos_a*h*Z_r*k_r1*touchr1;
-            backlash_r1 => cos_a*h*Z_r*k_r1*clipr1*touchr1;
-            sliding_friction_r1 => cos_a*arm_r1*F_mu_r1_by_overr1 + h*sin_a*Z_r*side_r1*F_mu_r1_by_overr1;
-        }
-        theta_r u1 {
-            _ => h*Z_r*k_r1*touchr1;
-            backlash_r1 => h*Z_r*k_r1*clipr1*touchr1;
-            sliding_friction_r1 => arm_r1*F_mu_r1_by_overr1 + h*sin_a*Z_r*side_r1*F_mu_r1_by_overr1/cos_a;
-        }
-        theta_r zeta2 {
-            _ => -h*sin_a*Z_r*k_r2*touchr2;
-            backlash_r2 => -h*sin_a*Z_r*k_r2*clipr2*touchr2;
-            sliding_friction_r2 => -sin_a*arm_r2*F_mu_r2_by_overr2 - h*sin_a.powi(2)*Z_r*side_r2*F_mu_r2_by_overr2/cos_a;
-        }
-        theta_r eta2 {
-            _ => cos_a*h*Z_r*k_r2*touchr2;
-            backlash_r2 => cos_a*h*Z_r*k_r2*clipr2*touchr2;
-            sliding_friction_r2 => cos_a*arm_r2*F_mu_r2_by_overr2 + h*sin_a*Z_r*side_r2*F_mu_r2_by_overr2;
-        }
-        theta_r u2 {
-            _ => h*Z_r*k_r2*touchr2;
-            backlash_r2 => h*Z_r*k_r2*clipr2*touchr2;
-            sliding_friction_r2 => arm_r2*F_mu_r2_by_overr2 + h*sin_a*Z_r*side_r2*F_mu_r2_by_overr2/cos_a;
-        }
-        theta_r zeta3 {
-            _ => -h*sin_a*Z_r*k_r3*touchr3;
-            backlash_r3 => -h*sin_a*Z_r*k_r3*clipr3*touchr3;
-            sliding_friction_r3 => -sin_a*arm_r3*F_mu_r3_by_overr3 - h*sin_a.powi(2)*Z_r*side_r3*F_mu_r3_by_overr3/cos_a;
-        }
-        theta_r eta3 {
-            _ => cos_a*h*Z_r*k_r3*touchr3;
-            backlash_r3 => cos_a*h*Z_r*k_r3*clipr3*touchr3;
-            sliding_friction_r3 => cos_a*arm_r3*F_mu_r3_by_overr3 + h*sin_a*Z_r*side_r3*F_mu_r3_by_overr3;
-        }
-        theta_r u3 {
-            _ => h*Z_r*k_r3*touchr3;
-            backlash_r3 => h*Z_r*k_r3*clipr3*touchr3;
-            sliding_friction_r3 => arm_r3*F_mu_r3_by_overr3 + h*sin_a*Z_r*side_r3*F_mu_r3_by_overr3/cos_a;
-        }
-        theta_r theta_dot {
-            sliding_friction_r1 => -roll_r*arm_r1*F_mu_r1_by_psi_r1_dot - h*roll_r*sin_a*Z_r*side_r1*F_mu_r1_by_psi_r1_dot/cos_a;
-            sliding_friction_r2 => -roll_r*arm_r2*F_mu_r2_by_psi_r2_dot - h*roll_r*sin_a*Z_r*side_r2*F_mu_r2_by_psi_r2_dot/cos_a;
-            sliding_friction_r3 => -roll_r*arm_r3*F_mu_r3_by_psi_r3_dot - h*roll_r*sin_a*Z_r*side_r3*F_mu_r3_by_psi_r3_dot/cos_a;
-        }
-        theta_r theta_c_dot {
-            sliding_friction_r1 => arm_r1*F_mu_r1_by_psi_r1_dot + h*sin_a*Z_r*side_r1*F_mu_r1_by_psi_r1_dot/cos_a;
-            sliding_friction_r2 => arm_r2*F_mu_r2_by_psi_r2_dot + h*sin_a*Z_r*side_r2*F_mu_r2_by_psi_r2_dot/cos_a;
-            sliding_friction_r3 => arm_r3*F_mu_r3_by_psi_r3_dot + h*sin_a*Z_r*side_r3*F_mu_r3_by_psi_r3_dot/cos_a;
-            damping => h.powi(2)*Z_r.powi(2)*beta_K*k_r1_mid*dampr1 + h.powi(2)*Z_r.powi(2)*beta_K*k_r2_mid*dampr2
-                + h.powi(2)*Z_r.powi(2)*beta_K*k_r3_mid*dampr3;
-        }
-        theta_r theta_r_dot {
-            sliding_friction_r1 => -arm_r1*F_mu_r1_by_psi_r1_dot - h*sin_a*Z_r*side_r1*F_mu_r1_by_psi_r1_dot/cos_a;
-            sliding_friction_r2 => -arm_r2*F_mu_r2_by_psi_r2_dot - h*sin_a*Z_r*side_r2*F_mu_r2_by_psi_r2_dot/cos_a;
-            sliding_friction_r3 => -arm_r3*F_mu_r3_by_psi_r3_dot - h*sin_a*Z_r*side_r3*F_mu_r3_by_psi_r3_dot/cos_a;
-            damping => -I_r*alpha_M - beta_K*k_r - h.powi(2)*Z_r.powi(2)*beta_K*k_r1_mid*dampr1
-                - h.powi(2)*Z_r.powi(2)*beta_K*k_r2_mid*dampr2 - h.powi(2)*Z_r.powi(2)*beta_K*k_r3_mid*dampr3;
-        }
-        theta_r x_r_dot {
-            damping => h*sin_r1*Z_r*beta_K*k_r1_mid*dampr1 + h*sin_r2*Z_r*beta_K*k_r2_mid*dampr2 + h*sin_r3*Z_r*beta_K*k_r3_mid*dampr3;
-        }
-        theta_r y_r_dot {
-            damping => -cos_r1*h*Z_r*beta_K*k_r1_mid*dampr1 - cos_r2*h*Z_r*beta_K*k_r2_mid*dampr2 - cos_r3*h*Z_r*beta_K*k_r3_mid*dampr3;
-        }
-        theta_r zeta1_dot { damping => -h*sin_a*Z_r*beta_K*k_r1_mid*dampr1; }
-        theta_r eta1_dot { damping => cos_a*h*Z_r*beta_K*k_r1_mid*dampr1; }
-        theta_r u1_dot {
-            sliding_friction_r1 => h*sin_a*Z_r*side_r1*F_mu_r1_by_psi_r1_dot/(cos_a*r_p) + arm_r1*F_mu_r1_by_psi_r1_dot/r_p;
-            damping => h*Z_r*beta_K*k_r1_mid*dampr1;
-        }
-        theta_r zeta2_dot { damping => -h*sin_a*Z_r*beta_K*k_r2_mid*dampr2; }
-        theta_r eta2_dot { damping => cos_a*h*Z_r*beta_K*k_r2_mid*dampr2; }
-        theta_r u2_dot {
-            sliding_friction_r2 => h*sin_a*Z_r*side_r2*F_mu_r2_by_psi_r2_dot/(cos_a*r_p) + arm_r2*F_mu_r2_by_psi_r2_dot/r_p;
-            damping => h*Z_r*beta_K*k_r2_mid*dampr2;
-        }
-        theta_r zeta3_dot { damping => -h*sin_a*Z_r*beta_K*k_r3_mid*dampr3; }
-        theta_r eta3_dot { damping => cos_a*h*Z_r*beta_K*k_r3_mid*dampr3; }
-        theta_r u3_dot {
-            sliding_friction_r3 => h*sin_a*Z_r*side_r3*F_mu_r3_by_psi_r3_dot/(cos_a*r_p) + arm_r3*F_mu_r3_by_psi_r3_dot/r_p;
-            damping => h*Z_r*beta_K*k_r3_mid*dampr3;
-        }
+        theta_r twist_r_dot { damping => -beta_K*k_r; }
+        theta_r overr1_dot { damping => -h*Z_r*beta_K*k_r1_mid*dampr1; }
+        theta_r psi_r1_dot { sliding_friction_r1 => -arm_r1*F_mu_r1_by_psi_r1_dot - h*sin_a*Z_r*side_r1*F_mu_r1_by_psi_r1_dot/cos_a; }
+        theta_r overr2_dot { damping => -h*Z_r*beta_K*k_r2_mid*dampr2; }
+        theta_r psi_r2_dot { sliding_friction_r2 => -arm_r2*F_mu_r2_by_psi_r2_dot - h*sin_a*Z_r*side_r2*F_mu_r2_by_psi_r2_dot/cos_a; }
+        theta_r overr3_dot { damping => -h*Z_r*beta_K*k_r3_mid*dampr3; }
+        theta_r psi_r3_dot { sliding_friction_r3 => -arm_r3*F_mu_r3_by_psi_r3_dot - h*sin_a*Z_r*side_r3*F_mu_r3_by_psi_r3_dot/cos_a; }
         x_s theta {
             transmission_error_s1_and_backlash_s1_and_moving_phase => -sin_s1*k_s1*de_s1*clips1*touchs1;
             transmission_error_s1_and_sliding_friction_s1_and_moving_phase => -cos_s1*de_s1*side_s1*F_mu_s1_by_overs1;
@@ -2065,100 +1747,33 @@ equations! {
             sliding_friction_s3_and_moving_phase => cos_s3*dk_s3*side_s3*F_mu_s3_by_k_s3 + cos_s3*dside_s3*F_mu_s3;
             moving_phase => sin_s1*dk_s1*touchs1*overs1 + sin_s2*dk_s2*touchs2*overs2 + sin_s3*dk_s3*touchs3*overs3;
         }
-        x_s x_s {
-            _ => -kb_s - sin_s1.powi(2)*k_s1*touchs1 - sin_s2.powi(2)*k_s2*touchs2 - sin_s3.powi(2)*k_s3*touchs3;
-            backlash_s1 => -sin_s1.powi(2)*k_s1*clips1*touchs1;
-            sliding_friction_s1 => -cos_s1*sin_s1*side_s1*F_mu_s1_by_overs1;
-            backlash_s2 => -sin_s2.powi(2)*k_s2*clips2*touchs2;
-            sliding_friction_s2 => -cos_s2*sin_s2*side_s2*F_mu_s2_by_overs2;
-            backlash_s3 => -sin_s3.powi(2)*k_s3*clips3*touchs3;
-            sliding_friction_s3 => -cos_s3*sin_s3*side_s3*F_mu_s3_by_overs3;
-        }
-        x_s y_s {
-            _ => cos_s1*sin_s1*k_s1*touchs1 + cos_s2*sin_s2*k_s2*touchs2 + cos_s3*sin_s3*k_s3*touchs3;
-            backlash_s1 => cos_s1*sin_s1*k_s1*clips1*touchs1;
-            sliding_friction_s1 => cos_s1.powi(2)*side_s1*F_mu_s1_by_overs1;
-            backlash_s2 => cos_s2*sin_s2*k_s2*clips2*touchs2;
-            sliding_friction_s2 => cos_s2.powi(2)*side_s2*F_mu_s2_by_overs2;
-            backlash_s3 => cos_s3*sin_s3*k_s3*clips3*touchs3;
-            sliding_friction_s3 => cos_s3.powi(2)*side_s3*F_mu_s3_by_overs3;
-        }
-        x_s zeta1 {
-            _ => -sin_a*sin_s1*k_s1*touchs1;
-            backlash_s1 => -sin_a*sin_s1*k_s1*clips1*touchs1;
-            sliding_friction_s1 => -cos_s1*sin_a*side_s1*F_mu_s1_by_overs1;
-        }
-        x_s eta1 {
-            _ => -cos_a*sin_s1*k_s1*touchs1;
-            backlash_s1 => -cos_a*sin_s1*k_s1*clips1*touchs1;
-            sliding_friction_s1 => -cos_a*cos_s1*side_s1*F_mu_s1_by_overs1;
-        }
-        x_s u1 {
+        x_s x_s_dot { damping => -alpha_M*m_s; }
+        x_s bx_s { _ => -kb_s; }
+        x_s overs1 {
             _ => sin_s1*k_s1*touchs1;
             backlash_s1 => sin_s1*k_s1*clips1*touchs1;
             sliding_friction_s1 => cos_s1*side_s1*F_mu_s1_by_overs1;
         }
-        x_s zeta2 {
-            _ => -sin_a*sin_s2*k_s2*touchs2;
-            backlash_s2 => -sin_a*sin_s2*k_s2*clips2*touchs2;
-            sliding_friction_s2 => -cos_s2*sin_a*side_s2*F_mu_s2_by_overs2;
-        }
-        x_s eta2 {
-            _ => -cos_a*sin_s2*k_s2*touchs2;
-            backlash_s2 => -cos_a*sin_s2*k_s2*clips2*touchs2;
-            sliding_friction_s2 => -cos_a*cos_s2*side_s2*F_mu_s2_by_overs2;
-        }
-        x_s u2 {
+        x_s overs2 {
             _ => sin_s2*k_s2*touchs2;
             backlash_s2 => sin_s2*k_s2*clips2*touchs2;
             sliding_friction_s2 => cos_s2*side_s2*F_mu_s2_by_overs2;
         }
-        x_s zeta3 {
-            _ => -sin_a*sin_s3*k_s3*touchs3;
-            backlash_s3 => -sin_a*sin_s3*k_s3*clips3*touchs3;
-            sliding_friction_s3 => -cos_s3*sin_a*side_s3*F_mu_s3_by_overs3;
-        }
-        x_s eta3 {
-            _ => -cos_a*sin_s3*k_s3*touchs3;
-            backlash_s3 => -cos_a*sin_s3*k_s3*clips3*touchs3;
-            sliding_friction_s3 => -cos_a*cos_s3*side_s3*F_mu_s3_by_overs3;
-        }
-        x_s u3 {
+        x_s overs3 {
             _ => sin_s3*k_s3*touchs3;
             backlash_s3 => sin_s3*k_s3*clips3*touchs3;
             sliding_friction_s3 => cos_s3*side_s3*F_mu_s3_by_overs3;
         }
-        x_s theta_dot {
-            sliding_friction_s1 => cos_s1*roll_s*side_s1*F_mu_s1_by_psi_s1_dot;
-            sliding_friction_s2 => cos_s2*roll_s*side_s2*F_mu_s2_by_psi_s2_dot;
-            sliding_friction_s3 => cos_s3*roll_s*side_s3*F_mu_s3_by_psi_s3_dot;
-        }
-        x_s x_s_dot {
+        x_s bx_s_dot {
             viscous_friction_s => -cb_s;
-            damping => -alpha_M*m_s - beta_K*kb_s - sin_s1.powi(2)*beta_K*k_s1_mid*damps1 - sin_s2.powi(2)*beta_K*k_s2_mid*damps2
-                - sin_s3.powi(2)*beta_K*k_s3_mid*damps3;
+            damping => -beta_K*kb_s;
         }
-        x_s y_s_dot {
-            damping => cos_s1*sin_s1*beta_K*k_s1_mid*damps1 + cos_s2*sin_s2*beta_K*k_s2_mid*damps2 + cos_s3*sin_s3*beta_K*k_s3_mid*damps3;
-        }
-        x_s zeta1_dot { damping => -sin_a*sin_s1*beta_K*k_s1_mid*damps1; }
-        x_s eta1_dot { damping => -cos_a*sin_s1*beta_K*k_s1_mid*damps1; }
-        x_s u1_dot {
-            sliding_friction_s1 => -cos_s1*side_s1*F_mu_s1_by_psi_s1_dot/r_p;
-            damping => sin_s1*beta_K*k_s1_mid*damps1;
-        }
-        x_s zeta2_dot { damping => -sin_a*sin_s2*beta_K*k_s2_mid*damps2; }
-        x_s eta2_dot { damping => -cos_a*sin_s2*beta_K*k_s2_mid*damps2; }
-        x_s u2_dot {
-            sliding_friction_s2 => -cos_s2*side_s2*F_mu_s2_by_psi_s2_dot/r_p;
-            damping => sin_s2*beta_K*k_s2_mid*damps2;
-        }
-        x_s zeta3_dot { damping => -sin_a*sin_s3*beta_K*k_s3_mid*damps3; }
-        x_s eta3_dot { damping => -cos_a*sin_s3*beta_K*k_s3_mid*damps3; }
-        x_s u3_dot {
-            sliding_friction_s3 => -cos_s3*side_s3*F_mu_s3_by_psi_s3_dot/r_p;
-            damping => sin_s3*beta_K*k_s3_mid*damps3;
-        }
+        x_s overs1_dot { damping => sin_s1*beta_K*k_s1_mid*damps1; }
+        x_s psi_s1_dot { sliding_friction_s1 => cos_s1*side_s1*F_mu_s1_by_psi_s1_dot; }
+        x_s overs2_dot { damping => sin_s2*beta_K*k_s2_mid*damps2; }
+        x_s psi_s2_dot { sliding_friction_s2 => cos_s2*side_s2*F_mu_s2_by_psi_s2_dot; }
+        x_s overs3_dot { damping => sin_s3*beta_K*k_s3_mid*damps3; }
+        x_s psi_s3_dot { sliding_friction_s3 => cos_s3*side_s3*F_mu_s3_by_psi_s3_dot; }
         y_s theta {
             transmission_error_s1_and_backlash_s1_and_moving_phase => cos_s1*k_s1*de_s1*clips1*touchs1;
             transmission_error_s1_and_sliding_friction_s1_and_moving_phase => -sin_s1*de_s1*side_s1*F_mu_s1_by_overs1;
@@ -2177,181 +1792,104 @@ equations! {
             sliding_friction_s3_and_moving_phase => sin_s3*dk_s3*side_s3*F_mu_s3_by_k_s3 + sin_s3*dside_s3*F_mu_s3;
             moving_phase => -cos_s1*dk_s1*touchs1*overs1 - cos_s2*dk_s2*touchs2*overs2 - cos_s3*dk_s3*touchs3*overs3;
         }
-        y_s x_s {
-            _ => cos_s1*sin_s1*k_s1*touchs1 + cos_s2*sin_s2*k_s2*touchs2 + cos_s3*sin_s3*k_s3*touchs3;
-            backlash_s1 => cos_s1*sin_s1*k_s1*clips1*touchs1;
-            sliding_friction_s1 => -sin_s1.powi(2)*side_s1*F_mu_s1_by_overs1;
-            backlash_s2 => cos_s2*sin_s2*k_s2*clips2*touchs2;
-            sliding_friction_s2 => -sin_s2.powi(2)*side_s2*F_mu_s2_by_overs2;
-            backlash_s3 => cos_s3*sin_s3*k_s3*clips3*touchs3;
-            sliding_friction_s3 => -sin_s3.powi(2)*side_s3*F_mu_s3_by_overs3;
-        }
-        y_s y_s {
-            _ => -kb_s - cos_s1.powi(2)*k_s1*touchs1 - cos_s2.powi(2)*k_s2*touchs2 - cos_s3.powi(2)*k_s3*touchs3;
-            backlash_s1 => -cos_s1.powi(2)*k_s1*clips1*touchs1;
-            sliding_friction_s1 => cos_s1*sin_s1*side_s1*F_mu_s1_by_overs1;
-            backlash_s2 => -cos_s2.powi(2)*k_s2*clips2*touchs2;
-            sliding_friction_s2 => cos_s2*sin_s2*side_s2*F_mu_s2_by_overs2;
-            backlash_s3 => -cos_s3.powi(2)*k_s3*clips3*touchs3;
-            sliding_friction_s3 => cos_s3*sin_s3*side_s3*F_mu_s3_by_overs3;
-        }
-        y_s zeta1 {
-            _ => cos_s1*sin_a*k_s1*touchs1;
-            backlash_s1 => cos_s1*sin_a*k_s1*clips1*touchs1;
-            sliding_friction_s1 => -sin_a*sin_s1*side_s1*F_mu_s1_by_overs1;
-        }
-        y_s eta1 {
-            _ => cos_a*cos_s1*k_s1*touchs1;
-            backlash_s1 => cos_a*cos_s1*k_s1*clips1*touchs1;
-            sliding_friction_s1 => -cos_a*sin_s1*side_s1*F_mu_s1_by_overs1;
-        }
-        y_s u1 {
+        y_s y_s_dot { damping => -alpha_M*m_s; }
+        y_s by_s { _ => -kb_s; }
+        y_s overs1 {
             _ => -cos_s1*k_s1*touchs1;
             backlash_s1 => -cos_s1*k_s1*clips1*touchs1;
             sliding_friction_s1 => sin_s1*side_s1*F_mu_s1_by_overs1;
         }
-        y_s zeta2 {
-            _ => cos_s2*sin_a*k_s2*touchs2;
-            backlash_s2 => cos_s2*sin_a*k_s2*clips2*touchs2;
-            sliding_friction_s2 => -sin_a*sin_s2*side_s2*F_mu_s2_by_overs2;
-        }
-        y_s eta2 {
-            _ => cos_a*cos_s2*k_s2*touchs2;
-            backlash_s2 => cos_a*cos_s2*k_s2*clips2*touchs2;
-            sliding_friction_s2 => -cos_a*sin_s2*side_s2*F_mu_s2_by_overs2;
-        }
-        y_s u2 {
+        y_s overs2 {
             _ => -cos_s2*k_s2*touchs2;
             backlash_s2 => -cos_s2*k_s2*clips2*touchs2;
             sliding_friction_s2 => sin_s2*side_s2*F_mu_s2_by_overs2;
         }
-        y_s zeta3 {
-            _ => cos_s3*sin_a*k_s3*touchs3;
-            backlash_s3 => cos_s3*sin_a*k_s3*clips3*touchs3;
-            sliding_friction_s3 => -sin_a*sin_s3*side_s3*F_mu_s3_by_overs3;
-        }
-        y_s eta3 {
-            _ => cos_a*cos_s3*k_s3*touchs3;
-            backlash_s3 => cos_a*cos_s3*k_s3*clips3*touchs3;
-            sliding_friction_s3 => -cos_a*sin_s3*side_s3*F_mu_s3_by_overs3;
-        }
-        y_s u3 {
+        y_s overs3 {
             _ => -cos_s3*k_s3*touchs3;
             backlash_s3 => -cos_s3*k_s3*clips3*touchs3;
             sliding_friction_s3 => sin_s3*side_s3*F_mu_s3_by_overs3;
         }
-        y_s theta_dot {
-            sliding_friction_s1 => roll_s*sin_s1*side_s1*F_mu_s1_by_psi_s1_dot;
-            sliding_friction_s2 => roll_s*sin_s2*side_s2*F_mu_s2_by_psi_s2_dot;
-            sliding_friction_s3 => roll_s*sin_s3*side_s3*F_mu_s3_by_psi_s3_dot;
-        }
-        y_s x_s_dot {
-            damping => cos_s1*sin_s1*beta_K*k_s1_mid*damps1 + cos_s2*sin_s2*beta_K*k_s2_mid*damps2 + cos_s3*sin_s3*beta_K*k_s3_mid*damps3;
-        }
-        y_s y_s_dot {
+        y_s by_s_dot {
             viscous_friction_s => -cb_s;
-            damping => -alpha_M*m_s - beta_K*kb_s - cos_s1.powi(2)*beta_K*k_s1_mid*damps1 - cos_s2.powi(2)*beta_K*k_s2_mid*damps2
-                - cos_s3.powi(2)*beta_K*k_s3_mid*damps3;
+            damping => -beta_K*kb_s;
         }
-        y_s zeta1_dot { damping => cos_s1*sin_a*beta_K*k_s1_mid*damps1; }
-        y_s eta1_dot { damping => cos_a*cos_s1*beta_K*k_s1_mid*damps1; }
-        y_s u1_dot {
-            sliding_friction_s1 => -sin_s1*side_s1*F_mu_s1_by_psi_s1_dot/r_p;
-            damping => -cos_s1*beta_K*k_s1_mid*damps1;
-        }
-        y_s zeta2_dot { damping => cos_s2*sin_a*beta_K*k_s2_mid*damps2; }
-        y_s eta2_dot { damping => cos_a*cos_s2*beta_K*k_s2_mid*damps2; }
-        y_s u2_dot {
-            sliding_friction_s2 => -sin_s2*side_s2*F_mu_s2_by_psi_s2_dot/r_p;
-            damping => -cos_s2*beta_K*k_s2_mid*damps2;
-        }
-        y_s zeta3_dot { damping => cos_s3*sin_a*beta_K*k_s3_mid*damps3; }
-        y_s eta3_dot { damping => cos_a*cos_s3*beta_K*k_s3_mid*damps3; }
-        y_s u3_dot {
-            sliding_friction_s3 => -sin_s3*side_s3*F_mu_s3_by_psi_s3_dot/r_p;
-            damping => -cos_s3*beta_K*k_s3_mid*damps3;
-        }
-        x_c x_c {
-            _ => -kb_c - cos_c1.powi(2)*kb_p - cos_c2.powi(2)*kb_p - cos_c3.powi(2)*kb_p - sin_c1.powi(2)*kb_p - sin_c2.powi(2)*kb_p
-                - sin_c3.powi(2)*kb_p;
-        }
-        x_c zeta1 { _ => cos_c1*kb_p; }
-        x_c eta1 { _ => -sin_c1*kb_p; }
-        x_c zeta2 { _ => cos_c2*kb_p; }
-        x_c eta2 { _ => -sin_c2*kb_p; }
-        x_c zeta3 { _ => cos_c3*kb_p; }
-        x_c eta3 { _ => -sin_c3*kb_p; }
-        x_c x_c_dot {
+        y_s overs1_dot { damping => -cos_s1*beta_K*k_s1_mid*damps1; }
+        y_s psi_s1_dot { sliding_friction_s1 => sin_s1*side_s1*F_mu_s1_by_psi_s1_dot; }
+        y_s overs2_dot { damping => -cos_s2*beta_K*k_s2_mid*damps2; }
+        y_s psi_s2_dot { sliding_friction_s2 => sin_s2*side_s2*F_mu_s2_by_psi_s2_dot; }
+        y_s overs3_dot { damping => -cos_s3*beta_K*k_s3_mid*damps3; }
+        y_s psi_s3_dot { sliding_friction_s3 => sin_s3*side_s3*F_mu_s3_by_psi_s3_dot; }
+        x_c x_c_dot { damping => -alpha_M*m_c; }
+        x_c bx_c { _ => -kb_c; }
+        x_c radial1 { _ => -cos_c1*kb_p; }
+        x_c tangential1 { _ => sin_c1*kb_p; }
+        x_c radial2 { _ => -cos_c2*kb_p; }
+        x_c tangential2 { _ => sin_c2*kb_p; }
+        x_c radial3 { _ => -cos_c3*kb_p; }
+        x_c tangential3 { _ => sin_c3*kb_p; }
+        x_c bx_c_dot {
             viscous_friction_c => -cb_c;
-            viscous_friction_p => -cos_c1.powi(2)*cb_p - cos_c2.powi(2)*cb_p - cos_c3.powi(2)*cb_p - sin_c1.powi(2)*cb_p
-                - sin_c2.powi(2)*cb_p - sin_c3.powi(2)*cb_p;
-            damping => -alpha_M*m_c - beta_K*kb_c - cos_c1.powi(2)*beta_K*kb_p - cos_c2.powi(2)*beta_K*kb_p - cos_c3.powi(2)*beta_K*kb_p
-                - sin_c1.powi(2)*beta_K*kb_p - sin_c2.powi(2)*beta_K*kb_p - sin_c3.powi(2)*beta_K*kb_p;
+            damping => -beta_K*kb_c;
         }
-        x_c zeta1_dot {
-            viscous_friction_p => cos_c1*cb_p;
-            damping => cos_c1*beta_K*kb_p;
+        x_c radial1_dot {
+            viscous_friction_p => -cos_c1*cb_p;
+            damping => -cos_c1*beta_K*kb_p;
         }
-        x_c eta1_dot {
-            viscous_friction_p => -sin_c1*cb_p;
-            damping => -sin_c1*beta_K*kb_p;
-        }
-        x_c zeta2_dot {
-            viscous_friction_p => cos_c2*cb_p;
-            damping => cos_c2*beta_K*kb_p;
-        }
-        x_c eta2_dot {
-            viscous_friction_p => -sin_c2*cb_p;
-            damping => -sin_c2*beta_K*kb_p;
-        }
-        x_c zeta3_dot {
-            viscous_friction_p => cos_c3*cb_p;
-            damping => cos_c3*beta_K*kb_p;
-        }
-        x_c eta3_dot {
-            viscous_friction_p => -sin_c3*cb_p;
-            damping => -sin_c3*beta_K*kb_p;
-        }
-        y_c y_c {
-            _ => -kb_c - cos_c1.powi(2)*kb_p - cos_c2.powi(2)*kb_p - cos_c3.powi(2)*kb_p - sin_c1.powi(2)*kb_p - sin_c2.powi(2)*kb_p
-                - sin_c3.powi(2)*kb_p;
-        }
-        y_c zeta1 { _ => sin_c1*kb_p; }
-        y_c eta1 { _ => cos_c1*kb_p; }
-        y_c zeta2 { _ => sin_c2*kb_p; }
-        y_c eta2 { _ => cos_c2*kb_p; }
-        y_c zeta3 { _ => sin_c3*kb_p; }
-        y_c eta3 { _ => cos_c3*kb_p; }
-        y_c y_c_dot {
-            viscous_friction_c => -cb_c;
-            viscous_friction_p => -cos_c1.powi(2)*cb_p - cos_c2.powi(2)*cb_p - cos_c3.powi(2)*cb_p - sin_c1.powi(2)*cb_p
-                - sin_c2.powi(2)*cb_p - sin_c3.powi(2)*cb_p;
-            damping => -alpha_M*m_c - beta_K*kb_c - cos_c1.powi(2)*beta_K*kb_p - cos_c2.powi(2)*beta_K*kb_p - cos_c3.powi(2)*beta_K*kb_p
-                - sin_c1.powi(2)*beta_K*kb_p - sin_c2.powi(2)*beta_K*kb_p - sin_c3.powi(2)*beta_K*kb_p;
-        }
-        y_c zeta1_dot {
+        x_c tangential1_dot {
             viscous_friction_p => sin_c1*cb_p;
             damping => sin_c1*beta_K*kb_p;
         }
-        y_c eta1_dot {
-            viscous_friction_p => cos_c1*cb_p;
-            damping => cos_c1*beta_K*kb_p;
+        x_c radial2_dot {
+            viscous_friction_p => -cos_c2*cb_p;
+            damping => -cos_c2*beta_K*kb_p;
         }
-        y_c zeta2_dot {
+        x_c tangential2_dot {
             viscous_friction_p => sin_c2*cb_p;
             damping => sin_c2*beta_K*kb_p;
         }
-        y_c eta2_dot {
-            viscous_friction_p => cos_c2*cb_p;
-            damping => cos_c2*beta_K*kb_p;
+        x_c radial3_dot {
+            viscous_friction_p => -cos_c3*cb_p;
+            damping => -cos_c3*beta_K*kb_p;
         }
-        y_c zeta3_dot {
+        x_c tangential3_dot {
             viscous_friction_p => sin_c3*cb_p;
             damping => sin_c3*beta_K*kb_p;
         }
-        y_c eta3_dot {
-            viscous_friction_p => cos_c3*cb_p;
-            damping => cos_c3*beta_K*kb_p;
+        y_c y_c_dot { damping => -alpha_M*m_c; }
+        y_c by_c { _ => -kb_c; }
+        y_c radial1 { _ => -sin_c1*kb_p; }
+        y_c tangential1 { _ => -cos_c1*kb_p; }
+        y_c radial2 { _ => -sin_c2*kb_p; }
+        y_c tangential2 { _ => -cos_c2*kb_p; }
+        y_c radial3 { _ => -sin_c3*kb_p; }
+        y_c tangential3 { _ => -cos_c3*kb_p; }
+        y_c by_c_dot {
+            viscous_friction_c => -cb_c;
+            damping => -beta_K*kb_c;
+        }
+        y_c radial1_dot {
+            viscous_friction_p => -sin_c1*cb_p;
+            damping => -sin_c1*beta_K*kb_p;
+        }
+        y_c tangential1_dot {
+            viscous_friction_p => -cos_c1*cb_p;
+            damping => -cos_c1*beta_K*kb_p;
+        }
+        y_c radial2_dot {
+            viscous_friction_p => -sin_c2*cb_p;
+            damping => -sin_c2*beta_K*kb_p;
+        }
+        y_c tangential2_dot {
+            viscous_friction_p => -cos_c2*cb_p;
+            damping => -cos_c2*beta_K*kb_p;
+        }
+        y_c radial3_dot {
+            viscous_friction_p => -sin_c3*cb_p;
+            damping => -sin_c3*beta_K*kb_p;
+        }
+        y_c tangential3_dot {
+            viscous_friction_p => -cos_c3*cb_p;
+            damping => -cos_c3*beta_K*kb_p;
         }
         x_r theta {
             transmission_error_r1_and_backlash_r1_and_moving_phase => -sin_r1*k_r1*de_r1*clipr1*touchr1;
@@ -2371,130 +1909,33 @@ equations! {
             sliding_friction_r3_and_moving_phase => -cos_r3*dk_r3*side_r3*F_mu_r3_by_k_r3 - cos_r3*dside_r3*F_mu_r3;
             moving_phase => sin_r1*dk_r1*touchr1*overr1 + sin_r2*dk_r2*touchr2*overr2 + sin_r3*dk_r3*touchr3*overr3;
         }
-        x_r theta_c {
-            _ => -h*sin_r1*Z_r*k_r1*touchr1 - h*sin_r2*Z_r*k_r2*touchr2 - h*sin_r3*Z_r*k_r3*touchr3;
-            backlash_r1 => -h*sin_r1*Z_r*k_r1*clipr1*touchr1;
-            sliding_friction_r1 => cos_r1*h*Z_r*side_r1*F_mu_r1_by_overr1;
-            backlash_r2 => -h*sin_r2*Z_r*k_r2*clipr2*touchr2;
-            sliding_friction_r2 => cos_r2*h*Z_r*side_r2*F_mu_r2_by_overr2;
-            backlash_r3 => -h*sin_r3*Z_r*k_r3*clipr3*touchr3;
-            sliding_friction_r3 => cos_r3*h*Z_r*side_r3*F_mu_r3_by_overr3;
+        x_r x_r_dot { damping => -alpha_M*m_r; }
+        x_r bx_r { _ => -kb_r; }
+        x_r overr1 {
+            _ => sin_r1*k_r1*touchr1;
+            backlash_r1 => sin_r1*k_r1*clipr1*touchr1;
+            sliding_friction_r1 => -cos_r1*side_r1*F_mu_r1_by_overr1;
         }
-        x_r theta_r {
-            _ => h*sin_r1*Z_r*k_r1*touchr1 + h*sin_r2*Z_r*k_r2*touchr2 + h*sin_r3*Z_r*k_r3*touchr3;
-            backlash_r1 => h*sin_r1*Z_r*k_r1*clipr1*touchr1;
-            sliding_friction_r1 => -cos_r1*h*Z_r*side_r1*F_mu_r1_by_overr1;
-            backlash_r2 => h*sin_r2*Z_r*k_r2*clipr2*touchr2;
-            sliding_friction_r2 => -cos_r2*h*Z_r*side_r2*F_mu_r2_by_overr2;
-            backlash_r3 => h*sin_r3*Z_r*k_r3*clipr3*touchr3;
-            sliding_friction_r3 => -cos_r3*h*Z_r*side_r3*F_mu_r3_by_overr3;
+        x_r overr2 {
+            _ => sin_r2*k_r2*touchr2;
+            backlash_r2 => sin_r2*k_r2*clipr2*touchr2;
+            sliding_friction_r2 => -cos_r2*side_r2*F_mu_r2_by_overr2;
         }
-        x_r x_r {
-            _ => -kb_r - sin_r1.powi(2)*k_r1*touchr1 - sin_r2.powi(2)*k_r2*touchr2 - sin_r3.powi(2)*k_r3*touchr3;
-            backlash_r1 => -sin_r1.powi(2)*k_r1*clipr1*touchr1;
-            sliding_friction_r1 => cos_r1*sin_r1*side_r1*F_mu_r1_by_overr1;
-            backlash_r2 => -sin_r2.powi(2)*k_r2*clipr2*touchr2;
-            sliding_friction_r2 => cos_r2*sin_r2*side_r2*F_mu_r2_by_overr2;
-            backlash_r3 => -sin_r3.powi(2)*k_r3*clipr3*touchr3;
-            sliding_friction_r3 => cos_r3*sin_r3*side_r3*F_mu_r3_by_overr3;
+        x_r overr3 {
+            _ => sin_r3*k_r3*touchr3;
+            backlash_r3 => sin_r3*k_r3*clipr3*touchr3;
+            sliding_friction_r3 => -cos_r3*side_r3*F_mu_r3_by_overr3;
         }
-        x_r y_r {
-            _ => cos_r1*sin_r1*k_r1*touchr1 + cos_r2*sin_r2*k_r2*touchr2 + cos_r3*sin_r3*k_r3*touchr3;
-            backlash_r1 => cos_r1*sin_r1*k_r1*clipr1*touchr1;
-            sliding_friction_r1 => -cos_r1.powi(2)*side_r1*F_mu_r1_by_overr1;
-            backlash_r2 => cos_r2*sin_r2*k_r2*clipr2*touchr2;
-            sliding_friction_r2 => -cos_r2.powi(2)*side_r2*F_mu_r2_by_overr2;
-            backlash_r3 => cos_r3*sin_r3*k_r3*clipr3*touchr3;
-            sliding_friction_r3 => -cos_r3.powi(2)*side_r3*F_mu_r3_by_overr3;
-        }
-        x_r zeta1 {
-            _ => sin_a*sin_r1*k_r1*touchr1;
-            backlash_r1 => sin_a*sin_r1*k_r1*clipr1*touchr1;
-            sliding_friction_r1 => -cos_r1*sin_a*side_r1*F_mu_r1_by_overr1;
-        }
-        x_r eta1 {
-            _ => -cos_a*sin_r1*k_r1*touchr1;
-            backlash_r1 => -cos_a*sin_r1*k_r1*clipr1*touchr1;
-            sliding_friction_r1 => cos_a*cos_r1*side_r1*F_mu_r1_by_overr1;
-        }
-        x_r u1 {
-            _ => -sin_r1*k_r1*touchr1;
-            backlash_r1 => -sin_r1*k_r1*clipr1*touchr1;
-            sliding_friction_r1 => cos_r1*side_r1*F_mu_r1_by_overr1;
-        }
-        x_r zeta2 {
-            _ => sin_a*sin_r2*k_r2*touchr2;
-            backlash_r2 => sin_a*sin_r2*k_r2*clipr2*touchr2;
-            sliding_friction_r2 => -cos_r2*sin_a*side_r2*F_mu_r2_by_overr2;
-        }
-        x_r eta2 {
-            _ => -cos_a*sin_r2*k_r2*touchr2;
-            backlash_r2 => -cos_a*sin_r2*k_r2*clipr2*touchr2;
-            sliding_friction_r2 => cos_a*cos_r2*side_r2*F_mu_r2_by_overr2;
-        }
-        x_r u2 {
-            _ => -sin_r2*k_r2*touchr2;
-            backlash_r2 => -sin_r2*k_r2*clipr2*touchr2;
-            sliding_friction_r2 => cos_r2*side_r2*F_mu_r2_by_overr2;
-        }
-        x_r zeta3 {
-            _ => sin_a*sin_r3*k_r3*touchr3;
-            backlash_r3 => sin_a*sin_r3*k_r3*clipr3*touchr3;
-            sliding_friction_r3 => -cos_r3*sin_a*side_r3*F_mu_r3_by_overr3;
-        }
-        x_r eta3 {
-            _ => -cos_a*sin_r3*k_r3*touchr3;
-            backlash_r3 => -cos_a*sin_r3*k_r3*clipr3*touchr3;
-            sliding_friction_r3 => cos_a*cos_r3*side_r3*F_mu_r3_by_overr3;
-        }
-        x_r u3 {
-            _ => -sin_r3*k_r3*touchr3;
-            backlash_r3 => -sin_r3*k_r3*clipr3*touchr3;
-            sliding_friction_r3 => cos_r3*side_r3*F_mu_r3_by_overr3;
-        }
-        x_r theta_dot {
-            sliding_friction_r1 => -cos_r1*roll_r*side_r1*F_mu_r1_by_psi_r1_dot;
-            sliding_friction_r2 => -cos_r2*roll_r*side_r2*F_mu_r2_by_psi_r2_dot;
-            sliding_friction_r3 => -cos_r3*roll_r*side_r3*F_mu_r3_by_psi_r3_dot;
-        }
-        x_r theta_c_dot {
-            sliding_friction_r1 => cos_r1*side_r1*F_mu_r1_by_psi_r1_dot;
-            sliding_friction_r2 => cos_r2*side_r2*F_mu_r2_by_psi_r2_dot;
-            sliding_friction_r3 => cos_r3*side_r3*F_mu_r3_by_psi_r3_dot;
-            damping => -h*sin_r1*Z_r*beta_K*k_r1_mid*dampr1 - h*sin_r2*Z_r*beta_K*k_r2_mid*dampr2 - h*sin_r3*Z_r*beta_K*k_r3_mid*dampr3;
-        }
-        x_r theta_r_dot {
-            sliding_friction_r1 => -cos_r1*side_r1*F_mu_r1_by_psi_r1_dot;
-            sliding_friction_r2 => -cos_r2*side_r2*F_mu_r2_by_psi_r2_dot;
-            sliding_friction_r3 => -cos_r3*side_r3*F_mu_r3_by_psi_r3_dot;
-            damping => h*sin_r1*Z_r*beta_K*k_r1_mid*dampr1 + h*sin_r2*Z_r*beta_K*k_r2_mid*dampr2 + h*sin_r3*Z_r*beta_K*k_r3_mid*dampr3;
-        }
-        x_r x_r_dot {
+        x_r bx_r_dot {
             viscous_friction_r => -cb_r;
-            damping => -alpha_M*m_r - beta_K*kb_r - sin_r1.powi(2)*beta_K*k_r1_mid*dampr1 - sin_r2.powi(2)*beta_K*k_r2_mid*dampr2
-                - sin_r3.powi(2)*beta_K*k_r3_mid*dampr3;
+            damping => -beta_K*kb_r;
         }
-        x_r y_r_dot {
-            damping => cos_r1*sin_r1*beta_K*k_r1_mid*dampr1 + cos_r2*sin_r2*beta_K*k_r2_mid*dampr2 + cos_r3*sin_r3*beta_K*k_r3_mid*dampr3;
-        }
-        x_r zeta1_dot { damping => sin_a*sin_r1*beta_K*k_r1_mid*dampr1; }
-        x_r eta1_dot { damping => -cos_a*sin_r1*beta_K*k_r1_mid*dampr1; }
-        x_r u1_dot {
-            sliding_friction_r1 => cos_r1*side_r1*F_mu_r1_by_psi_r1_dot/r_p;
-            damping => -sin_r1*beta_K*k_r1_mid*dampr1;
-        }
-        x_r zeta2_dot { damping => sin_a*sin_r2*beta_K*k_r2_mid*dampr2; }
-        x_r eta2_dot { damping => -cos_a*sin_r2*beta_K*k_r2_mid*dampr2; }
-        x_r u2_dot {
-            sliding_friction_r2 => cos_r2*side_r2*F_mu_r2_by_psi_r2_dot/r_p;
-            damping => -sin_r2*beta_K*k_r2_mid*dampr2;
-        }
-        x_r zeta3_dot { damping => sin_a*sin_r3*beta_K*k_r3_mid*dampr3; }
-        x_r eta3_dot { damping => -cos_a*sin_r3*beta_K*k_r3_mid*dampr3; }
-        x_r u3_dot {
-            sliding_friction_r3 => cos_r3*side_r3*F_mu_r3_by_psi_r3_dot/r_p;
-            damping => -sin_r3*beta_K*k_r3_mid*dampr3;
-        }
+        x_r overr1_dot { damping => sin_r1*beta_K*k_r1_mid*dampr1; }
+        x_r psi_r1_dot { sliding_friction_r1 => -cos_r1*side_r1*F_mu_r1_by_psi_r1_dot; }
+        x_r overr2_dot { damping => sin_r2*beta_K*k_r2_mid*dampr2; }
+        x_r psi_r2_dot { sliding_friction_r2 => -cos_r2*side_r2*F_mu_r2_by_psi_r2_dot; }
+        x_r overr3_dot { damping => sin_r3*beta_K*k_r3_mid*dampr3; }
+        x_r psi_r3_dot { sliding_friction_r3 => -cos_r3*side_r3*F_mu_r3_by_psi_r3_dot; }
         y_r theta {
             transmission_error_r1_and_backlash_r1_and_moving_phase => cos_r1*k_r1*de_r1*clipr1*touchr1;
             transmission_error_r1_and_sliding_friction_r1_and_moving_phase => sin_r1*de_r1*side_r1*F_mu_r1_by_overr1;
@@ -2513,130 +1954,33 @@ equations! {
             sliding_friction_r3_and_moving_phase => -sin_r3*dk_r3*side_r3*F_mu_r3_by_k_r3 - sin_r3*dside_r3*F_mu_r3;
             moving_phase => -cos_r1*dk_r1*touchr1*overr1 - cos_r2*dk_r2*touchr2*overr2 - cos_r3*dk_r3*touchr3*overr3;
         }
-        y_r theta_c {
-            _ => cos_r1*h*Z_r*k_r1*touchr1 + cos_r2*h*Z_r*k_r2*touchr2 + cos_r3*h*Z_r*k_r3*touchr3;
-            backlash_r1 => cos_r1*h*Z_r*k_r1*clipr1*touchr1;
-            sliding_friction_r1 => h*sin_r1*Z_r*side_r1*F_mu_r1_by_overr1;
-            backlash_r2 => cos_r2*h*Z_r*k_r2*clipr2*touchr2;
-            sliding_friction_r2 => h*sin_r2*Z_r*side_r2*F_mu_r2_by_overr2;
-            backlash_r3 => cos_r3*h*Z_r*k_r3*clipr3*touchr3;
-            sliding_friction_r3 => h*sin_r3*Z_r*side_r3*F_mu_r3_by_overr3;
+        y_r y_r_dot { damping => -alpha_M*m_r; }
+        y_r by_r { _ => -kb_r; }
+        y_r overr1 {
+            _ => -cos_r1*k_r1*touchr1;
+            backlash_r1 => -cos_r1*k_r1*clipr1*touchr1;
+            sliding_friction_r1 => -sin_r1*side_r1*F_mu_r1_by_overr1;
         }
-        y_r theta_r {
-            _ => -cos_r1*h*Z_r*k_r1*touchr1 - cos_r2*h*Z_r*k_r2*touchr2 - cos_r3*h*Z_r*k_r3*touchr3;
-            backlash_r1 => -cos_r1*h*Z_r*k_r1*clipr1*touchr1;
-            sliding_friction_r1 => -h*sin_r1*Z_r*side_r1*F_mu_r1_by_overr1;
-            backlash_r2 => -cos_r2*h*Z_r*k_r2*clipr2*touchr2;
-            sliding_friction_r2 => -h*sin_r2*Z_r*side_r2*F_mu_r2_by_overr2;
-            backlash_r3 => -cos_r3*h*Z_r*k_r3*clipr3*touchr3;
-            sliding_friction_r3 => -h*sin_r3*Z_r*side_r3*F_mu_r3_by_overr3;
+        y_r overr2 {
+            _ => -cos_r2*k_r2*touchr2;
+            backlash_r2 => -cos_r2*k_r2*clipr2*touchr2;
+            sliding_friction_r2 => -sin_r2*side_r2*F_mu_r2_by_overr2;
         }
-        y_r x_r {
-            _ => cos_r1*sin_r1*k_r1*touchr1 + cos_r2*sin_r2*k_r2*touchr2 + cos_r3*sin_r3*k_r3*touchr3;
-            backlash_r1 => cos_r1*sin_r1*k_r1*clipr1*touchr1;
-            sliding_friction_r1 => sin_r1.powi(2)*side_r1*F_mu_r1_by_overr1;
-            backlash_r2 => cos_r2*sin_r2*k_r2*clipr2*touchr2;
-            sliding_friction_r2 => sin_r2.powi(2)*side_r2*F_mu_r2_by_overr2;
-            backlash_r3 => cos_r3*sin_r3*k_r3*clipr3*touchr3;
-            sliding_friction_r3 => sin_r3.powi(2)*side_r3*F_mu_r3_by_overr3;
+        y_r overr3 {
+            _ => -cos_r3*k_r3*touchr3;
+            backlash_r3 => -cos_r3*k_r3*clipr3*touchr3;
+            sliding_friction_r3 => -sin_r3*side_r3*F_mu_r3_by_overr3;
         }
-        y_r y_r {
-            _ => -kb_r - cos_r1.powi(2)*k_r1*touchr1 - cos_r2.powi(2)*k_r2*touchr2 - cos_r3.powi(2)*k_r3*touchr3;
-            backlash_r1 => -cos_r1.powi(2)*k_r1*clipr1*touchr1;
-            sliding_friction_r1 => -cos_r1*sin_r1*side_r1*F_mu_r1_by_overr1;
-            backlash_r2 => -cos_r2.powi(2)*k_r2*clipr2*touchr2;
-            sliding_friction_r2 => -cos_r2*sin_r2*side_r2*F_mu_r2_by_overr2;
-            backlash_r3 => -cos_r3.powi(2)*k_r3*clipr3*touchr3;
-            sliding_friction_r3 => -cos_r3*sin_r3*side_r3*F_mu_r3_by_overr3;
-        }
-        y_r zeta1 {
-            _ => -cos_r1*sin_a*k_r1*touchr1;
-            backlash_r1 => -cos_r1*sin_a*k_r1*clipr1*touchr1;
-            sliding_friction_r1 => -sin_a*sin_r1*side_r1*F_mu_r1_by_overr1;
-        }
-        y_r eta1 {
-            _ => cos_a*cos_r1*k_r1*touchr1;
-            backlash_r1 => cos_a*cos_r1*k_r1*clipr1*touchr1;
-            sliding_friction_r1 => cos_a*sin_r1*side_r1*F_mu_r1_by_overr1;
-        }
-        y_r u1 {
-            _ => cos_r1*k_r1*touchr1;
-            backlash_r1 => cos_r1*k_r1*clipr1*touchr1;
-            sliding_friction_r1 => sin_r1*side_r1*F_mu_r1_by_overr1;
-        }
-        y_r zeta2 {
-            _ => -cos_r2*sin_a*k_r2*touchr2;
-            backlash_r2 => -cos_r2*sin_a*k_r2*clipr2*touchr2;
-            sliding_friction_r2 => -sin_a*sin_r2*side_r2*F_mu_r2_by_overr2;
-        }
-        y_r eta2 {
-            _ => cos_a*cos_r2*k_r2*touchr2;
-            backlash_r2 => cos_a*cos_r2*k_r2*clipr2*touchr2;
-            sliding_friction_r2 => cos_a*sin_r2*side_r2*F_mu_r2_by_overr2;
-        }
-        y_r u2 {
-            _ => cos_r2*k_r2*touchr2;
-            backlash_r2 => cos_r2*k_r2*clipr2*touchr2;
-            sliding_friction_r2 => sin_r2*side_r2*F_mu_r2_by_overr2;
-        }
-        y_r zeta3 {
-            _ => -cos_r3*sin_a*k_r3*touchr3;
-            backlash_r3 => -cos_r3*sin_a*k_r3*clipr3*touchr3;
-            sliding_friction_r3 => -sin_a*sin_r3*side_r3*F_mu_r3_by_overr3;
-        }
-        y_r eta3 {
-            _ => cos_a*cos_r3*k_r3*touchr3;
-            backlash_r3 => cos_a*cos_r3*k_r3*clipr3*touchr3;
-            sliding_friction_r3 => cos_a*sin_r3*side_r3*F_mu_r3_by_overr3;
-        }
-        y_r u3 {
-            _ => cos_r3*k_r3*touchr3;
-            backlash_r3 => cos_r3*k_r3*clipr3*touchr3;
-            sliding_friction_r3 => sin_r3*side_r3*F_mu_r3_by_overr3;
-        }
-        y_r theta_dot {
-            sliding_friction_r1 => -roll_r*sin_r1*side_r1*F_mu_r1_by_psi_r1_dot;
-            sliding_friction_r2 => -roll_r*sin_r2*side_r2*F_mu_r2_by_psi_r2_dot;
-            sliding_friction_r3 => -roll_r*sin_r3*side_r3*F_mu_r3_by_psi_r3_dot;
-        }
-        y_r theta_c_dot {
-            sliding_friction_r1 => sin_r1*side_r1*F_mu_r1_by_psi_r1_dot;
-            sliding_friction_r2 => sin_r2*side_r2*F_mu_r2_by_psi_r2_dot;
-            sliding_friction_r3 => sin_r3*side_r3*F_mu_r3_by_psi_r3_dot;
-            damping => cos_r1*h*Z_r*beta_K*k_r1_mid*dampr1 + cos_r2*h*Z_r*beta_K*k_r2_mid*dampr2 + cos_r3*h*Z_r*beta_K*k_r3_mid*dampr3;
-        }
-        y_r theta_r_dot {
-            sliding_friction_r1 => -sin_r1*side_r1*F_mu_r1_by_psi_r1_dot;
-            sliding_friction_r2 => -sin_r2*side_r2*F_mu_r2_by_psi_r2_dot;
-            sliding_friction_r3 => -sin_r3*side_r3*F_mu_r3_by_psi_r3_dot;
-            damping => -cos_r1*h*Z_r*beta_K*k_r1_mid*dampr1 - cos_r2*h*Z_r*beta_K*k_r2_mid*dampr2 - cos_r3*h*Z_r*beta_K*k_r3_mid*dampr3;
-        }
-        y_r x_r_dot {
-            damping => cos_r1*sin_r1*beta_K*k_r1_mid*dampr1 + cos_r2*sin_r2*beta_K*k_r2_mid*dampr2 + cos_r3*sin_r3*beta_K*k_r3_mid*dampr3;
-        }
-        y_r y_r_dot {
+        y_r by_r_dot {
             viscous_friction_r => -cb_r;
-            damping => -alpha_M*m_r - beta_K*kb_r - cos_r1.powi(2)*beta_K*k_r1_mid*dampr1 - cos_r2.powi(2)*beta_K*k_r2_mid*dampr2
-                - cos_r3.powi(2)*beta_K*k_r3_mid*dampr3;
+            damping => -beta_K*kb_r;
         }
-        y_r zeta1_dot { damping => -cos_r1*sin_a*beta_K*k_r1_mid*dampr1; }
-        y_r eta1_dot { damping => cos_a*cos_r1*beta_K*k_r1_mid*dampr1; }
-        y_r u1_dot {
-            sliding_friction_r1 => sin_r1*side_r1*F_mu_r1_by_psi_r1_dot/r_p;
-            damping => cos_r1*beta_K*k_r1_mid*dampr1;
-        }
-        y_r zeta2_dot { damping => -cos_r2*sin_a*beta_K*k_r2_mid*dampr2; }
-        y_r eta2_dot { damping => cos_a*cos_r2*beta_K*k_r2_mid*dampr2; }
-        y_r u2_dot {
-            sliding_friction_r2 => sin_r2*side_r2*F_mu_r2_by_psi_r2_dot/r_p;
-            damping => cos_r2*beta_K*k_r2_mid*dampr2;
-        }
-        y_r zeta3_dot { damping => -cos_r3*sin_a*beta_K*k_r3_mid*dampr3; }
-        y_r eta3_dot { damping => cos_a*cos_r3*beta_K*k_r3_mid*dampr3; }
-        y_r u3_dot {
-            sliding_friction_r3 => sin_r3*side_r3*F_mu_r3_by_psi_r3_dot/r_p;
-            damping => cos_r3*beta_K*k_r3_mid*dampr3;
-        }
+        y_r overr1_dot { damping => -cos_r1*beta_K*k_r1_mid*dampr1; }
+        y_r psi_r1_dot { sliding_friction_r1 => -sin_r1*side_r1*F_mu_r1_by_psi_r1_dot; }
+        y_r overr2_dot { damping => -cos_r2*beta_K*k_r2_mid*dampr2; }
+        y_r psi_r2_dot { sliding_friction_r2 => -sin_r2*side_r2*F_mu_r2_by_psi_r2_dot; }
+        y_r overr3_dot { damping => -cos_r3*beta_K*k_r3_mid*dampr3; }
+        y_r psi_r3_dot { sliding_friction_r3 => -sin_r3*side_r3*F_mu_r3_by_psi_r3_dot; }
         zeta1 theta {
             transmission_error_s1_and_backlash_s1_and_moving_phase => -sin_a*k_s1*de_s1*clips1*touchs1;
             transmission_error_s1_and_sliding_friction_s1_and_moving_phase => cos_a*de_s1*side_s1*F_mu_s1_by_overs1;
@@ -2650,93 +1994,26 @@ equations! {
             sliding_friction_r1_and_moving_phase => cos_a*dk_r1*side_r1*F_mu_r1_by_k_r1 + cos_a*dside_r1*F_mu_r1;
             moving_phase => sin_a*dk_s1*touchs1*overs1 - sin_a*dk_r1*touchr1*overr1;
         }
-        zeta1 theta_c {
-            _ => h*sin_a*Z_r*k_r1*touchr1;
-            backlash_r1 => h*sin_a*Z_r*k_r1*clipr1*touchr1;
-            sliding_friction_r1 => -cos_a*h*Z_r*side_r1*F_mu_r1_by_overr1;
-        }
-        zeta1 theta_r {
-            _ => -h*sin_a*Z_r*k_r1*touchr1;
-            backlash_r1 => -h*sin_a*Z_r*k_r1*clipr1*touchr1;
-            sliding_friction_r1 => cos_a*h*Z_r*side_r1*F_mu_r1_by_overr1;
-        }
-        zeta1 x_s {
-            _ => -sin_a*sin_s1*k_s1*touchs1;
-            backlash_s1 => -sin_a*sin_s1*k_s1*clips1*touchs1;
-            sliding_friction_s1 => cos_a*sin_s1*side_s1*F_mu_s1_by_overs1;
-        }
-        zeta1 y_s {
-            _ => cos_s1*sin_a*k_s1*touchs1;
-            backlash_s1 => cos_s1*sin_a*k_s1*clips1*touchs1;
-            sliding_friction_s1 => -cos_a*cos_s1*side_s1*F_mu_s1_by_overs1;
-        }
-        zeta1 x_c { _ => cos_c1*kb_p; }
-        zeta1 y_c { _ => sin_c1*kb_p; }
-        zeta1 x_r {
-            _ => sin_a*sin_r1*k_r1*touchr1;
-            backlash_r1 => sin_a*sin_r1*k_r1*clipr1*touchr1;
-            sliding_friction_r1 => -cos_a*sin_r1*side_r1*F_mu_r1_by_overr1;
-        }
-        zeta1 y_r {
-            _ => -cos_r1*sin_a*k_r1*touchr1;
-            backlash_r1 => -cos_r1*sin_a*k_r1*clipr1*touchr1;
-            sliding_friction_r1 => cos_a*cos_r1*side_r1*F_mu_r1_by_overr1;
-        }
-        zeta1 zeta1 {
-            _ => -kb_p - sin_a.powi(2)*k_r1*touchr1 - sin_a.powi(2)*k_s1*touchs1;
-            backlash_s1 => -sin_a.powi(2)*k_s1*clips1*touchs1;
-            sliding_friction_s1 => cos_a*sin_a*side_s1*F_mu_s1_by_overs1;
-            backlash_r1 => -sin_a.powi(2)*k_r1*clipr1*touchr1;
-            sliding_friction_r1 => cos_a*sin_a*side_r1*F_mu_r1_by_overr1;
-        }
-        zeta1 eta1 {
-            _ => cos_a*sin_a*k_r1*touchr1 - cos_a*sin_a*k_s1*touchs1;
-            backlash_s1 => -cos_a*sin_a*k_s1*clips1*touchs1;
-            sliding_friction_s1 => cos_a.powi(2)*side_s1*F_mu_s1_by_overs1;
-            backlash_r1 => cos_a*sin_a*k_r1*clipr1*touchr1;
-            sliding_friction_r1 => -cos_a.powi(2)*side_r1*F_mu_r1_by_overr1;
-        }
-        zeta1 u1 {
-            _ => sin_a*k_r1*touchr1 + sin_a*k_s1*touchs1;
+        zeta1 zeta1_dot { damping => -alpha_M*m_p; }
+        zeta1 radial1 { _ => kb_p; }
+        zeta1 overs1 {
+            _ => sin_a*k_s1*touchs1;
             backlash_s1 => sin_a*k_s1*clips1*touchs1;
             sliding_friction_s1 => -cos_a*side_s1*F_mu_s1_by_overs1;
-            backlash_r1 => sin_a*k_r1*clipr1*touchr1;
-            sliding_friction_r1 => -cos_a*side_r1*F_mu_r1_by_overr1;
         }
-        zeta1 theta_dot {
-            sliding_friction_s1 => -cos_a*roll_s*side_s1*F_mu_s1_by_psi_s1_dot;
-            sliding_friction_r1 => cos_a*roll_r*side_r1*F_mu_r1_by_psi_r1_dot;
+        zeta1 overr1 {
+            _ => -sin_a*k_r1*touchr1;
+            backlash_r1 => -sin_a*k_r1*clipr1*touchr1;
+            sliding_friction_r1 => cos_a*side_r1*F_mu_r1_by_overr1;
         }
-        zeta1 theta_c_dot {
-            sliding_friction_r1 => -cos_a*side_r1*F_mu_r1_by_psi_r1_dot;
-            damping => h*sin_a*Z_r*beta_K*k_r1_mid*dampr1;
+        zeta1 radial1_dot {
+            viscous_friction_p => cb_p;
+            damping => beta_K*kb_p;
         }
-        zeta1 theta_r_dot {
-            sliding_friction_r1 => cos_a*side_r1*F_mu_r1_by_psi_r1_dot;
-            damping => -h*sin_a*Z_r*beta_K*k_r1_mid*dampr1;
-        }
-        zeta1 x_s_dot { damping => -sin_a*sin_s1*beta_K*k_s1_mid*damps1; }
-        zeta1 y_s_dot { damping => cos_s1*sin_a*beta_K*k_s1_mid*damps1; }
-        zeta1 x_c_dot {
-            viscous_friction_p => cos_c1*cb_p;
-            damping => cos_c1*beta_K*kb_p;
-        }
-        zeta1 y_c_dot {
-            viscous_friction_p => sin_c1*cb_p;
-            damping => sin_c1*beta_K*kb_p;
-        }
-        zeta1 x_r_dot { damping => sin_a*sin_r1*beta_K*k_r1_mid*dampr1; }
-        zeta1 y_r_dot { damping => -cos_r1*sin_a*beta_K*k_r1_mid*dampr1; }
-        zeta1 zeta1_dot {
-            viscous_friction_p => -cb_p;
-            damping => -alpha_M*m_p - beta_K*kb_p - sin_a.powi(2)*beta_K*k_r1_mid*dampr1 - sin_a.powi(2)*beta_K*k_s1_mid*damps1;
-        }
-        zeta1 eta1_dot { damping => cos_a*sin_a*beta_K*k_r1_mid*dampr1 - cos_a*sin_a*beta_K*k_s1_mid*damps1; }
-        zeta1 u1_dot {
-            sliding_friction_s1 => cos_a*side_s1*F_mu_s1_by_psi_s1_dot/r_p;
-            sliding_friction_r1 => -cos_a*side_r1*F_mu_r1_by_psi_r1_dot/r_p;
-            damping => sin_a*beta_K*k_r1_mid*dampr1 + sin_a*beta_K*k_s1_mid*damps1;
-        }
+        zeta1 overs1_dot { damping => sin_a*beta_K*k_s1_mid*damps1; }
+        zeta1 psi_s1_dot { sliding_friction_s1 => -cos_a*side_s1*F_mu_s1_by_psi_s1_dot; }
+        zeta1 overr1_dot { damping => -sin_a*beta_K*k_r1_mid*dampr1; }
+        zeta1 psi_r1_dot { sliding_friction_r1 => cos_a*side_r1*F_mu_r1_by_psi_r1_dot; }
         eta1 theta {
             transmission_error_s1_and_backlash_s1_and_moving_phase => -cos_a*k_s1*de_s1*clips1*touchs1;
             transmission_error_s1_and_sliding_friction_s1_and_moving_phase => -sin_a*de_s1*side_s1*F_mu_s1_by_overs1;
@@ -2750,94 +2027,28 @@ equations! {
             sliding_friction_r1_and_moving_phase => sin_a*dk_r1*side_r1*F_mu_r1_by_k_r1 + sin_a*dside_r1*F_mu_r1;
             moving_phase => cos_a*dk_r1*touchr1*overr1 + cos_a*dk_s1*touchs1*overs1;
         }
-        eta1 theta_c {
-            _ => -cos_a*h*Z_r*k_r1*touchr1;
-            backlash_r1 => -cos_a*h*Z_r*k_r1*clipr1*touchr1;
-            sliding_friction_r1 => -h*sin_a*Z_r*side_r1*F_mu_r1_by_overr1;
-        }
-        eta1 theta_r {
-            _ => cos_a*h*Z_r*k_r1*touchr1;
-            backlash_r1 => cos_a*h*Z_r*k_r1*clipr1*touchr1;
-            sliding_friction_r1 => h*sin_a*Z_r*side_r1*F_mu_r1_by_overr1;
-        }
-        eta1 x_s {
-            _ => -cos_a*sin_s1*k_s1*touchs1;
-            backlash_s1 => -cos_a*sin_s1*k_s1*clips1*touchs1;
-            sliding_friction_s1 => -sin_a*sin_s1*side_s1*F_mu_s1_by_overs1;
-        }
-        eta1 y_s {
-            _ => cos_a*cos_s1*k_s1*touchs1;
-            backlash_s1 => cos_a*cos_s1*k_s1*clips1*touchs1;
-            sliding_friction_s1 => cos_s1*sin_a*side_s1*F_mu_s1_by_overs1;
-        }
-        eta1 x_c { _ => -sin_c1*kb_p; }
-        eta1 y_c { _ => cos_c1*kb_p; }
-        eta1 x_r {
-            _ => -cos_a*sin_r1*k_r1*touchr1;
-            backlash_r1 => -cos_a*sin_r1*k_r1*clipr1*touchr1;
-            sliding_friction_r1 => -sin_a*sin_r1*side_r1*F_mu_r1_by_overr1;
-        }
-        eta1 y_r {
-            _ => cos_a*cos_r1*k_r1*touchr1;
-            backlash_r1 => cos_a*cos_r1*k_r1*clipr1*touchr1;
-            sliding_friction_r1 => cos_r1*sin_a*side_r1*F_mu_r1_by_overr1;
-        }
-        eta1 zeta1 {
-            _ => cos_a*sin_a*k_r1*touchr1 - cos_a*sin_a*k_s1*touchs1;
-            backlash_s1 => -cos_a*sin_a*k_s1*clips1*touchs1;
-            sliding_friction_s1 => -sin_a.powi(2)*side_s1*F_mu_s1_by_overs1;
-            backlash_r1 => cos_a*sin_a*k_r1*clipr1*touchr1;
-            sliding_friction_r1 => sin_a.powi(2)*side_r1*F_mu_r1_by_overr1;
-        }
-        eta1 eta1 {
-            _ => -kb_p - cos_a.powi(2)*k_r1*touchr1 - cos_a.powi(2)*k_s1*touchs1;
-            backlash_s1 => -cos_a.powi(2)*k_s1*clips1*touchs1;
-            sliding_friction_s1 => -cos_a*sin_a*side_s1*F_mu_s1_by_overs1;
-            backlash_r1 => -cos_a.powi(2)*k_r1*clipr1*touchr1;
-            sliding_friction_r1 => -cos_a*sin_a*side_r1*F_mu_r1_by_overr1;
-        }
-        eta1 u1 {
-            _ => cos_a*k_s1*touchs1 - cos_a*k_r1*touchr1;
+        eta1 theta_dot { damping => -a*alpha_M*m_p/Z_r; }
+        eta1 theta_c_dot { damping => -a*alpha_M*m_p; }
+        eta1 eta1_dot { damping => -alpha_M*m_p; }
+        eta1 tangential1 { _ => kb_p; }
+        eta1 overs1 {
+            _ => cos_a*k_s1*touchs1;
             backlash_s1 => cos_a*k_s1*clips1*touchs1;
             sliding_friction_s1 => sin_a*side_s1*F_mu_s1_by_overs1;
-            backlash_r1 => -cos_a*k_r1*clipr1*touchr1;
-            sliding_friction_r1 => -sin_a*side_r1*F_mu_r1_by_overr1;
         }
-        eta1 theta_dot {
-            sliding_friction_s1 => roll_s*sin_a*side_s1*F_mu_s1_by_psi_s1_dot;
-            sliding_friction_r1 => roll_r*sin_a*side_r1*F_mu_r1_by_psi_r1_dot;
-            damping => -a*alpha_M*m_p/Z_r;
+        eta1 overr1 {
+            _ => cos_a*k_r1*touchr1;
+            backlash_r1 => cos_a*k_r1*clipr1*touchr1;
+            sliding_friction_r1 => sin_a*side_r1*F_mu_r1_by_overr1;
         }
-        eta1 theta_c_dot {
-            sliding_friction_r1 => -sin_a*side_r1*F_mu_r1_by_psi_r1_dot;
-            damping => -a*alpha_M*m_p - cos_a*h*Z_r*beta_K*k_r1_mid*dampr1;
+        eta1 tangential1_dot {
+            viscous_friction_p => cb_p;
+            damping => beta_K*kb_p;
         }
-        eta1 theta_r_dot {
-            sliding_friction_r1 => sin_a*side_r1*F_mu_r1_by_psi_r1_dot;
-            damping => cos_a*h*Z_r*beta_K*k_r1_mid*dampr1;
-        }
-        eta1 x_s_dot { damping => -cos_a*sin_s1*beta_K*k_s1_mid*damps1; }
-        eta1 y_s_dot { damping => cos_a*cos_s1*beta_K*k_s1_mid*damps1; }
-        eta1 x_c_dot {
-            viscous_friction_p => -sin_c1*cb_p;
-            damping => -sin_c1*beta_K*kb_p;
-        }
-        eta1 y_c_dot {
-            viscous_friction_p => cos_c1*cb_p;
-            damping => cos_c1*beta_K*kb_p;
-        }
-        eta1 x_r_dot { damping => -cos_a*sin_r1*beta_K*k_r1_mid*dampr1; }
-        eta1 y_r_dot { damping => cos_a*cos_r1*beta_K*k_r1_mid*dampr1; }
-        eta1 zeta1_dot { damping => cos_a*sin_a*beta_K*k_r1_mid*dampr1 - cos_a*sin_a*beta_K*k_s1_mid*damps1; }
-        eta1 eta1_dot {
-            viscous_friction_p => -cb_p;
-            damping => -alpha_M*m_p - beta_K*kb_p - cos_a.powi(2)*beta_K*k_r1_mid*dampr1 - cos_a.powi(2)*beta_K*k_s1_mid*damps1;
-        }
-        eta1 u1_dot {
-            sliding_friction_s1 => -sin_a*side_s1*F_mu_s1_by_psi_s1_dot/r_p;
-            sliding_friction_r1 => -sin_a*side_r1*F_mu_r1_by_psi_r1_dot/r_p;
-            damping => cos_a*beta_K*k_s1_mid*damps1 - cos_a*beta_K*k_r1_mid*dampr1;
-        }
+        eta1 overs1_dot { damping => cos_a*beta_K*k_s1_mid*damps1; }
+        eta1 psi_s1_dot { sliding_friction_s1 => sin_a*side_s1*F_mu_s1_by_psi_s1_dot; }
+        eta1 overr1_dot { damping => cos_a*beta_K*k_r1_mid*dampr1; }
+        eta1 psi_r1_dot { sliding_friction_r1 => sin_a*side_r1*F_mu_r1_by_psi_r1_dot; }
         u1 theta {
             transmission_error_s1_and_backlash_s1_and_moving_phase => k_s1*de_s1*clips1*touchs1;
             transmission_error_s1_and_sliding_friction_s1_and_moving_phase => sin_a*de_s1*side_s1*F_mu_s1_by_overs1/cos_a
@@ -2855,81 +2066,23 @@ equations! {
                 + darm_r1*F_mu_r1/r_p + dk_r1*arm_r1*F_mu_r1_by_k_r1/r_p;
             moving_phase => dk_r1*touchr1*overr1 - dk_s1*touchs1*overs1;
         }
-        u1 theta_c {
-            _ => -h*Z_r*k_r1*touchr1;
-            backlash_r1 => -h*Z_r*k_r1*clipr1*touchr1;
-            sliding_friction_r1 => -h*Z_r*arm_r1*F_mu_r1_by_overr1/r_p - h*sin_a*Z_r*side_r1*F_mu_r1_by_overr1/cos_a;
-        }
-        u1 theta_r {
-            _ => h*Z_r*k_r1*touchr1;
-            backlash_r1 => h*Z_r*k_r1*clipr1*touchr1;
-            sliding_friction_r1 => h*Z_r*arm_r1*F_mu_r1_by_overr1/r_p + h*sin_a*Z_r*side_r1*F_mu_r1_by_overr1/cos_a;
-        }
-        u1 x_s {
-            _ => sin_s1*k_s1*touchs1;
-            backlash_s1 => sin_s1*k_s1*clips1*touchs1;
-            sliding_friction_s1 => sin_a*sin_s1*side_s1*F_mu_s1_by_overs1/cos_a - sin_s1*arm_s1*F_mu_s1_by_overs1/r_p;
-        }
-        u1 y_s {
-            _ => -cos_s1*k_s1*touchs1;
-            backlash_s1 => -cos_s1*k_s1*clips1*touchs1;
-            sliding_friction_s1 => cos_s1*arm_s1*F_mu_s1_by_overs1/r_p - cos_s1*sin_a*side_s1*F_mu_s1_by_overs1/cos_a;
-        }
-        u1 x_r {
-            _ => -sin_r1*k_r1*touchr1;
-            backlash_r1 => -sin_r1*k_r1*clipr1*touchr1;
-            sliding_friction_r1 => -sin_a*sin_r1*side_r1*F_mu_r1_by_overr1/cos_a - sin_r1*arm_r1*F_mu_r1_by_overr1/r_p;
-        }
-        u1 y_r {
-            _ => cos_r1*k_r1*touchr1;
-            backlash_r1 => cos_r1*k_r1*clipr1*touchr1;
-            sliding_friction_r1 => cos_r1*arm_r1*F_mu_r1_by_overr1/r_p + cos_r1*sin_a*side_r1*F_mu_r1_by_overr1/cos_a;
-        }
-        u1 zeta1 {
-            _ => sin_a*k_r1*touchr1 + sin_a*k_s1*touchs1;
-            backlash_s1 => sin_a*k_s1*clips1*touchs1;
-            sliding_friction_s1 => sin_a.powi(2)*side_s1*F_mu_s1_by_overs1/cos_a - sin_a*arm_s1*F_mu_s1_by_overs1/r_p;
-            backlash_r1 => sin_a*k_r1*clipr1*touchr1;
-            sliding_friction_r1 => sin_a.powi(2)*side_r1*F_mu_r1_by_overr1/cos_a + sin_a*arm_r1*F_mu_r1_by_overr1/r_p;
-        }
-        u1 eta1 {
-            _ => cos_a*k_s1*touchs1 - cos_a*k_r1*touchr1;
-            backlash_s1 => cos_a*k_s1*clips1*touchs1;
-            sliding_friction_s1 => sin_a*side_s1*F_mu_s1_by_overs1 - cos_a*arm_s1*F_mu_s1_by_overs1/r_p;
-            backlash_r1 => -cos_a*k_r1*clipr1*touchr1;
-            sliding_friction_r1 => -cos_a*arm_r1*F_mu_r1_by_overr1/r_p - sin_a*side_r1*F_mu_r1_by_overr1;
-        }
-        u1 u1 {
-            _ => -k_r1*touchr1 - k_s1*touchs1;
+        u1 theta_dot { damping => h*I_p*alpha_M/r_p.powi(2) - I_p*alpha_M/(r_p*Z_r); }
+        u1 theta_c_dot { damping => -I_p*alpha_M/r_p; }
+        u1 u1_dot { damping => -I_p*alpha_M/r_p.powi(2); }
+        u1 overs1 {
+            _ => -k_s1*touchs1;
             backlash_s1 => -k_s1*clips1*touchs1;
             sliding_friction_s1 => arm_s1*F_mu_s1_by_overs1/r_p - sin_a*side_s1*F_mu_s1_by_overs1/cos_a;
-            backlash_r1 => -k_r1*clipr1*touchr1;
-            sliding_friction_r1 => -sin_a*side_r1*F_mu_r1_by_overr1/cos_a - arm_r1*F_mu_r1_by_overr1/r_p;
         }
-        u1 theta_dot {
-            sliding_friction_s1 => roll_s*arm_s1*F_mu_s1_by_psi_s1_dot/r_p - roll_s*sin_a*side_s1*F_mu_s1_by_psi_s1_dot/cos_a;
-            sliding_friction_r1 => roll_r*sin_a*side_r1*F_mu_r1_by_psi_r1_dot/cos_a + roll_r*arm_r1*F_mu_r1_by_psi_r1_dot/r_p;
-            damping => h*I_p*alpha_M/r_p.powi(2) - I_p*alpha_M/(r_p*Z_r);
+        u1 overr1 {
+            _ => k_r1*touchr1;
+            backlash_r1 => k_r1*clipr1*touchr1;
+            sliding_friction_r1 => sin_a*side_r1*F_mu_r1_by_overr1/cos_a + arm_r1*F_mu_r1_by_overr1/r_p;
         }
-        u1 theta_c_dot {
-            sliding_friction_r1 => -sin_a*side_r1*F_mu_r1_by_psi_r1_dot/cos_a - arm_r1*F_mu_r1_by_psi_r1_dot/r_p;
-            damping => -h*Z_r*beta_K*k_r1_mid*dampr1 - I_p*alpha_M/r_p;
-        }
-        u1 theta_r_dot {
-            sliding_friction_r1 => sin_a*side_r1*F_mu_r1_by_psi_r1_dot/cos_a + arm_r1*F_mu_r1_by_psi_r1_dot/r_p;
-            damping => h*Z_r*beta_K*k_r1_mid*dampr1;
-        }
-        u1 x_s_dot { damping => sin_s1*beta_K*k_s1_mid*damps1; }
-        u1 y_s_dot { damping => -cos_s1*beta_K*k_s1_mid*damps1; }
-        u1 x_r_dot { damping => -sin_r1*beta_K*k_r1_mid*dampr1; }
-        u1 y_r_dot { damping => cos_r1*beta_K*k_r1_mid*dampr1; }
-        u1 zeta1_dot { damping => sin_a*beta_K*k_r1_mid*dampr1 + sin_a*beta_K*k_s1_mid*damps1; }
-        u1 eta1_dot { damping => cos_a*beta_K*k_s1_mid*damps1 - cos_a*beta_K*k_r1_mid*dampr1; }
-        u1 u1_dot {
-            sliding_friction_s1 => sin_a*side_s1*F_mu_s1_by_psi_s1_dot/(cos_a*r_p) - arm_s1*F_mu_s1_by_psi_s1_dot/r_p.powi(2);
-            sliding_friction_r1 => -sin_a*side_r1*F_mu_r1_by_psi_r1_dot/(cos_a*r_p) - arm_r1*F_mu_r1_by_psi_r1_dot/r_p.powi(2);
-            damping => -beta_K*k_r1_mid*dampr1 - beta_K*k_s1_mid*damps1 - I_p*alpha_M/r_p.powi(2);
-        }
+        u1 overs1_dot { damping => -beta_K*k_s1_mid*damps1; }
+        u1 psi_s1_dot { sliding_friction_s1 => arm_s1*F_mu_s1_by_psi_s1_dot/r_p - sin_a*side_s1*F_mu_s1_by_psi_s1_dot/cos_a; }
+        u1 overr1_dot { damping => beta_K*k_r1_mid*dampr1; }
+        u1 psi_r1_dot { sliding_friction_r1 => sin_a*side_r1*F_mu_r1_by_psi_r1_dot/cos_a + arm_r1*F_mu_r1_by_psi_r1_dot/r_p; }
         zeta2 theta {
             transmission_error_s2_and_backlash_s2_and_moving_phase => -sin_a*k_s2*de_s2*clips2*touchs2;
             transmission_error_s2_and_sliding_friction_s2_and_moving_phase => cos_a*de_s2*side_s2*F_mu_s2_by_overs2;
@@ -2943,93 +2096,26 @@ equations! {
             sliding_friction_r2_and_moving_phase => cos_a*dk_r2*side_r2*F_mu_r2_by_k_r2 + cos_a*dside_r2*F_mu_r2;
             moving_phase => sin_a*dk_s2*touchs2*overs2 - sin_a*dk_r2*touchr2*overr2;
         }
-        zeta2 theta_c {
-            _ => h*sin_a*Z_r*k_r2*touchr2;
-            backlash_r2 => h*sin_a*Z_r*k_r2*clipr2*touchr2;
-            sliding_friction_r2 => -cos_a*h*Z_r*side_r2*F_mu_r2_by_overr2;
-        }
-        zeta2 theta_r {
-            _ => -h*sin_a*Z_r*k_r2*touchr2;
-            backlash_r2 => -h*sin_a*Z_r*k_r2*clipr2*touchr2;
-            sliding_friction_r2 => cos_a*h*Z_r*side_r2*F_mu_r2_by_overr2;
-        }
-        zeta2 x_s {
-            _ => -sin_a*sin_s2*k_s2*touchs2;
-            backlash_s2 => -sin_a*sin_s2*k_s2*clips2*touchs2;
-            sliding_friction_s2 => cos_a*sin_s2*side_s2*F_mu_s2_by_overs2;
-        }
-        zeta2 y_s {
-            _ => cos_s2*sin_a*k_s2*touchs2;
-            backlash_s2 => cos_s2*sin_a*k_s2*clips2*touchs2;
-            sliding_friction_s2 => -cos_a*cos_s2*side_s2*F_mu_s2_by_overs2;
-        }
-        zeta2 x_c { _ => cos_c2*kb_p; }
-        zeta2 y_c { _ => sin_c2*kb_p; }
-        zeta2 x_r {
-            _ => sin_a*sin_r2*k_r2*touchr2;
-            backlash_r2 => sin_a*sin_r2*k_r2*clipr2*touchr2;
-            sliding_friction_r2 => -cos_a*sin_r2*side_r2*F_mu_r2_by_overr2;
-        }
-        zeta2 y_r {
-            _ => -cos_r2*sin_a*k_r2*touchr2;
-            backlash_r2 => -cos_r2*sin_a*k_r2*clipr2*touchr2;
-            sliding_friction_r2 => cos_a*cos_r2*side_r2*F_mu_r2_by_overr2;
-        }
-        zeta2 zeta2 {
-            _ => -kb_p - sin_a.powi(2)*k_r2*touchr2 - sin_a.powi(2)*k_s2*touchs2;
-            backlash_s2 => -sin_a.powi(2)*k_s2*clips2*touchs2;
-            sliding_friction_s2 => cos_a*sin_a*side_s2*F_mu_s2_by_overs2;
-            backlash_r2 => -sin_a.powi(2)*k_r2*clipr2*touchr2;
-            sliding_friction_r2 => cos_a*sin_a*side_r2*F_mu_r2_by_overr2;
-        }
-        zeta2 eta2 {
-            _ => cos_a*sin_a*k_r2*touchr2 - cos_a*sin_a*k_s2*touchs2;
-            backlash_s2 => -cos_a*sin_a*k_s2*clips2*touchs2;
-            sliding_friction_s2 => cos_a.powi(2)*side_s2*F_mu_s2_by_overs2;
-            backlash_r2 => cos_a*sin_a*k_r2*clipr2*touchr2;
-            sliding_friction_r2 => -cos_a.powi(2)*side_r2*F_mu_r2_by_overr2;
-        }
-        zeta2 u2 {
-            _ => sin_a*k_r2*touchr2 + sin_a*k_s2*touchs2;
+        zeta2 zeta2_dot { damping => -alpha_M*m_p; }
+        zeta2 radial2 { _ => kb_p; }
+        zeta2 overs2 {
+            _ => sin_a*k_s2*touchs2;
             backlash_s2 => sin_a*k_s2*clips2*touchs2;
             sliding_friction_s2 => -cos_a*side_s2*F_mu_s2_by_overs2;
-            backlash_r2 => sin_a*k_r2*clipr2*touchr2;
-            sliding_friction_r2 => -cos_a*side_r2*F_mu_r2_by_overr2;
         }
-        zeta2 theta_dot {
-            sliding_friction_s2 => -cos_a*roll_s*side_s2*F_mu_s2_by_psi_s2_dot;
-            sliding_friction_r2 => cos_a*roll_r*side_r2*F_mu_r2_by_psi_r2_dot;
+        zeta2 overr2 {
+            _ => -sin_a*k_r2*touchr2;
+            backlash_r2 => -sin_a*k_r2*clipr2*touchr2;
+            sliding_friction_r2 => cos_a*side_r2*F_mu_r2_by_overr2;
         }
-        zeta2 theta_c_dot {
-            sliding_friction_r2 => -cos_a*side_r2*F_mu_r2_by_psi_r2_dot;
-            damping => h*sin_a*Z_r*beta_K*k_r2_mid*dampr2;
+        zeta2 radial2_dot {
+            viscous_friction_p => cb_p;
+            damping => beta_K*kb_p;
         }
-        zeta2 theta_r_dot {
-            sliding_friction_r2 => cos_a*side_r2*F_mu_r2_by_psi_r2_dot;
-            damping => -h*sin_a*Z_r*beta_K*k_r2_mid*dampr2;
-        }
-        zeta2 x_s_dot { damping => -sin_a*sin_s2*beta_K*k_s2_mid*damps2; }
-        zeta2 y_s_dot { damping => cos_s2*sin_a*beta_K*k_s2_mid*damps2; }
-        zeta2 x_c_dot {
-            viscous_friction_p => cos_c2*cb_p;
-            damping => cos_c2*beta_K*kb_p;
-        }
-        zeta2 y_c_dot {
-            viscous_friction_p => sin_c2*cb_p;
-            damping => sin_c2*beta_K*kb_p;
-        }
-        zeta2 x_r_dot { damping => sin_a*sin_r2*beta_K*k_r2_mid*dampr2; }
-        zeta2 y_r_dot { damping => -cos_r2*sin_a*beta_K*k_r2_mid*dampr2; }
-        zeta2 zeta2_dot {
-            viscous_friction_p => -cb_p;
-            damping => -alpha_M*m_p - beta_K*kb_p - sin_a.powi(2)*beta_K*k_r2_mid*dampr2 - sin_a.powi(2)*beta_K*k_s2_mid*damps2;
-        }
-        zeta2 eta2_dot { damping => cos_a*sin_a*beta_K*k_r2_mid*dampr2 - cos_a*sin_a*beta_K*k_s2_mid*damps2; }
-        zeta2 u2_dot {
-            sliding_friction_s2 => cos_a*side_s2*F_mu_s2_by_psi_s2_dot/r_p;
-            sliding_friction_r2 => -cos_a*side_r2*F_mu_r2_by_psi_r2_dot/r_p;
-            damping => sin_a*beta_K*k_r2_mid*dampr2 + sin_a*beta_K*k_s2_mid*damps2;
-        }
+        zeta2 overs2_dot { damping => sin_a*beta_K*k_s2_mid*damps2; }
+        zeta2 psi_s2_dot { sliding_friction_s2 => -cos_a*side_s2*F_mu_s2_by_psi_s2_dot; }
+        zeta2 overr2_dot { damping => -sin_a*beta_K*k_r2_mid*dampr2; }
+        zeta2 psi_r2_dot { sliding_friction_r2 => cos_a*side_r2*F_mu_r2_by_psi_r2_dot; }
         eta2 theta {
             transmission_error_s2_and_backlash_s2_and_moving_phase => -cos_a*k_s2*de_s2*clips2*touchs2;
             transmission_error_s2_and_sliding_friction_s2_and_moving_phase => -sin_a*de_s2*side_s2*F_mu_s2_by_overs2;
@@ -3043,94 +2129,28 @@ equations! {
             sliding_friction_r2_and_moving_phase => sin_a*dk_r2*side_r2*F_mu_r2_by_k_r2 + sin_a*dside_r2*F_mu_r2;
             moving_phase => cos_a*dk_r2*touchr2*overr2 + cos_a*dk_s2*touchs2*overs2;
         }
-        eta2 theta_c {
-            _ => -cos_a*h*Z_r*k_r2*touchr2;
-            backlash_r2 => -cos_a*h*Z_r*k_r2*clipr2*touchr2;
-            sliding_friction_r2 => -h*sin_a*Z_r*side_r2*F_mu_r2_by_overr2;
-        }
-        eta2 theta_r {
-            _ => cos_a*h*Z_r*k_r2*touchr2;
-            backlash_r2 => cos_a*h*Z_r*k_r2*clipr2*touchr2;
-            sliding_friction_r2 => h*sin_a*Z_r*side_r2*F_mu_r2_by_overr2;
-        }
-        eta2 x_s {
-            _ => -cos_a*sin_s2*k_s2*touchs2;
-            backlash_s2 => -cos_a*sin_s2*k_s2*clips2*touchs2;
-            sliding_friction_s2 => -sin_a*sin_s2*side_s2*F_mu_s2_by_overs2;
-        }
-        eta2 y_s {
-            _ => cos_a*cos_s2*k_s2*touchs2;
-            backlash_s2 => cos_a*cos_s2*k_s2*clips2*touchs2;
-            sliding_friction_s2 => cos_s2*sin_a*side_s2*F_mu_s2_by_overs2;
-        }
-        eta2 x_c { _ => -sin_c2*kb_p; }
-        eta2 y_c { _ => cos_c2*kb_p; }
-        eta2 x_r {
-            _ => -cos_a*sin_r2*k_r2*touchr2;
-            backlash_r2 => -cos_a*sin_r2*k_r2*clipr2*touchr2;
-            sliding_friction_r2 => -sin_a*sin_r2*side_r2*F_mu_r2_by_overr2;
-        }
-        eta2 y_r {
-            _ => cos_a*cos_r2*k_r2*touchr2;
-            backlash_r2 => cos_a*cos_r2*k_r2*clipr2*touchr2;
-            sliding_friction_r2 => cos_r2*sin_a*side_r2*F_mu_r2_by_overr2;
-        }
-        eta2 zeta2 {
-            _ => cos_a*sin_a*k_r2*touchr2 - cos_a*sin_a*k_s2*touchs2;
-            backlash_s2 => -cos_a*sin_a*k_s2*clips2*touchs2;
-            sliding_friction_s2 => -sin_a.powi(2)*side_s2*F_mu_s2_by_overs2;
-            backlash_r2 => cos_a*sin_a*k_r2*clipr2*touchr2;
-            sliding_friction_r2 => sin_a.powi(2)*side_r2*F_mu_r2_by_overr2;
-        }
-        eta2 eta2 {
-            _ => -kb_p - cos_a.powi(2)*k_r2*touchr2 - cos_a.powi(2)*k_s2*touchs2;
-            backlash_s2 => -cos_a.powi(2)*k_s2*clips2*touchs2;
-            sliding_friction_s2 => -cos_a*sin_a*side_s2*F_mu_s2_by_overs2;
-            backlash_r2 => -cos_a.powi(2)*k_r2*clipr2*touchr2;
-            sliding_friction_r2 => -cos_a*sin_a*side_r2*F_mu_r2_by_overr2;
-        }
-        eta2 u2 {
-            _ => cos_a*k_s2*touchs2 - cos_a*k_r2*touchr2;
+        eta2 theta_dot { damping => -a*alpha_M*m_p/Z_r; }
+        eta2 theta_c_dot { damping => -a*alpha_M*m_p; }
+        eta2 eta2_dot { damping => -alpha_M*m_p; }
+        eta2 tangential2 { _ => kb_p; }
+        eta2 overs2 {
+            _ => cos_a*k_s2*touchs2;
             backlash_s2 => cos_a*k_s2*clips2*touchs2;
             sliding_friction_s2 => sin_a*side_s2*F_mu_s2_by_overs2;
-            backlash_r2 => -cos_a*k_r2*clipr2*touchr2;
-            sliding_friction_r2 => -sin_a*side_r2*F_mu_r2_by_overr2;
         }
-        eta2 theta_dot {
-            sliding_friction_s2 => roll_s*sin_a*side_s2*F_mu_s2_by_psi_s2_dot;
-            sliding_friction_r2 => roll_r*sin_a*side_r2*F_mu_r2_by_psi_r2_dot;
-            damping => -a*alpha_M*m_p/Z_r;
+        eta2 overr2 {
+            _ => cos_a*k_r2*touchr2;
+            backlash_r2 => cos_a*k_r2*clipr2*touchr2;
+            sliding_friction_r2 => sin_a*side_r2*F_mu_r2_by_overr2;
         }
-        eta2 theta_c_dot {
-            sliding_friction_r2 => -sin_a*side_r2*F_mu_r2_by_psi_r2_dot;
-            damping => -a*alpha_M*m_p - cos_a*h*Z_r*beta_K*k_r2_mid*dampr2;
+        eta2 tangential2_dot {
+            viscous_friction_p => cb_p;
+            damping => beta_K*kb_p;
         }
-        eta2 theta_r_dot {
-            sliding_friction_r2 => sin_a*side_r2*F_mu_r2_by_psi_r2_dot;
-            damping => cos_a*h*Z_r*beta_K*k_r2_mid*dampr2;
-        }
-        eta2 x_s_dot { damping => -cos_a*sin_s2*beta_K*k_s2_mid*damps2; }
-        eta2 y_s_dot { damping => cos_a*cos_s2*beta_K*k_s2_mid*damps2; }
-        eta2 x_c_dot {
-            viscous_friction_p => -sin_c2*cb_p;
-            damping => -sin_c2*beta_K*kb_p;
-        }
-        eta2 y_c_dot {
-            viscous_friction_p => cos_c2*cb_p;
-            damping => cos_c2*beta_K*kb_p;
-        }
-        eta2 x_r_dot { damping => -cos_a*sin_r2*beta_K*k_r2_mid*dampr2; }
-        eta2 y_r_dot { damping => cos_a*cos_r2*beta_K*k_r2_mid*dampr2; }
-        eta2 zeta2_dot { damping => cos_a*sin_a*beta_K*k_r2_mid*dampr2 - cos_a*sin_a*beta_K*k_s2_mid*damps2; }
-        eta2 eta2_dot {
-            viscous_friction_p => -cb_p;
-            damping => -alpha_M*m_p - beta_K*kb_p - cos_a.powi(2)*beta_K*k_r2_mid*dampr2 - cos_a.powi(2)*beta_K*k_s2_mid*damps2;
-        }
-        eta2 u2_dot {
-            sliding_friction_s2 => -sin_a*side_s2*F_mu_s2_by_psi_s2_dot/r_p;
-            sliding_friction_r2 => -sin_a*side_r2*F_mu_r2_by_psi_r2_dot/r_p;
-            damping => cos_a*beta_K*k_s2_mid*damps2 - cos_a*beta_K*k_r2_mid*dampr2;
-        }
+        eta2 overs2_dot { damping => cos_a*beta_K*k_s2_mid*damps2; }
+        eta2 psi_s2_dot { sliding_friction_s2 => sin_a*side_s2*F_mu_s2_by_psi_s2_dot; }
+        eta2 overr2_dot { damping => cos_a*beta_K*k_r2_mid*dampr2; }
+        eta2 psi_r2_dot { sliding_friction_r2 => sin_a*side_r2*F_mu_r2_by_psi_r2_dot; }
         u2 theta {
             transmission_error_s2_and_backlash_s2_and_moving_phase => k_s2*de_s2*clips2*touchs2;
             transmission_error_s2_and_sliding_friction_s2_and_moving_phase => sin_a*de_s2*side_s2*F_mu_s2_by_overs2/cos_a
@@ -3148,81 +2168,23 @@ equations! {
                 + darm_r2*F_mu_r2/r_p + dk_r2*arm_r2*F_mu_r2_by_k_r2/r_p;
             moving_phase => dk_r2*touchr2*overr2 - dk_s2*touchs2*overs2;
         }
-        u2 theta_c {
-            _ => -h*Z_r*k_r2*touchr2;
-            backlash_r2 => -h*Z_r*k_r2*clipr2*touchr2;
-            sliding_friction_r2 => -h*Z_r*arm_r2*F_mu_r2_by_overr2/r_p - h*sin_a*Z_r*side_r2*F_mu_r2_by_overr2/cos_a;
-        }
-        u2 theta_r {
-            _ => h*Z_r*k_r2*touchr2;
-            backlash_r2 => h*Z_r*k_r2*clipr2*touchr2;
-            sliding_friction_r2 => h*Z_r*arm_r2*F_mu_r2_by_overr2/r_p + h*sin_a*Z_r*side_r2*F_mu_r2_by_overr2/cos_a;
-        }
-        u2 x_s {
-            _ => sin_s2*k_s2*touchs2;
-            backlash_s2 => sin_s2*k_s2*clips2*touchs2;
-            sliding_friction_s2 => sin_a*sin_s2*side_s2*F_mu_s2_by_overs2/cos_a - sin_s2*arm_s2*F_mu_s2_by_overs2/r_p;
-        }
-        u2 y_s {
-            _ => -cos_s2*k_s2*touchs2;
-            backlash_s2 => -cos_s2*k_s2*clips2*touchs2;
-            sliding_friction_s2 => cos_s2*arm_s2*F_mu_s2_by_overs2/r_p - cos_s2*sin_a*side_s2*F_mu_s2_by_overs2/cos_a;
-        }
-        u2 x_r {
-            _ => -sin_r2*k_r2*touchr2;
-            backlash_r2 => -sin_r2*k_r2*clipr2*touchr2;
-            sliding_friction_r2 => -sin_a*sin_r2*side_r2*F_mu_r2_by_overr2/cos_a - sin_r2*arm_r2*F_mu_r2_by_overr2/r_p;
-        }
-        u2 y_r {
-            _ => cos_r2*k_r2*touchr2;
-            backlash_r2 => cos_r2*k_r2*clipr2*touchr2;
-            sliding_friction_r2 => cos_r2*arm_r2*F_mu_r2_by_overr2/r_p + cos_r2*sin_a*side_r2*F_mu_r2_by_overr2/cos_a;
-        }
-        u2 zeta2 {
-            _ => sin_a*k_r2*touchr2 + sin_a*k_s2*touchs2;
-            backlash_s2 => sin_a*k_s2*clips2*touchs2;
-            sliding_friction_s2 => sin_a.powi(2)*side_s2*F_mu_s2_by_overs2/cos_a - sin_a*arm_s2*F_mu_s2_by_overs2/r_p;
-            backlash_r2 => sin_a*k_r2*clipr2*touchr2;
-            sliding_friction_r2 => sin_a.powi(2)*side_r2*F_mu_r2_by_overr2/cos_a + sin_a*arm_r2*F_mu_r2_by_overr2/r_p;
-        }
-        u2 eta2 {
-            _ => cos_a*k_s2*touchs2 - cos_a*k_r2*touchr2;
-            backlash_s2 => cos_a*k_s2*clips2*touchs2;
-            sliding_friction_s2 => sin_a*side_s2*F_mu_s2_by_overs2 - cos_a*arm_s2*F_mu_s2_by_overs2/r_p;
-            backlash_r2 => -cos_a*k_r2*clipr2*touchr2;
-            sliding_friction_r2 => -cos_a*arm_r2*F_mu_r2_by_overr2/r_p - sin_a*side_r2*F_mu_r2_by_overr2;
-        }
-        u2 u2 {
-            _ => -k_r2*touchr2 - k_s2*touchs2;
+        u2 theta_dot { damping => h*I_p*alpha_M/r_p.powi(2) - I_p*alpha_M/(r_p*Z_r); }
+        u2 theta_c_dot { damping => -I_p*alpha_M/r_p; }
+        u2 u2_dot { damping => -I_p*alpha_M/r_p.powi(2); }
+        u2 overs2 {
+            _ => -k_s2*touchs2;
             backlash_s2 => -k_s2*clips2*touchs2;
             sliding_friction_s2 => arm_s2*F_mu_s2_by_overs2/r_p - sin_a*side_s2*F_mu_s2_by_overs2/cos_a;
-            backlash_r2 => -k_r2*clipr2*touchr2;
-            sliding_friction_r2 => -sin_a*side_r2*F_mu_r2_by_overr2/cos_a - arm_r2*F_mu_r2_by_overr2/r_p;
         }
-        u2 theta_dot {
-            sliding_friction_s2 => roll_s*arm_s2*F_mu_s2_by_psi_s2_dot/r_p - roll_s*sin_a*side_s2*F_mu_s2_by_psi_s2_dot/cos_a;
-            sliding_friction_r2 => roll_r*sin_a*side_r2*F_mu_r2_by_psi_r2_dot/cos_a + roll_r*arm_r2*F_mu_r2_by_psi_r2_dot/r_p;
-            damping => h*I_p*alpha_M/r_p.powi(2) - I_p*alpha_M/(r_p*Z_r);
+        u2 overr2 {
+            _ => k_r2*touchr2;
+            backlash_r2 => k_r2*clipr2*touchr2;
+            sliding_friction_r2 => sin_a*side_r2*F_mu_r2_by_overr2/cos_a + arm_r2*F_mu_r2_by_overr2/r_p;
         }
-        u2 theta_c_dot {
-            sliding_friction_r2 => -sin_a*side_r2*F_mu_r2_by_psi_r2_dot/cos_a - arm_r2*F_mu_r2_by_psi_r2_dot/r_p;
-            damping => -h*Z_r*beta_K*k_r2_mid*dampr2 - I_p*alpha_M/r_p;
-        }
-        u2 theta_r_dot {
-            sliding_friction_r2 => sin_a*side_r2*F_mu_r2_by_psi_r2_dot/cos_a + arm_r2*F_mu_r2_by_psi_r2_dot/r_p;
-            damping => h*Z_r*beta_K*k_r2_mid*dampr2;
-        }
-        u2 x_s_dot { damping => sin_s2*beta_K*k_s2_mid*damps2; }
-        u2 y_s_dot { damping => -cos_s2*beta_K*k_s2_mid*damps2; }
-        u2 x_r_dot { damping => -sin_r2*beta_K*k_r2_mid*dampr2; }
-        u2 y_r_dot { damping => cos_r2*beta_K*k_r2_mid*dampr2; }
-        u2 zeta2_dot { damping => sin_a*beta_K*k_r2_mid*dampr2 + sin_a*beta_K*k_s2_mid*damps2; }
-        u2 eta2_dot { damping => cos_a*beta_K*k_s2_mid*damps2 - cos_a*beta_K*k_r2_mid*dampr2; }
-        u2 u2_dot {
-            sliding_friction_s2 => sin_a*side_s2*F_mu_s2_by_psi_s2_dot/(cos_a*r_p) - arm_s2*F_mu_s2_by_psi_s2_dot/r_p.powi(2);
-            sliding_friction_r2 => -sin_a*side_r2*F_mu_r2_by_psi_r2_dot/(cos_a*r_p) - arm_r2*F_mu_r2_by_psi_r2_dot/r_p.powi(2);
-            damping => -beta_K*k_r2_mid*dampr2 - beta_K*k_s2_mid*damps2 - I_p*alpha_M/r_p.powi(2);
-        }
+        u2 overs2_dot { damping => -beta_K*k_s2_mid*damps2; }
+        u2 psi_s2_dot { sliding_friction_s2 => arm_s2*F_mu_s2_by_psi_s2_dot/r_p - sin_a*side_s2*F_mu_s2_by_psi_s2_dot/cos_a; }
+        u2 overr2_dot { damping => beta_K*k_r2_mid*dampr2; }
+        u2 psi_r2_dot { sliding_friction_r2 => sin_a*side_r2*F_mu_r2_by_psi_r2_dot/cos_a + arm_r2*F_mu_r2_by_psi_r2_dot/r_p; }
         zeta3 theta {
             transmission_error_s3_and_backlash_s3_and_moving_phase => -sin_a*k_s3*de_s3*clips3*touchs3;
             transmission_error_s3_and_sliding_friction_s3_and_moving_phase => cos_a*de_s3*side_s3*F_mu_s3_by_overs3;
@@ -3236,93 +2198,26 @@ equations! {
             sliding_friction_r3_and_moving_phase => cos_a*dk_r3*side_r3*F_mu_r3_by_k_r3 + cos_a*dside_r3*F_mu_r3;
             moving_phase => sin_a*dk_s3*touchs3*overs3 - sin_a*dk_r3*touchr3*overr3;
         }
-        zeta3 theta_c {
-            _ => h*sin_a*Z_r*k_r3*touchr3;
-            backlash_r3 => h*sin_a*Z_r*k_r3*clipr3*touchr3;
-            sliding_friction_r3 => -cos_a*h*Z_r*side_r3*F_mu_r3_by_overr3;
-        }
-        zeta3 theta_r {
-            _ => -h*sin_a*Z_r*k_r3*touchr3;
-            backlash_r3 => -h*sin_a*Z_r*k_r3*clipr3*touchr3;
-            sliding_friction_r3 => cos_a*h*Z_r*side_r3*F_mu_r3_by_overr3;
-        }
-        zeta3 x_s {
-            _ => -sin_a*sin_s3*k_s3*touchs3;
-            backlash_s3 => -sin_a*sin_s3*k_s3*clips3*touchs3;
-            sliding_friction_s3 => cos_a*sin_s3*side_s3*F_mu_s3_by_overs3;
-        }
-        zeta3 y_s {
-            _ => cos_s3*sin_a*k_s3*touchs3;
-            backlash_s3 => cos_s3*sin_a*k_s3*clips3*touchs3;
-            sliding_friction_s3 => -cos_a*cos_s3*side_s3*F_mu_s3_by_overs3;
-        }
-        zeta3 x_c { _ => cos_c3*kb_p; }
-        zeta3 y_c { _ => sin_c3*kb_p; }
-        zeta3 x_r {
-            _ => sin_a*sin_r3*k_r3*touchr3;
-            backlash_r3 => sin_a*sin_r3*k_r3*clipr3*touchr3;
-            sliding_friction_r3 => -cos_a*sin_r3*side_r3*F_mu_r3_by_overr3;
-        }
-        zeta3 y_r {
-            _ => -cos_r3*sin_a*k_r3*touchr3;
-            backlash_r3 => -cos_r3*sin_a*k_r3*clipr3*touchr3;
-            sliding_friction_r3 => cos_a*cos_r3*side_r3*F_mu_r3_by_overr3;
-        }
-        zeta3 zeta3 {
-            _ => -kb_p - sin_a.powi(2)*k_r3*touchr3 - sin_a.powi(2)*k_s3*touchs3;
-            backlash_s3 => -sin_a.powi(2)*k_s3*clips3*touchs3;
-            sliding_friction_s3 => cos_a*sin_a*side_s3*F_mu_s3_by_overs3;
-            backlash_r3 => -sin_a.powi(2)*k_r3*clipr3*touchr3;
-            sliding_friction_r3 => cos_a*sin_a*side_r3*F_mu_r3_by_overr3;
-        }
-        zeta3 eta3 {
-            _ => cos_a*sin_a*k_r3*touchr3 - cos_a*sin_a*k_s3*touchs3;
-            backlash_s3 => -cos_a*sin_a*k_s3*clips3*touchs3;
-            sliding_friction_s3 => cos_a.powi(2)*side_s3*F_mu_s3_by_overs3;
-            backlash_r3 => cos_a*sin_a*k_r3*clipr3*touchr3;
-            sliding_friction_r3 => -cos_a.powi(2)*side_r3*F_mu_r3_by_overr3;
-        }
-        zeta3 u3 {
-            _ => sin_a*k_r3*touchr3 + sin_a*k_s3*touchs3;
+        zeta3 zeta3_dot { damping => -alpha_M*m_p; }
+        zeta3 radial3 { _ => kb_p; }
+        zeta3 overs3 {
+            _ => sin_a*k_s3*touchs3;
             backlash_s3 => sin_a*k_s3*clips3*touchs3;
             sliding_friction_s3 => -cos_a*side_s3*F_mu_s3_by_overs3;
-            backlash_r3 => sin_a*k_r3*clipr3*touchr3;
-            sliding_friction_r3 => -cos_a*side_r3*F_mu_r3_by_overr3;
         }
-        zeta3 theta_dot {
-            sliding_friction_s3 => -cos_a*roll_s*side_s3*F_mu_s3_by_psi_s3_dot;
-            sliding_friction_r3 => cos_a*roll_r*side_r3*F_mu_r3_by_psi_r3_dot;
+        zeta3 overr3 {
+            _ => -sin_a*k_r3*touchr3;
+            backlash_r3 => -sin_a*k_r3*clipr3*touchr3;
+            sliding_friction_r3 => cos_a*side_r3*F_mu_r3_by_overr3;
         }
-        zeta3 theta_c_dot {
-            sliding_friction_r3 => -cos_a*side_r3*F_mu_r3_by_psi_r3_dot;
-            damping => h*sin_a*Z_r*beta_K*k_r3_mid*dampr3;
+        zeta3 radial3_dot {
+            viscous_friction_p => cb_p;
+            damping => beta_K*kb_p;
         }
-        zeta3 theta_r_dot {
-            sliding_friction_r3 => cos_a*side_r3*F_mu_r3_by_psi_r3_dot;
-            damping => -h*sin_a*Z_r*beta_K*k_r3_mid*dampr3;
-        }
-        zeta3 x_s_dot { damping => -sin_a*sin_s3*beta_K*k_s3_mid*damps3; }
-        zeta3 y_s_dot { damping => cos_s3*sin_a*beta_K*k_s3_mid*damps3; }
-        zeta3 x_c_dot {
-            viscous_friction_p => cos_c3*cb_p;
-            damping => cos_c3*beta_K*kb_p;
-        }
-        zeta3 y_c_dot {
-            viscous_friction_p => sin_c3*cb_p;
-            damping => sin_c3*beta_K*kb_p;
-        }
-        zeta3 x_r_dot { damping => sin_a*sin_r3*beta_K*k_r3_mid*dampr3; }
-        zeta3 y_r_dot { damping => -cos_r3*sin_a*beta_K*k_r3_mid*dampr3; }
-        zeta3 zeta3_dot {
-            viscous_friction_p => -cb_p;
-            damping => -alpha_M*m_p - beta_K*kb_p - sin_a.powi(2)*beta_K*k_r3_mid*dampr3 - sin_a.powi(2)*beta_K*k_s3_mid*damps3;
-        }
-        zeta3 eta3_dot { damping => cos_a*sin_a*beta_K*k_r3_mid*dampr3 - cos_a*sin_a*beta_K*k_s3_mid*damps3; }
-        zeta3 u3_dot {
-            sliding_friction_s3 => cos_a*side_s3*F_mu_s3_by_psi_s3_dot/r_p;
-            sliding_friction_r3 => -cos_a*side_r3*F_mu_r3_by_psi_r3_dot/r_p;
-            damping => sin_a*beta_K*k_r3_mid*dampr3 + sin_a*beta_K*k_s3_mid*damps3;
-        }
+        zeta3 overs3_dot { damping => sin_a*beta_K*k_s3_mid*damps3; }
+        zeta3 psi_s3_dot { sliding_friction_s3 => -cos_a*side_s3*F_mu_s3_by_psi_s3_dot; }
+        zeta3 overr3_dot { damping => -sin_a*beta_K*k_r3_mid*dampr3; }
+        zeta3 psi_r3_dot { sliding_friction_r3 => cos_a*side_r3*F_mu_r3_by_psi_r3_dot; }
         eta3 theta {
             transmission_error_s3_and_backlash_s3_and_moving_phase => -cos_a*k_s3*de_s3*clips3*touchs3;
             transmission_error_s3_and_sliding_friction_s3_and_moving_phase => -sin_a*de_s3*side_s3*F_mu_s3_by_overs3;
@@ -3336,94 +2231,28 @@ equations! {
             sliding_friction_r3_and_moving_phase => sin_a*dk_r3*side_r3*F_mu_r3_by_k_r3 + sin_a*dside_r3*F_mu_r3;
             moving_phase => cos_a*dk_r3*touchr3*overr3 + cos_a*dk_s3*touchs3*overs3;
         }
-        eta3 theta_c {
-            _ => -cos_a*h*Z_r*k_r3*touchr3;
-            backlash_r3 => -cos_a*h*Z_r*k_r3*clipr3*touchr3;
-            sliding_friction_r3 => -h*sin_a*Z_r*side_r3*F_mu_r3_by_overr3;
-        }
-        eta3 theta_r {
-            _ => cos_a*h*Z_r*k_r3*touchr3;
-            backlash_r3 => cos_a*h*Z_r*k_r3*clipr3*touchr3;
-            sliding_friction_r3 => h*sin_a*Z_r*side_r3*F_mu_r3_by_overr3;
-        }
-        eta3 x_s {
-            _ => -cos_a*sin_s3*k_s3*touchs3;
-            backlash_s3 => -cos_a*sin_s3*k_s3*clips3*touchs3;
-            sliding_friction_s3 => -sin_a*sin_s3*side_s3*F_mu_s3_by_overs3;
-        }
-        eta3 y_s {
-            _ => cos_a*cos_s3*k_s3*touchs3;
-            backlash_s3 => cos_a*cos_s3*k_s3*clips3*touchs3;
-            sliding_friction_s3 => cos_s3*sin_a*side_s3*F_mu_s3_by_overs3;
-        }
-        eta3 x_c { _ => -sin_c3*kb_p; }
-        eta3 y_c { _ => cos_c3*kb_p; }
-        eta3 x_r {
-            _ => -cos_a*sin_r3*k_r3*touchr3;
-            backlash_r3 => -cos_a*sin_r3*k_r3*clipr3*touchr3;
-            sliding_friction_r3 => -sin_a*sin_r3*side_r3*F_mu_r3_by_overr3;
-        }
-        eta3 y_r {
-            _ => cos_a*cos_r3*k_r3*touchr3;
-            backlash_r3 => cos_a*cos_r3*k_r3*clipr3*touchr3;
-            sliding_friction_r3 => cos_r3*sin_a*side_r3*F_mu_r3_by_overr3;
-        }
-        eta3 zeta3 {
-            _ => cos_a*sin_a*k_r3*touchr3 - cos_a*sin_a*k_s3*touchs3;
-            backlash_s3 => -cos_a*sin_a*k_s3*clips3*touchs3;
-            sliding_friction_s3 => -sin_a.powi(2)*side_s3*F_mu_s3_by_overs3;
-            backlash_r3 => cos_a*sin_a*k_r3*clipr3*touchr3;
-            sliding_friction_r3 => sin_a.powi(2)*side_r3*F_mu_r3_by_overr3;
-        }
-        eta3 eta3 {
-            _ => -kb_p - cos_a.powi(2)*k_r3*touchr3 - cos_a.powi(2)*k_s3*touchs3;
-            backlash_s3 => -cos_a.powi(2)*k_s3*clips3*touchs3;
-            sliding_friction_s3 => -cos_a*sin_a*side_s3*F_mu_s3_by_overs3;
-            backlash_r3 => -cos_a.powi(2)*k_r3*clipr3*touchr3;
-            sliding_friction_r3 => -cos_a*sin_a*side_r3*F_mu_r3_by_overr3;
-        }
-        eta3 u3 {
-            _ => cos_a*k_s3*touchs3 - cos_a*k_r3*touchr3;
+        eta3 theta_dot { damping => -a*alpha_M*m_p/Z_r; }
+        eta3 theta_c_dot { damping => -a*alpha_M*m_p; }
+        eta3 eta3_dot { damping => -alpha_M*m_p; }
+        eta3 tangential3 { _ => kb_p; }
+        eta3 overs3 {
+            _ => cos_a*k_s3*touchs3;
             backlash_s3 => cos_a*k_s3*clips3*touchs3;
             sliding_friction_s3 => sin_a*side_s3*F_mu_s3_by_overs3;
-            backlash_r3 => -cos_a*k_r3*clipr3*touchr3;
-            sliding_friction_r3 => -sin_a*side_r3*F_mu_r3_by_overr3;
         }
-        eta3 theta_dot {
-            sliding_friction_s3 => roll_s*sin_a*side_s3*F_mu_s3_by_psi_s3_dot;
-            sliding_friction_r3 => roll_r*sin_a*side_r3*F_mu_r3_by_psi_r3_dot;
-            damping => -a*alpha_M*m_p/Z_r;
+        eta3 overr3 {
+            _ => cos_a*k_r3*touchr3;
+            backlash_r3 => cos_a*k_r3*clipr3*touchr3;
+            sliding_friction_r3 => sin_a*side_r3*F_mu_r3_by_overr3;
         }
-        eta3 theta_c_dot {
-            sliding_friction_r3 => -sin_a*side_r3*F_mu_r3_by_psi_r3_dot;
-            damping => -a*alpha_M*m_p - cos_a*h*Z_r*beta_K*k_r3_mid*dampr3;
+        eta3 tangential3_dot {
+            viscous_friction_p => cb_p;
+            damping => beta_K*kb_p;
         }
-        eta3 theta_r_dot {
-            sliding_friction_r3 => sin_a*side_r3*F_mu_r3_by_psi_r3_dot;
-            damping => cos_a*h*Z_r*beta_K*k_r3_mid*dampr3;
-        }
-        eta3 x_s_dot { damping => -cos_a*sin_s3*beta_K*k_s3_mid*damps3; }
-        eta3 y_s_dot { damping => cos_a*cos_s3*beta_K*k_s3_mid*damps3; }
-        eta3 x_c_dot {
-            viscous_friction_p => -sin_c3*cb_p;
-            damping => -sin_c3*beta_K*kb_p;
-        }
-        eta3 y_c_dot {
-            viscous_friction_p => cos_c3*cb_p;
-            damping => cos_c3*beta_K*kb_p;
-        }
-        eta3 x_r_dot { damping => -cos_a*sin_r3*beta_K*k_r3_mid*dampr3; }
-        eta3 y_r_dot { damping => cos_a*cos_r3*beta_K*k_r3_mid*dampr3; }
-        eta3 zeta3_dot { damping => cos_a*sin_a*beta_K*k_r3_mid*dampr3 - cos_a*sin_a*beta_K*k_s3_mid*damps3; }
-        eta3 eta3_dot {
-            viscous_friction_p => -cb_p;
-            damping => -alpha_M*m_p - beta_K*kb_p - cos_a.powi(2)*beta_K*k_r3_mid*dampr3 - cos_a.powi(2)*beta_K*k_s3_mid*damps3;
-        }
-        eta3 u3_dot {
-            sliding_friction_s3 => -sin_a*side_s3*F_mu_s3_by_psi_s3_dot/r_p;
-            sliding_friction_r3 => -sin_a*side_r3*F_mu_r3_by_psi_r3_dot/r_p;
-            damping => cos_a*beta_K*k_s3_mid*damps3 - cos_a*beta_K*k_r3_mid*dampr3;
-        }
+        eta3 overs3_dot { damping => cos_a*beta_K*k_s3_mid*damps3; }
+        eta3 psi_s3_dot { sliding_friction_s3 => sin_a*side_s3*F_mu_s3_by_psi_s3_dot; }
+        eta3 overr3_dot { damping => cos_a*beta_K*k_r3_mid*dampr3; }
+        eta3 psi_r3_dot { sliding_friction_r3 => sin_a*side_r3*F_mu_r3_by_psi_r3_dot; }
         u3 theta {
             transmission_error_s3_and_backlash_s3_and_moving_phase => k_s3*de_s3*clips3*touchs3;
             transmission_error_s3_and_sliding_friction_s3_and_moving_phase => sin_a*de_s3*side_s3*F_mu_s3_by_overs3/cos_a
@@ -3441,514 +2270,73 @@ equations! {
                 + darm_r3*F_mu_r3/r_p + dk_r3*arm_r3*F_mu_r3_by_k_r3/r_p;
             moving_phase => dk_r3*touchr3*overr3 - dk_s3*touchs3*overs3;
         }
-        u3 theta_c {
-            _ => -h*Z_r*k_r3*touchr3;
-            backlash_r3 => -h*Z_r*k_r3*clipr3*touchr3;
-            sliding_friction_r3 => -h*Z_r*arm_r3*F_mu_r3_by_overr3/r_p - h*sin_a*Z_r*side_r3*F_mu_r3_by_overr3/cos_a;
-        }
-        u3 theta_r {
-            _ => h*Z_r*k_r3*touchr3;
-            backlash_r3 => h*Z_r*k_r3*clipr3*touchr3;
-            sliding_friction_r3 => h*Z_r*arm_r3*F_mu_r3_by_overr3/r_p + h*sin_a*Z_r*side_r3*F_mu_r3_by_overr3/cos_a;
-        }
-        u3 x_s {
-            _ => sin_s3*k_s3*touchs3;
-            backlash_s3 => sin_s3*k_s3*clips3*touchs3;
-            sliding_friction_s3 => sin_a*sin_s3*side_s3*F_mu_s3_by_overs3/cos_a - sin_s3*arm_s3*F_mu_s3_by_overs3/r_p;
-        }
-        u3 y_s {
-            _ => -cos_s3*k_s3*touchs3;
-            backlash_s3 => -cos_s3*k_s3*clips3*touchs3;
-            sliding_friction_s3 => cos_s3*arm_s3*F_mu_s3_by_overs3/r_p - cos_s3*sin_a*side_s3*F_mu_s3_by_overs3/cos_a;
-        }
-        u3 x_r {
-            _ => -sin_r3*k_r3*touchr3;
-            backlash_r3 => -sin_r3*k_r3*clipr3*touchr3;
-            sliding_friction_r3 => -sin_a*sin_r3*side_r3*F_mu_r3_by_overr3/cos_a - sin_r3*arm_r3*F_mu_r3_by_overr3/r_p;
-        }
-        u3 y_r {
-            _ => cos_r3*k_r3*touchr3;
-            backlash_r3 => cos_r3*k_r3*clipr3*touchr3;
-            sliding_friction_r3 => cos_r3*arm_r3*F_mu_r3_by_overr3/r_p + cos_r3*sin_a*side_r3*F_mu_r3_by_overr3/cos_a;
-        }
-        u3 zeta3 {
-            _ => sin_a*k_r3*touchr3 + sin_a*k_s3*touchs3;
-            backlash_s3 => sin_a*k_s3*clips3*touchs3;
-            sliding_friction_s3 => sin_a.powi(2)*side_s3*F_mu_s3_by_overs3/cos_a - sin_a*arm_s3*F_mu_s3_by_overs3/r_p;
-            backlash_r3 => sin_a*k_r3*clipr3*touchr3;
-            sliding_friction_r3 => sin_a.powi(2)*side_r3*F_mu_r3_by_overr3/cos_a + sin_a*arm_r3*F_mu_r3_by_overr3/r_p;
-        }
-        u3 eta3 {
-            _ => cos_a*k_s3*touchs3 - cos_a*k_r3*touchr3;
-            backlash_s3 => cos_a*k_s3*clips3*touchs3;
-            sliding_friction_s3 => sin_a*side_s3*F_mu_s3_by_overs3 - cos_a*arm_s3*F_mu_s3_by_overs3/r_p;
-            backlash_r3 => -cos_a*k_r3*clipr3*touchr3;
-            sliding_friction_r3 => -cos_a*arm_r3*F_mu_r3_by_overr3/r_p - sin_a*side_r3*F_mu_r3_by_overr3;
-        }
-        u3 u3 {
-            _ => -k_r3*touchr3 - k_s3*touchs3;
+        u3 theta_dot { damping => h*I_p*alpha_M/r_p.powi(2) - I_p*alpha_M/(r_p*Z_r); }
+        u3 theta_c_dot { damping => -I_p*alpha_M/r_p; }
+        u3 u3_dot { damping => -I_p*alpha_M/r_p.powi(2); }
+        u3 overs3 {
+            _ => -k_s3*touchs3;
             backlash_s3 => -k_s3*clips3*touchs3;
             sliding_friction_s3 => arm_s3*F_mu_s3_by_overs3/r_p - sin_a*side_s3*F_mu_s3_by_overs3/cos_a;
-            backlash_r3 => -k_r3*clipr3*touchr3;
-            sliding_friction_r3 => -sin_a*side_r3*F_mu_r3_by_overr3/cos_a - arm_r3*F_mu_r3_by_overr3/r_p;
         }
-        u3 theta_dot {
-            sliding_friction_s3 => roll_s*arm_s3*F_mu_s3_by_psi_s3_dot/r_p - roll_s*sin_a*side_s3*F_mu_s3_by_psi_s3_dot/cos_a;
-            sliding_friction_r3 => roll_r*sin_a*side_r3*F_mu_r3_by_psi_r3_dot/cos_a + roll_r*arm_r3*F_mu_r3_by_psi_r3_dot/r_p;
-            damping => h*I_p*alpha_M/r_p.powi(2) - I_p*alpha_M/(r_p*Z_r);
+        u3 overr3 {
+            _ => k_r3*touchr3;
+            backlash_r3 => k_r3*clipr3*touchr3;
+            sliding_friction_r3 => sin_a*side_r3*F_mu_r3_by_overr3/cos_a + arm_r3*F_mu_r3_by_overr3/r_p;
         }
-        u3 theta_c_dot {
-            sliding_friction_r3 => -sin_a*side_r3*F_mu_r3_by_psi_r3_dot/cos_a - arm_r3*F_mu_r3_by_psi_r3_dot/r_p;
-            damping => -h*Z_r*beta_K*k_r3_mid*dampr3 - I_p*alpha_M/r_p;
-        }
-        u3 theta_r_dot {
-            sliding_friction_r3 => sin_a*side_r3*F_mu_r3_by_psi_r3_dot/cos_a + arm_r3*F_mu_r3_by_psi_r3_dot/r_p;
-            damping => h*Z_r*beta_K*k_r3_mid*dampr3;
-        }
-        u3 x_s_dot { damping => sin_s3*beta_K*k_s3_mid*damps3; }
-        u3 y_s_dot { damping => -cos_s3*beta_K*k_s3_mid*damps3; }
-        u3 x_r_dot { damping => -sin_r3*beta_K*k_r3_mid*dampr3; }
-        u3 y_r_dot { damping => cos_r3*beta_K*k_r3_mid*dampr3; }
-        u3 zeta3_dot { damping => sin_a*beta_K*k_r3_mid*dampr3 + sin_a*beta_K*k_s3_mid*damps3; }
-        u3 eta3_dot { damping => cos_a*beta_K*k_s3_mid*damps3 - cos_a*beta_K*k_r3_mid*dampr3; }
-        u3 u3_dot {
-            sliding_friction_s3 => sin_a*side_s3*F_mu_s3_by_psi_s3_dot/(cos_a*r_p) - arm_s3*F_mu_s3_by_psi_s3_dot/r_p.powi(2);
-            sliding_friction_r3 => -sin_a*side_r3*F_mu_r3_by_psi_r3_dot/(cos_a*r_p) - arm_r3*F_mu_r3_by_psi_r3_dot/r_p.powi(2);
-            damping => -beta_K*k_r3_mid*dampr3 - beta_K*k_s3_mid*damps3 - I_p*alpha_M/r_p.powi(2);
-        }
+        u3 overs3_dot { damping => -beta_K*k_s3_mid*damps3; }
+        u3 psi_s3_dot { sliding_friction_s3 => arm_s3*F_mu_s3_by_psi_s3_dot/r_p - sin_a*side_s3*F_mu_s3_by_psi_s3_dot/cos_a; }
+        u3 overr3_dot { damping => beta_K*k_r3_mid*dampr3; }
+        u3 psi_r3_dot { sliding_friction_r3 => sin_a*side_r3*F_mu_r3_by_psi_r3_dot/cos_a + arm_r3*F_mu_r3_by_psi_r3_dot/r_p; }
     }
     cell {
         stiffness {
-            theta theta {
-                torsional_support_s => k_s/Z_r.powi(2) + 2.0*k_s/(Z_r*Z_s) + k_s/Z_s.powi(2);
-                torsional_support_c => k_c/Z_r.powi(2);
-            }
-            theta theta_c {
-                torsional_support_s => k_s/Z_r + k_s/Z_s;
-                torsional_support_c => k_c/Z_r;
-            }
-            theta_c theta_c {
-                _ => h.powi(2)*Z_r.powi(2)*k_r1*touchr1 + h.powi(2)*Z_r.powi(2)*k_r2*touchr2 + h.powi(2)*Z_r.powi(2)*k_r3*touchr3;
-                torsional_support_s => k_s;
-                torsional_support_c => k_c;
-                backlash_r1 => h.powi(2)*Z_r.powi(2)*k_r1*clipr1*touchr1;
-                backlash_r2 => h.powi(2)*Z_r.powi(2)*k_r2*clipr2*touchr2;
-                backlash_r3 => h.powi(2)*Z_r.powi(2)*k_r3*clipr3*touchr3;
-            }
-            theta_c theta_r {
-                _ => -h.powi(2)*Z_r.powi(2)*k_r1*touchr1 - h.powi(2)*Z_r.powi(2)*k_r2*touchr2 - h.powi(2)*Z_r.powi(2)*k_r3*touchr3;
-                backlash_r1 => -h.powi(2)*Z_r.powi(2)*k_r1*clipr1*touchr1;
-                backlash_r2 => -h.powi(2)*Z_r.powi(2)*k_r2*clipr2*touchr2;
-                backlash_r3 => -h.powi(2)*Z_r.powi(2)*k_r3*clipr3*touchr3;
-            }
-            theta_c x_r {
-                _ => h*sin_r1*Z_r*k_r1*touchr1 + h*sin_r2*Z_r*k_r2*touchr2 + h*sin_r3*Z_r*k_r3*touchr3;
-                backlash_r1 => h*sin_r1*Z_r*k_r1*clipr1*touchr1;
-                backlash_r2 => h*sin_r2*Z_r*k_r2*clipr2*touchr2;
-                backlash_r3 => h*sin_r3*Z_r*k_r3*clipr3*touchr3;
-            }
-            theta_c y_r {
-                _ => -cos_r1*h*Z_r*k_r1*touchr1 - cos_r2*h*Z_r*k_r2*touchr2 - cos_r3*h*Z_r*k_r3*touchr3;
-                backlash_r1 => -cos_r1*h*Z_r*k_r1*clipr1*touchr1;
-                backlash_r2 => -cos_r2*h*Z_r*k_r2*clipr2*touchr2;
-                backlash_r3 => -cos_r3*h*Z_r*k_r3*clipr3*touchr3;
-            }
-            theta_c zeta1 {
-                _ => -h*sin_a*Z_r*k_r1*touchr1;
-                backlash_r1 => -h*sin_a*Z_r*k_r1*clipr1*touchr1;
-            }
-            theta_c eta1 {
-                _ => cos_a*h*Z_r*k_r1*touchr1;
-                backlash_r1 => cos_a*h*Z_r*k_r1*clipr1*touchr1;
-            }
-            theta_c u1 {
-                _ => h*Z_r*k_r1*touchr1;
-                backlash_r1 => h*Z_r*k_r1*clipr1*touchr1;
-            }
-            theta_c zeta2 {
-                _ => -h*sin_a*Z_r*k_r2*touchr2;
-                backlash_r2 => -h*sin_a*Z_r*k_r2*clipr2*touchr2;
-            }
-            theta_c eta2 {
-                _ => cos_a*h*Z_r*k_r2*touchr2;
-                backlash_r2 => cos_a*h*Z_r*k_r2*clipr2*touchr2;
-            }
-            theta_c u2 {
-                _ => h*Z_r*k_r2*touchr2;
-                backlash_r2 => h*Z_r*k_r2*clipr2*touchr2;
-            }
-            theta_c zeta3 {
-                _ => -h*sin_a*Z_r*k_r3*touchr3;
-                backlash_r3 => -h*sin_a*Z_r*k_r3*clipr3*touchr3;
-            }
-            theta_c eta3 {
-                _ => cos_a*h*Z_r*k_r3*touchr3;
-                backlash_r3 => cos_a*h*Z_r*k_r3*clipr3*touchr3;
-            }
-            theta_c u3 {
-                _ => h*Z_r*k_r3*touchr3;
-                backlash_r3 => h*Z_r*k_r3*clipr3*touchr3;
-            }
-            theta_r theta_r {
-                _ => k_r + h.powi(2)*Z_r.powi(2)*k_r1*touchr1 + h.powi(2)*Z_r.powi(2)*k_r2*touchr2 + h.powi(2)*Z_r.powi(2)*k_r3*touchr3;
-                backlash_r1 => h.powi(2)*Z_r.powi(2)*k_r1*clipr1*touchr1;
-                backlash_r2 => h.powi(2)*Z_r.powi(2)*k_r2*clipr2*touchr2;
-                backlash_r3 => h.powi(2)*Z_r.powi(2)*k_r3*clipr3*touchr3;
-            }
-            theta_r x_r {
-                _ => -h*sin_r1*Z_r*k_r1*touchr1 - h*sin_r2*Z_r*k_r2*touchr2 - h*sin_r3*Z_r*k_r3*touchr3;
-                backlash_r1 => -h*sin_r1*Z_r*k_r1*clipr1*touchr1;
-                backlash_r2 => -h*sin_r2*Z_r*k_r2*clipr2*touchr2;
-                backlash_r3 => -h*sin_r3*Z_r*k_r3*clipr3*touchr3;
-            }
-            theta_r y_r {
-                _ => cos_r1*h*Z_r*k_r1*touchr1 + cos_r2*h*Z_r*k_r2*touchr2 + cos_r3*h*Z_r*k_r3*touchr3;
-                backlash_r1 => cos_r1*h*Z_r*k_r1*clipr1*touchr1;
-                backlash_r2 => cos_r2*h*Z_r*k_r2*clipr2*touchr2;
-                backlash_r3 => cos_r3*h*Z_r*k_r3*clipr3*touchr3;
-            }
-            theta_r zeta1 {
-                _ => h*sin_a*Z_r*k_r1*touchr1;
-                backlash_r1 => h*sin_a*Z_r*k_r1*clipr1*touchr1;
-            }
-            theta_r eta1 {
-                _ => -cos_a*h*Z_r*k_r1*touchr1;
-                backlash_r1 => -cos_a*h*Z_r*k_r1*clipr1*touchr1;
-            }
-            theta_r u1 {
-                _ => -h*Z_r*k_r1*touchr1;
-                backlash_r1 => -h*Z_r*k_r1*clipr1*touchr1;
-            }
-            theta_r zeta2 {
-                _ => h*sin_a*Z_r*k_r2*touchr2;
-                backlash_r2 => h*sin_a*Z_r*k_r2*clipr2*touchr2;
-            }
-            theta_r eta2 {
-                _ => -cos_a*h*Z_r*k_r2*touchr2;
-                backlash_r2 => -cos_a*h*Z_r*k_r2*clipr2*touchr2;
-            }
-            theta_r u2 {
-                _ => -h*Z_r*k_r2*touchr2;
-                backlash_r2 => -h*Z_r*k_r2*clipr2*touchr2;
-            }
-            theta_r zeta3 {
-                _ => h*sin_a*Z_r*k_r3*touchr3;
-                backlash_r3 => h*sin_a*Z_r*k_r3*clipr3*touchr3;
-            }
-            theta_r eta3 {
-                _ => -cos_a*h*Z_r*k_r3*touchr3;
-                backlash_r3 => -cos_a*h*Z_r*k_r3*clipr3*touchr3;
-            }
-            theta_r u3 {
-                _ => -h*Z_r*k_r3*touchr3;
-                backlash_r3 => -h*Z_r*k_r3*clipr3*touchr3;
-            }
-            x_s x_s {
-                _ => kb_s + sin_s1.powi(2)*k_s1*touchs1 + sin_s2.powi(2)*k_s2*touchs2 + sin_s3.powi(2)*k_s3*touchs3;
-                backlash_s1 => sin_s1.powi(2)*k_s1*clips1*touchs1;
-                backlash_s2 => sin_s2.powi(2)*k_s2*clips2*touchs2;
-                backlash_s3 => sin_s3.powi(2)*k_s3*clips3*touchs3;
-            }
-            x_s y_s {
-                _ => -cos_s1*sin_s1*k_s1*touchs1 - cos_s2*sin_s2*k_s2*touchs2 - cos_s3*sin_s3*k_s3*touchs3;
-                backlash_s1 => -cos_s1*sin_s1*k_s1*clips1*touchs1;
-                backlash_s2 => -cos_s2*sin_s2*k_s2*clips2*touchs2;
-                backlash_s3 => -cos_s3*sin_s3*k_s3*clips3*touchs3;
-            }
-            x_s zeta1 {
-                _ => sin_a*sin_s1*k_s1*touchs1;
-                backlash_s1 => sin_a*sin_s1*k_s1*clips1*touchs1;
-            }
-            x_s eta1 {
-                _ => cos_a*sin_s1*k_s1*touchs1;
-                backlash_s1 => cos_a*sin_s1*k_s1*clips1*touchs1;
-            }
-            x_s u1 {
-                _ => -sin_s1*k_s1*touchs1;
-                backlash_s1 => -sin_s1*k_s1*clips1*touchs1;
-            }
-            x_s zeta2 {
-                _ => sin_a*sin_s2*k_s2*touchs2;
-                backlash_s2 => sin_a*sin_s2*k_s2*clips2*touchs2;
-            }
-            x_s eta2 {
-                _ => cos_a*sin_s2*k_s2*touchs2;
-                backlash_s2 => cos_a*sin_s2*k_s2*clips2*touchs2;
-            }
-            x_s u2 {
-                _ => -sin_s2*k_s2*touchs2;
-                backlash_s2 => -sin_s2*k_s2*clips2*touchs2;
-            }
-            x_s zeta3 {
-                _ => sin_a*sin_s3*k_s3*touchs3;
-                backlash_s3 => sin_a*sin_s3*k_s3*clips3*touchs3;
-            }
-            x_s eta3 {
-                _ => cos_a*sin_s3*k_s3*touchs3;
-                backlash_s3 => cos_a*sin_s3*k_s3*clips3*touchs3;
-            }
-            x_s u3 {
-                _ => -sin_s3*k_s3*touchs3;
-                backlash_s3 => -sin_s3*k_s3*clips3*touchs3;
-            }
-            y_s y_s {
-                _ => kb_s + cos_s1.powi(2)*k_s1*touchs1 + cos_s2.powi(2)*k_s2*touchs2 + cos_s3.powi(2)*k_s3*touchs3;
-                backlash_s1 => cos_s1.powi(2)*k_s1*clips1*touchs1;
-                backlash_s2 => cos_s2.powi(2)*k_s2*clips2*touchs2;
-                backlash_s3 => cos_s3.powi(2)*k_s3*clips3*touchs3;
-            }
-            y_s zeta1 {
-                _ => -cos_s1*sin_a*k_s1*touchs1;
-                backlash_s1 => -cos_s1*sin_a*k_s1*clips1*touchs1;
-            }
-            y_s eta1 {
-                _ => -cos_a*cos_s1*k_s1*touchs1;
-                backlash_s1 => -cos_a*cos_s1*k_s1*clips1*touchs1;
-            }
-            y_s u1 {
-                _ => cos_s1*k_s1*touchs1;
-                backlash_s1 => cos_s1*k_s1*clips1*touchs1;
-            }
-            y_s zeta2 {
-                _ => -cos_s2*sin_a*k_s2*touchs2;
-                backlash_s2 => -cos_s2*sin_a*k_s2*clips2*touchs2;
-            }
-            y_s eta2 {
-                _ => -cos_a*cos_s2*k_s2*touchs2;
-                backlash_s2 => -cos_a*cos_s2*k_s2*clips2*touchs2;
-            }
-            y_s u2 {
-                _ => cos_s2*k_s2*touchs2;
-                backlash_s2 => cos_s2*k_s2*clips2*touchs2;
-            }
-            y_s zeta3 {
-                _ => -cos_s3*sin_a*k_s3*touchs3;
-                backlash_s3 => -cos_s3*sin_a*k_s3*clips3*touchs3;
-            }
-            y_s eta3 {
-                _ => -cos_a*cos_s3*k_s3*touchs3;
-                backlash_s3 => -cos_a*cos_s3*k_s3*clips3*touchs3;
-            }
-            y_s u3 {
-                _ => cos_s3*k_s3*touchs3;
-                backlash_s3 => cos_s3*k_s3*clips3*touchs3;
-            }
-            x_c x_c {
-                _ => kb_c + cos_c1.powi(2)*kb_p + cos_c2.powi(2)*kb_p + cos_c3.powi(2)*kb_p + sin_c1.powi(2)*kb_p + sin_c2.powi(2)*kb_p
-                    + sin_c3.powi(2)*kb_p;
-            }
-            x_c zeta1 { _ => -cos_c1*kb_p; }
-            x_c eta1 { _ => sin_c1*kb_p; }
-            x_c zeta2 { _ => -cos_c2*kb_p; }
-            x_c eta2 { _ => sin_c2*kb_p; }
-            x_c zeta3 { _ => -cos_c3*kb_p; }
-            x_c eta3 { _ => sin_c3*kb_p; }
-            y_c y_c {
-                _ => kb_c + cos_c1.powi(2)*kb_p + cos_c2.powi(2)*kb_p + cos_c3.powi(2)*kb_p + sin_c1.powi(2)*kb_p + sin_c2.powi(2)*kb_p
-                    + sin_c3.powi(2)*kb_p;
-            }
-            y_c zeta1 { _ => -sin_c1*kb_p; }
-            y_c eta1 { _ => -cos_c1*kb_p; }
-            y_c zeta2 { _ => -sin_c2*kb_p; }
-            y_c eta2 { _ => -cos_c2*kb_p; }
-            y_c zeta3 { _ => -sin_c3*kb_p; }
-            y_c eta3 { _ => -cos_c3*kb_p; }
-            x_r x_r {
-                _ => kb_r + sin_r1.powi(2)*k_r1*touchr1 + sin_r2.powi(2)*k_r2*touchr2 + sin_r3.powi(2)*k_r3*touchr3;
-                backlash_r1 => sin_r1.powi(2)*k_r1*clipr1*touchr1;
-                backlash_r2 => sin_r2.powi(2)*k_r2*clipr2*touchr2;
-                backlash_r3 => sin_r3.powi(2)*k_r3*clipr3*touchr3;
-            }
-            x_r y_r {
-                _ => -cos_r1*sin_r1*k_r1*touchr1 - cos_r2*sin_r2*k_r2*touchr2 - cos_r3*sin_r3*k_r3*touchr3;
-                backlash_r1 => -cos_r1*sin_r1*k_r1*clipr1*touchr1;
-                backlash_r2 => -cos_r2*sin_r2*k_r2*clipr2*touchr2;
-                backlash_r3 => -cos_r3*sin_r3*k_r3*clipr3*touchr3;
-            }
-            x_r zeta1 {
-                _ => -sin_a*sin_r1*k_r1*touchr1;
-                backlash_r1 => -sin_a*sin_r1*k_r1*clipr1*touchr1;
-            }
-            x_r eta1 {
-                _ => cos_a*sin_r1*k_r1*touchr1;
-                backlash_r1 => cos_a*sin_r1*k_r1*clipr1*touchr1;
-            }
-            x_r u1 {
-                _ => sin_r1*k_r1*touchr1;
-                backlash_r1 => sin_r1*k_r1*clipr1*touchr1;
-            }
-            x_r zeta2 {
-                _ => -sin_a*sin_r2*k_r2*touchr2;
-                backlash_r2 => -sin_a*sin_r2*k_r2*clipr2*touchr2;
-            }
-            x_r eta2 {
-                _ => cos_a*sin_r2*k_r2*touchr2;
-                backlash_r2 => cos_a*sin_r2*k_r2*clipr2*touchr2;
-            }
-            x_r u2 {
-                _ => sin_r2*k_r2*touchr2;
-                backlash_r2 => sin_r2*k_r2*clipr2*touchr2;
-            }
-            x_r zeta3 {
-                _ => -sin_a*sin_r3*k_r3*touchr3;
-                backlash_r3 => -sin_a*sin_r3*k_r3*clipr3*touchr3;
-            }
-            x_r eta3 {
-                _ => cos_a*sin_r3*k_r3*touchr3;
-                backlash_r3 => cos_a*sin_r3*k_r3*clipr3*touchr3;
-            }
-            x_r u3 {
-                _ => sin_r3*k_r3*touchr3;
-                backlash_r3 => sin_r3*k_r3*clipr3*touchr3;
-            }
-            y_r y_r {
-                _ => kb_r + cos_r1.powi(2)*k_r1*touchr1 + cos_r2.powi(2)*k_r2*touchr2 + cos_r3.powi(2)*k_r3*touchr3;
-                backlash_r1 => cos_r1.powi(2)*k_r1*clipr1*touchr1;
-                backlash_r2 => cos_r2.powi(2)*k_r2*clipr2*touchr2;
-                backlash_r3 => cos_r3.powi(2)*k_r3*clipr3*touchr3;
-            }
-            y_r zeta1 {
-                _ => cos_r1*sin_a*k_r1*touchr1;
-                backlash_r1 => cos_r1*sin_a*k_r1*clipr1*touchr1;
-            }
-            y_r eta1 {
-                _ => -cos_a*cos_r1*k_r1*touchr1;
-                backlash_r1 => -cos_a*cos_r1*k_r1*clipr1*touchr1;
-            }
-            y_r u1 {
-                _ => -cos_r1*k_r1*touchr1;
-                backlash_r1 => -cos_r1*k_r1*clipr1*touchr1;
-            }
-            y_r zeta2 {
-                _ => cos_r2*sin_a*k_r2*touchr2;
-                backlash_r2 => cos_r2*sin_a*k_r2*clipr2*touchr2;
-            }
-            y_r eta2 {
-                _ => -cos_a*cos_r2*k_r2*touchr2;
-                backlash_r2 => -cos_a*cos_r2*k_r2*clipr2*touchr2;
-            }
-            y_r u2 {
-                _ => -cos_r2*k_r2*touchr2;
-                backlash_r2 => -cos_r2*k_r2*clipr2*touchr2;
-            }
-            y_r zeta3 {
-                _ => cos_r3*sin_a*k_r3*touchr3;
-                backlash_r3 => cos_r3*sin_a*k_r3*clipr3*touchr3;
-            }
-            y_r eta3 {
-                _ => -cos_a*cos_r3*k_r3*touchr3;
-                backlash_r3 => -cos_a*cos_r3*k_r3*clipr3*touchr3;
-            }
-            y_r u3 {
-                _ => -cos_r3*k_r3*touchr3;
-                backlash_r3 => -cos_r3*k_r3*clipr3*touchr3;
-            }
-            zeta1 zeta1 {
-                _ => kb_p + sin_a.powi(2)*k_r1*touchr1 + sin_a.powi(2)*k_s1*touchs1;
-                backlash_s1 => sin_a.powi(2)*k_s1*clips1*touchs1;
-                backlash_r1 => sin_a.powi(2)*k_r1*clipr1*touchr1;
-            }
-            zeta1 eta1 {
-                _ => cos_a*sin_a*k_s1*touchs1 - cos_a*sin_a*k_r1*touchr1;
-                backlash_s1 => cos_a*sin_a*k_s1*clips1*touchs1;
-                backlash_r1 => -cos_a*sin_a*k_r1*clipr1*touchr1;
-            }
-            zeta1 u1 {
-                _ => -sin_a*k_r1*touchr1 - sin_a*k_s1*touchs1;
-                backlash_s1 => -sin_a*k_s1*clips1*touchs1;
-                backlash_r1 => -sin_a*k_r1*clipr1*touchr1;
-            }
-            eta1 eta1 {
-                _ => kb_p + cos_a.powi(2)*k_r1*touchr1 + cos_a.powi(2)*k_s1*touchs1;
-                backlash_s1 => cos_a.powi(2)*k_s1*clips1*touchs1;
-                backlash_r1 => cos_a.powi(2)*k_r1*clipr1*touchr1;
-            }
-            eta1 u1 {
-                _ => cos_a*k_r1*touchr1 - cos_a*k_s1*touchs1;
-                backlash_s1 => -cos_a*k_s1*clips1*touchs1;
-                backlash_r1 => cos_a*k_r1*clipr1*touchr1;
-            }
-            u1 u1 {
-                _ => k_r1*touchr1 + k_s1*touchs1;
+            bx_s bx_s { _ => kb_s; }
+            by_s by_s { _ => kb_s; }
+            bx_c bx_c { _ => kb_c; }
+            by_c by_c { _ => kb_c; }
+            bx_r bx_r { _ => kb_r; }
+            by_r by_r { _ => kb_r; }
+            twist_r twist_r { _ => k_r; }
+            twist_s twist_s { torsional_support_s => k_s; }
+            twist_c twist_c { torsional_support_c => k_c; }
+            radial1 radial1 { _ => kb_p; }
+            tangential1 tangential1 { _ => kb_p; }
+            overs1 overs1 {
+                _ => k_s1*touchs1;
                 backlash_s1 => k_s1*clips1*touchs1;
+            }
+            overr1 overr1 {
+                _ => k_r1*touchr1;
                 backlash_r1 => k_r1*clipr1*touchr1;
             }
-            zeta2 zeta2 {
-                _ => kb_p + sin_a.powi(2)*k_r2*touchr2 + sin_a.powi(2)*k_s2*touchs2;
-                backlash_s2 => sin_a.powi(2)*k_s2*clips2*touchs2;
-                backlash_r2 => sin_a.powi(2)*k_r2*clipr2*touchr2;
-            }
-            zeta2 eta2 {
-                _ => cos_a*sin_a*k_s2*touchs2 - cos_a*sin_a*k_r2*touchr2;
-                backlash_s2 => cos_a*sin_a*k_s2*clips2*touchs2;
-                backlash_r2 => -cos_a*sin_a*k_r2*clipr2*touchr2;
-            }
-            zeta2 u2 {
-                _ => -sin_a*k_r2*touchr2 - sin_a*k_s2*touchs2;
-                backlash_s2 => -sin_a*k_s2*clips2*touchs2;
-                backlash_r2 => -sin_a*k_r2*clipr2*touchr2;
-            }
-            eta2 eta2 {
-                _ => kb_p + cos_a.powi(2)*k_r2*touchr2 + cos_a.powi(2)*k_s2*touchs2;
-                backlash_s2 => cos_a.powi(2)*k_s2*clips2*touchs2;
-                backlash_r2 => cos_a.powi(2)*k_r2*clipr2*touchr2;
-            }
-            eta2 u2 {
-                _ => cos_a*k_r2*touchr2 - cos_a*k_s2*touchs2;
-                backlash_s2 => -cos_a*k_s2*clips2*touchs2;
-                backlash_r2 => cos_a*k_r2*clipr2*touchr2;
-            }
-            u2 u2 {
-                _ => k_r2*touchr2 + k_s2*touchs2;
+            radial2 radial2 { _ => kb_p; }
+            tangential2 tangential2 { _ => kb_p; }
+            overs2 overs2 {
+                _ => k_s2*touchs2;
                 backlash_s2 => k_s2*clips2*touchs2;
+            }
+            overr2 overr2 {
+                _ => k_r2*touchr2;
                 backlash_r2 => k_r2*clipr2*touchr2;
             }
-            zeta3 zeta3 {
-                _ => kb_p + sin_a.powi(2)*k_r3*touchr3 + sin_a.powi(2)*k_s3*touchs3;
-                backlash_s3 => sin_a.powi(2)*k_s3*clips3*touchs3;
-                backlash_r3 => sin_a.powi(2)*k_r3*clipr3*touchr3;
-            }
-            zeta3 eta3 {
-                _ => cos_a*sin_a*k_s3*touchs3 - cos_a*sin_a*k_r3*touchr3;
-                backlash_s3 => cos_a*sin_a*k_s3*clips3*touchs3;
-                backlash_r3 => -cos_a*sin_a*k_r3*clipr3*touchr3;
-            }
-            zeta3 u3 {
-                _ => -sin_a*k_r3*touchr3 - sin_a*k_s3*touchs3;
-                backlash_s3 => -sin_a*k_s3*clips3*touchs3;
-                backlash_r3 => -sin_a*k_r3*clipr3*touchr3;
-            }
-            eta3 eta3 {
-                _ => kb_p + cos_a.powi(2)*k_r3*touchr3 + cos_a.powi(2)*k_s3*touchs3;
-                backlash_s3 => cos_a.powi(2)*k_s3*clips3*touchs3;
-                backlash_r3 => cos_a.powi(2)*k_r3*clipr3*touchr3;
-            }
-            eta3 u3 {
-                _ => cos_a*k_r3*touchr3 - cos_a*k_s3*touchs3;
-                backlash_s3 => -cos_a*k_s3*clips3*touchs3;
-                backlash_r3 => cos_a*k_r3*clipr3*touchr3;
-            }
-            u3 u3 {
-                _ => k_r3*touchr3 + k_s3*touchs3;
+            radial3 radial3 { _ => kb_p; }
+            tangential3 tangential3 { _ => kb_p; }
+            overs3 overs3 {
+                _ => k_s3*touchs3;
                 backlash_s3 => k_s3*clips3*touchs3;
+            }
+            overr3 overr3 {
+                _ => k_r3*touchr3;
                 backlash_r3 => k_r3*clipr3*touchr3;
             }
         }
         damping {
             theta theta {
-                torsional_support_s_and_damping => beta_K*k_s/Z_r.powi(2) + 2.0*beta_K*k_s/(Z_r*Z_s) + beta_K*k_s/Z_s.powi(2);
-                torsional_support_c_and_damping => beta_K*k_c/Z_r.powi(2);
-                speed_governor => c_motor/Z_r.powi(2) + 2.0*c_motor/(Z_r*Z_s) + c_motor/Z_s.powi(2);
-                dc_motor => Ts_motor/(Z_r.powi(2)*n0_motor) + 2.0*Ts_motor/(Z_r*Z_s*n0_motor) + Ts_motor/(Z_s.powi(2)*n0_motor);
                 damping => I_c*alpha_M/Z_r.powi(2) - 6.0*h*I_p*alpha_M/(r_p*Z_r) + 3.0*I_p*alpha_M/Z_r.powi(2) + I_s*alpha_M/Z_r.powi(2)
                     + 2.0*I_s*alpha_M/(Z_r*Z_s) + I_s*alpha_M/Z_s.powi(2) + 3.0*a.powi(2)*alpha_M*m_p/Z_r.powi(2)
                     + 3.0*h.powi(2)*I_p*alpha_M/r_p.powi(2);
             }
             theta theta_c {
-                torsional_support_s_and_damping => beta_K*k_s/Z_r + beta_K*k_s/Z_s;
-                torsional_support_c_and_damping => beta_K*k_c/Z_r;
-                speed_governor => c_motor/Z_r + c_motor/Z_s;
-                dc_motor => Ts_motor/(Z_r*n0_motor) + Ts_motor/(Z_s*n0_motor);
                 damping => I_c*alpha_M/Z_r - 3.0*h*I_p*alpha_M/r_p + 3.0*I_p*alpha_M/Z_r + I_s*alpha_M/Z_r + I_s*alpha_M/Z_s
                     + 3.0*a.powi(2)*alpha_M*m_p/Z_r;
             }
@@ -3958,215 +2346,90 @@ equations! {
             theta u2 { damping => I_p*alpha_M/(r_p*Z_r) - h*I_p*alpha_M/r_p.powi(2); }
             theta eta3 { damping => a*alpha_M*m_p/Z_r; }
             theta u3 { damping => I_p*alpha_M/(r_p*Z_r) - h*I_p*alpha_M/r_p.powi(2); }
-            theta_c theta_c {
-                torsional_support_s_and_damping => beta_K*k_s;
-                torsional_support_c_and_damping => beta_K*k_c;
+            theta_c theta_c { damping => I_c*alpha_M + 3.0*I_p*alpha_M + I_s*alpha_M + 3.0*a.powi(2)*alpha_M*m_p; }
+            theta_c eta1 { damping => a*alpha_M*m_p; }
+            theta_c u1 { damping => I_p*alpha_M/r_p; }
+            theta_c eta2 { damping => a*alpha_M*m_p; }
+            theta_c u2 { damping => I_p*alpha_M/r_p; }
+            theta_c eta3 { damping => a*alpha_M*m_p; }
+            theta_c u3 { damping => I_p*alpha_M/r_p; }
+            theta_r theta_r { damping => I_r*alpha_M; }
+            x_s x_s { damping => alpha_M*m_s; }
+            y_s y_s { damping => alpha_M*m_s; }
+            x_c x_c { damping => alpha_M*m_c; }
+            y_c y_c { damping => alpha_M*m_c; }
+            x_r x_r { damping => alpha_M*m_r; }
+            y_r y_r { damping => alpha_M*m_r; }
+            zeta1 zeta1 { damping => alpha_M*m_p; }
+            eta1 eta1 { damping => alpha_M*m_p; }
+            u1 u1 { damping => I_p*alpha_M/r_p.powi(2); }
+            zeta2 zeta2 { damping => alpha_M*m_p; }
+            eta2 eta2 { damping => alpha_M*m_p; }
+            u2 u2 { damping => I_p*alpha_M/r_p.powi(2); }
+            zeta3 zeta3 { damping => alpha_M*m_p; }
+            eta3 eta3 { damping => alpha_M*m_p; }
+            u3 u3 { damping => I_p*alpha_M/r_p.powi(2); }
+            bx_s bx_s {
+                viscous_friction_s => cb_s;
+                damping => beta_K*kb_s;
+            }
+            by_s by_s {
+                viscous_friction_s => cb_s;
+                damping => beta_K*kb_s;
+            }
+            bx_c bx_c {
+                viscous_friction_c => cb_c;
+                damping => beta_K*kb_c;
+            }
+            by_c by_c {
+                viscous_friction_c => cb_c;
+                damping => beta_K*kb_c;
+            }
+            bx_r bx_r {
+                viscous_friction_r => cb_r;
+                damping => beta_K*kb_r;
+            }
+            by_r by_r {
+                viscous_friction_r => cb_r;
+                damping => beta_K*kb_r;
+            }
+            twist_r twist_r { damping => beta_K*k_r; }
+            twist_s twist_s { torsional_support_s_and_damping => beta_K*k_s; }
+            twist_c twist_c { torsional_support_c_and_damping => beta_K*k_c; }
+            radial1 radial1 {
+                viscous_friction_p => cb_p;
+                damping => beta_K*kb_p;
+            }
+            tangential1 tangential1 {
+                viscous_friction_p => cb_p;
+                damping => beta_K*kb_p;
+            }
+            overs1 overs1 { damping => beta_K*k_s1_mid*damps1; }
+            overr1 overr1 { damping => beta_K*k_r1_mid*dampr1; }
+            radial2 radial2 {
+                viscous_friction_p => cb_p;
+                damping => beta_K*kb_p;
+            }
+            tangential2 tangential2 {
+                viscous_friction_p => cb_p;
+                damping => beta_K*kb_p;
+            }
+            overs2 overs2 { damping => beta_K*k_s2_mid*damps2; }
+            overr2 overr2 { damping => beta_K*k_r2_mid*dampr2; }
+            radial3 radial3 {
+                viscous_friction_p => cb_p;
+                damping => beta_K*kb_p;
+            }
+            tangential3 tangential3 {
+                viscous_friction_p => cb_p;
+                damping => beta_K*kb_p;
+            }
+            overs3 overs3 { damping => beta_K*k_s3_mid*damps3; }
+            overr3 overr3 { damping => beta_K*k_r3_mid*dampr3; }
+            theta_motor theta_motor {
                 speed_governor => c_motor;
                 dc_motor => Ts_motor/n0_motor;
-                damping => I_c*alpha_M + 3.0*I_p*alpha_M + I_s*alpha_M + 3.0*a.powi(2)*alpha_M*m_p
-                    + h.powi(2)*Z_r.powi(2)*beta_K*k_r1_mid*dampr1 + h.powi(2)*Z_r.powi(2)*beta_K*k_r2_mid*dampr2
-                    + h.powi(2)*Z_r.powi(2)*beta_K*k_r3_mid*dampr3;
             }
-            theta_c theta_r {
-                damping => -h.powi(2)*Z_r.powi(2)*beta_K*k_r1_mid*dampr1 - h.powi(2)*Z_r.powi(2)*beta_K*k_r2_mid*dampr2
-                    - h.powi(2)*Z_r.powi(2)*beta_K*k_r3_mid*dampr3;
-            }
-            theta_c x_r {
-                damping => h*sin_r1*Z_r*beta_K*k_r1_mid*dampr1 + h*sin_r2*Z_r*beta_K*k_r2_mid*dampr2 + h*sin_r3*Z_r*beta_K*k_r3_mid*dampr3;
-            }
-            theta_c y_r {
-                damping => -cos_r1*h*Z_r*beta_K*k_r1_mid*dampr1 - cos_r2*h*Z_r*beta_K*k_r2_mid*dampr2 - cos_r3*h*Z_r*beta_K*k_r3_mid*dampr3;
-            }
-            theta_c zeta1 { damping => -h*sin_a*Z_r*beta_K*k_r1_mid*dampr1; }
-            theta_c eta1 { damping => a*alpha_M*m_p + cos_a*h*Z_r*beta_K*k_r1_mid*dampr1; }
-            theta_c u1 { damping => h*Z_r*beta_K*k_r1_mid*dampr1 + I_p*alpha_M/r_p; }
-            theta_c zeta2 { damping => -h*sin_a*Z_r*beta_K*k_r2_mid*dampr2; }
-            theta_c eta2 { damping => a*alpha_M*m_p + cos_a*h*Z_r*beta_K*k_r2_mid*dampr2; }
-            theta_c u2 { damping => h*Z_r*beta_K*k_r2_mid*dampr2 + I_p*alpha_M/r_p; }
-            theta_c zeta3 { damping => -h*sin_a*Z_r*beta_K*k_r3_mid*dampr3; }
-            theta_c eta3 { damping => a*alpha_M*m_p + cos_a*h*Z_r*beta_K*k_r3_mid*dampr3; }
-            theta_c u3 { damping => h*Z_r*beta_K*k_r3_mid*dampr3 + I_p*alpha_M/r_p; }
-            theta_r theta_r {
-                damping => I_r*alpha_M + beta_K*k_r + h.powi(2)*Z_r.powi(2)*beta_K*k_r1_mid*dampr1
-                    + h.powi(2)*Z_r.powi(2)*beta_K*k_r2_mid*dampr2 + h.powi(2)*Z_r.powi(2)*beta_K*k_r3_mid*dampr3;
-            }
-            theta_r x_r {
-                damping => -h*sin_r1*Z_r*beta_K*k_r1_mid*dampr1 - h*sin_r2*Z_r*beta_K*k_r2_mid*dampr2 - h*sin_r3*Z_r*beta_K*k_r3_mid*dampr3;
-            }
-            theta_r y_r {
-                damping => cos_r1*h*Z_r*beta_K*k_r1_mid*dampr1 + cos_r2*h*Z_r*beta_K*k_r2_mid*dampr2 + cos_r3*h*Z_r*beta_K*k_r3_mid*dampr3;
-            }
-            theta_r zeta1 { damping => h*sin_a*Z_r*beta_K*k_r1_mid*dampr1; }
-            theta_r eta1 { damping => -cos_a*h*Z_r*beta_K*k_r1_mid*dampr1; }
-            theta_r u1 { damping => -h*Z_r*beta_K*k_r1_mid*dampr1; }
-            theta_r zeta2 { damping => h*sin_a*Z_r*beta_K*k_r2_mid*dampr2; }
-            theta_r eta2 { damping => -cos_a*h*Z_r*beta_K*k_r2_mid*dampr2; }
-            theta_r u2 { damping => -h*Z_r*beta_K*k_r2_mid*dampr2; }
-            theta_r zeta3 { damping => h*sin_a*Z_r*beta_K*k_r3_mid*dampr3; }
-            theta_r eta3 { damping => -cos_a*h*Z_r*beta_K*k_r3_mid*dampr3; }
-            theta_r u3 { damping => -h*Z_r*beta_K*k_r3_mid*dampr3; }
-            x_s x_s {
-                viscous_friction_s => cb_s;
-                damping => alpha_M*m_s + beta_K*kb_s + sin_s1.powi(2)*beta_K*k_s1_mid*damps1 + sin_s2.powi(2)*beta_K*k_s2_mid*damps2
-                    + sin_s3.powi(2)*beta_K*k_s3_mid*damps3;
-            }
-            x_s y_s {
-                damping => -cos_s1*sin_s1*beta_K*k_s1_mid*damps1 - cos_s2*sin_s2*beta_K*k_s2_mid*damps2
-                    - cos_s3*sin_s3*beta_K*k_s3_mid*damps3;
-            }
-            x_s zeta1 { damping => sin_a*sin_s1*beta_K*k_s1_mid*damps1; }
-            x_s eta1 { damping => cos_a*sin_s1*beta_K*k_s1_mid*damps1; }
-            x_s u1 { damping => -sin_s1*beta_K*k_s1_mid*damps1; }
-            x_s zeta2 { damping => sin_a*sin_s2*beta_K*k_s2_mid*damps2; }
-            x_s eta2 { damping => cos_a*sin_s2*beta_K*k_s2_mid*damps2; }
-            x_s u2 { damping => -sin_s2*beta_K*k_s2_mid*damps2; }
-            x_s zeta3 { damping => sin_a*sin_s3*beta_K*k_s3_mid*damps3; }
-            x_s eta3 { damping => cos_a*sin_s3*beta_K*k_s3_mid*damps3; }
-            x_s u3 { damping => -sin_s3*beta_K*k_s3_mid*damps3; }
-            y_s y_s {
-                viscous_friction_s => cb_s;
-                damping => alpha_M*m_s + beta_K*kb_s + cos_s1.powi(2)*beta_K*k_s1_mid*damps1 + cos_s2.powi(2)*beta_K*k_s2_mid*damps2
-                    + cos_s3.powi(2)*beta_K*k_s3_mid*damps3;
-            }
-            y_s zeta1 { damping => -cos_s1*sin_a*beta_K*k_s1_mid*damps1; }
-            y_s eta1 { damping => -cos_a*cos_s1*beta_K*k_s1_mid*damps1; }
-            y_s u1 { damping => cos_s1*beta_K*k_s1_mid*damps1; }
-            y_s zeta2 { damping => -cos_s2*sin_a*beta_K*k_s2_mid*damps2; }
-            y_s eta2 { damping => -cos_a*cos_s2*beta_K*k_s2_mid*damps2; }
-            y_s u2 { damping => cos_s2*beta_K*k_s2_mid*damps2; }
-            y_s zeta3 { damping => -cos_s3*sin_a*beta_K*k_s3_mid*damps3; }
-            y_s eta3 { damping => -cos_a*cos_s3*beta_K*k_s3_mid*damps3; }
-            y_s u3 { damping => cos_s3*beta_K*k_s3_mid*damps3; }
-            x_c x_c {
-                viscous_friction_c => cb_c;
-                viscous_friction_p => cos_c1.powi(2)*cb_p + cos_c2.powi(2)*cb_p + cos_c3.powi(2)*cb_p + sin_c1.powi(2)*cb_p
-                    + sin_c2.powi(2)*cb_p + sin_c3.powi(2)*cb_p;
-                damping => alpha_M*m_c + beta_K*kb_c + cos_c1.powi(2)*beta_K*kb_p + cos_c2.powi(2)*beta_K*kb_p
-                    + cos_c3.powi(2)*beta_K*kb_p + sin_c1.powi(2)*beta_K*kb_p + sin_c2.powi(2)*beta_K*kb_p + sin_c3.powi(2)*beta_K*kb_p;
-            }
-            x_c zeta1 {
-                viscous_friction_p => -cos_c1*cb_p;
-                damping => -cos_c1*beta_K*kb_p;
-            }
-            x_c eta1 {
-                viscous_friction_p => sin_c1*cb_p;
-                damping => sin_c1*beta_K*kb_p;
-            }
-            x_c zeta2 {
-                viscous_friction_p => -cos_c2*cb_p;
-                damping => -cos_c2*beta_K*kb_p;
-            }
-            x_c eta2 {
-                viscous_friction_p => sin_c2*cb_p;
-                damping => sin_c2*beta_K*kb_p;
-            }
-            x_c zeta3 {
-                viscous_friction_p => -cos_c3*cb_p;
-                damping => -cos_c3*beta_K*kb_p;
-            }
-            x_c eta3 {
-                viscous_friction_p => sin_c3*cb_p;
-                damping => sin_c3*beta_K*kb_p;
-            }
-            y_c y_c {
-                viscous_friction_c => cb_c;
-                viscous_friction_p => cos_c1.powi(2)*cb_p + cos_c2.powi(2)*cb_p + cos_c3.powi(2)*cb_p + sin_c1.powi(2)*cb_p
-                    + sin_c2.powi(2)*cb_p + sin_c3.powi(2)*cb_p;
-                damping => alpha_M*m_c + beta_K*kb_c + cos_c1.powi(2)*beta_K*kb_p + cos_c2.powi(2)*beta_K*kb_p
-                    + cos_c3.powi(2)*beta_K*kb_p + sin_c1.powi(2)*beta_K*kb_p + sin_c2.powi(2)*beta_K*kb_p + sin_c3.powi(2)*beta_K*kb_p;
-            }
-            y_c zeta1 {
-                viscous_friction_p => -sin_c1*cb_p;
-                damping => -sin_c1*beta_K*kb_p;
-            }
-            y_c eta1 {
-                viscous_friction_p => -cos_c1*cb_p;
-                damping => -cos_c1*beta_K*kb_p;
-            }
-            y_c zeta2 {
-                viscous_friction_p => -sin_c2*cb_p;
-                damping => -sin_c2*beta_K*kb_p;
-            }
-            y_c eta2 {
-                viscous_friction_p => -cos_c2*cb_p;
-                damping => -cos_c2*beta_K*kb_p;
-            }
-            y_c zeta3 {
-                viscous_friction_p => -sin_c3*cb_p;
-                damping => -sin_c3*beta_K*kb_p;
-            }
-            y_c eta3 {
-                viscous_friction_p => -cos_c3*cb_p;
-                damping => -cos_c3*beta_K*kb_p;
-            }
-            x_r x_r {
-                viscous_friction_r => cb_r;
-                damping => alpha_M*m_r + beta_K*kb_r + sin_r1.powi(2)*beta_K*k_r1_mid*dampr1 + sin_r2.powi(2)*beta_K*k_r2_mid*dampr2
-                    + sin_r3.powi(2)*beta_K*k_r3_mid*dampr3;
-            }
-            x_r y_r {
-                damping => -cos_r1*sin_r1*beta_K*k_r1_mid*dampr1 - cos_r2*sin_r2*beta_K*k_r2_mid*dampr2
-                    - cos_r3*sin_r3*beta_K*k_r3_mid*dampr3;
-            }
-            x_r zeta1 { damping => -sin_a*sin_r1*beta_K*k_r1_mid*dampr1; }
-            x_r eta1 { damping => cos_a*sin_r1*beta_K*k_r1_mid*dampr1; }
-            x_r u1 { damping => sin_r1*beta_K*k_r1_mid*dampr1; }
-            x_r zeta2 { damping => -sin_a*sin_r2*beta_K*k_r2_mid*dampr2; }
-            x_r eta2 { damping => cos_a*sin_r2*beta_K*k_r2_mid*dampr2; }
-            x_r u2 { damping => sin_r2*beta_K*k_r2_mid*dampr2; }
-            x_r zeta3 { damping => -sin_a*sin_r3*beta_K*k_r3_mid*dampr3; }
-            x_r eta3 { damping => cos_a*sin_r3*beta_K*k_r3_mid*dampr3; }
-            x_r u3 { damping => sin_r3*beta_K*k_r3_mid*dampr3; }
-            y_r y_r {
-                viscous_friction_r => cb_r;
-                damping => alpha_M*m_r + beta_K*kb_r + cos_r1.powi(2)*beta_K*k_r1_mid*dampr1 + cos_r2.powi(2)*beta_K*k_r2_mid*dampr2
-                    + cos_r3.powi(2)*beta_K*k_r3_mid*dampr3;
-            }
-            y_r zeta1 { damping => cos_r1*sin_a*beta_K*k_r1_mid*dampr1; }
-            y_r eta1 { damping => -cos_a*cos_r1*beta_K*k_r1_mid*dampr1; }
-            y_r u1 { damping => -cos_r1*beta_K*k_r1_mid*dampr1; }
-            y_r zeta2 { damping => cos_r2*sin_a*beta_K*k_r2_mid*dampr2; }
-            y_r eta2 { damping => -cos_a*cos_r2*beta_K*k_r2_mid*dampr2; }
-            y_r u2 { damping => -cos_r2*beta_K*k_r2_mid*dampr2; }
-            y_r zeta3 { damping => cos_r3*sin_a*beta_K*k_r3_mid*dampr3; }
-            y_r eta3 { damping => -cos_a*cos_r3*beta_K*k_r3_mid*dampr3; }
-            y_r u3 { damping => -cos_r3*beta_K*k_r3_mid*dampr3; }
-            zeta1 zeta1 {
-                viscous_friction_p => cb_p;
-                damping => alpha_M*m_p + beta_K*kb_p + sin_a.powi(2)*beta_K*k_r1_mid*dampr1 + sin_a.powi(2)*beta_K*k_s1_mid*damps1;
-            }
-            zeta1 eta1 { damping => cos_a*sin_a*beta_K*k_s1_mid*damps1 - cos_a*sin_a*beta_K*k_r1_mid*dampr1; }
-            zeta1 u1 { damping => -sin_a*beta_K*k_r1_mid*dampr1 - sin_a*beta_K*k_s1_mid*damps1; }
-            eta1 eta1 {
-                viscous_friction_p => cb_p;
-                damping => alpha_M*m_p + beta_K*kb_p + cos_a.powi(2)*beta_K*k_r1_mid*dampr1 + cos_a.powi(2)*beta_K*k_s1_mid*damps1;
-            }
-            eta1 u1 { damping => cos_a*beta_K*k_r1_mid*dampr1 - cos_a*beta_K*k_s1_mid*damps1; }
-            u1 u1 { damping => beta_K*k_r1_mid*dampr1 + beta_K*k_s1_mid*damps1 + I_p*alpha_M/r_p.powi(2); }
-            zeta2 zeta2 {
-                viscous_friction_p => cb_p;
-                damping => alpha_M*m_p + beta_K*kb_p + sin_a.powi(2)*beta_K*k_r2_mid*dampr2 + sin_a.powi(2)*beta_K*k_s2_mid*damps2;
-            }
-            zeta2 eta2 { damping => cos_a*sin_a*beta_K*k_s2_mid*damps2 - cos_a*sin_a*beta_K*k_r2_mid*dampr2; }
-            zeta2 u2 { damping => -sin_a*beta_K*k_r2_mid*dampr2 - sin_a*beta_K*k_s2_mid*damps2; }
-            eta2 eta2 {
-                viscous_friction_p => cb_p;
-                damping => alpha_M*m_p + beta_K*kb_p + cos_a.powi(2)*beta_K*k_r2_mid*dampr2 + cos_a.powi(2)*beta_K*k_s2_mid*damps2;
-            }
-            eta2 u2 { damping => cos_a*beta_K*k_r2_mid*dampr2 - cos_a*beta_K*k_s2_mid*damps2; }
-            u2 u2 { damping => beta_K*k_r2_mid*dampr2 + beta_K*k_s2_mid*damps2 + I_p*alpha_M/r_p.powi(2); }
-            zeta3 zeta3 {
-                viscous_friction_p => cb_p;
-                damping => alpha_M*m_p + beta_K*kb_p + sin_a.powi(2)*beta_K*k_r3_mid*dampr3 + sin_a.powi(2)*beta_K*k_s3_mid*damps3;
-            }
-            zeta3 eta3 { damping => cos_a*sin_a*beta_K*k_s3_mid*damps3 - cos_a*sin_a*beta_K*k_r3_mid*dampr3; }
-            zeta3 u3 { damping => -sin_a*beta_K*k_r3_mid*dampr3 - sin_a*beta_K*k_s3_mid*damps3; }
-            eta3 eta3 {
-                viscous_friction_p => cb_p;
-                damping => alpha_M*m_p + beta_K*kb_p + cos_a.powi(2)*beta_K*k_r3_mid*dampr3 + cos_a.powi(2)*beta_K*k_s3_mid*damps3;
-            }
-            eta3 u3 { damping => cos_a*beta_K*k_r3_mid*dampr3 - cos_a*beta_K*k_s3_mid*damps3; }
-            u3 u3 { damping => beta_K*k_r3_mid*dampr3 + beta_K*k_s3_mid*damps3 + I_p*alpha_M/r_p.powi(2); }
         }
         load {
             theta {
@@ -4175,94 +2438,33 @@ equations! {
                 dc_motor => Ts_motor/Z_r + Ts_motor/Z_s;
             }
             theta_c {
-                _ => -h*Z_r*k_r1*touchr1*edger1 - h*Z_r*k_r1*touchr1*e_r1 - h*Z_r*k_r2*touchr2*edger2 - h*Z_r*k_r2*touchr2*e_r2
-                    - h*Z_r*k_r3*touchr3*edger3 - h*Z_r*k_r3*touchr3*e_r3;
-                backlash_r1 => -h*Z_r*k_r1*clipr1*touchr1*edger1 - h*Z_r*k_r1*clipr1*touchr1*e_r1;
-                backlash_r2 => -h*Z_r*k_r2*clipr2*touchr2*edger2 - h*Z_r*k_r2*clipr2*touchr2*e_r2;
-                backlash_r3 => -h*Z_r*k_r3*clipr3*touchr3*edger3 - h*Z_r*k_r3*clipr3*touchr3*e_r3;
                 torques => T_motor - T_load;
                 speed_governor => c_motor*n_motor;
                 dc_motor => Ts_motor;
             }
-            theta_r {
-                _ => h*Z_r*k_r1*touchr1*edger1 + h*Z_r*k_r1*touchr1*e_r1 + h*Z_r*k_r2*touchr2*edger2 + h*Z_r*k_r2*touchr2*e_r2
-                    + h*Z_r*k_r3*touchr3*edger3 + h*Z_r*k_r3*touchr3*e_r3;
-                backlash_r1 => h*Z_r*k_r1*clipr1*touchr1*edger1 + h*Z_r*k_r1*clipr1*touchr1*e_r1;
-                backlash_r2 => h*Z_r*k_r2*clipr2*touchr2*edger2 + h*Z_r*k_r2*clipr2*touchr2*e_r2;
-                backlash_r3 => h*Z_r*k_r3*clipr3*touchr3*edger3 + h*Z_r*k_r3*clipr3*touchr3*e_r3;
-            }
-            x_s {
-                _ => -sin_s1*k_s1*touchs1*edges1 - sin_s1*k_s1*touchs1*e_s1 - sin_s2*k_s2*touchs2*edges2 - sin_s2*k_s2*touchs2*e_s2
-                    - sin_s3*k_s3*touchs3*edges3 - sin_s3*k_s3*touchs3*e_s3;
-                backlash_s1 => -sin_s1*k_s1*clips1*touchs1*edges1 - sin_s1*k_s1*clips1*touchs1*e_s1;
-                backlash_s2 => -sin_s2*k_s2*clips2*touchs2*edges2 - sin_s2*k_s2*clips2*touchs2*e_s2;
-                backlash_s3 => -sin_s3*k_s3*clips3*touchs3*edges3 - sin_s3*k_s3*clips3*touchs3*e_s3;
-            }
-            y_s {
-                _ => cos_s1*k_s1*touchs1*edges1 + cos_s1*k_s1*touchs1*e_s1 + cos_s2*k_s2*touchs2*edges2 + cos_s2*k_s2*touchs2*e_s2
-                    + cos_s3*k_s3*touchs3*edges3 + cos_s3*k_s3*touchs3*e_s3;
-                backlash_s1 => cos_s1*k_s1*clips1*touchs1*edges1 + cos_s1*k_s1*clips1*touchs1*e_s1;
-                backlash_s2 => cos_s2*k_s2*clips2*touchs2*edges2 + cos_s2*k_s2*clips2*touchs2*e_s2;
-                backlash_s3 => cos_s3*k_s3*clips3*touchs3*edges3 + cos_s3*k_s3*clips3*touchs3*e_s3;
-            }
-            x_r {
-                _ => -sin_r1*k_r1*touchr1*edger1 - sin_r1*k_r1*touchr1*e_r1 - sin_r2*k_r2*touchr2*edger2 - sin_r2*k_r2*touchr2*e_r2
-                    - sin_r3*k_r3*touchr3*edger3 - sin_r3*k_r3*touchr3*e_r3;
-                backlash_r1 => -sin_r1*k_r1*clipr1*touchr1*edger1 - sin_r1*k_r1*clipr1*touchr1*e_r1;
-                backlash_r2 => -sin_r2*k_r2*clipr2*touchr2*edger2 - sin_r2*k_r2*clipr2*touchr2*e_r2;
-                backlash_r3 => -sin_r3*k_r3*clipr3*touchr3*edger3 - sin_r3*k_r3*clipr3*touchr3*e_r3;
-            }
-            y_r {
-                _ => cos_r1*k_r1*touchr1*edger1 + cos_r1*k_r1*touchr1*e_r1 + cos_r2*k_r2*touchr2*edger2 + cos_r2*k_r2*touchr2*e_r2
-                    + cos_r3*k_r3*touchr3*edger3 + cos_r3*k_r3*touchr3*e_r3;
-                backlash_r1 => cos_r1*k_r1*clipr1*touchr1*edger1 + cos_r1*k_r1*clipr1*touchr1*e_r1;
-                backlash_r2 => cos_r2*k_r2*clipr2*touchr2*edger2 + cos_r2*k_r2*clipr2*touchr2*e_r2;
-                backlash_r3 => cos_r3*k_r3*clipr3*touchr3*edger3 + cos_r3*k_r3*clipr3*touchr3*e_r3;
-            }
-            zeta1 {
-                _ => sin_a*k_r1*touchr1*edger1 + sin_a*k_r1*touchr1*e_r1 - sin_a*k_s1*touchs1*edges1 - sin_a*k_s1*touchs1*e_s1;
-                backlash_s1 => -sin_a*k_s1*clips1*touchs1*edges1 - sin_a*k_s1*clips1*touchs1*e_s1;
-                backlash_r1 => sin_a*k_r1*clipr1*touchr1*edger1 + sin_a*k_r1*clipr1*touchr1*e_r1;
-            }
-            eta1 {
-                _ => -cos_a*k_r1*touchr1*edger1 - cos_a*k_r1*touchr1*e_r1 - cos_a*k_s1*touchs1*edges1 - cos_a*k_s1*touchs1*e_s1;
-                backlash_s1 => -cos_a*k_s1*clips1*touchs1*edges1 - cos_a*k_s1*clips1*touchs1*e_s1;
-                backlash_r1 => -cos_a*k_r1*clipr1*touchr1*edger1 - cos_a*k_r1*clipr1*touchr1*e_r1;
-            }
-            u1 {
-                _ => k_s1*touchs1*edges1 - k_r1*touchr1*edger1 - k_r1*touchr1*e_r1 + k_s1*touchs1*e_s1;
+            overs1 {
+                _ => k_s1*touchs1*edges1 + k_s1*touchs1*e_s1;
                 backlash_s1 => k_s1*clips1*touchs1*edges1 + k_s1*clips1*touchs1*e_s1;
-                backlash_r1 => -k_r1*clipr1*touchr1*edger1 - k_r1*clipr1*touchr1*e_r1;
             }
-            zeta2 {
-                _ => sin_a*k_r2*touchr2*edger2 + sin_a*k_r2*touchr2*e_r2 - sin_a*k_s2*touchs2*edges2 - sin_a*k_s2*touchs2*e_s2;
-                backlash_s2 => -sin_a*k_s2*clips2*touchs2*edges2 - sin_a*k_s2*clips2*touchs2*e_s2;
-                backlash_r2 => sin_a*k_r2*clipr2*touchr2*edger2 + sin_a*k_r2*clipr2*touchr2*e_r2;
+            overr1 {
+                _ => k_r1*touchr1*edger1 + k_r1*touchr1*e_r1;
+                backlash_r1 => k_r1*clipr1*touchr1*edger1 + k_r1*clipr1*touchr1*e_r1;
             }
-            eta2 {
-                _ => -cos_a*k_r2*touchr2*edger2 - cos_a*k_r2*touchr2*e_r2 - cos_a*k_s2*touchs2*edges2 - cos_a*k_s2*touchs2*e_s2;
-                backlash_s2 => -cos_a*k_s2*clips2*touchs2*edges2 - cos_a*k_s2*clips2*touchs2*e_s2;
-                backlash_r2 => -cos_a*k_r2*clipr2*touchr2*edger2 - cos_a*k_r2*clipr2*touchr2*e_r2;
-            }
-            u2 {
-                _ => k_s2*touchs2*edges2 - k_r2*touchr2*edger2 - k_r2*touchr2*e_r2 + k_s2*touchs2*e_s2;
+            overs2 {
+                _ => k_s2*touchs2*edges2 + k_s2*touchs2*e_s2;
                 backlash_s2 => k_s2*clips2*touchs2*edges2 + k_s2*clips2*touchs2*e_s2;
-                backlash_r2 => -k_r2*clipr2*touchr2*edger2 - k_r2*clipr2*touchr2*e_r2;
             }
-            zeta3 {
-                _ => sin_a*k_r3*touchr3*edger3 + sin_a*k_r3*touchr3*e_r3 - sin_a*k_s3*touchs3*edges3 - sin_a*k_s3*touchs3*e_s3;
-                backlash_s3 => -sin_a*k_s3*clips3*touchs3*edges3 - sin_a*k_s3*clips3*touchs3*e_s3;
-                backlash_r3 => sin_a*k_r3*clipr3*touchr3*edger3 + sin_a*k_r3*clipr3*touchr3*e_r3;
+            overr2 {
+                _ => k_r2*touchr2*edger2 + k_r2*touchr2*e_r2;
+                backlash_r2 => k_r2*clipr2*touchr2*edger2 + k_r2*clipr2*touchr2*e_r2;
             }
-            eta3 {
-                _ => -cos_a*k_r3*touchr3*edger3 - cos_a*k_r3*touchr3*e_r3 - cos_a*k_s3*touchs3*edges3 - cos_a*k_s3*touchs3*e_s3;
-                backlash_s3 => -cos_a*k_s3*clips3*touchs3*edges3 - cos_a*k_s3*clips3*touchs3*e_s3;
-                backlash_r3 => -cos_a*k_r3*clipr3*touchr3*edger3 - cos_a*k_r3*clipr3*touchr3*e_r3;
-            }
-            u3 {
-                _ => k_s3*touchs3*edges3 - k_r3*touchr3*edger3 - k_r3*touchr3*e_r3 + k_s3*touchs3*e_s3;
+            overs3 {
+                _ => k_s3*touchs3*edges3 + k_s3*touchs3*e_s3;
                 backlash_s3 => k_s3*clips3*touchs3*edges3 + k_s3*clips3*touchs3*e_s3;
-                backlash_r3 => -k_r3*clipr3*touchr3*edger3 - k_r3*clipr3*touchr3*e_r3;
+            }
+            overr3 {
+                _ => k_r3*touchr3*edger3 + k_r3*touchr3*e_r3;
+                backlash_r3 => k_r3*clipr3*touchr3*edger3 + k_r3*clipr3*touchr3*e_r3;
             }
         }
     }

@@ -1297,8 +1297,6 @@ equations! {
     }
     jacobian {
         theta theta {
-            torsional_support_s => -k_s/Z_r.powi(2) - 2.0*k_s/(Z_r*Z_s) - k_s/Z_s.powi(2);
-            torsional_support_c => -k_c/Z_r.powi(2);
             transmission_error_s1_and_sliding_friction_s1_and_moving_phase => roll_s*de_s1*arm_s1*F_mu_s1_by_overs1;
             transmission_error_s1_and_jump_terms => k_s1*dde_s1*touchs1*overs1 - k_s1*de_s1.powi(2)*touchs1
                 + 2.0*de_s1*dk_s1*touchs1*overs1;
@@ -1326,104 +1324,66 @@ equations! {
             jump_terms => (-ddk_r1*touchr1*overr1.powi(2) - ddk_r2*touchr2*overr2.powi(2) - ddk_r3*touchr3*overr3.powi(2)
                 - ddk_s1*touchs1*overs1.powi(2) - ddk_s2*touchs2*overs2.powi(2) - ddk_s3*touchs3*overs3.powi(2))/2.0;
         }
-        theta theta_c {
-            torsional_support_s => -k_s/Z_r - k_s/Z_s;
-            torsional_support_c => -k_c/Z_r;
-            transmission_error_r1_and_jump_terms => -h*Z_r*k_r1*de_r1*touchr1;
-            sliding_friction_r1 => h*roll_r*Z_r*arm_r1*F_mu_r1_by_overr1;
-            transmission_error_r2_and_jump_terms => -h*Z_r*k_r2*de_r2*touchr2;
-            sliding_friction_r2 => h*roll_r*Z_r*arm_r2*F_mu_r2_by_overr2;
-            transmission_error_r3_and_jump_terms => -h*Z_r*k_r3*de_r3*touchr3;
-            sliding_friction_r3 => h*roll_r*Z_r*arm_r3*F_mu_r3_by_overr3;
-            jump_terms => h*Z_r*dk_r1*touchr1*overr1 + h*Z_r*dk_r2*touchr2*overr2 + h*Z_r*dk_r3*touchr3*overr3;
-        }
-        theta theta_r {
-            transmission_error_r1_and_jump_terms => h*Z_r*k_r1*de_r1*touchr1;
-            sliding_friction_r1 => -h*roll_r*Z_r*arm_r1*F_mu_r1_by_overr1;
-            transmission_error_r2_and_jump_terms => h*Z_r*k_r2*de_r2*touchr2;
-            sliding_friction_r2 => -h*roll_r*Z_r*arm_r2*F_mu_r2_by_overr2;
-            transmission_error_r3_and_jump_terms => h*Z_r*k_r3*de_r3*touchr3;
-            sliding_friction_r3 => -h*roll_r*Z_r*arm_r3*F_mu_r3_by_overr3;
-            jump_terms => -h*Z_r*dk_r1*touchr1*overr1 - h*Z_r*dk_r2*touchr2*overr2 - h*Z_r*dk_r3*touchr3*overr3;
-        }
-        theta u1 {
-            transmission_error_s1_and_jump_terms => k_s1*de_s1*touchs1;
-            sliding_friction_s1 => -roll_s*arm_s1*F_mu_s1_by_overs1;
-            transmission_error_r1_and_jump_terms => -k_r1*de_r1*touchr1;
-            sliding_friction_r1 => roll_r*arm_r1*F_mu_r1_by_overr1;
-            jump_terms => dk_r1*touchr1*overr1 - dk_s1*touchs1*overs1;
-        }
-        theta u2 {
-            transmission_error_s2_and_jump_terms => k_s2*de_s2*touchs2;
-            sliding_friction_s2 => -roll_s*arm_s2*F_mu_s2_by_overs2;
-            transmission_error_r2_and_jump_terms => -k_r2*de_r2*touchr2;
-            sliding_friction_r2 => roll_r*arm_r2*F_mu_r2_by_overr2;
-            jump_terms => dk_r2*touchr2*overr2 - dk_s2*touchs2*overs2;
-        }
-        theta u3 {
-            transmission_error_s3_and_jump_terms => k_s3*de_s3*touchs3;
-            sliding_friction_s3 => -roll_s*arm_s3*F_mu_s3_by_overs3;
-            transmission_error_r3_and_jump_terms => -k_r3*de_r3*touchr3;
-            sliding_friction_r3 => roll_r*arm_r3*F_mu_r3_by_overr3;
-            jump_terms => dk_r3*touchr3*overr3 - dk_s3*touchs3*overs3;
-        }
         theta theta_dot {
-            torsional_support_s_and_damping => -beta_K*k_s/Z_r.powi(2) - 2.0*beta_K*k_s/(Z_r*Z_s) - beta_K*k_s/Z_s.powi(2);
-            torsional_support_c_and_damping => -beta_K*k_c/Z_r.powi(2);
-            sliding_friction_s1 => -roll_s.powi(2)*arm_s1*F_mu_s1_by_psi_s1_dot;
-            sliding_friction_r1 => -roll_r.powi(2)*arm_r1*F_mu_r1_by_psi_r1_dot;
-            sliding_friction_s2 => -roll_s.powi(2)*arm_s2*F_mu_s2_by_psi_s2_dot;
-            sliding_friction_r2 => -roll_r.powi(2)*arm_r2*F_mu_r2_by_psi_r2_dot;
-            sliding_friction_s3 => -roll_s.powi(2)*arm_s3*F_mu_s3_by_psi_s3_dot;
-            sliding_friction_r3 => -roll_r.powi(2)*arm_r3*F_mu_r3_by_psi_r3_dot;
-            speed_governor => -c_motor/Z_r.powi(2) - 2.0*c_motor/(Z_r*Z_s) - c_motor/Z_s.powi(2);
-            dc_motor => -Ts_motor/(Z_r.powi(2)*n0_motor) - 2.0*Ts_motor/(Z_r*Z_s*n0_motor) - Ts_motor/(Z_s.powi(2)*n0_motor);
-            induction_motor => T_induction_motor_by_theta_motor_dot/Z_r.powi(2) + 2.0*T_induction_motor_by_theta_motor_dot/(Z_r*Z_s)
-                + T_induction_motor_by_theta_motor_dot/Z_s.powi(2);
-            traction_motor => T_traction_motor_by_theta_motor_dot/Z_r.powi(2) + 2.0*T_traction_motor_by_theta_motor_dot/(Z_r*Z_s)
-                + T_traction_motor_by_theta_motor_dot/Z_s.powi(2);
-            fan_load => T_fan_load_by_theta_load_dot/Z_r.powi(2);
             damping => 6.0*h*I_p*alpha_M/(r_p*Z_r) - I_c*alpha_M/Z_r.powi(2) - 3.0*I_p*alpha_M/Z_r.powi(2) - I_s*alpha_M/Z_r.powi(2)
                 - 2.0*I_s*alpha_M/(Z_r*Z_s) - I_s*alpha_M/Z_s.powi(2) - 3.0*a.powi(2)*alpha_M*m_p/Z_r.powi(2)
                 - 3.0*h.powi(2)*I_p*alpha_M/r_p.powi(2);
         }
         theta theta_c_dot {
-            torsional_support_s_and_damping => -beta_K*k_s/Z_r - beta_K*k_s/Z_s;
-            torsional_support_c_and_damping => -beta_K*k_c/Z_r;
-            sliding_friction_r1 => roll_r*arm_r1*F_mu_r1_by_psi_r1_dot;
-            sliding_friction_r2 => roll_r*arm_r2*F_mu_r2_by_psi_r2_dot;
-            sliding_friction_r3 => roll_r*arm_r3*F_mu_r3_by_psi_r3_dot;
+            damping => 3.0*h*I_p*alpha_M/r_p - I_c*alpha_M/Z_r - 3.0*I_p*alpha_M/Z_r - I_s*alpha_M/Z_r - I_s*alpha_M/Z_s
+                - 3.0*a.powi(2)*alpha_M*m_p/Z_r;
+        }
+        theta u1_dot { damping => h*I_p*alpha_M/r_p.powi(2) - I_p*alpha_M/(r_p*Z_r); }
+        theta u2_dot { damping => h*I_p*alpha_M/r_p.powi(2) - I_p*alpha_M/(r_p*Z_r); }
+        theta u3_dot { damping => h*I_p*alpha_M/r_p.powi(2) - I_p*alpha_M/(r_p*Z_r); }
+        theta twist_s { torsional_support_s => -k_s/Z_r - k_s/Z_s; }
+        theta twist_c { torsional_support_c => -k_c/Z_r; }
+        theta overs1 {
+            transmission_error_s1_and_jump_terms => k_s1*de_s1*touchs1;
+            sliding_friction_s1 => -roll_s*arm_s1*F_mu_s1_by_overs1;
+            jump_terms => -dk_s1*touchs1*overs1;
+        }
+        theta overr1 {
+            transmission_error_r1_and_jump_terms => k_r1*de_r1*touchr1;
+            sliding_friction_r1 => -roll_r*arm_r1*F_mu_r1_by_overr1;
+            jump_terms => -dk_r1*touchr1*overr1;
+        }
+        theta overs2 {
+            transmission_error_s2_and_jump_terms => k_s2*de_s2*touchs2;
+            sliding_friction_s2 => -roll_s*arm_s2*F_mu_s2_by_overs2;
+            jump_terms => -dk_s2*touchs2*overs2;
+        }
+        theta overr2 {
+            transmission_error_r2_and_jump_terms => k_r2*de_r2*touchr2;
+            sliding_friction_r2 => -roll_r*arm_r2*F_mu_r2_by_overr2;
+            jump_terms => -dk_r2*touchr2*overr2;
+        }
+        theta overs3 {
+            transmission_error_s3_and_jump_terms => k_s3*de_s3*touchs3;
+            sliding_friction_s3 => -roll_s*arm_s3*F_mu_s3_by_overs3;
+            jump_terms => -dk_s3*touchs3*overs3;
+        }
+        theta overr3 {
+            transmission_error_r3_and_jump_terms => k_r3*de_r3*touchr3;
+            sliding_friction_r3 => -roll_r*arm_r3*F_mu_r3_by_overr3;
+            jump_terms => -dk_r3*touchr3*overr3;
+        }
+        theta twist_s_dot { torsional_support_s_and_damping => -beta_K*k_s/Z_r - beta_K*k_s/Z_s; }
+        theta twist_c_dot { torsional_support_c_and_damping => -beta_K*k_c/Z_r; }
+        theta psi_s1_dot { sliding_friction_s1 => -roll_s*arm_s1*F_mu_s1_by_psi_s1_dot; }
+        theta psi_r1_dot { sliding_friction_r1 => -roll_r*arm_r1*F_mu_r1_by_psi_r1_dot; }
+        theta psi_s2_dot { sliding_friction_s2 => -roll_s*arm_s2*F_mu_s2_by_psi_s2_dot; }
+        theta psi_r2_dot { sliding_friction_r2 => -roll_r*arm_r2*F_mu_r2_by_psi_r2_dot; }
+        theta psi_s3_dot { sliding_friction_s3 => -roll_s*arm_s3*F_mu_s3_by_psi_s3_dot; }
+        theta psi_r3_dot { sliding_friction_r3 => -roll_r*arm_r3*F_mu_r3_by_psi_r3_dot; }
+        theta theta_motor_dot {
             speed_governor => -c_motor/Z_r - c_motor/Z_s;
             dc_motor => -Ts_motor/(Z_r*n0_motor) - Ts_motor/(Z_s*n0_motor);
             induction_motor => T_induction_motor_by_theta_motor_dot/Z_r + T_induction_motor_by_theta_motor_dot/Z_s;
             traction_motor => T_traction_motor_by_theta_motor_dot/Z_r + T_traction_motor_by_theta_motor_dot/Z_s;
-            fan_load => T_fan_load_by_theta_load_dot/Z_r;
-            damping => 3.0*h*I_p*alpha_M/r_p - I_c*alpha_M/Z_r - 3.0*I_p*alpha_M/Z_r - I_s*alpha_M/Z_r - I_s*alpha_M/Z_s
-                - 3.0*a.powi(2)*alpha_M*m_p/Z_r;
         }
-        theta theta_r_dot {
-            sliding_friction_r1 => -roll_r*arm_r1*F_mu_r1_by_psi_r1_dot;
-            sliding_friction_r2 => -roll_r*arm_r2*F_mu_r2_by_psi_r2_dot;
-            sliding_friction_r3 => -roll_r*arm_r3*F_mu_r3_by_psi_r3_dot;
-        }
-        theta u1_dot {
-            sliding_friction_s1 => roll_s*arm_s1*F_mu_s1_by_psi_s1_dot/r_p;
-            sliding_friction_r1 => roll_r*arm_r1*F_mu_r1_by_psi_r1_dot/r_p;
-            damping => h*I_p*alpha_M/r_p.powi(2) - I_p*alpha_M/(r_p*Z_r);
-        }
-        theta u2_dot {
-            sliding_friction_s2 => roll_s*arm_s2*F_mu_s2_by_psi_s2_dot/r_p;
-            sliding_friction_r2 => roll_r*arm_r2*F_mu_r2_by_psi_r2_dot/r_p;
-            damping => h*I_p*alpha_M/r_p.powi(2) - I_p*alpha_M/(r_p*Z_r);
-        }
-        theta u3_dot {
-            sliding_friction_s3 => roll_s*arm_s3*F_mu_s3_by_psi_s3_dot/r_p;
-            sliding_friction_r3 => roll_r*arm_r3*F_mu_r3_by_psi_r3_dot/r_p;
-            damping => h*I_p*alpha_M/r_p.powi(2) - I_p*alpha_M/(r_p*Z_r);
-        }
+        theta theta_load_dot { fan_load => T_fan_load_by_theta_load_dot/Z_r; }
         theta_c theta {
-            torsional_support_s => -k_s/Z_r - k_s/Z_s;
-            torsional_support_c => -k_c/Z_r;
             transmission_error_r1_and_backlash_r1_and_moving_phase => -h*Z_r*k_r1*de_r1*clipr1*touchr1;
             transmission_error_r1_and_sliding_friction_r1_and_moving_phase => -de_r1*arm_r1*F_mu_r1_by_overr1
                 - h*sin_a*Z_r*de_r1*side_r1*F_mu_r1_by_overr1/cos_a;
@@ -1447,89 +1407,46 @@ equations! {
                 + h*sin_a*Z_r*dk_r3*side_r3*F_mu_r3_by_k_r3/cos_a + h*sin_a*Z_r*dside_r3*F_mu_r3/cos_a;
             moving_phase => h*Z_r*dk_r1*touchr1*overr1 + h*Z_r*dk_r2*touchr2*overr2 + h*Z_r*dk_r3*touchr3*overr3;
         }
-        theta_c theta_c {
-            _ => -h.powi(2)*Z_r.powi(2)*k_r1*touchr1 - h.powi(2)*Z_r.powi(2)*k_r2*touchr2 - h.powi(2)*Z_r.powi(2)*k_r3*touchr3;
-            torsional_support_s => -k_s;
-            torsional_support_c => -k_c;
-            backlash_r1 => -h.powi(2)*Z_r.powi(2)*k_r1*clipr1*touchr1;
-            sliding_friction_r1 => -h*Z_r*arm_r1*F_mu_r1_by_overr1 - h.powi(2)*sin_a*Z_r.powi(2)*side_r1*F_mu_r1_by_overr1/cos_a;
-            backlash_r2 => -h.powi(2)*Z_r.powi(2)*k_r2*clipr2*touchr2;
-            sliding_friction_r2 => -h*Z_r*arm_r2*F_mu_r2_by_overr2 - h.powi(2)*sin_a*Z_r.powi(2)*side_r2*F_mu_r2_by_overr2/cos_a;
-            backlash_r3 => -h.powi(2)*Z_r.powi(2)*k_r3*clipr3*touchr3;
-            sliding_friction_r3 => -h*Z_r*arm_r3*F_mu_r3_by_overr3 - h.powi(2)*sin_a*Z_r.powi(2)*side_r3*F_mu_r3_by_overr3/cos_a;
-        }
-        theta_c theta_r {
-            _ => h.powi(2)*Z_r.powi(2)*k_r1*touchr1 + h.powi(2)*Z_r.powi(2)*k_r2*touchr2 + h.powi(2)*Z_r.powi(2)*k_r3*touchr3;
-            backlash_r1 => h.powi(2)*Z_r.powi(2)*k_r1*clipr1*touchr1;
-            sliding_friction_r1 => h*Z_r*arm_r1*F_mu_r1_by_overr1 + h.powi(2)*sin_a*Z_r.powi(2)*side_r1*F_mu_r1_by_overr1/cos_a;
-            backlash_r2 => h.powi(2)*Z_r.powi(2)*k_r2*clipr2*touchr2;
-            sliding_friction_r2 => h*Z_r*arm_r2*F_mu_r2_by_overr2 + h.powi(2)*sin_a*Z_r.powi(2)*side_r2*F_mu_r2_by_overr2/cos_a;
-            backlash_r3 => h.powi(2)*Z_r.powi(2)*k_r3*clipr3*touchr3;
-            sliding_friction_r3 => h*Z_r*arm_r3*F_mu_r3_by_overr3 + h.powi(2)*sin_a*Z_r.powi(2)*side_r3*F_mu_r3_by_overr3/cos_a;
-        }
-        theta_c u1 {
-            _ => -h*Z_r*k_r1*touchr1;
-            backlash_r1 => -h*Z_r*k_r1*clipr1*touchr1;
-            sliding_friction_r1 => -arm_r1*F_mu_r1_by_overr1 - h*sin_a*Z_r*side_r1*F_mu_r1_by_overr1/cos_a;
-        }
-        theta_c u2 {
-            _ => -h*Z_r*k_r2*touchr2;
-            backlash_r2 => -h*Z_r*k_r2*clipr2*touchr2;
-            sliding_friction_r2 => -arm_r2*F_mu_r2_by_overr2 - h*sin_a*Z_r*side_r2*F_mu_r2_by_overr2/cos_a;
-        }
-        theta_c u3 {
-            _ => -h*Z_r*k_r3*touchr3;
-            backlash_r3 => -h*Z_r*k_r3*clipr3*touchr3;
-            sliding_friction_r3 => -arm_r3*F_mu_r3_by_overr3 - h*sin_a*Z_r*side_r3*F_mu_r3_by_overr3/cos_a;
-        }
         theta_c theta_dot {
-            torsional_support_s_and_damping => -beta_K*k_s/Z_r - beta_K*k_s/Z_s;
-            torsional_support_c_and_damping => -beta_K*k_c/Z_r;
-            sliding_friction_r1 => roll_r*arm_r1*F_mu_r1_by_psi_r1_dot + h*roll_r*sin_a*Z_r*side_r1*F_mu_r1_by_psi_r1_dot/cos_a;
-            sliding_friction_r2 => roll_r*arm_r2*F_mu_r2_by_psi_r2_dot + h*roll_r*sin_a*Z_r*side_r2*F_mu_r2_by_psi_r2_dot/cos_a;
-            sliding_friction_r3 => roll_r*arm_r3*F_mu_r3_by_psi_r3_dot + h*roll_r*sin_a*Z_r*side_r3*F_mu_r3_by_psi_r3_dot/cos_a;
-            speed_governor => -c_motor/Z_r - c_motor/Z_s;
-            dc_motor => -Ts_motor/(Z_r*n0_motor) - Ts_motor/(Z_s*n0_motor);
-            induction_motor => T_induction_motor_by_theta_motor_dot/Z_r + T_induction_motor_by_theta_motor_dot/Z_s;
-            traction_motor => T_traction_motor_by_theta_motor_dot/Z_r + T_traction_motor_by_theta_motor_dot/Z_s;
-            fan_load => T_fan_load_by_theta_load_dot/Z_r;
             damping => 3.0*h*I_p*alpha_M/r_p - I_c*alpha_M/Z_r - 3.0*I_p*alpha_M/Z_r - I_s*alpha_M/Z_r - I_s*alpha_M/Z_s
                 - 3.0*a.powi(2)*alpha_M*m_p/Z_r;
         }
-        theta_c theta_c_dot {
-            torsional_support_s_and_damping => -beta_K*k_s;
-            torsional_support_c_and_damping => -beta_K*k_c;
-            sliding_friction_r1 => -arm_r1*F_mu_r1_by_psi_r1_dot - h*sin_a*Z_r*side_r1*F_mu_r1_by_psi_r1_dot/cos_a;
-            sliding_friction_r2 => -arm_r2*F_mu_r2_by_psi_r2_dot - h*sin_a*Z_r*side_r2*F_mu_r2_by_psi_r2_dot/cos_a;
-            sliding_friction_r3 => -arm_r3*F_mu_r3_by_psi_r3_dot - h*sin_a*Z_r*side_r3*F_mu_r3_by_psi_r3_dot/cos_a;
+        theta_c theta_c_dot { damping => -I_c*alpha_M - 3.0*I_p*alpha_M - I_s*alpha_M - 3.0*a.powi(2)*alpha_M*m_p; }
+        theta_c u1_dot { damping => -I_p*alpha_M/r_p; }
+        theta_c u2_dot { damping => -I_p*alpha_M/r_p; }
+        theta_c u3_dot { damping => -I_p*alpha_M/r_p; }
+        theta_c twist_s { torsional_support_s => -k_s; }
+        theta_c twist_c { torsional_support_c => -k_c; }
+        theta_c overr1 {
+            _ => h*Z_r*k_r1*touchr1;
+            backlash_r1 => h*Z_r*k_r1*clipr1*touchr1;
+            sliding_friction_r1 => arm_r1*F_mu_r1_by_overr1 + h*sin_a*Z_r*side_r1*F_mu_r1_by_overr1/cos_a;
+        }
+        theta_c overr2 {
+            _ => h*Z_r*k_r2*touchr2;
+            backlash_r2 => h*Z_r*k_r2*clipr2*touchr2;
+            sliding_friction_r2 => arm_r2*F_mu_r2_by_overr2 + h*sin_a*Z_r*side_r2*F_mu_r2_by_overr2/cos_a;
+        }
+        theta_c overr3 {
+            _ => h*Z_r*k_r3*touchr3;
+            backlash_r3 => h*Z_r*k_r3*clipr3*touchr3;
+            sliding_friction_r3 => arm_r3*F_mu_r3_by_overr3 + h*sin_a*Z_r*side_r3*F_mu_r3_by_overr3/cos_a;
+        }
+        theta_c twist_s_dot { torsional_support_s_and_damping => -beta_K*k_s; }
+        theta_c twist_c_dot { torsional_support_c_and_damping => -beta_K*k_c; }
+        theta_c overr1_dot { damping => h*Z_r*beta_K*k_r1_mid*dampr1; }
+        theta_c psi_r1_dot { sliding_friction_r1 => arm_r1*F_mu_r1_by_psi_r1_dot + h*sin_a*Z_r*side_r1*F_mu_r1_by_psi_r1_dot/cos_a; }
+        theta_c overr2_dot { damping => h*Z_r*beta_K*k_r2_mid*dampr2; }
+        theta_c psi_r2_dot { sliding_friction_r2 => arm_r2*F_mu_r2_by_psi_r2_dot + h*sin_a*Z_r*side_r2*F_mu_r2_by_psi_r2_dot/cos_a; }
+        theta_c overr3_dot { damping => h*Z_r*beta_K*k_r3_mid*dampr3; }
+        theta_c psi_r3_dot { sliding_friction_r3 => arm_r3*F_mu_r3_by_psi_r3_dot + h*sin_a*Z_r*side_r3*F_mu_r3_by_psi_r3_dot/cos_a; }
+        theta_c theta_motor_dot {
             speed_governor => -c_motor;
             dc_motor => -Ts_motor/n0_motor;
             induction_motor => T_induction_motor_by_theta_motor_dot;
             traction_motor => T_traction_motor_by_theta_motor_dot;
-            fan_load => T_fan_load_by_theta_load_dot;
-            damping => -I_c*alpha_M - 3.0*I_p*alpha_M - I_s*alpha_M - 3.0*a.powi(2)*alpha_M*m_p
-                - h.powi(2)*Z_r.powi(2)*beta_K*k_r1_mid*dampr1 - h.powi(2)*Z_r.powi(2)*beta_K*k_r2_mid*dampr2
-                - h.powi(2)*Z_r.powi(2)*beta_K*k_r3_mid*dampr3;
         }
-        theta_c theta_r_dot {
-            sliding_friction_r1 => arm_r1*F_mu_r1_by_psi_r1_dot + h*sin_a*Z_r*side_r1*F_mu_r1_by_psi_r1_dot/cos_a;
-            sliding_friction_r2 => arm_r2*F_mu_r2_by_psi_r2_dot + h*sin_a*Z_r*side_r2*F_mu_r2_by_psi_r2_dot/cos_a;
-            sliding_friction_r3 => arm_r3*F_mu_r3_by_psi_r3_dot + h*sin_a*Z_r*side_r3*F_mu_r3_by_psi_r3_dot/cos_a;
-            damping => h.powi(2)*Z_r.powi(2)*beta_K*k_r1_mid*dampr1 + h.powi(2)*Z_r.powi(2)*beta_K*k_r2_mid*dampr2
-                + h.powi(2)*Z_r.powi(2)*beta_K*k_r3_mid*dampr3;
-        }
-        theta_c u1_dot {
-            sliding_friction_r1 => -h*sin_a*Z_r*side_r1*F_mu_r1_by_psi_r1_dot/(cos_a*r_p) - arm_r1*F_mu_r1_by_psi_r1_dot/r_p;
-            damping => -h*Z_r*beta_K*k_r1_mid*dampr1 - I_p*alpha_M/r_p;
-        }
-        theta_c u2_dot {
-            sliding_friction_r2 => -h*sin_a*Z_r*side_r2*F_mu_r2_by_psi_r2_dot/(cos_a*r_p) - arm_r2*F_mu_r2_by_psi_r2_dot/r_p;
-            damping => -h*Z_r*beta_K*k_r2_mid*dampr2 - I_p*alpha_M/r_p;
-        }
-        theta_c u3_dot {
-            sliding_friction_r3 => -h*sin_a*Z_r*side_r3*F_mu_r3_by_psi_r3_dot/(cos_a*r_p) - arm_r3*F_mu_r3_by_psi_r3_dot/r_p;
-            damping => -h*Z_r*beta_K*k_r3_mid*dampr3 - I_p*alpha_M/r_p;
-        }
+        theta_c theta_load_dot { fan_load => T_fan_load_by_theta_load_dot; }
         theta_r theta {
             transmission_error_r1_and_backlash_r1_and_moving_phase => h*Z_r*k_r1*de_r1*clipr1*touchr1;
             transmission_error_r1_and_sliding_friction_r1_and_moving_phase => de_r1*arm_r1*F_mu_r1_by_overr1
@@ -1554,70 +1471,30 @@ equations! {
                 - h*sin_a*Z_r*dk_r3*side_r3*F_mu_r3_by_k_r3/cos_a - h*sin_a*Z_r*dside_r3*F_mu_r3/cos_a;
             moving_phase => -h*Z_r*dk_r1*touchr1*overr1 - h*Z_r*dk_r2*touchr2*overr2 - h*Z_r*dk_r3*touchr3*overr3;
         }
-        theta_r theta_c {
-            _ => h.powi(2)*Z_r.powi(2)*k_r1*touchr1 + h.powi(2)*Z_r.powi(2)*k_r2*touchr2 + h.powi(2)*Z_r.powi(2)*k_r3*touchr3;
-            backlash_r1 => h.powi(2)*Z_r.powi(2)*k_r1*clipr1*touchr1;
-            sliding_friction_r1 => h*Z_r*arm_r1*F_mu_r1_by_overr1 + h.powi(2)*sin_a*Z_r.powi(2)*side_r1*F_mu_r1_by_overr1/cos_a;
-            backlash_r2 => h.powi(2)*Z_r.powi(2)*k_r2*clipr2*touchr2;
-            sliding_friction_r2 => h*Z_r*arm_r2*F_mu_r2_by_overr2 + h.powi(2)*sin_a*Z_r.powi(2)*side_r2*F_mu_r2_by_overr2/cos_a;
-            backlash_r3 => h.powi(2)*Z_r.powi(2)*k_r3*clipr3*touchr3;
-            sliding_friction_r3 => h*Z_r*arm_r3*F_mu_r3_by_overr3 + h.powi(2)*sin_a*Z_r.powi(2)*side_r3*F_mu_r3_by_overr3/cos_a;
+        theta_r theta_r_dot { damping => -I_r*alpha_M; }
+        theta_r twist_r { _ => -k_r; }
+        theta_r overr1 {
+            _ => -h*Z_r*k_r1*touchr1;
+            backlash_r1 => -h*Z_r*k_r1*clipr1*touchr1;
+            sliding_friction_r1 => -arm_r1*F_mu_r1_by_overr1 - h*sin_a*Z_r*side_r1*F_mu_r1_by_overr1/cos_a;
         }
-        theta_r theta_r {
-            _ => -k_r - h.powi(2)*Z_r.powi(2)*k_r1*touchr1 - h.powi(2)*Z_r.powi(2)*k_r2*touchr2 - h.powi(2)*Z_r.powi(2)*k_r3*touchr3;
-            backlash_r1 => -h.powi(2)*Z_r.powi(2)*k_r1*clipr1*touchr1;
-            sliding_friction_r1 => -h*Z_r*arm_r1*F_mu_r1_by_overr1 - h.powi(2)*sin_a*Z_r.powi(2)*side_r1*F_mu_r1_by_overr1/cos_a;
-            backlash_r2 => -h.powi(2)*Z_r.powi(2)*k_r2*clipr2*touchr2;
-            sliding_friction_r2 => -h*Z_r*arm_r2*F_mu_r2_by_overr2 - h.powi(2)*sin_a*Z_r.powi(2)*side_r2*F_mu_r2_by_overr2/cos_a;
-            backlash_r3 => -h.powi(2)*Z_r.powi(2)*k_r3*clipr3*touchr3;
-            sliding_friction_r3 => -h*Z_r*arm_r3*F_mu_r3_by_overr3 - h.powi(2)*sin_a*Z_r.powi(2)*side_r3*F_mu_r3_by_overr3/cos_a;
+        theta_r overr2 {
+            _ => -h*Z_r*k_r2*touchr2;
+            backlash_r2 => -h*Z_r*k_r2*clipr2*touchr2;
+            sliding_friction_r2 => -arm_r2*F_mu_r2_by_overr2 - h*sin_a*Z_r*side_r2*F_mu_r2_by_overr2/cos_a;
         }
-        theta_r u1 {
-            _ => h*Z_r*k_r1*touchr1;
-            backlash_r1 => h*Z_r*k_r1*clipr1*touchr1;
-            sliding_friction_r1 => arm_r1*F_mu_r1_by_overr1 + h*sin_a*Z_r*side_r1*F_mu_r1_by_overr1/cos_a;
+        theta_r overr3 {
+            _ => -h*Z_r*k_r3*touchr3;
+            backlash_r3 => -h*Z_r*k_r3*clipr3*touchr3;
+            sliding_friction_r3 => -arm_r3*F_mu_r3_by_overr3 - h*sin_a*Z_r*side_r3*F_mu_r3_by_overr3/cos_a;
         }
-        theta_r u2 {
-            _ => h*Z_r*k_r2*touchr2;
-            backlash_r2 => h*Z_r*k_r2*clipr2*touchr2;
-            sliding_friction_r2 => arm_r2*F_mu_r2_by_overr2 + h*sin_a*Z_r*side_r2*F_mu_r2_by_overr2/cos_a;
-        }
-        theta_r u3 {
-            _ => h*Z_r*k_r3*touchr3;
-            backlash_r3 => h*Z_r*k_r3*clipr3*touchr3;
-            sliding_friction_r3 => arm_r3*F_mu_r3_by_overr3 + h*sin_a*Z_r*side_r3*F_mu_r3_by_overr3/cos_a;
-        }
-        theta_r theta_dot {
-            sliding_friction_r1 => -roll_r*arm_r1*F_mu_r1_by_psi_r1_dot - h*roll_r*sin_a*Z_r*side_r1*F_mu_r1_by_psi_r1_dot/cos_a;
-            sliding_friction_r2 => -roll_r*arm_r2*F_mu_r2_by_psi_r2_dot - h*roll_r*sin_a*Z_r*side_r2*F_mu_r2_by_psi_r2_dot/cos_a;
-            sliding_friction_r3 => -roll_r*arm_r3*F_mu_r3_by_psi_r3_dot - h*roll_r*sin_a*Z_r*side_r3*F_mu_r3_by_psi_r3_dot/cos_a;
-        }
-        theta_r theta_c_dot {
-            sliding_friction_r1 => arm_r1*F_mu_r1_by_psi_r1_dot + h*sin_a*Z_r*side_r1*F_mu_r1_by_psi_r1_dot/cos_a;
-            sliding_friction_r2 => arm_r2*F_mu_r2_by_psi_r2_dot + h*sin_a*Z_r*side_r2*F_mu_r2_by_psi_r2_dot/cos_a;
-            sliding_friction_r3 => arm_r3*F_mu_r3_by_psi_r3_dot + h*sin_a*Z_r*side_r3*F_mu_r3_by_psi_r3_dot/cos_a;
-            damping => h.powi(2)*Z_r.powi(2)*beta_K*k_r1_mid*dampr1 + h.powi(2)*Z_r.powi(2)*beta_K*k_r2_mid*dampr2
-                + h.powi(2)*Z_r.powi(2)*beta_K*k_r3_mid*dampr3;
-        }
-        theta_r theta_r_dot {
-            sliding_friction_r1 => -arm_r1*F_mu_r1_by_psi_r1_dot - h*sin_a*Z_r*side_r1*F_mu_r1_by_psi_r1_dot/cos_a;
-            sliding_friction_r2 => -arm_r2*F_mu_r2_by_psi_r2_dot - h*sin_a*Z_r*side_r2*F_mu_r2_by_psi_r2_dot/cos_a;
-            sliding_friction_r3 => -arm_r3*F_mu_r3_by_psi_r3_dot - h*sin_a*Z_r*side_r3*F_mu_r3_by_psi_r3_dot/cos_a;
-            damping => -I_r*alpha_M - beta_K*k_r - h.powi(2)*Z_r.powi(2)*beta_K*k_r1_mid*dampr1
-                - h.powi(2)*Z_r.powi(2)*beta_K*k_r2_mid*dampr2 - h.powi(2)*Z_r.powi(2)*beta_K*k_r3_mid*dampr3;
-        }
-        theta_r u1_dot {
-            sliding_friction_r1 => h*sin_a*Z_r*side_r1*F_mu_r1_by_psi_r1_dot/(cos_a*r_p) + arm_r1*F_mu_r1_by_psi_r1_dot/r_p;
-            damping => h*Z_r*beta_K*k_r1_mid*dampr1;
-        }
-        theta_r u2_dot {
-            sliding_friction_r2 => h*sin_a*Z_r*side_r2*F_mu_r2_by_psi_r2_dot/(cos_a*r_p) + arm_r2*F_mu_r2_by_psi_r2_dot/r_p;
-            damping => h*Z_r*beta_K*k_r2_mid*dampr2;
-        }
-        theta_r u3_dot {
-            sliding_friction_r3 => h*sin_a*Z_r*side_r3*F_mu_r3_by_psi_r3_dot/(cos_a*r_p) + arm_r3*F_mu_r3_by_psi_r3_dot/r_p;
-            damping => h*Z_r*beta_K*k_r3_mid*dampr3;
-        }
+        theta_r twist_r_dot { damping => -beta_K*k_r; }
+        theta_r overr1_dot { damping => -h*Z_r*beta_K*k_r1_mid*dampr1; }
+        theta_r psi_r1_dot { sliding_friction_r1 => -arm_r1*F_mu_r1_by_psi_r1_dot - h*sin_a*Z_r*side_r1*F_mu_r1_by_psi_r1_dot/cos_a; }
+        theta_r overr2_dot { damping => -h*Z_r*beta_K*k_r2_mid*dampr2; }
+        theta_r psi_r2_dot { sliding_friction_r2 => -arm_r2*F_mu_r2_by_psi_r2_dot - h*sin_a*Z_r*side_r2*F_mu_r2_by_psi_r2_dot/cos_a; }
+        theta_r overr3_dot { damping => -h*Z_r*beta_K*k_r3_mid*dampr3; }
+        theta_r psi_r3_dot { sliding_friction_r3 => -arm_r3*F_mu_r3_by_psi_r3_dot - h*sin_a*Z_r*side_r3*F_mu_r3_by_psi_r3_dot/cos_a; }
         u1 theta {
             transmission_error_s1_and_backlash_s1_and_moving_phase => k_s1*de_s1*clips1*touchs1;
             transmission_error_s1_and_sliding_friction_s1_and_moving_phase => sin_a*de_s1*side_s1*F_mu_s1_by_overs1/cos_a
@@ -1635,41 +1512,23 @@ equations! {
                 + darm_r1*F_mu_r1/r_p + dk_r1*arm_r1*F_mu_r1_by_k_r1/r_p;
             moving_phase => dk_r1*touchr1*overr1 - dk_s1*touchs1*overs1;
         }
-        u1 theta_c {
-            _ => -h*Z_r*k_r1*touchr1;
-            backlash_r1 => -h*Z_r*k_r1*clipr1*touchr1;
-            sliding_friction_r1 => -h*Z_r*arm_r1*F_mu_r1_by_overr1/r_p - h*sin_a*Z_r*side_r1*F_mu_r1_by_overr1/cos_a;
-        }
-        u1 theta_r {
-            _ => h*Z_r*k_r1*touchr1;
-            backlash_r1 => h*Z_r*k_r1*clipr1*touchr1;
-            sliding_friction_r1 => h*Z_r*arm_r1*F_mu_r1_by_overr1/r_p + h*sin_a*Z_r*side_r1*F_mu_r1_by_overr1/cos_a;
-        }
-        u1 u1 {
-            _ => -k_r1*touchr1 - k_s1*touchs1;
+        u1 theta_dot { damping => h*I_p*alpha_M/r_p.powi(2) - I_p*alpha_M/(r_p*Z_r); }
+        u1 theta_c_dot { damping => -I_p*alpha_M/r_p; }
+        u1 u1_dot { damping => -I_p*alpha_M/r_p.powi(2); }
+        u1 overs1 {
+            _ => -k_s1*touchs1;
             backlash_s1 => -k_s1*clips1*touchs1;
             sliding_friction_s1 => arm_s1*F_mu_s1_by_overs1/r_p - sin_a*side_s1*F_mu_s1_by_overs1/cos_a;
-            backlash_r1 => -k_r1*clipr1*touchr1;
-            sliding_friction_r1 => -sin_a*side_r1*F_mu_r1_by_overr1/cos_a - arm_r1*F_mu_r1_by_overr1/r_p;
         }
-        u1 theta_dot {
-            sliding_friction_s1 => roll_s*arm_s1*F_mu_s1_by_psi_s1_dot/r_p - roll_s*sin_a*side_s1*F_mu_s1_by_psi_s1_dot/cos_a;
-            sliding_friction_r1 => roll_r*sin_a*side_r1*F_mu_r1_by_psi_r1_dot/cos_a + roll_r*arm_r1*F_mu_r1_by_psi_r1_dot/r_p;
-            damping => h*I_p*alpha_M/r_p.powi(2) - I_p*alpha_M/(r_p*Z_r);
+        u1 overr1 {
+            _ => k_r1*touchr1;
+            backlash_r1 => k_r1*clipr1*touchr1;
+            sliding_friction_r1 => sin_a*side_r1*F_mu_r1_by_overr1/cos_a + arm_r1*F_mu_r1_by_overr1/r_p;
         }
-        u1 theta_c_dot {
-            sliding_friction_r1 => -sin_a*side_r1*F_mu_r1_by_psi_r1_dot/cos_a - arm_r1*F_mu_r1_by_psi_r1_dot/r_p;
-            damping => -h*Z_r*beta_K*k_r1_mid*dampr1 - I_p*alpha_M/r_p;
-        }
-        u1 theta_r_dot {
-            sliding_friction_r1 => sin_a*side_r1*F_mu_r1_by_psi_r1_dot/cos_a + arm_r1*F_mu_r1_by_psi_r1_dot/r_p;
-            damping => h*Z_r*beta_K*k_r1_mid*dampr1;
-        }
-        u1 u1_dot {
-            sliding_friction_s1 => sin_a*side_s1*F_mu_s1_by_psi_s1_dot/(cos_a*r_p) - arm_s1*F_mu_s1_by_psi_s1_dot/r_p.powi(2);
-            sliding_friction_r1 => -sin_a*side_r1*F_mu_r1_by_psi_r1_dot/(cos_a*r_p) - arm_r1*F_mu_r1_by_psi_r1_dot/r_p.powi(2);
-            damping => -beta_K*k_r1_mid*dampr1 - beta_K*k_s1_mid*damps1 - I_p*alpha_M/r_p.powi(2);
-        }
+        u1 overs1_dot { damping => -beta_K*k_s1_mid*damps1; }
+        u1 psi_s1_dot { sliding_friction_s1 => arm_s1*F_mu_s1_by_psi_s1_dot/r_p - sin_a*side_s1*F_mu_s1_by_psi_s1_dot/cos_a; }
+        u1 overr1_dot { damping => beta_K*k_r1_mid*dampr1; }
+        u1 psi_r1_dot { sliding_friction_r1 => sin_a*side_r1*F_mu_r1_by_psi_r1_dot/cos_a + arm_r1*F_mu_r1_by_psi_r1_dot/r_p; }
         u2 theta {
             transmission_error_s2_and_backlash_s2_and_moving_phase => k_s2*de_s2*clips2*touchs2;
             transmission_error_s2_and_sliding_friction_s2_and_moving_phase => sin_a*de_s2*side_s2*F_mu_s2_by_overs2/cos_a
@@ -1687,41 +1546,23 @@ equations! {
                 + darm_r2*F_mu_r2/r_p + dk_r2*arm_r2*F_mu_r2_by_k_r2/r_p;
             moving_phase => dk_r2*touchr2*overr2 - dk_s2*touchs2*overs2;
         }
-        u2 theta_c {
-            _ => -h*Z_r*k_r2*touchr2;
-            backlash_r2 => -h*Z_r*k_r2*clipr2*touchr2;
-            sliding_friction_r2 => -h*Z_r*arm_r2*F_mu_r2_by_overr2/r_p - h*sin_a*Z_r*side_r2*F_mu_r2_by_overr2/cos_a;
-        }
-        u2 theta_r {
-            _ => h*Z_r*k_r2*touchr2;
-            backlash_r2 => h*Z_r*k_r2*clipr2*touchr2;
-            sliding_friction_r2 => h*Z_r*arm_r2*F_mu_r2_by_overr2/r_p + h*sin_a*Z_r*side_r2*F_mu_r2_by_overr2/cos_a;
-        }
-        u2 u2 {
-            _ => -k_r2*touchr2 - k_s2*touchs2;
+        u2 theta_dot { damping => h*I_p*alpha_M/r_p.powi(2) - I_p*alpha_M/(r_p*Z_r); }
+        u2 theta_c_dot { damping => -I_p*alpha_M/r_p; }
+        u2 u2_dot { damping => -I_p*alpha_M/r_p.powi(2); }
+        u2 overs2 {
+            _ => -k_s2*touchs2;
             backlash_s2 => -k_s2*clips2*touchs2;
             sliding_friction_s2 => arm_s2*F_mu_s2_by_overs2/r_p - sin_a*side_s2*F_mu_s2_by_overs2/cos_a;
-            backlash_r2 => -k_r2*clipr2*touchr2;
-            sliding_friction_r2 => -sin_a*side_r2*F_mu_r2_by_overr2/cos_a - arm_r2*F_mu_r2_by_overr2/r_p;
         }
-        u2 theta_dot {
-            sliding_friction_s2 => roll_s*arm_s2*F_mu_s2_by_psi_s2_dot/r_p - roll_s*sin_a*side_s2*F_mu_s2_by_psi_s2_dot/cos_a;
-            sliding_friction_r2 => roll_r*sin_a*side_r2*F_mu_r2_by_psi_r2_dot/cos_a + roll_r*arm_r2*F_mu_r2_by_psi_r2_dot/r_p;
-            damping => h*I_p*alpha_M/r_p.powi(2) - I_p*alpha_M/(r_p*Z_r);
+        u2 overr2 {
+            _ => k_r2*touchr2;
+            backlash_r2 => k_r2*clipr2*touchr2;
+            sliding_friction_r2 => sin_a*side_r2*F_mu_r2_by_overr2/cos_a + arm_r2*F_mu_r2_by_overr2/r_p;
         }
-        u2 theta_c_dot {
-            sliding_friction_r2 => -sin_a*side_r2*F_mu_r2_by_psi_r2_dot/cos_a - arm_r2*F_mu_r2_by_psi_r2_dot/r_p;
-            damping => -h*Z_r*beta_K*k_r2_mid*dampr2 - I_p*alpha_M/r_p;
-        }
-        u2 theta_r_dot {
-            sliding_friction_r2 => sin_a*side_r2*F_mu_r2_by_psi_r2_dot/cos_a + arm_r2*F_mu_r2_by_psi_r2_dot/r_p;
-            damping => h*Z_r*beta_K*k_r2_mid*dampr2;
-        }
-        u2 u2_dot {
-            sliding_friction_s2 => sin_a*side_s2*F_mu_s2_by_psi_s2_dot/(cos_a*r_p) - arm_s2*F_mu_s2_by_psi_s2_dot/r_p.powi(2);
-            sliding_friction_r2 => -sin_a*side_r2*F_mu_r2_by_psi_r2_dot/(cos_a*r_p) - arm_r2*F_mu_r2_by_psi_r2_dot/r_p.powi(2);
-            damping => -beta_K*k_r2_mid*dampr2 - beta_K*k_s2_mid*damps2 - I_p*alpha_M/r_p.powi(2);
-        }
+        u2 overs2_dot { damping => -beta_K*k_s2_mid*damps2; }
+        u2 psi_s2_dot { sliding_friction_s2 => arm_s2*F_mu_s2_by_psi_s2_dot/r_p - sin_a*side_s2*F_mu_s2_by_psi_s2_dot/cos_a; }
+        u2 overr2_dot { damping => beta_K*k_r2_mid*dampr2; }
+        u2 psi_r2_dot { sliding_friction_r2 => sin_a*side_r2*F_mu_r2_by_psi_r2_dot/cos_a + arm_r2*F_mu_r2_by_psi_r2_dot/r_p; }
         u3 theta {
             transmission_error_s3_and_backlash_s3_and_moving_phase => k_s3*de_s3*clips3*touchs3;
             transmission_error_s3_and_sliding_friction_s3_and_moving_phase => sin_a*de_s3*side_s3*F_mu_s3_by_overs3/cos_a
@@ -1739,159 +1580,88 @@ equations! {
                 + darm_r3*F_mu_r3/r_p + dk_r3*arm_r3*F_mu_r3_by_k_r3/r_p;
             moving_phase => dk_r3*touchr3*overr3 - dk_s3*touchs3*overs3;
         }
-        u3 theta_c {
-            _ => -h*Z_r*k_r3*touchr3;
-            backlash_r3 => -h*Z_r*k_r3*clipr3*touchr3;
-            sliding_friction_r3 => -h*Z_r*arm_r3*F_mu_r3_by_overr3/r_p - h*sin_a*Z_r*side_r3*F_mu_r3_by_overr3/cos_a;
-        }
-        u3 theta_r {
-            _ => h*Z_r*k_r3*touchr3;
-            backlash_r3 => h*Z_r*k_r3*clipr3*touchr3;
-            sliding_friction_r3 => h*Z_r*arm_r3*F_mu_r3_by_overr3/r_p + h*sin_a*Z_r*side_r3*F_mu_r3_by_overr3/cos_a;
-        }
-        u3 u3 {
-            _ => -k_r3*touchr3 - k_s3*touchs3;
+        u3 theta_dot { damping => h*I_p*alpha_M/r_p.powi(2) - I_p*alpha_M/(r_p*Z_r); }
+        u3 theta_c_dot { damping => -I_p*alpha_M/r_p; }
+        u3 u3_dot { damping => -I_p*alpha_M/r_p.powi(2); }
+        u3 overs3 {
+            _ => -k_s3*touchs3;
             backlash_s3 => -k_s3*clips3*touchs3;
             sliding_friction_s3 => arm_s3*F_mu_s3_by_overs3/r_p - sin_a*side_s3*F_mu_s3_by_overs3/cos_a;
-            backlash_r3 => -k_r3*clipr3*touchr3;
-            sliding_friction_r3 => -sin_a*side_r3*F_mu_r3_by_overr3/cos_a - arm_r3*F_mu_r3_by_overr3/r_p;
         }
-        u3 theta_dot {
-            sliding_friction_s3 => roll_s*arm_s3*F_mu_s3_by_psi_s3_dot/r_p - roll_s*sin_a*side_s3*F_mu_s3_by_psi_s3_dot/cos_a;
-            sliding_friction_r3 => roll_r*sin_a*side_r3*F_mu_r3_by_psi_r3_dot/cos_a + roll_r*arm_r3*F_mu_r3_by_psi_r3_dot/r_p;
-            damping => h*I_p*alpha_M/r_p.powi(2) - I_p*alpha_M/(r_p*Z_r);
+        u3 overr3 {
+            _ => k_r3*touchr3;
+            backlash_r3 => k_r3*clipr3*touchr3;
+            sliding_friction_r3 => sin_a*side_r3*F_mu_r3_by_overr3/cos_a + arm_r3*F_mu_r3_by_overr3/r_p;
         }
-        u3 theta_c_dot {
-            sliding_friction_r3 => -sin_a*side_r3*F_mu_r3_by_psi_r3_dot/cos_a - arm_r3*F_mu_r3_by_psi_r3_dot/r_p;
-            damping => -h*Z_r*beta_K*k_r3_mid*dampr3 - I_p*alpha_M/r_p;
-        }
-        u3 theta_r_dot {
-            sliding_friction_r3 => sin_a*side_r3*F_mu_r3_by_psi_r3_dot/cos_a + arm_r3*F_mu_r3_by_psi_r3_dot/r_p;
-            damping => h*Z_r*beta_K*k_r3_mid*dampr3;
-        }
-        u3 u3_dot {
-            sliding_friction_s3 => sin_a*side_s3*F_mu_s3_by_psi_s3_dot/(cos_a*r_p) - arm_s3*F_mu_s3_by_psi_s3_dot/r_p.powi(2);
-            sliding_friction_r3 => -sin_a*side_r3*F_mu_r3_by_psi_r3_dot/(cos_a*r_p) - arm_r3*F_mu_r3_by_psi_r3_dot/r_p.powi(2);
-            damping => -beta_K*k_r3_mid*dampr3 - beta_K*k_s3_mid*damps3 - I_p*alpha_M/r_p.powi(2);
-        }
+        u3 overs3_dot { damping => -beta_K*k_s3_mid*damps3; }
+        u3 psi_s3_dot { sliding_friction_s3 => arm_s3*F_mu_s3_by_psi_s3_dot/r_p - sin_a*side_s3*F_mu_s3_by_psi_s3_dot/cos_a; }
+        u3 overr3_dot { damping => beta_K*k_r3_mid*dampr3; }
+        u3 psi_r3_dot { sliding_friction_r3 => sin_a*side_r3*F_mu_r3_by_psi_r3_dot/cos_a + arm_r3*F_mu_r3_by_psi_r3_dot/r_p; }
     }
     cell {
         stiffness {
-            theta theta {
-                torsional_support_s => k_s/Z_r.powi(2) + 2.0*k_s/(Z_r*Z_s) + k_s/Z_s.powi(2);
-                torsional_support_c => k_c/Z_r.powi(2);
-            }
-            theta theta_c {
-                torsional_support_s => k_s/Z_r + k_s/Z_s;
-                torsional_support_c => k_c/Z_r;
-            }
-            theta_c theta_c {
-                _ => h.powi(2)*Z_r.powi(2)*k_r1*touchr1 + h.powi(2)*Z_r.powi(2)*k_r2*touchr2 + h.powi(2)*Z_r.powi(2)*k_r3*touchr3;
-                torsional_support_s => k_s;
-                torsional_support_c => k_c;
-                backlash_r1 => h.powi(2)*Z_r.powi(2)*k_r1*clipr1*touchr1;
-                backlash_r2 => h.powi(2)*Z_r.powi(2)*k_r2*clipr2*touchr2;
-                backlash_r3 => h.powi(2)*Z_r.powi(2)*k_r3*clipr3*touchr3;
-            }
-            theta_c theta_r {
-                _ => -h.powi(2)*Z_r.powi(2)*k_r1*touchr1 - h.powi(2)*Z_r.powi(2)*k_r2*touchr2 - h.powi(2)*Z_r.powi(2)*k_r3*touchr3;
-                backlash_r1 => -h.powi(2)*Z_r.powi(2)*k_r1*clipr1*touchr1;
-                backlash_r2 => -h.powi(2)*Z_r.powi(2)*k_r2*clipr2*touchr2;
-                backlash_r3 => -h.powi(2)*Z_r.powi(2)*k_r3*clipr3*touchr3;
-            }
-            theta_c u1 {
-                _ => h*Z_r*k_r1*touchr1;
-                backlash_r1 => h*Z_r*k_r1*clipr1*touchr1;
-            }
-            theta_c u2 {
-                _ => h*Z_r*k_r2*touchr2;
-                backlash_r2 => h*Z_r*k_r2*clipr2*touchr2;
-            }
-            theta_c u3 {
-                _ => h*Z_r*k_r3*touchr3;
-                backlash_r3 => h*Z_r*k_r3*clipr3*touchr3;
-            }
-            theta_r theta_r {
-                _ => k_r + h.powi(2)*Z_r.powi(2)*k_r1*touchr1 + h.powi(2)*Z_r.powi(2)*k_r2*touchr2 + h.powi(2)*Z_r.powi(2)*k_r3*touchr3;
-                backlash_r1 => h.powi(2)*Z_r.powi(2)*k_r1*clipr1*touchr1;
-                backlash_r2 => h.powi(2)*Z_r.powi(2)*k_r2*clipr2*touchr2;
-                backlash_r3 => h.powi(2)*Z_r.powi(2)*k_r3*clipr3*touchr3;
-            }
-            theta_r u1 {
-                _ => -h*Z_r*k_r1*touchr1;
-                backlash_r1 => -h*Z_r*k_r1*clipr1*touchr1;
-            }
-            theta_r u2 {
-                _ => -h*Z_r*k_r2*touchr2;
-                backlash_r2 => -h*Z_r*k_r2*clipr2*touchr2;
-            }
-            theta_r u3 {
-                _ => -h*Z_r*k_r3*touchr3;
-                backlash_r3 => -h*Z_r*k_r3*clipr3*touchr3;
-            }
-            u1 u1 {
-                _ => k_r1*touchr1 + k_s1*touchs1;
+            twist_r twist_r { _ => k_r; }
+            twist_s twist_s { torsional_support_s => k_s; }
+            twist_c twist_c { torsional_support_c => k_c; }
+            overs1 overs1 {
+                _ => k_s1*touchs1;
                 backlash_s1 => k_s1*clips1*touchs1;
+            }
+            overr1 overr1 {
+                _ => k_r1*touchr1;
                 backlash_r1 => k_r1*clipr1*touchr1;
             }
-            u2 u2 {
-                _ => k_r2*touchr2 + k_s2*touchs2;
+            overs2 overs2 {
+                _ => k_s2*touchs2;
                 backlash_s2 => k_s2*clips2*touchs2;
+            }
+            overr2 overr2 {
+                _ => k_r2*touchr2;
                 backlash_r2 => k_r2*clipr2*touchr2;
             }
-            u3 u3 {
-                _ => k_r3*touchr3 + k_s3*touchs3;
+            overs3 overs3 {
+                _ => k_s3*touchs3;
                 backlash_s3 => k_s3*clips3*touchs3;
+            }
+            overr3 overr3 {
+                _ => k_r3*touchr3;
                 backlash_r3 => k_r3*clipr3*touchr3;
             }
         }
         damping {
             theta theta {
-                torsional_support_s_and_damping => beta_K*k_s/Z_r.powi(2) + 2.0*beta_K*k_s/(Z_r*Z_s) + beta_K*k_s/Z_s.powi(2);
-                torsional_support_c_and_damping => beta_K*k_c/Z_r.powi(2);
-                speed_governor => c_motor/Z_r.powi(2) + 2.0*c_motor/(Z_r*Z_s) + c_motor/Z_s.powi(2);
-                dc_motor => Ts_motor/(Z_r.powi(2)*n0_motor) + 2.0*Ts_motor/(Z_r*Z_s*n0_motor) + Ts_motor/(Z_s.powi(2)*n0_motor);
                 damping => I_c*alpha_M/Z_r.powi(2) - 6.0*h*I_p*alpha_M/(r_p*Z_r) + 3.0*I_p*alpha_M/Z_r.powi(2) + I_s*alpha_M/Z_r.powi(2)
                     + 2.0*I_s*alpha_M/(Z_r*Z_s) + I_s*alpha_M/Z_s.powi(2) + 3.0*a.powi(2)*alpha_M*m_p/Z_r.powi(2)
                     + 3.0*h.powi(2)*I_p*alpha_M/r_p.powi(2);
             }
             theta theta_c {
-                torsional_support_s_and_damping => beta_K*k_s/Z_r + beta_K*k_s/Z_s;
-                torsional_support_c_and_damping => beta_K*k_c/Z_r;
-                speed_governor => c_motor/Z_r + c_motor/Z_s;
-                dc_motor => Ts_motor/(Z_r*n0_motor) + Ts_motor/(Z_s*n0_motor);
                 damping => I_c*alpha_M/Z_r - 3.0*h*I_p*alpha_M/r_p + 3.0*I_p*alpha_M/Z_r + I_s*alpha_M/Z_r + I_s*alpha_M/Z_s
                     + 3.0*a.powi(2)*alpha_M*m_p/Z_r;
             }
             theta u1 { damping => I_p*alpha_M/(r_p*Z_r) - h*I_p*alpha_M/r_p.powi(2); }
             theta u2 { damping => I_p*alpha_M/(r_p*Z_r) - h*I_p*alpha_M/r_p.powi(2); }
             theta u3 { damping => I_p*alpha_M/(r_p*Z_r) - h*I_p*alpha_M/r_p.powi(2); }
-            theta_c theta_c {
-                torsional_support_s_and_damping => beta_K*k_s;
-                torsional_support_c_and_damping => beta_K*k_c;
+            theta_c theta_c { damping => I_c*alpha_M + 3.0*I_p*alpha_M + I_s*alpha_M + 3.0*a.powi(2)*alpha_M*m_p; }
+            theta_c u1 { damping => I_p*alpha_M/r_p; }
+            theta_c u2 { damping => I_p*alpha_M/r_p; }
+            theta_c u3 { damping => I_p*alpha_M/r_p; }
+            theta_r theta_r { damping => I_r*alpha_M; }
+            u1 u1 { damping => I_p*alpha_M/r_p.powi(2); }
+            u2 u2 { damping => I_p*alpha_M/r_p.powi(2); }
+            u3 u3 { damping => I_p*alpha_M/r_p.powi(2); }
+            twist_r twist_r { damping => beta_K*k_r; }
+            twist_s twist_s { torsional_support_s_and_damping => beta_K*k_s; }
+            twist_c twist_c { torsional_support_c_and_damping => beta_K*k_c; }
+            overs1 overs1 { damping => beta_K*k_s1_mid*damps1; }
+            overr1 overr1 { damping => beta_K*k_r1_mid*dampr1; }
+            overs2 overs2 { damping => beta_K*k_s2_mid*damps2; }
+            overr2 overr2 { damping => beta_K*k_r2_mid*dampr2; }
+            overs3 overs3 { damping => beta_K*k_s3_mid*damps3; }
+            overr3 overr3 { damping => beta_K*k_r3_mid*dampr3; }
+            theta_motor theta_motor {
                 speed_governor => c_motor;
                 dc_motor => Ts_motor/n0_motor;
-                damping => I_c*alpha_M + 3.0*I_p*alpha_M + I_s*alpha_M + 3.0*a.powi(2)*alpha_M*m_p
-                    + h.powi(2)*Z_r.powi(2)*beta_K*k_r1_mid*dampr1 + h.powi(2)*Z_r.powi(2)*beta_K*k_r2_mid*dampr2
-                    + h.powi(2)*Z_r.powi(2)*beta_K*k_r3_mid*dampr3;
             }
-            theta_c theta_r {
-                damping => -h.powi(2)*Z_r.powi(2)*beta_K*k_r1_mid*dampr1 - h.powi(2)*Z_r.powi(2)*beta_K*k_r2_mid*dampr2
-                    - h.powi(2)*Z_r.powi(2)*beta_K*k_r3_mid*dampr3;
-            }
-            theta_c u1 { damping => h*Z_r*beta_K*k_r1_mid*dampr1 + I_p*alpha_M/r_p; }
-            theta_c u2 { damping => h*Z_r*beta_K*k_r2_mid*dampr2 + I_p*alpha_M/r_p; }
-            theta_c u3 { damping => h*Z_r*beta_K*k_r3_mid*dampr3 + I_p*alpha_M/r_p; }
-            theta_r theta_r {
-                damping => I_r*alpha_M + beta_K*k_r + h.powi(2)*Z_r.powi(2)*beta_K*k_r1_mid*dampr1
-                    + h.powi(2)*Z_r.powi(2)*beta_K*k_r2_mid*dampr2 + h.powi(2)*Z_r.powi(2)*beta_K*k_r3_mid*dampr3;
-            }
-            theta_r u1 { damping => -h*Z_r*beta_K*k_r1_mid*dampr1; }
-            theta_r u2 { damping => -h*Z_r*beta_K*k_r2_mid*dampr2; }
-            theta_r u3 { damping => -h*Z_r*beta_K*k_r3_mid*dampr3; }
-            u1 u1 { damping => beta_K*k_r1_mid*dampr1 + beta_K*k_s1_mid*damps1 + I_p*alpha_M/r_p.powi(2); }
-            u2 u2 { damping => beta_K*k_r2_mid*dampr2 + beta_K*k_s2_mid*damps2 + I_p*alpha_M/r_p.powi(2); }
-            u3 u3 { damping => beta_K*k_r3_mid*dampr3 + beta_K*k_s3_mid*damps3 + I_p*alpha_M/r_p.powi(2); }
         }
         load {
             theta {
@@ -1900,36 +1670,33 @@ equations! {
                 dc_motor => Ts_motor/Z_r + Ts_motor/Z_s;
             }
             theta_c {
-                _ => -h*Z_r*k_r1*touchr1*edger1 - h*Z_r*k_r1*touchr1*e_r1 - h*Z_r*k_r2*touchr2*edger2 - h*Z_r*k_r2*touchr2*e_r2
-                    - h*Z_r*k_r3*touchr3*edger3 - h*Z_r*k_r3*touchr3*e_r3;
-                backlash_r1 => -h*Z_r*k_r1*clipr1*touchr1*edger1 - h*Z_r*k_r1*clipr1*touchr1*e_r1;
-                backlash_r2 => -h*Z_r*k_r2*clipr2*touchr2*edger2 - h*Z_r*k_r2*clipr2*touchr2*e_r2;
-                backlash_r3 => -h*Z_r*k_r3*clipr3*touchr3*edger3 - h*Z_r*k_r3*clipr3*touchr3*e_r3;
                 torques => T_motor - T_load;
                 speed_governor => c_motor*n_motor;
                 dc_motor => Ts_motor;
             }
-            theta_r {
-                _ => h*Z_r*k_r1*touchr1*edger1 + h*Z_r*k_r1*touchr1*e_r1 + h*Z_r*k_r2*touchr2*edger2 + h*Z_r*k_r2*touchr2*e_r2
-                    + h*Z_r*k_r3*touchr3*edger3 + h*Z_r*k_r3*touchr3*e_r3;
-                backlash_r1 => h*Z_r*k_r1*clipr1*touchr1*edger1 + h*Z_r*k_r1*clipr1*touchr1*e_r1;
-                backlash_r2 => h*Z_r*k_r2*clipr2*touchr2*edger2 + h*Z_r*k_r2*clipr2*touchr2*e_r2;
-                backlash_r3 => h*Z_r*k_r3*clipr3*touchr3*edger3 + h*Z_r*k_r3*clipr3*touchr3*e_r3;
-            }
-            u1 {
-                _ => k_s1*touchs1*edges1 - k_r1*touchr1*edger1 - k_r1*touchr1*e_r1 + k_s1*touchs1*e_s1;
+            overs1 {
+                _ => k_s1*touchs1*edges1 + k_s1*touchs1*e_s1;
                 backlash_s1 => k_s1*clips1*touchs1*edges1 + k_s1*clips1*touchs1*e_s1;
-                backlash_r1 => -k_r1*clipr1*touchr1*edger1 - k_r1*clipr1*touchr1*e_r1;
             }
-            u2 {
-                _ => k_s2*touchs2*edges2 - k_r2*touchr2*edger2 - k_r2*touchr2*e_r2 + k_s2*touchs2*e_s2;
+            overr1 {
+                _ => k_r1*touchr1*edger1 + k_r1*touchr1*e_r1;
+                backlash_r1 => k_r1*clipr1*touchr1*edger1 + k_r1*clipr1*touchr1*e_r1;
+            }
+            overs2 {
+                _ => k_s2*touchs2*edges2 + k_s2*touchs2*e_s2;
                 backlash_s2 => k_s2*clips2*touchs2*edges2 + k_s2*clips2*touchs2*e_s2;
-                backlash_r2 => -k_r2*clipr2*touchr2*edger2 - k_r2*clipr2*touchr2*e_r2;
             }
-            u3 {
-                _ => k_s3*touchs3*edges3 - k_r3*touchr3*edger3 - k_r3*touchr3*e_r3 + k_s3*touchs3*e_s3;
+            overr2 {
+                _ => k_r2*touchr2*edger2 + k_r2*touchr2*e_r2;
+                backlash_r2 => k_r2*clipr2*touchr2*edger2 + k_r2*clipr2*touchr2*e_r2;
+            }
+            overs3 {
+                _ => k_s3*touchs3*edges3 + k_s3*touchs3*e_s3;
                 backlash_s3 => k_s3*clips3*touchs3*edges3 + k_s3*clips3*touchs3*e_s3;
-                backlash_r3 => -k_r3*clipr3*touchr3*edger3 - k_r3*clipr3*touchr3*e_r3;
+            }
+            overr3 {
+                _ => k_r3*touchr3*edger3 + k_r3*touchr3*e_r3;
+                backlash_r3 => k_r3*clipr3*touchr3*edger3 + k_r3*clipr3*touchr3*e_r3;
             }
         }
     }

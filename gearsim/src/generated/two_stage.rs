@@ -594,7 +594,6 @@ equations! {
     }
     jacobian {
         theta1 theta1 {
-            _ => -k_c/N2.powi(2);
             transmission_error_12_and_sliding_friction_12_and_moving_phase => de12*arm12*F_mu12_by_over12/N1
                 + de12*arm12*F_mu12_by_over12/N2;
             transmission_error_12_and_jump_terms => k12*dde12*touch12*over12 - k12*de12.powi(2)*touch12 + 2.0*de12*dk12*touch12*over12;
@@ -602,43 +601,24 @@ equations! {
                 - dk12*arm12*F_mu12_by_k12/N2;
             jump_terms => -ddk12*touch12*over12.powi(2)/2.0;
         }
-        theta1 s1 {
-            _ => k_c/(2.0*h1*N2.powi(2));
+        theta1 theta1_dot { damping => -I1*alpha_M/N1.powi(2) - I2*alpha_M/N2.powi(2) - I_m*alpha_M/N1.powi(2); }
+        theta1 s1_dot { damping => (I2*alpha_M/(h1*N2.powi(2)) - I1*alpha_M/(h1*N1.powi(2)) - I_m*alpha_M/(h1*N1.powi(2)))/2.0; }
+        theta1 psi_m_dot { damping => -I_m*alpha_M/N1; }
+        theta1 twist_c { _ => -k_c/N2; }
+        theta1 over12 {
             transmission_error_12_and_jump_terms => k12*de12*touch12;
             sliding_friction_12 => -arm12*F_mu12_by_over12/N1 - arm12*F_mu12_by_over12/N2;
             jump_terms => -dk12*touch12*over12;
         }
-        theta1 theta2 { _ => k_c/(N2*N3); }
-        theta1 s2 { _ => k_c/(2.0*h2*N2*N3); }
-        theta1 theta1_dot {
-            sliding_friction_12 => -arm12*F_mu12_by_psi12_dot/N1.powi(2) - 2.0*arm12*F_mu12_by_psi12_dot/(N1*N2)
-                - arm12*F_mu12_by_psi12_dot/N2.powi(2);
-            speed_governor => -c_motor/N1.powi(2);
-            dc_motor => -Ts_motor/(N1.powi(2)*n0_motor);
-            induction_motor => T_induction_motor_by_theta_motor_dot/N1.powi(2);
-            traction_motor => T_traction_motor_by_theta_motor_dot/N1.powi(2);
-            damping => -I1*alpha_M/N1.powi(2) - I2*alpha_M/N2.powi(2) - I_m*alpha_M/N1.powi(2) - beta_K*k_c/N2.powi(2);
-        }
-        theta1 s1_dot {
-            sliding_friction_12 => (arm12*F_mu12_by_psi12_dot/(h1*N2.powi(2)) - arm12*F_mu12_by_psi12_dot/(h1*N1.powi(2)))/2.0;
-            speed_governor => -c_motor/(2.0*h1*N1.powi(2));
-            dc_motor => -Ts_motor/(2.0*h1*N1.powi(2)*n0_motor);
-            induction_motor => T_induction_motor_by_theta_motor_dot/(2.0*h1*N1.powi(2));
-            traction_motor => T_traction_motor_by_theta_motor_dot/(2.0*h1*N1.powi(2));
-            damping => (I2*alpha_M/(h1*N2.powi(2)) - I1*alpha_M/(h1*N1.powi(2)) - I_m*alpha_M/(h1*N1.powi(2))
-                + beta_K*k_c/(h1*N2.powi(2)))/2.0;
-        }
-        theta1 theta2_dot { damping => beta_K*k_c/(N2*N3); }
-        theta1 s2_dot { damping => beta_K*k_c/(2.0*h2*N2*N3); }
-        theta1 psi_m_dot {
+        theta1 twist_c_dot { damping => -beta_K*k_c/N2; }
+        theta1 psi12_dot { sliding_friction_12 => -arm12*F_mu12_by_psi12_dot/N1 - arm12*F_mu12_by_psi12_dot/N2; }
+        theta1 theta_motor_dot {
             speed_governor => -c_motor/N1;
             dc_motor => -Ts_motor/(N1*n0_motor);
             induction_motor => T_induction_motor_by_theta_motor_dot/N1;
             traction_motor => T_traction_motor_by_theta_motor_dot/N1;
-            damping => -I_m*alpha_M/N1;
         }
         s1 theta1 {
-            _ => k_c/(2.0*h1*N2.powi(2));
             transmission_error_12_and_backlash_12_and_moving_phase => k12*de12*clip12*touch12;
             transmission_error_12_and_sliding_friction_12_and_moving_phase => tan_a*de12*side12*F_mu12_by_over12
                 + de12*arm12*F_mu12_by_over12/(2.0*h1*N1) - de12*arm12*F_mu12_by_over12/(2.0*h1*N2);
@@ -648,47 +628,30 @@ equations! {
                 - darm12*F_mu12/(2.0*h1*N1) - dk12*arm12*F_mu12_by_k12/(2.0*h1*N1) + dk12*arm12*F_mu12_by_k12/(2.0*h1*N2);
             moving_phase => -dk12*touch12*over12;
         }
-        s1 s1 {
-            _ => -k12*touch12 - k_c/(4.0*h1.powi(2)*N2.powi(2));
+        s1 theta1_dot { damping => (I2*alpha_M/(h1*N2.powi(2)) - I1*alpha_M/(h1*N1.powi(2)) - I_m*alpha_M/(h1*N1.powi(2)))/2.0; }
+        s1 s1_dot {
+            damping => (-I1*alpha_M/(h1.powi(2)*N1.powi(2)) - I2*alpha_M/(h1.powi(2)*N2.powi(2)) - I_m*alpha_M/(h1.powi(2)*N1.powi(2)))/4.0;
+        }
+        s1 psi_m_dot { damping => -I_m*alpha_M/(2.0*h1*N1); }
+        s1 twist_c { _ => k_c/(2.0*h1*N2); }
+        s1 over12 {
+            _ => -k12*touch12;
             backlash_12 => -k12*clip12*touch12;
             sliding_friction_12 => arm12*F_mu12_by_over12/(2.0*h1*N2) - tan_a*side12*F_mu12_by_over12 - arm12*F_mu12_by_over12/(2.0*h1*N1);
         }
-        s1 theta2 { _ => -k_c/(2.0*h1*N2*N3); }
-        s1 s2 { _ => -k_c/(4.0*h1*h2*N2*N3); }
-        s1 theta1_dot {
-            sliding_friction_12 => arm12*F_mu12_by_psi12_dot/(2.0*h1*N2.powi(2)) - tan_a*side12*F_mu12_by_psi12_dot/N1
-                - tan_a*side12*F_mu12_by_psi12_dot/N2 - arm12*F_mu12_by_psi12_dot/(2.0*h1*N1.powi(2));
-            speed_governor => -c_motor/(2.0*h1*N1.powi(2));
-            dc_motor => -Ts_motor/(2.0*h1*N1.powi(2)*n0_motor);
-            induction_motor => T_induction_motor_by_theta_motor_dot/(2.0*h1*N1.powi(2));
-            traction_motor => T_traction_motor_by_theta_motor_dot/(2.0*h1*N1.powi(2));
-            damping => (I2*alpha_M/(h1*N2.powi(2)) - I1*alpha_M/(h1*N1.powi(2)) - I_m*alpha_M/(h1*N1.powi(2))
-                + beta_K*k_c/(h1*N2.powi(2)))/2.0;
+        s1 twist_c_dot { damping => beta_K*k_c/(2.0*h1*N2); }
+        s1 over12_dot { damping => -beta_K*k12_mid*damp12; }
+        s1 psi12_dot {
+            sliding_friction_12 => arm12*F_mu12_by_psi12_dot/(2.0*h1*N2) - tan_a*side12*F_mu12_by_psi12_dot
+                - arm12*F_mu12_by_psi12_dot/(2.0*h1*N1);
         }
-        s1 s1_dot {
-            sliding_friction_12 => arm12*F_mu12_by_psi12_dot/(2.0*h1.powi(2)*N1*N2)
-                - arm12*F_mu12_by_psi12_dot/(4.0*h1.powi(2)*N1.powi(2)) - arm12*F_mu12_by_psi12_dot/(4.0*h1.powi(2)*N2.powi(2))
-                - tan_a*side12*F_mu12_by_psi12_dot/(2.0*h1*N1) + tan_a*side12*F_mu12_by_psi12_dot/(2.0*h1*N2);
-            speed_governor => -c_motor/(4.0*h1.powi(2)*N1.powi(2));
-            dc_motor => -Ts_motor/(4.0*h1.powi(2)*N1.powi(2)*n0_motor);
-            induction_motor => T_induction_motor_by_theta_motor_dot/(4.0*h1.powi(2)*N1.powi(2));
-            traction_motor => T_traction_motor_by_theta_motor_dot/(4.0*h1.powi(2)*N1.powi(2));
-            damping => -beta_K*k12_mid*damp12 - I1*alpha_M/(4.0*h1.powi(2)*N1.powi(2)) - I2*alpha_M/(4.0*h1.powi(2)*N2.powi(2))
-                - I_m*alpha_M/(4.0*h1.powi(2)*N1.powi(2)) - beta_K*k_c/(4.0*h1.powi(2)*N2.powi(2));
-        }
-        s1 theta2_dot { damping => -beta_K*k_c/(2.0*h1*N2*N3); }
-        s1 s2_dot { damping => -beta_K*k_c/(4.0*h1*h2*N2*N3); }
-        s1 psi_m_dot {
+        s1 theta_motor_dot {
             speed_governor => -c_motor/(2.0*h1*N1);
             dc_motor => -Ts_motor/(2.0*h1*N1*n0_motor);
             induction_motor => T_induction_motor_by_theta_motor_dot/(2.0*h1*N1);
             traction_motor => T_traction_motor_by_theta_motor_dot/(2.0*h1*N1);
-            damping => -I_m*alpha_M/(2.0*h1*N1);
         }
-        theta2 theta1 { _ => k_c/(N2*N3); }
-        theta2 s1 { _ => -k_c/(2.0*h1*N2*N3); }
         theta2 theta2 {
-            _ => -k_c/N3.powi(2);
             transmission_error_34_and_sliding_friction_34_and_moving_phase => de34*arm34*F_mu34_by_over34/N3
                 + de34*arm34*F_mu34_by_over34/N4;
             transmission_error_34_and_jump_terms => k34*dde34*touch34*over34 - k34*de34.powi(2)*touch34 + 2.0*de34*dk34*touch34*over34;
@@ -696,34 +659,19 @@ equations! {
                 - dk34*arm34*F_mu34_by_k34/N4;
             jump_terms => -ddk34*touch34*over34.powi(2)/2.0;
         }
-        theta2 s2 {
-            _ => -k_c/(2.0*h2*N3.powi(2));
+        theta2 theta2_dot { damping => -I3*alpha_M/N3.powi(2) - I4*alpha_M/N4.powi(2) - I_l*alpha_M/N4.powi(2); }
+        theta2 s2_dot { damping => (I4*alpha_M/(h2*N4.powi(2)) - I3*alpha_M/(h2*N3.powi(2)) + I_l*alpha_M/(h2*N4.powi(2)))/2.0; }
+        theta2 psi_l_dot { damping => I_l*alpha_M/N4; }
+        theta2 twist_c { _ => k_c/N3; }
+        theta2 over34 {
             transmission_error_34_and_jump_terms => k34*de34*touch34;
             sliding_friction_34 => -arm34*F_mu34_by_over34/N3 - arm34*F_mu34_by_over34/N4;
             jump_terms => -dk34*touch34*over34;
         }
-        theta2 theta1_dot { damping => beta_K*k_c/(N2*N3); }
-        theta2 s1_dot { damping => -beta_K*k_c/(2.0*h1*N2*N3); }
-        theta2 theta2_dot {
-            sliding_friction_34 => -arm34*F_mu34_by_psi34_dot/N3.powi(2) - 2.0*arm34*F_mu34_by_psi34_dot/(N3*N4)
-                - arm34*F_mu34_by_psi34_dot/N4.powi(2);
-            fan_load => T_fan_load_by_theta_load_dot/N4.powi(2);
-            damping => -I3*alpha_M/N3.powi(2) - I4*alpha_M/N4.powi(2) - I_l*alpha_M/N4.powi(2) - beta_K*k_c/N3.powi(2);
-        }
-        theta2 s2_dot {
-            sliding_friction_34 => (arm34*F_mu34_by_psi34_dot/(h2*N4.powi(2)) - arm34*F_mu34_by_psi34_dot/(h2*N3.powi(2)))/2.0;
-            fan_load => -T_fan_load_by_theta_load_dot/(2.0*h2*N4.powi(2));
-            damping => (I4*alpha_M/(h2*N4.powi(2)) - I3*alpha_M/(h2*N3.powi(2)) + I_l*alpha_M/(h2*N4.powi(2))
-                - beta_K*k_c/(h2*N3.powi(2)))/2.0;
-        }
-        theta2 psi_l_dot {
-            fan_load => -T_fan_load_by_theta_load_dot/N4;
-            damping => I_l*alpha_M/N4;
-        }
-        s2 theta1 { _ => k_c/(2.0*h2*N2*N3); }
-        s2 s1 { _ => -k_c/(4.0*h1*h2*N2*N3); }
+        theta2 twist_c_dot { damping => beta_K*k_c/N3; }
+        theta2 psi34_dot { sliding_friction_34 => -arm34*F_mu34_by_psi34_dot/N3 - arm34*F_mu34_by_psi34_dot/N4; }
+        theta2 theta_load_dot { fan_load => T_fan_load_by_theta_load_dot/N4; }
         s2 theta2 {
-            _ => -k_c/(2.0*h2*N3.powi(2));
             transmission_error_34_and_backlash_34_and_moving_phase => k34*de34*clip34*touch34;
             transmission_error_34_and_sliding_friction_34_and_moving_phase => tan_a*de34*side34*F_mu34_by_over34
                 + de34*arm34*F_mu34_by_over34/(2.0*h2*N3) - de34*arm34*F_mu34_by_over34/(2.0*h2*N4);
@@ -733,138 +681,84 @@ equations! {
                 - darm34*F_mu34/(2.0*h2*N3) - dk34*arm34*F_mu34_by_k34/(2.0*h2*N3) + dk34*arm34*F_mu34_by_k34/(2.0*h2*N4);
             moving_phase => -dk34*touch34*over34;
         }
-        s2 s2 {
-            _ => -k34*touch34 - k_c/(4.0*h2.powi(2)*N3.powi(2));
+        s2 theta2_dot { damping => (I4*alpha_M/(h2*N4.powi(2)) - I3*alpha_M/(h2*N3.powi(2)) + I_l*alpha_M/(h2*N4.powi(2)))/2.0; }
+        s2 s2_dot {
+            damping => (-I3*alpha_M/(h2.powi(2)*N3.powi(2)) - I4*alpha_M/(h2.powi(2)*N4.powi(2)) - I_l*alpha_M/(h2.powi(2)*N4.powi(2)))/4.0;
+        }
+        s2 psi_l_dot { damping => -I_l*alpha_M/(2.0*h2*N4); }
+        s2 twist_c { _ => k_c/(2.0*h2*N3); }
+        s2 over34 {
+            _ => -k34*touch34;
             backlash_34 => -k34*clip34*touch34;
             sliding_friction_34 => arm34*F_mu34_by_over34/(2.0*h2*N4) - tan_a*side34*F_mu34_by_over34 - arm34*F_mu34_by_over34/(2.0*h2*N3);
         }
-        s2 theta1_dot { damping => beta_K*k_c/(2.0*h2*N2*N3); }
-        s2 s1_dot { damping => -beta_K*k_c/(4.0*h1*h2*N2*N3); }
-        s2 theta2_dot {
-            sliding_friction_34 => arm34*F_mu34_by_psi34_dot/(2.0*h2*N4.powi(2)) - tan_a*side34*F_mu34_by_psi34_dot/N3
-                - tan_a*side34*F_mu34_by_psi34_dot/N4 - arm34*F_mu34_by_psi34_dot/(2.0*h2*N3.powi(2));
-            fan_load => -T_fan_load_by_theta_load_dot/(2.0*h2*N4.powi(2));
-            damping => (I4*alpha_M/(h2*N4.powi(2)) - I3*alpha_M/(h2*N3.powi(2)) + I_l*alpha_M/(h2*N4.powi(2))
-                - beta_K*k_c/(h2*N3.powi(2)))/2.0;
+        s2 twist_c_dot { damping => beta_K*k_c/(2.0*h2*N3); }
+        s2 over34_dot { damping => -beta_K*k34_mid*damp34; }
+        s2 psi34_dot {
+            sliding_friction_34 => arm34*F_mu34_by_psi34_dot/(2.0*h2*N4) - tan_a*side34*F_mu34_by_psi34_dot
+                - arm34*F_mu34_by_psi34_dot/(2.0*h2*N3);
         }
-        s2 s2_dot {
-            sliding_friction_34 => arm34*F_mu34_by_psi34_dot/(2.0*h2.powi(2)*N3*N4)
-                - arm34*F_mu34_by_psi34_dot/(4.0*h2.powi(2)*N3.powi(2)) - arm34*F_mu34_by_psi34_dot/(4.0*h2.powi(2)*N4.powi(2))
-                - tan_a*side34*F_mu34_by_psi34_dot/(2.0*h2*N3) + tan_a*side34*F_mu34_by_psi34_dot/(2.0*h2*N4);
-            fan_load => T_fan_load_by_theta_load_dot/(4.0*h2.powi(2)*N4.powi(2));
-            damping => -beta_K*k34_mid*damp34 - I3*alpha_M/(4.0*h2.powi(2)*N3.powi(2)) - I4*alpha_M/(4.0*h2.powi(2)*N4.powi(2))
-                - I_l*alpha_M/(4.0*h2.powi(2)*N4.powi(2)) - beta_K*k_c/(4.0*h2.powi(2)*N3.powi(2));
-        }
-        s2 psi_l_dot {
-            fan_load => T_fan_load_by_theta_load_dot/(2.0*h2*N4);
-            damping => -I_l*alpha_M/(2.0*h2*N4);
-        }
-        psi_m psi_m { _ => -k_m; }
-        psi_m theta1_dot {
-            speed_governor => -c_motor/N1;
-            dc_motor => -Ts_motor/(N1*n0_motor);
-            induction_motor => T_induction_motor_by_theta_motor_dot/N1;
-            traction_motor => T_traction_motor_by_theta_motor_dot/N1;
-            damping => -I_m*alpha_M/N1;
-        }
-        psi_m s1_dot {
-            speed_governor => -c_motor/(2.0*h1*N1);
-            dc_motor => -Ts_motor/(2.0*h1*N1*n0_motor);
-            induction_motor => T_induction_motor_by_theta_motor_dot/(2.0*h1*N1);
-            traction_motor => T_traction_motor_by_theta_motor_dot/(2.0*h1*N1);
-            damping => -I_m*alpha_M/(2.0*h1*N1);
-        }
-        psi_m psi_m_dot {
+        s2 theta_load_dot { fan_load => -T_fan_load_by_theta_load_dot/(2.0*h2*N4); }
+        psi_m theta1_dot { damping => -I_m*alpha_M/N1; }
+        psi_m s1_dot { damping => -I_m*alpha_M/(2.0*h1*N1); }
+        psi_m psi_m_dot { damping => -I_m*alpha_M; }
+        psi_m twist_m { _ => -k_m; }
+        psi_m twist_m_dot { damping => -beta_K*k_m; }
+        psi_m theta_motor_dot {
             speed_governor => -c_motor;
             dc_motor => -Ts_motor/n0_motor;
             induction_motor => T_induction_motor_by_theta_motor_dot;
             traction_motor => T_traction_motor_by_theta_motor_dot;
-            damping => -I_m*alpha_M - beta_K*k_m;
         }
-        psi_l psi_l { _ => -k_l; }
-        psi_l theta2_dot {
-            fan_load => -T_fan_load_by_theta_load_dot/N4;
-            damping => I_l*alpha_M/N4;
-        }
-        psi_l s2_dot {
-            fan_load => T_fan_load_by_theta_load_dot/(2.0*h2*N4);
-            damping => -I_l*alpha_M/(2.0*h2*N4);
-        }
-        psi_l psi_l_dot {
-            fan_load => T_fan_load_by_theta_load_dot;
-            damping => -I_l*alpha_M - beta_K*k_l;
-        }
+        psi_l theta2_dot { damping => I_l*alpha_M/N4; }
+        psi_l s2_dot { damping => -I_l*alpha_M/(2.0*h2*N4); }
+        psi_l psi_l_dot { damping => -I_l*alpha_M; }
+        psi_l twist_l { _ => -k_l; }
+        psi_l twist_l_dot { damping => -beta_K*k_l; }
+        psi_l theta_load_dot { fan_load => -T_fan_load_by_theta_load_dot; }
     }
     cell {
         stiffness {
-            theta1 theta1 { _ => k_c/N2.powi(2); }
-            theta1 s1 { _ => -k_c/(2.0*h1*N2.powi(2)); }
-            theta1 theta2 { _ => -k_c/(N2*N3); }
-            theta1 s2 { _ => -k_c/(2.0*h2*N2*N3); }
-            s1 s1 {
-                _ => k12*touch12 + k_c/(4.0*h1.powi(2)*N2.powi(2));
+            twist_m twist_m { _ => k_m; }
+            twist_c twist_c { _ => k_c; }
+            twist_l twist_l { _ => k_l; }
+            over12 over12 {
+                _ => k12*touch12;
                 backlash_12 => k12*clip12*touch12;
             }
-            s1 theta2 { _ => k_c/(2.0*h1*N2*N3); }
-            s1 s2 { _ => k_c/(4.0*h1*h2*N2*N3); }
-            theta2 theta2 { _ => k_c/N3.powi(2); }
-            theta2 s2 { _ => k_c/(2.0*h2*N3.powi(2)); }
-            s2 s2 {
-                _ => k34*touch34 + k_c/(4.0*h2.powi(2)*N3.powi(2));
+            over34 over34 {
+                _ => k34*touch34;
                 backlash_34 => k34*clip34*touch34;
             }
-            psi_m psi_m { _ => k_m; }
-            psi_l psi_l { _ => k_l; }
         }
         damping {
-            theta1 theta1 {
-                speed_governor => c_motor/N1.powi(2);
-                dc_motor => Ts_motor/(N1.powi(2)*n0_motor);
-                damping => I1*alpha_M/N1.powi(2) + I2*alpha_M/N2.powi(2) + I_m*alpha_M/N1.powi(2) + beta_K*k_c/N2.powi(2);
-            }
-            theta1 s1 {
-                speed_governor => c_motor/(2.0*h1*N1.powi(2));
-                dc_motor => Ts_motor/(2.0*h1*N1.powi(2)*n0_motor);
-                damping => (I1*alpha_M/(h1*N1.powi(2)) - I2*alpha_M/(h1*N2.powi(2)) + I_m*alpha_M/(h1*N1.powi(2))
-                    - beta_K*k_c/(h1*N2.powi(2)))/2.0;
-            }
-            theta1 theta2 { damping => -beta_K*k_c/(N2*N3); }
-            theta1 s2 { damping => -beta_K*k_c/(2.0*h2*N2*N3); }
-            theta1 psi_m {
-                speed_governor => c_motor/N1;
-                dc_motor => Ts_motor/(N1*n0_motor);
-                damping => I_m*alpha_M/N1;
-            }
+            theta1 theta1 { damping => I1*alpha_M/N1.powi(2) + I2*alpha_M/N2.powi(2) + I_m*alpha_M/N1.powi(2); }
+            theta1 s1 { damping => (I1*alpha_M/(h1*N1.powi(2)) - I2*alpha_M/(h1*N2.powi(2)) + I_m*alpha_M/(h1*N1.powi(2)))/2.0; }
+            theta1 psi_m { damping => I_m*alpha_M/N1; }
             s1 s1 {
-                speed_governor => c_motor/(4.0*h1.powi(2)*N1.powi(2));
-                dc_motor => Ts_motor/(4.0*h1.powi(2)*N1.powi(2)*n0_motor);
-                damping => beta_K*k12_mid*damp12 + I1*alpha_M/(4.0*h1.powi(2)*N1.powi(2)) + I2*alpha_M/(4.0*h1.powi(2)*N2.powi(2))
-                    + I_m*alpha_M/(4.0*h1.powi(2)*N1.powi(2)) + beta_K*k_c/(4.0*h1.powi(2)*N2.powi(2));
+                damping => (I1*alpha_M/(h1.powi(2)*N1.powi(2)) + I2*alpha_M/(h1.powi(2)*N2.powi(2)) + I_m*alpha_M/(h1.powi(2)*N1.powi(2)))
+                    /4.0;
             }
-            s1 theta2 { damping => beta_K*k_c/(2.0*h1*N2*N3); }
-            s1 s2 { damping => beta_K*k_c/(4.0*h1*h2*N2*N3); }
-            s1 psi_m {
-                speed_governor => c_motor/(2.0*h1*N1);
-                dc_motor => Ts_motor/(2.0*h1*N1*n0_motor);
-                damping => I_m*alpha_M/(2.0*h1*N1);
-            }
-            theta2 theta2 { damping => I3*alpha_M/N3.powi(2) + I4*alpha_M/N4.powi(2) + I_l*alpha_M/N4.powi(2) + beta_K*k_c/N3.powi(2); }
-            theta2 s2 {
-                damping => (I3*alpha_M/(h2*N3.powi(2)) - I4*alpha_M/(h2*N4.powi(2)) - I_l*alpha_M/(h2*N4.powi(2))
-                    + beta_K*k_c/(h2*N3.powi(2)))/2.0;
-            }
+            s1 psi_m { damping => I_m*alpha_M/(2.0*h1*N1); }
+            theta2 theta2 { damping => I3*alpha_M/N3.powi(2) + I4*alpha_M/N4.powi(2) + I_l*alpha_M/N4.powi(2); }
+            theta2 s2 { damping => (I3*alpha_M/(h2*N3.powi(2)) - I4*alpha_M/(h2*N4.powi(2)) - I_l*alpha_M/(h2*N4.powi(2)))/2.0; }
             theta2 psi_l { damping => -I_l*alpha_M/N4; }
             s2 s2 {
-                damping => beta_K*k34_mid*damp34 + I3*alpha_M/(4.0*h2.powi(2)*N3.powi(2)) + I4*alpha_M/(4.0*h2.powi(2)*N4.powi(2))
-                    + I_l*alpha_M/(4.0*h2.powi(2)*N4.powi(2)) + beta_K*k_c/(4.0*h2.powi(2)*N3.powi(2));
+                damping => (I3*alpha_M/(h2.powi(2)*N3.powi(2)) + I4*alpha_M/(h2.powi(2)*N4.powi(2)) + I_l*alpha_M/(h2.powi(2)*N4.powi(2)))
+                    /4.0;
             }
             s2 psi_l { damping => I_l*alpha_M/(2.0*h2*N4); }
-            psi_m psi_m {
+            psi_m psi_m { damping => I_m*alpha_M; }
+            psi_l psi_l { damping => I_l*alpha_M; }
+            twist_m twist_m { damping => beta_K*k_m; }
+            twist_c twist_c { damping => beta_K*k_c; }
+            twist_l twist_l { damping => beta_K*k_l; }
+            over12 over12 { damping => beta_K*k12_mid*damp12; }
+            over34 over34 { damping => beta_K*k34_mid*damp34; }
+            theta_motor theta_motor {
                 speed_governor => c_motor;
                 dc_motor => Ts_motor/n0_motor;
-                damping => I_m*alpha_M + beta_K*k_m;
             }
-            psi_l psi_l { damping => I_l*alpha_M + beta_K*k_l; }
         }
         load {
             theta1 {
@@ -873,24 +767,26 @@ equations! {
                 dc_motor => Ts_motor/N1;
             }
             s1 {
-                _ => k12*touch12*edge12 + k12*touch12*e12;
-                backlash_12 => k12*clip12*touch12*edge12 + k12*clip12*touch12*e12;
                 torques => T_motor/(2.0*h1*N1);
                 speed_governor => c_motor*n_motor/(2.0*h1*N1);
                 dc_motor => Ts_motor/(2.0*h1*N1);
             }
             theta2 { torques => -T_load/N4; }
-            s2 {
-                _ => k34*touch34*edge34 + k34*touch34*e34;
-                backlash_34 => k34*clip34*touch34*edge34 + k34*clip34*touch34*e34;
-                torques => T_load/(2.0*h2*N4);
-            }
+            s2 { torques => T_load/(2.0*h2*N4); }
             psi_m {
                 torques => T_motor;
                 speed_governor => c_motor*n_motor;
                 dc_motor => Ts_motor;
             }
             psi_l { torques => T_load; }
+            over12 {
+                _ => k12*touch12*edge12 + k12*touch12*e12;
+                backlash_12 => k12*clip12*touch12*edge12 + k12*clip12*touch12*e12;
+            }
+            over34 {
+                _ => k34*touch34*edge34 + k34*touch34*e34;
+                backlash_34 => k34*clip34*touch34*edge34 + k34*clip34*touch34*e34;
+            }
         }
     }
     nonlinear_with {

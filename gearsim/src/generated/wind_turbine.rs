@@ -1493,7 +1493,6 @@ equations! {
     }
     jacobian {
         theta theta {
-            _ => -k_i/Z_r.powi(2) - 2.0*k_i/(Z_r*Z_s) - k_i/Z_s.powi(2);
             transmission_error_s1_and_sliding_friction_s1_and_moving_phase => roll_s*de_s1*arm_s1*F_mu_s1_by_overs1;
             transmission_error_s1_and_jump_terms => k_s1*dde_s1*touchs1*overs1 - k_s1*de_s1.powi(2)*touchs1
                 + 2.0*de_s1*dk_s1*touchs1*overs1;
@@ -1521,77 +1520,58 @@ equations! {
             jump_terms => (-ddk_r1*touchr1*overr1.powi(2) - ddk_r2*touchr2*overr2.powi(2) - ddk_r3*touchr3*overr3.powi(2)
                 - ddk_s1*touchs1*overs1.powi(2) - ddk_s2*touchs2*overs2.powi(2) - ddk_s3*touchs3*overs3.powi(2))/2.0;
         }
-        theta theta_c {
-            _ => -k_i/Z_r - k_i/Z_s;
-            transmission_error_r1_and_jump_terms => -h*Z_r*k_r1*de_r1*touchr1;
-            sliding_friction_r1 => h*roll_r*Z_r*arm_r1*F_mu_r1_by_overr1;
-            transmission_error_r2_and_jump_terms => -h*Z_r*k_r2*de_r2*touchr2;
-            sliding_friction_r2 => h*roll_r*Z_r*arm_r2*F_mu_r2_by_overr2;
-            transmission_error_r3_and_jump_terms => -h*Z_r*k_r3*de_r3*touchr3;
-            sliding_friction_r3 => h*roll_r*Z_r*arm_r3*F_mu_r3_by_overr3;
-            jump_terms => h*Z_r*dk_r1*touchr1*overr1 + h*Z_r*dk_r2*touchr2*overr2 + h*Z_r*dk_r3*touchr3*overr3;
-        }
-        theta theta2 { _ => k_i/(N1*Z_r) + k_i/(N1*Z_s); }
-        theta s2 { _ => (k_i/(h2*N1*Z_r) + k_i/(h2*N1*Z_s))/2.0; }
-        theta u1 {
-            transmission_error_s1_and_jump_terms => k_s1*de_s1*touchs1;
-            sliding_friction_s1 => -roll_s*arm_s1*F_mu_s1_by_overs1;
-            transmission_error_r1_and_jump_terms => -k_r1*de_r1*touchr1;
-            sliding_friction_r1 => roll_r*arm_r1*F_mu_r1_by_overr1;
-            jump_terms => dk_r1*touchr1*overr1 - dk_s1*touchs1*overs1;
-        }
-        theta u2 {
-            transmission_error_s2_and_jump_terms => k_s2*de_s2*touchs2;
-            sliding_friction_s2 => -roll_s*arm_s2*F_mu_s2_by_overs2;
-            transmission_error_r2_and_jump_terms => -k_r2*de_r2*touchr2;
-            sliding_friction_r2 => roll_r*arm_r2*F_mu_r2_by_overr2;
-            jump_terms => dk_r2*touchr2*overr2 - dk_s2*touchs2*overs2;
-        }
-        theta u3 {
-            transmission_error_s3_and_jump_terms => k_s3*de_s3*touchs3;
-            sliding_friction_s3 => -roll_s*arm_s3*F_mu_s3_by_overs3;
-            transmission_error_r3_and_jump_terms => -k_r3*de_r3*touchr3;
-            sliding_friction_r3 => roll_r*arm_r3*F_mu_r3_by_overr3;
-            jump_terms => dk_r3*touchr3*overr3 - dk_s3*touchs3*overs3;
-        }
         theta theta_dot {
-            sliding_friction_s1 => -roll_s.powi(2)*arm_s1*F_mu_s1_by_psi_s1_dot;
-            sliding_friction_r1 => -roll_r.powi(2)*arm_r1*F_mu_r1_by_psi_r1_dot;
-            sliding_friction_s2 => -roll_s.powi(2)*arm_s2*F_mu_s2_by_psi_s2_dot;
-            sliding_friction_r2 => -roll_r.powi(2)*arm_r2*F_mu_r2_by_psi_r2_dot;
-            sliding_friction_s3 => -roll_s.powi(2)*arm_s3*F_mu_s3_by_psi_s3_dot;
-            sliding_friction_r3 => -roll_r.powi(2)*arm_r3*F_mu_r3_by_psi_r3_dot;
             damping => 6.0*h*I_p*alpha_M/(r_p*Z_r) - I_b*alpha_M/Z_r.powi(2) - I_c*alpha_M/Z_r.powi(2) - 3.0*I_p*alpha_M/Z_r.powi(2)
                 - I_s*alpha_M/Z_r.powi(2) - 2.0*I_s*alpha_M/(Z_r*Z_s) - I_s*alpha_M/Z_s.powi(2) - 3.0*a.powi(2)*alpha_M*m_p/Z_r.powi(2)
-                - 3.0*h.powi(2)*I_p*alpha_M/r_p.powi(2) - beta_K*k_i/Z_r.powi(2) - 2.0*beta_K*k_i/(Z_r*Z_s) - beta_K*k_i/Z_s.powi(2);
+                - 3.0*h.powi(2)*I_p*alpha_M/r_p.powi(2);
         }
         theta theta_c_dot {
-            sliding_friction_r1 => roll_r*arm_r1*F_mu_r1_by_psi_r1_dot;
-            sliding_friction_r2 => roll_r*arm_r2*F_mu_r2_by_psi_r2_dot;
-            sliding_friction_r3 => roll_r*arm_r3*F_mu_r3_by_psi_r3_dot;
             damping => 3.0*h*I_p*alpha_M/r_p - I_b*alpha_M/Z_r - I_c*alpha_M/Z_r - 3.0*I_p*alpha_M/Z_r - I_s*alpha_M/Z_r - I_s*alpha_M/Z_s
-                - 3.0*a.powi(2)*alpha_M*m_p/Z_r - beta_K*k_i/Z_r - beta_K*k_i/Z_s;
+                - 3.0*a.powi(2)*alpha_M*m_p/Z_r;
         }
-        theta theta2_dot { damping => beta_K*k_i/(N1*Z_r) + beta_K*k_i/(N1*Z_s); }
-        theta s2_dot { damping => (beta_K*k_i/(h2*N1*Z_r) + beta_K*k_i/(h2*N1*Z_s))/2.0; }
         theta psi_l_dot { damping => -I_b*alpha_M/Z_r; }
-        theta u1_dot {
-            sliding_friction_s1 => roll_s*arm_s1*F_mu_s1_by_psi_s1_dot/r_p;
-            sliding_friction_r1 => roll_r*arm_r1*F_mu_r1_by_psi_r1_dot/r_p;
-            damping => h*I_p*alpha_M/r_p.powi(2) - I_p*alpha_M/(r_p*Z_r);
+        theta u1_dot { damping => h*I_p*alpha_M/r_p.powi(2) - I_p*alpha_M/(r_p*Z_r); }
+        theta u2_dot { damping => h*I_p*alpha_M/r_p.powi(2) - I_p*alpha_M/(r_p*Z_r); }
+        theta u3_dot { damping => h*I_p*alpha_M/r_p.powi(2) - I_p*alpha_M/(r_p*Z_r); }
+        theta twist_i { _ => -k_i/Z_r - k_i/Z_s; }
+        theta overs1 {
+            transmission_error_s1_and_jump_terms => k_s1*de_s1*touchs1;
+            sliding_friction_s1 => -roll_s*arm_s1*F_mu_s1_by_overs1;
+            jump_terms => -dk_s1*touchs1*overs1;
         }
-        theta u2_dot {
-            sliding_friction_s2 => roll_s*arm_s2*F_mu_s2_by_psi_s2_dot/r_p;
-            sliding_friction_r2 => roll_r*arm_r2*F_mu_r2_by_psi_r2_dot/r_p;
-            damping => h*I_p*alpha_M/r_p.powi(2) - I_p*alpha_M/(r_p*Z_r);
+        theta overr1 {
+            transmission_error_r1_and_jump_terms => k_r1*de_r1*touchr1;
+            sliding_friction_r1 => -roll_r*arm_r1*F_mu_r1_by_overr1;
+            jump_terms => -dk_r1*touchr1*overr1;
         }
-        theta u3_dot {
-            sliding_friction_s3 => roll_s*arm_s3*F_mu_s3_by_psi_s3_dot/r_p;
-            sliding_friction_r3 => roll_r*arm_r3*F_mu_r3_by_psi_r3_dot/r_p;
-            damping => h*I_p*alpha_M/r_p.powi(2) - I_p*alpha_M/(r_p*Z_r);
+        theta overs2 {
+            transmission_error_s2_and_jump_terms => k_s2*de_s2*touchs2;
+            sliding_friction_s2 => -roll_s*arm_s2*F_mu_s2_by_overs2;
+            jump_terms => -dk_s2*touchs2*overs2;
         }
+        theta overr2 {
+            transmission_error_r2_and_jump_terms => k_r2*de_r2*touchr2;
+            sliding_friction_r2 => -roll_r*arm_r2*F_mu_r2_by_overr2;
+            jump_terms => -dk_r2*touchr2*overr2;
+        }
+        theta overs3 {
+            transmission_error_s3_and_jump_terms => k_s3*de_s3*touchs3;
+            sliding_friction_s3 => -roll_s*arm_s3*F_mu_s3_by_overs3;
+            jump_terms => -dk_s3*touchs3*overs3;
+        }
+        theta overr3 {
+            transmission_error_r3_and_jump_terms => k_r3*de_r3*touchr3;
+            sliding_friction_r3 => -roll_r*arm_r3*F_mu_r3_by_overr3;
+            jump_terms => -dk_r3*touchr3*overr3;
+        }
+        theta twist_i_dot { damping => -beta_K*k_i/Z_r - beta_K*k_i/Z_s; }
+        theta psi_s1_dot { sliding_friction_s1 => -roll_s*arm_s1*F_mu_s1_by_psi_s1_dot; }
+        theta psi_r1_dot { sliding_friction_r1 => -roll_r*arm_r1*F_mu_r1_by_psi_r1_dot; }
+        theta psi_s2_dot { sliding_friction_s2 => -roll_s*arm_s2*F_mu_s2_by_psi_s2_dot; }
+        theta psi_r2_dot { sliding_friction_r2 => -roll_r*arm_r2*F_mu_r2_by_psi_r2_dot; }
+        theta psi_s3_dot { sliding_friction_s3 => -roll_s*arm_s3*F_mu_s3_by_psi_s3_dot; }
+        theta psi_r3_dot { sliding_friction_r3 => -roll_r*arm_r3*F_mu_r3_by_psi_r3_dot; }
         theta_c theta {
-            _ => -k_i/Z_r - k_i/Z_s;
             transmission_error_r1_and_backlash_r1_and_moving_phase => -h*Z_r*k_r1*de_r1*clipr1*touchr1;
             transmission_error_r1_and_sliding_friction_r1_and_moving_phase => -de_r1*arm_r1*F_mu_r1_by_overr1
                 - h*sin_a*Z_r*de_r1*side_r1*F_mu_r1_by_overr1/cos_a;
@@ -1615,66 +1595,39 @@ equations! {
                 + h*sin_a*Z_r*dk_r3*side_r3*F_mu_r3_by_k_r3/cos_a + h*sin_a*Z_r*dside_r3*F_mu_r3/cos_a;
             moving_phase => h*Z_r*dk_r1*touchr1*overr1 + h*Z_r*dk_r2*touchr2*overr2 + h*Z_r*dk_r3*touchr3*overr3;
         }
-        theta_c theta_c {
-            _ => -k_i - h.powi(2)*Z_r.powi(2)*k_r1*touchr1 - h.powi(2)*Z_r.powi(2)*k_r2*touchr2 - h.powi(2)*Z_r.powi(2)*k_r3*touchr3;
-            backlash_r1 => -h.powi(2)*Z_r.powi(2)*k_r1*clipr1*touchr1;
-            sliding_friction_r1 => -h*Z_r*arm_r1*F_mu_r1_by_overr1 - h.powi(2)*sin_a*Z_r.powi(2)*side_r1*F_mu_r1_by_overr1/cos_a;
-            backlash_r2 => -h.powi(2)*Z_r.powi(2)*k_r2*clipr2*touchr2;
-            sliding_friction_r2 => -h*Z_r*arm_r2*F_mu_r2_by_overr2 - h.powi(2)*sin_a*Z_r.powi(2)*side_r2*F_mu_r2_by_overr2/cos_a;
-            backlash_r3 => -h.powi(2)*Z_r.powi(2)*k_r3*clipr3*touchr3;
-            sliding_friction_r3 => -h*Z_r*arm_r3*F_mu_r3_by_overr3 - h.powi(2)*sin_a*Z_r.powi(2)*side_r3*F_mu_r3_by_overr3/cos_a;
-        }
-        theta_c theta2 { _ => k_i/N1; }
-        theta_c s2 { _ => k_i/(2.0*h2*N1); }
-        theta_c u1 {
-            _ => -h*Z_r*k_r1*touchr1;
-            backlash_r1 => -h*Z_r*k_r1*clipr1*touchr1;
-            sliding_friction_r1 => -arm_r1*F_mu_r1_by_overr1 - h*sin_a*Z_r*side_r1*F_mu_r1_by_overr1/cos_a;
-        }
-        theta_c u2 {
-            _ => -h*Z_r*k_r2*touchr2;
-            backlash_r2 => -h*Z_r*k_r2*clipr2*touchr2;
-            sliding_friction_r2 => -arm_r2*F_mu_r2_by_overr2 - h*sin_a*Z_r*side_r2*F_mu_r2_by_overr2/cos_a;
-        }
-        theta_c u3 {
-            _ => -h*Z_r*k_r3*touchr3;
-            backlash_r3 => -h*Z_r*k_r3*clipr3*touchr3;
-            sliding_friction_r3 => -arm_r3*F_mu_r3_by_overr3 - h*sin_a*Z_r*side_r3*F_mu_r3_by_overr3/cos_a;
-        }
         theta_c theta_dot {
-            sliding_friction_r1 => roll_r*arm_r1*F_mu_r1_by_psi_r1_dot + h*roll_r*sin_a*Z_r*side_r1*F_mu_r1_by_psi_r1_dot/cos_a;
-            sliding_friction_r2 => roll_r*arm_r2*F_mu_r2_by_psi_r2_dot + h*roll_r*sin_a*Z_r*side_r2*F_mu_r2_by_psi_r2_dot/cos_a;
-            sliding_friction_r3 => roll_r*arm_r3*F_mu_r3_by_psi_r3_dot + h*roll_r*sin_a*Z_r*side_r3*F_mu_r3_by_psi_r3_dot/cos_a;
             damping => 3.0*h*I_p*alpha_M/r_p - I_b*alpha_M/Z_r - I_c*alpha_M/Z_r - 3.0*I_p*alpha_M/Z_r - I_s*alpha_M/Z_r - I_s*alpha_M/Z_s
-                - 3.0*a.powi(2)*alpha_M*m_p/Z_r - beta_K*k_i/Z_r - beta_K*k_i/Z_s;
+                - 3.0*a.powi(2)*alpha_M*m_p/Z_r;
         }
-        theta_c theta_c_dot {
-            sliding_friction_r1 => -arm_r1*F_mu_r1_by_psi_r1_dot - h*sin_a*Z_r*side_r1*F_mu_r1_by_psi_r1_dot/cos_a;
-            sliding_friction_r2 => -arm_r2*F_mu_r2_by_psi_r2_dot - h*sin_a*Z_r*side_r2*F_mu_r2_by_psi_r2_dot/cos_a;
-            sliding_friction_r3 => -arm_r3*F_mu_r3_by_psi_r3_dot - h*sin_a*Z_r*side_r3*F_mu_r3_by_psi_r3_dot/cos_a;
-            damping => -I_b*alpha_M - I_c*alpha_M - 3.0*I_p*alpha_M - I_s*alpha_M - beta_K*k_i - 3.0*a.powi(2)*alpha_M*m_p
-                - h.powi(2)*Z_r.powi(2)*beta_K*k_r1_mid*dampr1 - h.powi(2)*Z_r.powi(2)*beta_K*k_r2_mid*dampr2
-                - h.powi(2)*Z_r.powi(2)*beta_K*k_r3_mid*dampr3;
-        }
-        theta_c theta2_dot { damping => beta_K*k_i/N1; }
-        theta_c s2_dot { damping => beta_K*k_i/(2.0*h2*N1); }
+        theta_c theta_c_dot { damping => -I_b*alpha_M - I_c*alpha_M - 3.0*I_p*alpha_M - I_s*alpha_M - 3.0*a.powi(2)*alpha_M*m_p; }
         theta_c psi_l_dot { damping => -I_b*alpha_M; }
-        theta_c u1_dot {
-            sliding_friction_r1 => -h*sin_a*Z_r*side_r1*F_mu_r1_by_psi_r1_dot/(cos_a*r_p) - arm_r1*F_mu_r1_by_psi_r1_dot/r_p;
-            damping => -h*Z_r*beta_K*k_r1_mid*dampr1 - I_p*alpha_M/r_p;
+        theta_c u1_dot { damping => -I_p*alpha_M/r_p; }
+        theta_c u2_dot { damping => -I_p*alpha_M/r_p; }
+        theta_c u3_dot { damping => -I_p*alpha_M/r_p; }
+        theta_c twist_i { _ => -k_i; }
+        theta_c overr1 {
+            _ => h*Z_r*k_r1*touchr1;
+            backlash_r1 => h*Z_r*k_r1*clipr1*touchr1;
+            sliding_friction_r1 => arm_r1*F_mu_r1_by_overr1 + h*sin_a*Z_r*side_r1*F_mu_r1_by_overr1/cos_a;
         }
-        theta_c u2_dot {
-            sliding_friction_r2 => -h*sin_a*Z_r*side_r2*F_mu_r2_by_psi_r2_dot/(cos_a*r_p) - arm_r2*F_mu_r2_by_psi_r2_dot/r_p;
-            damping => -h*Z_r*beta_K*k_r2_mid*dampr2 - I_p*alpha_M/r_p;
+        theta_c overr2 {
+            _ => h*Z_r*k_r2*touchr2;
+            backlash_r2 => h*Z_r*k_r2*clipr2*touchr2;
+            sliding_friction_r2 => arm_r2*F_mu_r2_by_overr2 + h*sin_a*Z_r*side_r2*F_mu_r2_by_overr2/cos_a;
         }
-        theta_c u3_dot {
-            sliding_friction_r3 => -h*sin_a*Z_r*side_r3*F_mu_r3_by_psi_r3_dot/(cos_a*r_p) - arm_r3*F_mu_r3_by_psi_r3_dot/r_p;
-            damping => -h*Z_r*beta_K*k_r3_mid*dampr3 - I_p*alpha_M/r_p;
+        theta_c overr3 {
+            _ => h*Z_r*k_r3*touchr3;
+            backlash_r3 => h*Z_r*k_r3*clipr3*touchr3;
+            sliding_friction_r3 => arm_r3*F_mu_r3_by_overr3 + h*sin_a*Z_r*side_r3*F_mu_r3_by_overr3/cos_a;
         }
-        theta2 theta { _ => k_i/(N1*Z_r) + k_i/(N1*Z_s); }
-        theta2 theta_c { _ => k_i/N1; }
+        theta_c twist_i_dot { damping => -beta_K*k_i; }
+        theta_c overr1_dot { damping => h*Z_r*beta_K*k_r1_mid*dampr1; }
+        theta_c psi_r1_dot { sliding_friction_r1 => arm_r1*F_mu_r1_by_psi_r1_dot + h*sin_a*Z_r*side_r1*F_mu_r1_by_psi_r1_dot/cos_a; }
+        theta_c overr2_dot { damping => h*Z_r*beta_K*k_r2_mid*dampr2; }
+        theta_c psi_r2_dot { sliding_friction_r2 => arm_r2*F_mu_r2_by_psi_r2_dot + h*sin_a*Z_r*side_r2*F_mu_r2_by_psi_r2_dot/cos_a; }
+        theta_c overr3_dot { damping => h*Z_r*beta_K*k_r3_mid*dampr3; }
+        theta_c psi_r3_dot { sliding_friction_r3 => arm_r3*F_mu_r3_by_psi_r3_dot + h*sin_a*Z_r*side_r3*F_mu_r3_by_psi_r3_dot/cos_a; }
         theta2 theta2 {
-            _ => -k_i/N1.powi(2);
             transmission_error_12_and_sliding_friction_12_and_moving_phase => de12*arm12*F_mu12_by_over12/N1
                 + de12*arm12*F_mu12_by_over12/N2;
             transmission_error_12_and_jump_terms => k12*dde12*touch12*over12 - k12*de12.powi(2)*touch12 + 2.0*de12*dk12*touch12*over12;
@@ -1682,46 +1635,25 @@ equations! {
                 - dk12*arm12*F_mu12_by_k12/N2;
             jump_terms => -ddk12*touch12*over12.powi(2)/2.0;
         }
-        theta2 s2 {
-            _ => -k_i/(2.0*h2*N1.powi(2));
+        theta2 theta2_dot { damping => -I1*alpha_M/N1.powi(2) - I2*alpha_M/N2.powi(2) - I_g*alpha_M/N2.powi(2); }
+        theta2 s2_dot { damping => (I2*alpha_M/(h2*N2.powi(2)) - I1*alpha_M/(h2*N1.powi(2)) + I_g*alpha_M/(h2*N2.powi(2)))/2.0; }
+        theta2 psi_h_dot { damping => I_g*alpha_M/N2; }
+        theta2 twist_i { _ => k_i/N1; }
+        theta2 over12 {
             transmission_error_12_and_jump_terms => k12*de12*touch12;
             sliding_friction_12 => -arm12*F_mu12_by_over12/N1 - arm12*F_mu12_by_over12/N2;
             jump_terms => -dk12*touch12*over12;
         }
-        theta2 theta_dot { damping => beta_K*k_i/(N1*Z_r) + beta_K*k_i/(N1*Z_s); }
-        theta2 theta_c_dot { damping => beta_K*k_i/N1; }
-        theta2 theta2_dot {
-            sliding_friction_12 => -arm12*F_mu12_by_psi12_dot/N1.powi(2) - 2.0*arm12*F_mu12_by_psi12_dot/(N1*N2)
-                - arm12*F_mu12_by_psi12_dot/N2.powi(2);
-            fan_load => T_fan_generator_by_theta_generator_dot/N2.powi(2);
-            speed_governor => -c_g/N2.powi(2);
-            dc_motor => -Ts_g/(N2.powi(2)*n0_g);
-            induction_motor => T_induction_g_by_theta_g_dot/N2.powi(2);
-            traction_motor => T_traction_g_by_theta_g_dot/N2.powi(2);
-            damping => -I1*alpha_M/N1.powi(2) - I2*alpha_M/N2.powi(2) - I_g*alpha_M/N2.powi(2) - beta_K*k_i/N1.powi(2);
+        theta2 twist_i_dot { damping => beta_K*k_i/N1; }
+        theta2 psi12_dot { sliding_friction_12 => -arm12*F_mu12_by_psi12_dot/N1 - arm12*F_mu12_by_psi12_dot/N2; }
+        theta2 theta_generator_dot { fan_load => T_fan_generator_by_theta_generator_dot/N2; }
+        theta2 theta_g_dot {
+            speed_governor => -c_g/N2;
+            dc_motor => -Ts_g/(N2*n0_g);
+            induction_motor => T_induction_g_by_theta_g_dot/N2;
+            traction_motor => T_traction_g_by_theta_g_dot/N2;
         }
-        theta2 s2_dot {
-            sliding_friction_12 => (arm12*F_mu12_by_psi12_dot/(h2*N2.powi(2)) - arm12*F_mu12_by_psi12_dot/(h2*N1.powi(2)))/2.0;
-            fan_load => -T_fan_generator_by_theta_generator_dot/(2.0*h2*N2.powi(2));
-            speed_governor => c_g/(2.0*h2*N2.powi(2));
-            dc_motor => Ts_g/(2.0*h2*N2.powi(2)*n0_g);
-            induction_motor => -T_induction_g_by_theta_g_dot/(2.0*h2*N2.powi(2));
-            traction_motor => -T_traction_g_by_theta_g_dot/(2.0*h2*N2.powi(2));
-            damping => (I2*alpha_M/(h2*N2.powi(2)) - I1*alpha_M/(h2*N1.powi(2)) + I_g*alpha_M/(h2*N2.powi(2))
-                - beta_K*k_i/(h2*N1.powi(2)))/2.0;
-        }
-        theta2 psi_h_dot {
-            fan_load => -T_fan_generator_by_theta_generator_dot/N2;
-            speed_governor => c_g/N2;
-            dc_motor => Ts_g/(N2*n0_g);
-            induction_motor => -T_induction_g_by_theta_g_dot/N2;
-            traction_motor => -T_traction_g_by_theta_g_dot/N2;
-            damping => I_g*alpha_M/N2;
-        }
-        s2 theta { _ => (k_i/(h2*N1*Z_r) + k_i/(h2*N1*Z_s))/2.0; }
-        s2 theta_c { _ => k_i/(2.0*h2*N1); }
         s2 theta2 {
-            _ => -k_i/(2.0*h2*N1.powi(2));
             transmission_error_12_and_backlash_12_and_moving_phase => k12*de12*clip12*touch12;
             transmission_error_12_and_sliding_friction_12_and_moving_phase => tan_a12*de12*side12*F_mu12_by_over12
                 + de12*arm12*F_mu12_by_over12/(2.0*h2*N1) - de12*arm12*F_mu12_by_over12/(2.0*h2*N2);
@@ -1731,73 +1663,47 @@ equations! {
                 - darm12*F_mu12/(2.0*h2*N1) - dk12*arm12*F_mu12_by_k12/(2.0*h2*N1) + dk12*arm12*F_mu12_by_k12/(2.0*h2*N2);
             moving_phase => -dk12*touch12*over12;
         }
-        s2 s2 {
-            _ => -k12*touch12 - k_i/(4.0*h2.powi(2)*N1.powi(2));
+        s2 theta2_dot { damping => (I2*alpha_M/(h2*N2.powi(2)) - I1*alpha_M/(h2*N1.powi(2)) + I_g*alpha_M/(h2*N2.powi(2)))/2.0; }
+        s2 s2_dot {
+            damping => (-I1*alpha_M/(h2.powi(2)*N1.powi(2)) - I2*alpha_M/(h2.powi(2)*N2.powi(2)) - I_g*alpha_M/(h2.powi(2)*N2.powi(2)))/4.0;
+        }
+        s2 psi_h_dot { damping => -I_g*alpha_M/(2.0*h2*N2); }
+        s2 twist_i { _ => k_i/(2.0*h2*N1); }
+        s2 over12 {
+            _ => -k12*touch12;
             backlash_12 => -k12*clip12*touch12;
             sliding_friction_12 => arm12*F_mu12_by_over12/(2.0*h2*N2) - tan_a12*side12*F_mu12_by_over12
                 - arm12*F_mu12_by_over12/(2.0*h2*N1);
         }
-        s2 theta_dot { damping => (beta_K*k_i/(h2*N1*Z_r) + beta_K*k_i/(h2*N1*Z_s))/2.0; }
-        s2 theta_c_dot { damping => beta_K*k_i/(2.0*h2*N1); }
-        s2 theta2_dot {
-            sliding_friction_12 => arm12*F_mu12_by_psi12_dot/(2.0*h2*N2.powi(2)) - tan_a12*side12*F_mu12_by_psi12_dot/N1
-                - tan_a12*side12*F_mu12_by_psi12_dot/N2 - arm12*F_mu12_by_psi12_dot/(2.0*h2*N1.powi(2));
-            fan_load => -T_fan_generator_by_theta_generator_dot/(2.0*h2*N2.powi(2));
-            speed_governor => c_g/(2.0*h2*N2.powi(2));
-            dc_motor => Ts_g/(2.0*h2*N2.powi(2)*n0_g);
-            induction_motor => -T_induction_g_by_theta_g_dot/(2.0*h2*N2.powi(2));
-            traction_motor => -T_traction_g_by_theta_g_dot/(2.0*h2*N2.powi(2));
-            damping => (I2*alpha_M/(h2*N2.powi(2)) - I1*alpha_M/(h2*N1.powi(2)) + I_g*alpha_M/(h2*N2.powi(2))
-                - beta_K*k_i/(h2*N1.powi(2)))/2.0;
+        s2 twist_i_dot { damping => beta_K*k_i/(2.0*h2*N1); }
+        s2 over12_dot { damping => -beta_K*k12_mid*damp12; }
+        s2 psi12_dot {
+            sliding_friction_12 => arm12*F_mu12_by_psi12_dot/(2.0*h2*N2) - tan_a12*side12*F_mu12_by_psi12_dot
+                - arm12*F_mu12_by_psi12_dot/(2.0*h2*N1);
         }
-        s2 s2_dot {
-            sliding_friction_12 => arm12*F_mu12_by_psi12_dot/(2.0*h2.powi(2)*N1*N2)
-                - arm12*F_mu12_by_psi12_dot/(4.0*h2.powi(2)*N1.powi(2)) - arm12*F_mu12_by_psi12_dot/(4.0*h2.powi(2)*N2.powi(2))
-                - tan_a12*side12*F_mu12_by_psi12_dot/(2.0*h2*N1) + tan_a12*side12*F_mu12_by_psi12_dot/(2.0*h2*N2);
-            fan_load => T_fan_generator_by_theta_generator_dot/(4.0*h2.powi(2)*N2.powi(2));
-            speed_governor => -c_g/(4.0*h2.powi(2)*N2.powi(2));
-            dc_motor => -Ts_g/(4.0*h2.powi(2)*N2.powi(2)*n0_g);
-            induction_motor => T_induction_g_by_theta_g_dot/(4.0*h2.powi(2)*N2.powi(2));
-            traction_motor => T_traction_g_by_theta_g_dot/(4.0*h2.powi(2)*N2.powi(2));
-            damping => -beta_K*k12_mid*damp12 - I1*alpha_M/(4.0*h2.powi(2)*N1.powi(2)) - I2*alpha_M/(4.0*h2.powi(2)*N2.powi(2))
-                - I_g*alpha_M/(4.0*h2.powi(2)*N2.powi(2)) - beta_K*k_i/(4.0*h2.powi(2)*N1.powi(2));
+        s2 theta_generator_dot { fan_load => -T_fan_generator_by_theta_generator_dot/(2.0*h2*N2); }
+        s2 theta_g_dot {
+            speed_governor => c_g/(2.0*h2*N2);
+            dc_motor => Ts_g/(2.0*h2*N2*n0_g);
+            induction_motor => -T_induction_g_by_theta_g_dot/(2.0*h2*N2);
+            traction_motor => -T_traction_g_by_theta_g_dot/(2.0*h2*N2);
         }
-        s2 psi_h_dot {
-            fan_load => T_fan_generator_by_theta_generator_dot/(2.0*h2*N2);
-            speed_governor => -c_g/(2.0*h2*N2);
-            dc_motor => -Ts_g/(2.0*h2*N2*n0_g);
-            induction_motor => T_induction_g_by_theta_g_dot/(2.0*h2*N2);
-            traction_motor => T_traction_g_by_theta_g_dot/(2.0*h2*N2);
-            damping => -I_g*alpha_M/(2.0*h2*N2);
-        }
-        psi_l psi_l { _ => -k_l; }
         psi_l theta_dot { damping => -I_b*alpha_M/Z_r; }
         psi_l theta_c_dot { damping => -I_b*alpha_M; }
-        psi_l psi_l_dot { damping => -I_b*alpha_M - beta_K*k_l; }
-        psi_h psi_h { _ => -k_h; }
-        psi_h theta2_dot {
-            fan_load => -T_fan_generator_by_theta_generator_dot/N2;
-            speed_governor => c_g/N2;
-            dc_motor => Ts_g/(N2*n0_g);
-            induction_motor => -T_induction_g_by_theta_g_dot/N2;
-            traction_motor => -T_traction_g_by_theta_g_dot/N2;
-            damping => I_g*alpha_M/N2;
-        }
-        psi_h s2_dot {
-            fan_load => T_fan_generator_by_theta_generator_dot/(2.0*h2*N2);
-            speed_governor => -c_g/(2.0*h2*N2);
-            dc_motor => -Ts_g/(2.0*h2*N2*n0_g);
-            induction_motor => T_induction_g_by_theta_g_dot/(2.0*h2*N2);
-            traction_motor => T_traction_g_by_theta_g_dot/(2.0*h2*N2);
-            damping => -I_g*alpha_M/(2.0*h2*N2);
-        }
-        psi_h psi_h_dot {
-            fan_load => T_fan_generator_by_theta_generator_dot;
-            speed_governor => -c_g;
-            dc_motor => -Ts_g/n0_g;
-            induction_motor => T_induction_g_by_theta_g_dot;
-            traction_motor => T_traction_g_by_theta_g_dot;
-            damping => -I_g*alpha_M - beta_K*k_h;
+        psi_l psi_l_dot { damping => -I_b*alpha_M; }
+        psi_l twist_l { _ => -k_l; }
+        psi_l twist_l_dot { damping => -beta_K*k_l; }
+        psi_h theta2_dot { damping => I_g*alpha_M/N2; }
+        psi_h s2_dot { damping => -I_g*alpha_M/(2.0*h2*N2); }
+        psi_h psi_h_dot { damping => -I_g*alpha_M; }
+        psi_h twist_h { _ => -k_h; }
+        psi_h twist_h_dot { damping => -beta_K*k_h; }
+        psi_h theta_generator_dot { fan_load => -T_fan_generator_by_theta_generator_dot; }
+        psi_h theta_g_dot {
+            speed_governor => c_g;
+            dc_motor => Ts_g/n0_g;
+            induction_motor => -T_induction_g_by_theta_g_dot;
+            traction_motor => -T_traction_g_by_theta_g_dot;
         }
         u1 theta {
             transmission_error_s1_and_backlash_s1_and_moving_phase => k_s1*de_s1*clips1*touchs1;
@@ -1816,32 +1722,23 @@ equations! {
                 + darm_r1*F_mu_r1/r_p + dk_r1*arm_r1*F_mu_r1_by_k_r1/r_p;
             moving_phase => dk_r1*touchr1*overr1 - dk_s1*touchs1*overs1;
         }
-        u1 theta_c {
-            _ => -h*Z_r*k_r1*touchr1;
-            backlash_r1 => -h*Z_r*k_r1*clipr1*touchr1;
-            sliding_friction_r1 => -h*Z_r*arm_r1*F_mu_r1_by_overr1/r_p - h*sin_a*Z_r*side_r1*F_mu_r1_by_overr1/cos_a;
-        }
-        u1 u1 {
-            _ => -k_r1*touchr1 - k_s1*touchs1;
+        u1 theta_dot { damping => h*I_p*alpha_M/r_p.powi(2) - I_p*alpha_M/(r_p*Z_r); }
+        u1 theta_c_dot { damping => -I_p*alpha_M/r_p; }
+        u1 u1_dot { damping => -I_p*alpha_M/r_p.powi(2); }
+        u1 overs1 {
+            _ => -k_s1*touchs1;
             backlash_s1 => -k_s1*clips1*touchs1;
             sliding_friction_s1 => arm_s1*F_mu_s1_by_overs1/r_p - sin_a*side_s1*F_mu_s1_by_overs1/cos_a;
-            backlash_r1 => -k_r1*clipr1*touchr1;
-            sliding_friction_r1 => -sin_a*side_r1*F_mu_r1_by_overr1/cos_a - arm_r1*F_mu_r1_by_overr1/r_p;
         }
-        u1 theta_dot {
-            sliding_friction_s1 => roll_s*arm_s1*F_mu_s1_by_psi_s1_dot/r_p - roll_s*sin_a*side_s1*F_mu_s1_by_psi_s1_dot/cos_a;
-            sliding_friction_r1 => roll_r*sin_a*side_r1*F_mu_r1_by_psi_r1_dot/cos_a + roll_r*arm_r1*F_mu_r1_by_psi_r1_dot/r_p;
-            damping => h*I_p*alpha_M/r_p.powi(2) - I_p*alpha_M/(r_p*Z_r);
+        u1 overr1 {
+            _ => k_r1*touchr1;
+            backlash_r1 => k_r1*clipr1*touchr1;
+            sliding_friction_r1 => sin_a*side_r1*F_mu_r1_by_overr1/cos_a + arm_r1*F_mu_r1_by_overr1/r_p;
         }
-        u1 theta_c_dot {
-            sliding_friction_r1 => -sin_a*side_r1*F_mu_r1_by_psi_r1_dot/cos_a - arm_r1*F_mu_r1_by_psi_r1_dot/r_p;
-            damping => -h*Z_r*beta_K*k_r1_mid*dampr1 - I_p*alpha_M/r_p;
-        }
-        u1 u1_dot {
-            sliding_friction_s1 => sin_a*side_s1*F_mu_s1_by_psi_s1_dot/(cos_a*r_p) - arm_s1*F_mu_s1_by_psi_s1_dot/r_p.powi(2);
-            sliding_friction_r1 => -sin_a*side_r1*F_mu_r1_by_psi_r1_dot/(cos_a*r_p) - arm_r1*F_mu_r1_by_psi_r1_dot/r_p.powi(2);
-            damping => -beta_K*k_r1_mid*dampr1 - beta_K*k_s1_mid*damps1 - I_p*alpha_M/r_p.powi(2);
-        }
+        u1 overs1_dot { damping => -beta_K*k_s1_mid*damps1; }
+        u1 psi_s1_dot { sliding_friction_s1 => arm_s1*F_mu_s1_by_psi_s1_dot/r_p - sin_a*side_s1*F_mu_s1_by_psi_s1_dot/cos_a; }
+        u1 overr1_dot { damping => beta_K*k_r1_mid*dampr1; }
+        u1 psi_r1_dot { sliding_friction_r1 => sin_a*side_r1*F_mu_r1_by_psi_r1_dot/cos_a + arm_r1*F_mu_r1_by_psi_r1_dot/r_p; }
         u2 theta {
             transmission_error_s2_and_backlash_s2_and_moving_phase => k_s2*de_s2*clips2*touchs2;
             transmission_error_s2_and_sliding_friction_s2_and_moving_phase => sin_a*de_s2*side_s2*F_mu_s2_by_overs2/cos_a
@@ -1859,32 +1756,23 @@ equations! {
                 + darm_r2*F_mu_r2/r_p + dk_r2*arm_r2*F_mu_r2_by_k_r2/r_p;
             moving_phase => dk_r2*touchr2*overr2 - dk_s2*touchs2*overs2;
         }
-        u2 theta_c {
-            _ => -h*Z_r*k_r2*touchr2;
-            backlash_r2 => -h*Z_r*k_r2*clipr2*touchr2;
-            sliding_friction_r2 => -h*Z_r*arm_r2*F_mu_r2_by_overr2/r_p - h*sin_a*Z_r*side_r2*F_mu_r2_by_overr2/cos_a;
-        }
-        u2 u2 {
-            _ => -k_r2*touchr2 - k_s2*touchs2;
+        u2 theta_dot { damping => h*I_p*alpha_M/r_p.powi(2) - I_p*alpha_M/(r_p*Z_r); }
+        u2 theta_c_dot { damping => -I_p*alpha_M/r_p; }
+        u2 u2_dot { damping => -I_p*alpha_M/r_p.powi(2); }
+        u2 overs2 {
+            _ => -k_s2*touchs2;
             backlash_s2 => -k_s2*clips2*touchs2;
             sliding_friction_s2 => arm_s2*F_mu_s2_by_overs2/r_p - sin_a*side_s2*F_mu_s2_by_overs2/cos_a;
-            backlash_r2 => -k_r2*clipr2*touchr2;
-            sliding_friction_r2 => -sin_a*side_r2*F_mu_r2_by_overr2/cos_a - arm_r2*F_mu_r2_by_overr2/r_p;
         }
-        u2 theta_dot {
-            sliding_friction_s2 => roll_s*arm_s2*F_mu_s2_by_psi_s2_dot/r_p - roll_s*sin_a*side_s2*F_mu_s2_by_psi_s2_dot/cos_a;
-            sliding_friction_r2 => roll_r*sin_a*side_r2*F_mu_r2_by_psi_r2_dot/cos_a + roll_r*arm_r2*F_mu_r2_by_psi_r2_dot/r_p;
-            damping => h*I_p*alpha_M/r_p.powi(2) - I_p*alpha_M/(r_p*Z_r);
+        u2 overr2 {
+            _ => k_r2*touchr2;
+            backlash_r2 => k_r2*clipr2*touchr2;
+            sliding_friction_r2 => sin_a*side_r2*F_mu_r2_by_overr2/cos_a + arm_r2*F_mu_r2_by_overr2/r_p;
         }
-        u2 theta_c_dot {
-            sliding_friction_r2 => -sin_a*side_r2*F_mu_r2_by_psi_r2_dot/cos_a - arm_r2*F_mu_r2_by_psi_r2_dot/r_p;
-            damping => -h*Z_r*beta_K*k_r2_mid*dampr2 - I_p*alpha_M/r_p;
-        }
-        u2 u2_dot {
-            sliding_friction_s2 => sin_a*side_s2*F_mu_s2_by_psi_s2_dot/(cos_a*r_p) - arm_s2*F_mu_s2_by_psi_s2_dot/r_p.powi(2);
-            sliding_friction_r2 => -sin_a*side_r2*F_mu_r2_by_psi_r2_dot/(cos_a*r_p) - arm_r2*F_mu_r2_by_psi_r2_dot/r_p.powi(2);
-            damping => -beta_K*k_r2_mid*dampr2 - beta_K*k_s2_mid*damps2 - I_p*alpha_M/r_p.powi(2);
-        }
+        u2 overs2_dot { damping => -beta_K*k_s2_mid*damps2; }
+        u2 psi_s2_dot { sliding_friction_s2 => arm_s2*F_mu_s2_by_psi_s2_dot/r_p - sin_a*side_s2*F_mu_s2_by_psi_s2_dot/cos_a; }
+        u2 overr2_dot { damping => beta_K*k_r2_mid*dampr2; }
+        u2 psi_r2_dot { sliding_friction_r2 => sin_a*side_r2*F_mu_r2_by_psi_r2_dot/cos_a + arm_r2*F_mu_r2_by_psi_r2_dot/r_p; }
         u3 theta {
             transmission_error_s3_and_backlash_s3_and_moving_phase => k_s3*de_s3*clips3*touchs3;
             transmission_error_s3_and_sliding_friction_s3_and_moving_phase => sin_a*de_s3*side_s3*F_mu_s3_by_overs3/cos_a
@@ -1902,166 +1790,114 @@ equations! {
                 + darm_r3*F_mu_r3/r_p + dk_r3*arm_r3*F_mu_r3_by_k_r3/r_p;
             moving_phase => dk_r3*touchr3*overr3 - dk_s3*touchs3*overs3;
         }
-        u3 theta_c {
-            _ => -h*Z_r*k_r3*touchr3;
-            backlash_r3 => -h*Z_r*k_r3*clipr3*touchr3;
-            sliding_friction_r3 => -h*Z_r*arm_r3*F_mu_r3_by_overr3/r_p - h*sin_a*Z_r*side_r3*F_mu_r3_by_overr3/cos_a;
-        }
-        u3 u3 {
-            _ => -k_r3*touchr3 - k_s3*touchs3;
+        u3 theta_dot { damping => h*I_p*alpha_M/r_p.powi(2) - I_p*alpha_M/(r_p*Z_r); }
+        u3 theta_c_dot { damping => -I_p*alpha_M/r_p; }
+        u3 u3_dot { damping => -I_p*alpha_M/r_p.powi(2); }
+        u3 overs3 {
+            _ => -k_s3*touchs3;
             backlash_s3 => -k_s3*clips3*touchs3;
             sliding_friction_s3 => arm_s3*F_mu_s3_by_overs3/r_p - sin_a*side_s3*F_mu_s3_by_overs3/cos_a;
-            backlash_r3 => -k_r3*clipr3*touchr3;
-            sliding_friction_r3 => -sin_a*side_r3*F_mu_r3_by_overr3/cos_a - arm_r3*F_mu_r3_by_overr3/r_p;
         }
-        u3 theta_dot {
-            sliding_friction_s3 => roll_s*arm_s3*F_mu_s3_by_psi_s3_dot/r_p - roll_s*sin_a*side_s3*F_mu_s3_by_psi_s3_dot/cos_a;
-            sliding_friction_r3 => roll_r*sin_a*side_r3*F_mu_r3_by_psi_r3_dot/cos_a + roll_r*arm_r3*F_mu_r3_by_psi_r3_dot/r_p;
-            damping => h*I_p*alpha_M/r_p.powi(2) - I_p*alpha_M/(r_p*Z_r);
+        u3 overr3 {
+            _ => k_r3*touchr3;
+            backlash_r3 => k_r3*clipr3*touchr3;
+            sliding_friction_r3 => sin_a*side_r3*F_mu_r3_by_overr3/cos_a + arm_r3*F_mu_r3_by_overr3/r_p;
         }
-        u3 theta_c_dot {
-            sliding_friction_r3 => -sin_a*side_r3*F_mu_r3_by_psi_r3_dot/cos_a - arm_r3*F_mu_r3_by_psi_r3_dot/r_p;
-            damping => -h*Z_r*beta_K*k_r3_mid*dampr3 - I_p*alpha_M/r_p;
-        }
-        u3 u3_dot {
-            sliding_friction_s3 => sin_a*side_s3*F_mu_s3_by_psi_s3_dot/(cos_a*r_p) - arm_s3*F_mu_s3_by_psi_s3_dot/r_p.powi(2);
-            sliding_friction_r3 => -sin_a*side_r3*F_mu_r3_by_psi_r3_dot/(cos_a*r_p) - arm_r3*F_mu_r3_by_psi_r3_dot/r_p.powi(2);
-            damping => -beta_K*k_r3_mid*dampr3 - beta_K*k_s3_mid*damps3 - I_p*alpha_M/r_p.powi(2);
-        }
+        u3 overs3_dot { damping => -beta_K*k_s3_mid*damps3; }
+        u3 psi_s3_dot { sliding_friction_s3 => arm_s3*F_mu_s3_by_psi_s3_dot/r_p - sin_a*side_s3*F_mu_s3_by_psi_s3_dot/cos_a; }
+        u3 overr3_dot { damping => beta_K*k_r3_mid*dampr3; }
+        u3 psi_r3_dot { sliding_friction_r3 => sin_a*side_r3*F_mu_r3_by_psi_r3_dot/cos_a + arm_r3*F_mu_r3_by_psi_r3_dot/r_p; }
     }
     cell {
         stiffness {
-            theta theta { _ => k_i/Z_r.powi(2) + 2.0*k_i/(Z_r*Z_s) + k_i/Z_s.powi(2); }
-            theta theta_c { _ => k_i/Z_r + k_i/Z_s; }
-            theta theta2 { _ => -k_i/(N1*Z_r) - k_i/(N1*Z_s); }
-            theta s2 { _ => (-k_i/(h2*N1*Z_r) - k_i/(h2*N1*Z_s))/2.0; }
-            theta_c theta_c {
-                _ => k_i + h.powi(2)*Z_r.powi(2)*k_r1*touchr1 + h.powi(2)*Z_r.powi(2)*k_r2*touchr2 + h.powi(2)*Z_r.powi(2)*k_r3*touchr3;
-                backlash_r1 => h.powi(2)*Z_r.powi(2)*k_r1*clipr1*touchr1;
-                backlash_r2 => h.powi(2)*Z_r.powi(2)*k_r2*clipr2*touchr2;
-                backlash_r3 => h.powi(2)*Z_r.powi(2)*k_r3*clipr3*touchr3;
-            }
-            theta_c theta2 { _ => -k_i/N1; }
-            theta_c s2 { _ => -k_i/(2.0*h2*N1); }
-            theta_c u1 {
-                _ => h*Z_r*k_r1*touchr1;
-                backlash_r1 => h*Z_r*k_r1*clipr1*touchr1;
-            }
-            theta_c u2 {
-                _ => h*Z_r*k_r2*touchr2;
-                backlash_r2 => h*Z_r*k_r2*clipr2*touchr2;
-            }
-            theta_c u3 {
-                _ => h*Z_r*k_r3*touchr3;
-                backlash_r3 => h*Z_r*k_r3*clipr3*touchr3;
-            }
-            theta2 theta2 { _ => k_i/N1.powi(2); }
-            theta2 s2 { _ => k_i/(2.0*h2*N1.powi(2)); }
-            s2 s2 {
-                _ => k12*touch12 + k_i/(4.0*h2.powi(2)*N1.powi(2));
-                backlash_12 => k12*clip12*touch12;
-            }
-            psi_l psi_l { _ => k_l; }
-            psi_h psi_h { _ => k_h; }
-            u1 u1 {
-                _ => k_r1*touchr1 + k_s1*touchs1;
+            twist_l twist_l { _ => k_l; }
+            twist_i twist_i { _ => k_i; }
+            twist_h twist_h { _ => k_h; }
+            overs1 overs1 {
+                _ => k_s1*touchs1;
                 backlash_s1 => k_s1*clips1*touchs1;
+            }
+            overr1 overr1 {
+                _ => k_r1*touchr1;
                 backlash_r1 => k_r1*clipr1*touchr1;
             }
-            u2 u2 {
-                _ => k_r2*touchr2 + k_s2*touchs2;
+            overs2 overs2 {
+                _ => k_s2*touchs2;
                 backlash_s2 => k_s2*clips2*touchs2;
+            }
+            overr2 overr2 {
+                _ => k_r2*touchr2;
                 backlash_r2 => k_r2*clipr2*touchr2;
             }
-            u3 u3 {
-                _ => k_r3*touchr3 + k_s3*touchs3;
+            overs3 overs3 {
+                _ => k_s3*touchs3;
                 backlash_s3 => k_s3*clips3*touchs3;
+            }
+            overr3 overr3 {
+                _ => k_r3*touchr3;
                 backlash_r3 => k_r3*clipr3*touchr3;
+            }
+            over12 over12 {
+                _ => k12*touch12;
+                backlash_12 => k12*clip12*touch12;
             }
         }
         damping {
             theta theta {
                 damping => I_b*alpha_M/Z_r.powi(2) - 6.0*h*I_p*alpha_M/(r_p*Z_r) + I_c*alpha_M/Z_r.powi(2) + 3.0*I_p*alpha_M/Z_r.powi(2)
                     + I_s*alpha_M/Z_r.powi(2) + 2.0*I_s*alpha_M/(Z_r*Z_s) + I_s*alpha_M/Z_s.powi(2)
-                    + 3.0*a.powi(2)*alpha_M*m_p/Z_r.powi(2) + 3.0*h.powi(2)*I_p*alpha_M/r_p.powi(2) + beta_K*k_i/Z_r.powi(2)
-                    + 2.0*beta_K*k_i/(Z_r*Z_s) + beta_K*k_i/Z_s.powi(2);
+                    + 3.0*a.powi(2)*alpha_M*m_p/Z_r.powi(2) + 3.0*h.powi(2)*I_p*alpha_M/r_p.powi(2);
             }
             theta theta_c {
                 damping => I_b*alpha_M/Z_r - 3.0*h*I_p*alpha_M/r_p + I_c*alpha_M/Z_r + 3.0*I_p*alpha_M/Z_r + I_s*alpha_M/Z_r
-                    + I_s*alpha_M/Z_s + 3.0*a.powi(2)*alpha_M*m_p/Z_r + beta_K*k_i/Z_r + beta_K*k_i/Z_s;
+                    + I_s*alpha_M/Z_s + 3.0*a.powi(2)*alpha_M*m_p/Z_r;
             }
-            theta theta2 { damping => -beta_K*k_i/(N1*Z_r) - beta_K*k_i/(N1*Z_s); }
-            theta s2 { damping => (-beta_K*k_i/(h2*N1*Z_r) - beta_K*k_i/(h2*N1*Z_s))/2.0; }
             theta psi_l { damping => I_b*alpha_M/Z_r; }
             theta u1 { damping => I_p*alpha_M/(r_p*Z_r) - h*I_p*alpha_M/r_p.powi(2); }
             theta u2 { damping => I_p*alpha_M/(r_p*Z_r) - h*I_p*alpha_M/r_p.powi(2); }
             theta u3 { damping => I_p*alpha_M/(r_p*Z_r) - h*I_p*alpha_M/r_p.powi(2); }
-            theta_c theta_c {
-                damping => I_b*alpha_M + I_c*alpha_M + 3.0*I_p*alpha_M + I_s*alpha_M + beta_K*k_i + 3.0*a.powi(2)*alpha_M*m_p
-                    + h.powi(2)*Z_r.powi(2)*beta_K*k_r1_mid*dampr1 + h.powi(2)*Z_r.powi(2)*beta_K*k_r2_mid*dampr2
-                    + h.powi(2)*Z_r.powi(2)*beta_K*k_r3_mid*dampr3;
-            }
-            theta_c theta2 { damping => -beta_K*k_i/N1; }
-            theta_c s2 { damping => -beta_K*k_i/(2.0*h2*N1); }
+            theta_c theta_c { damping => I_b*alpha_M + I_c*alpha_M + 3.0*I_p*alpha_M + I_s*alpha_M + 3.0*a.powi(2)*alpha_M*m_p; }
             theta_c psi_l { damping => I_b*alpha_M; }
-            theta_c u1 { damping => h*Z_r*beta_K*k_r1_mid*dampr1 + I_p*alpha_M/r_p; }
-            theta_c u2 { damping => h*Z_r*beta_K*k_r2_mid*dampr2 + I_p*alpha_M/r_p; }
-            theta_c u3 { damping => h*Z_r*beta_K*k_r3_mid*dampr3 + I_p*alpha_M/r_p; }
-            theta2 theta2 {
-                speed_governor => c_g/N2.powi(2);
-                dc_motor => Ts_g/(N2.powi(2)*n0_g);
-                damping => I1*alpha_M/N1.powi(2) + I2*alpha_M/N2.powi(2) + I_g*alpha_M/N2.powi(2) + beta_K*k_i/N1.powi(2);
-            }
-            theta2 s2 {
-                speed_governor => -c_g/(2.0*h2*N2.powi(2));
-                dc_motor => -Ts_g/(2.0*h2*N2.powi(2)*n0_g);
-                damping => (I1*alpha_M/(h2*N1.powi(2)) - I2*alpha_M/(h2*N2.powi(2)) - I_g*alpha_M/(h2*N2.powi(2))
-                    + beta_K*k_i/(h2*N1.powi(2)))/2.0;
-            }
-            theta2 psi_h {
-                speed_governor => -c_g/N2;
-                dc_motor => -Ts_g/(N2*n0_g);
-                damping => -I_g*alpha_M/N2;
-            }
+            theta_c u1 { damping => I_p*alpha_M/r_p; }
+            theta_c u2 { damping => I_p*alpha_M/r_p; }
+            theta_c u3 { damping => I_p*alpha_M/r_p; }
+            theta2 theta2 { damping => I1*alpha_M/N1.powi(2) + I2*alpha_M/N2.powi(2) + I_g*alpha_M/N2.powi(2); }
+            theta2 s2 { damping => (I1*alpha_M/(h2*N1.powi(2)) - I2*alpha_M/(h2*N2.powi(2)) - I_g*alpha_M/(h2*N2.powi(2)))/2.0; }
+            theta2 psi_h { damping => -I_g*alpha_M/N2; }
             s2 s2 {
-                speed_governor => c_g/(4.0*h2.powi(2)*N2.powi(2));
-                dc_motor => Ts_g/(4.0*h2.powi(2)*N2.powi(2)*n0_g);
-                damping => beta_K*k12_mid*damp12 + I1*alpha_M/(4.0*h2.powi(2)*N1.powi(2)) + I2*alpha_M/(4.0*h2.powi(2)*N2.powi(2))
-                    + I_g*alpha_M/(4.0*h2.powi(2)*N2.powi(2)) + beta_K*k_i/(4.0*h2.powi(2)*N1.powi(2));
+                damping => (I1*alpha_M/(h2.powi(2)*N1.powi(2)) + I2*alpha_M/(h2.powi(2)*N2.powi(2)) + I_g*alpha_M/(h2.powi(2)*N2.powi(2)))
+                    /4.0;
             }
-            s2 psi_h {
-                speed_governor => c_g/(2.0*h2*N2);
-                dc_motor => Ts_g/(2.0*h2*N2*n0_g);
-                damping => I_g*alpha_M/(2.0*h2*N2);
-            }
-            psi_l psi_l { damping => I_b*alpha_M + beta_K*k_l; }
-            psi_h psi_h {
+            s2 psi_h { damping => I_g*alpha_M/(2.0*h2*N2); }
+            psi_l psi_l { damping => I_b*alpha_M; }
+            psi_h psi_h { damping => I_g*alpha_M; }
+            u1 u1 { damping => I_p*alpha_M/r_p.powi(2); }
+            u2 u2 { damping => I_p*alpha_M/r_p.powi(2); }
+            u3 u3 { damping => I_p*alpha_M/r_p.powi(2); }
+            twist_l twist_l { damping => beta_K*k_l; }
+            twist_i twist_i { damping => beta_K*k_i; }
+            twist_h twist_h { damping => beta_K*k_h; }
+            overs1 overs1 { damping => beta_K*k_s1_mid*damps1; }
+            overr1 overr1 { damping => beta_K*k_r1_mid*dampr1; }
+            overs2 overs2 { damping => beta_K*k_s2_mid*damps2; }
+            overr2 overr2 { damping => beta_K*k_r2_mid*dampr2; }
+            overs3 overs3 { damping => beta_K*k_s3_mid*damps3; }
+            overr3 overr3 { damping => beta_K*k_r3_mid*dampr3; }
+            over12 over12 { damping => beta_K*k12_mid*damp12; }
+            theta_g theta_g {
                 speed_governor => c_g;
                 dc_motor => Ts_g/n0_g;
-                damping => I_g*alpha_M + beta_K*k_h;
             }
-            u1 u1 { damping => beta_K*k_r1_mid*dampr1 + beta_K*k_s1_mid*damps1 + I_p*alpha_M/r_p.powi(2); }
-            u2 u2 { damping => beta_K*k_r2_mid*dampr2 + beta_K*k_s2_mid*damps2 + I_p*alpha_M/r_p.powi(2); }
-            u3 u3 { damping => beta_K*k_r3_mid*dampr3 + beta_K*k_s3_mid*damps3 + I_p*alpha_M/r_p.powi(2); }
         }
         load {
             theta { torques => T_wind/Z_r; }
-            theta_c {
-                _ => -h*Z_r*k_r1*touchr1*edger1 - h*Z_r*k_r1*touchr1*e_r1 - h*Z_r*k_r2*touchr2*edger2 - h*Z_r*k_r2*touchr2*e_r2
-                    - h*Z_r*k_r3*touchr3*edger3 - h*Z_r*k_r3*touchr3*e_r3;
-                backlash_r1 => -h*Z_r*k_r1*clipr1*touchr1*edger1 - h*Z_r*k_r1*clipr1*touchr1*e_r1;
-                backlash_r2 => -h*Z_r*k_r2*clipr2*touchr2*edger2 - h*Z_r*k_r2*clipr2*touchr2*e_r2;
-                backlash_r3 => -h*Z_r*k_r3*clipr3*touchr3*edger3 - h*Z_r*k_r3*clipr3*touchr3*e_r3;
-                torques => T_wind;
-            }
+            theta_c { torques => T_wind; }
             theta2 {
                 torques => -T_generator/N2;
                 speed_governor => c_g*n_g/N2;
                 dc_motor => Ts_g/N2;
             }
             s2 {
-                _ => k12*touch12*edge12 + k12*touch12*e12;
-                backlash_12 => k12*clip12*touch12*edge12 + k12*clip12*touch12*e12;
                 torques => T_generator/(2.0*h2*N2);
                 speed_governor => -c_g*n_g/(2.0*h2*N2);
                 dc_motor => -Ts_g/(2.0*h2*N2);
@@ -2072,20 +1908,33 @@ equations! {
                 speed_governor => -c_g*n_g;
                 dc_motor => -Ts_g;
             }
-            u1 {
-                _ => k_s1*touchs1*edges1 - k_r1*touchr1*edger1 - k_r1*touchr1*e_r1 + k_s1*touchs1*e_s1;
+            overs1 {
+                _ => k_s1*touchs1*edges1 + k_s1*touchs1*e_s1;
                 backlash_s1 => k_s1*clips1*touchs1*edges1 + k_s1*clips1*touchs1*e_s1;
-                backlash_r1 => -k_r1*clipr1*touchr1*edger1 - k_r1*clipr1*touchr1*e_r1;
             }
-            u2 {
-                _ => k_s2*touchs2*edges2 - k_r2*touchr2*edger2 - k_r2*touchr2*e_r2 + k_s2*touchs2*e_s2;
+            overr1 {
+                _ => k_r1*touchr1*edger1 + k_r1*touchr1*e_r1;
+                backlash_r1 => k_r1*clipr1*touchr1*edger1 + k_r1*clipr1*touchr1*e_r1;
+            }
+            overs2 {
+                _ => k_s2*touchs2*edges2 + k_s2*touchs2*e_s2;
                 backlash_s2 => k_s2*clips2*touchs2*edges2 + k_s2*clips2*touchs2*e_s2;
-                backlash_r2 => -k_r2*clipr2*touchr2*edger2 - k_r2*clipr2*touchr2*e_r2;
             }
-            u3 {
-                _ => k_s3*touchs3*edges3 - k_r3*touchr3*edger3 - k_r3*touchr3*e_r3 + k_s3*touchs3*e_s3;
+            overr2 {
+                _ => k_r2*touchr2*edger2 + k_r2*touchr2*e_r2;
+                backlash_r2 => k_r2*clipr2*touchr2*edger2 + k_r2*clipr2*touchr2*e_r2;
+            }
+            overs3 {
+                _ => k_s3*touchs3*edges3 + k_s3*touchs3*e_s3;
                 backlash_s3 => k_s3*clips3*touchs3*edges3 + k_s3*clips3*touchs3*e_s3;
-                backlash_r3 => -k_r3*clipr3*touchr3*edger3 - k_r3*clipr3*touchr3*e_r3;
+            }
+            overr3 {
+                _ => k_r3*touchr3*edger3 + k_r3*touchr3*e_r3;
+                backlash_r3 => k_r3*clipr3*touchr3*edger3 + k_r3*clipr3*touchr3*e_r3;
+            }
+            over12 {
+                _ => k12*touch12*edge12 + k12*touch12*e12;
+                backlash_12 => k12*clip12*touch12*edge12 + k12*clip12*touch12*e12;
             }
         }
     }

@@ -113,17 +113,17 @@ equations! {
         psi { _ => -k*psi; }
     }
     jacobian {
-        theta theta {
-            crank => -m_p*dddx_p*dx_p*theta_dot.powi(2) - m_p*ddx_p.powi(2)*theta_dot.powi(2);
-            gravity => -g_p*m_p*ddx_p;
-            joint => -I_o*ddratio*ratio*theta_dot.powi(2) - I_o*dratio.powi(2)*theta_dot.powi(2);
-            jump_terms => -ddk*psi.powi(2)/2.0;
-        }
+        theta theta { jump_terms => -ddk*psi.powi(2)/2.0; }
         theta psi { jump_terms => -dk*psi; }
         theta theta_dot {
             crank => -2.0*m_p*ddx_p*dx_p*theta_dot;
             joint => -2.0*I_o*dratio*ratio*theta_dot;
         }
+        theta crank_p {
+            crank => -m_p*dddx_p*dx_p*theta_dot.powi(2) - m_p*ddx_p.powi(2)*theta_dot.powi(2);
+            gravity => -g_p*m_p*ddx_p;
+        }
+        theta fork { joint => -I_o*ddratio*ratio*theta_dot.powi(2) - I_o*dratio.powi(2)*theta_dot.powi(2); }
         psi theta { moving_phase => -dk*psi; }
         psi psi { _ => -k; }
     }

@@ -6,6 +6,7 @@ use syn::{Expr, Index, Lit};
 
 use crate::equations::cold::{Cold, Returns, Takes, in_any_number};
 use crate::equations::effects::is_met;
+use crate::equations::gradients::{self, Place};
 use crate::equations::jumps;
 use crate::equations::lets::{positions, with_lets};
 use crate::equations::model::*;
@@ -27,10 +28,11 @@ pub fn cells(m: &Model) -> Vec<Cold> {
     };
     let mut all = vec![at(square("mass", &m.mass))];
     all.extend(m.mobility.as_ref().map(|entries| at(square("mobility", entries))));
-    all.extend([square("damping", &m.damping), square("stiffness", &m.stiffness)].map(of_values));
+    let products = |name, entries| Cold { name, takes: &[], returns: Returns::Matrix, body: products(m, entries) };
+    all.extend([products("damping", &m.damping), products("stiffness", &m.stiffness)].map(of_values));
     let load = m.load.iter().map(|row| {
-        let (i, value) = (position(m, &row.name), sum(&row.sum));
-        quote!(v[#i] = #value;)
+        let (along, value) = (gradients::straight(m, Place::of(m, &row.name)), sum(&row.sum));
+        quote!(equations::add_force(&mut v, #value, &#along);)
     });
     all.push(of_values(Cold {
         name: "load",
@@ -85,6 +87,21 @@ fn matrix(m: &Model, entries: &[Entry]) -> TokenStream {
         let (i, j, value) = (position(m, &e.row), position(m, &e.column), sum(&e.sum));
         let mirror = (i != j).then(|| quote!(v[#j][#i] = v[#i][#j];));
         quote!(v[#i][#j] = #value; #mirror)
+    });
+    quote!(let zero = R::from(0.0); let mut v = [[zero; #n]; #n]; #(#entries)* v)
+}
+
+/// The statements of a function that returns the symmetric matrix of the entries of coordinates and deflections.
+fn products(m: &Model, entries: &[Entry]) -> TokenStream {
+    let n = Index::from(m.coordinates.len());
+    let entries = entries.iter().map(|e| {
+        let [row, column] = [&e.row, &e.column].map(|name| gradients::straight(m, Place::of(m, name)));
+        let value = sum(&e.sum);
+        if e.row == e.column {
+            quote!(equations::add_square(v.as_flattened_mut(), #n, #value, &#row);)
+        } else {
+            quote!(equations::add_product(v.as_flattened_mut(), #n, #value, &#row, &#column);)
+        }
     });
     quote!(let zero = R::from(0.0); let mut v = [[zero; #n]; #n]; #(#entries)* v)
 }

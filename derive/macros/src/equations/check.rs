@@ -102,7 +102,6 @@ fn numbers(m: &Model, errors: &mut Vec<Error>) {
 fn blocks(m: &Model, errors: &mut Vec<Error>) {
     let q: Vec<String> = m.coordinates.iter().map(|c| c.name.to_string()).collect();
     let q_dot: Vec<String> = m.coordinates.iter().map(|c| speed(&c.name)).collect();
-    let both = [&q[..], &q_dot[..]].concat();
     if q.is_empty() {
         errors.push(Error::new(m.name.span(), "no coordinates"));
     }
@@ -130,6 +129,7 @@ fn blocks(m: &Model, errors: &mut Vec<Error>) {
     let deflections: Vec<String> = m.deflections.iter().map(|d| d.name.to_string()).collect();
     let rates = m.deflections.iter().map(|d| speed(&d.name));
     let linear: Vec<String> = deflections.iter().cloned().chain(rates).collect();
+    let states = [&q[..], &q_dot[..], &linear[..]].concat();
     m.switches.iter().for_each(|s| switch(s, &deflections, &linear, errors));
     let laws: Vec<String> = m.laws.iter().map(|l| l.name.to_string()).collect();
     for j in &m.jumps {
@@ -142,7 +142,8 @@ fn blocks(m: &Model, errors: &mut Vec<Error>) {
     }
 
     rows(&m.work, &q, errors);
-    rows(&m.load, &q, errors);
+    let positions = [&q[..], &deflections[..]].concat();
+    rows(&m.load, &positions, errors);
     match &m.force {
         Some(force) => {
             rows(force, &q, errors);
@@ -164,8 +165,11 @@ fn blocks(m: &Model, errors: &mut Vec<Error>) {
             errors.push(Error::new(c.name.span(), message));
         }
     }
-    for matrix in [&m.mass, &m.stiffness, &m.damping].into_iter().chain(&m.mobility) {
+    for matrix in std::iter::once(&m.mass).chain(&m.mobility) {
         entries(matrix, &q, &q, true, errors);
+    }
+    for matrix in [&m.stiffness, &m.damping] {
+        entries(matrix, &positions, &positions, true, errors);
     }
     entries(&m.inertia, &q, &q, false, errors);
     let moving: Vec<String> = q.iter().cloned().chain(m.functions.iter().map(|f| f.name.to_string())).collect();
@@ -174,7 +178,7 @@ fn blocks(m: &Model, errors: &mut Vec<Error>) {
         errors.push(Error::new(e.row.span(), "mass: depends on the coordinates, but there is no block `inertia`"));
     }
     match &m.jacobian {
-        Some(jacobian) => entries(jacobian, &q, &both, false, errors),
+        Some(jacobian) => entries(jacobian, &q, &states, false, errors),
         None => errors.push(Error::new(m.name.span(), "no block `jacobian`")),
     }
 }
@@ -215,7 +219,7 @@ fn rows<'a>(rows: impl IntoIterator<Item = &'a Row>, q: &[String], errors: &mut 
 
 fn entries(entries: &[Entry], rows: &[String], columns: &[String], symmetric: bool, errors: &mut Vec<Error>) {
     for (i, e) in entries.iter().enumerate() {
-        known("a coordinate", &e.row, rows, errors);
+        known("a row", &e.row, rows, errors);
         known("a column", &e.column, columns, errors);
         let same = |f: &Entry| {
             (f.row == e.row && f.column == e.column) || (symmetric && f.row == e.column && f.column == e.row)

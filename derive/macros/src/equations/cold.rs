@@ -8,6 +8,7 @@ use syn::{Index, Lit};
 
 use self::Takes::{Coordinates, Slopes, Values};
 use crate::equations::effects::is_met;
+use crate::equations::gradients::{self, Place};
 use crate::equations::jumps::jumps;
 use crate::equations::lets::with_lets;
 use crate::equations::model::*;
@@ -144,19 +145,12 @@ fn argument(name: &str, of: TokenStream) -> TokenStream {
 
 /// The functions in f64. Those that describe a cell, in any kind of number, are in [`crate::equations::cells`].
 pub fn cold(m: &Model) -> Vec<Cold> {
-    let n = Index::from(m.coordinates.len());
     let cold = |name, takes, returns, body| Cold { name, takes, returns, body };
     let number = || Returns::Plain(quote!(f64));
 
     let kinetic = with_lets(m, body(&m.kinetic));
     let torques = m.torques.iter().map(|t| block(&t.work));
     let work = body(&work(m));
-    let jacobian = Terms::of_jacobian(m).add(m, |at| {
-        let size = m.coordinates.len();
-        let [which, i, j] = [at / (size * size), at / size % size, at % size].map(Index::from);
-        quote!(v[#which][#i][#j])
-    });
-    let jacobian = quote!(let mut v = [[[0.0; #n]; #n]; 2]; #jacobian v);
     let motions = m.motions.iter().map(|x| motion(m, x));
     let i = || format_ident!("i");
     let mut all = vec![
@@ -167,7 +161,7 @@ pub fn cold(m: &Model) -> Vec<Cold> {
             "jacobian",
             &[Coordinates("q"), Coordinates("q_dot"), Values("k"), Slopes("dk"), Slopes("ddk")],
             Returns::Matrices,
-            jacobian,
+            jacobian(m),
         ),
         cold("motion", &[Takes::Index("i")], Returns::Vector, by_index("motion", i(), motions)),
         cold("switching", &[Takes::Index("law")], Returns::Plain(quote!(equations::Switching)), switching(m)),
@@ -179,6 +173,45 @@ pub fn cold(m: &Model) -> Vec<Cold> {
     all.extend(switches::lost(m));
     all.extend(switches::bends(m));
     all
+}
+
+/// The statements of the function that returns the derivatives of the forces by the coordinates and by the speeds. Those by deflections
+/// and their rates are in `by`; with the gradients of the deflections they give those by the coordinates.
+fn jacobian(m: &Model) -> TokenStream {
+    let n = Index::from(m.coordinates.len());
+    let entries: Vec<&Entry> = m.jacobian.iter().flatten().collect();
+    let columns: Vec<Place> = entries.iter().map(|e| Place::of(m, &e.column)).collect();
+    let through = |d: &usize| columns.contains(&Place::Deflection(*d)) || columns.contains(&Place::Rate(*d));
+    let through: Vec<usize> = (0..m.deflections.len()).filter(through).collect();
+    let terms = Terms::of_jacobian(m).add(m, |at| {
+        let i = position(m, &entries[at].row);
+        let by = |d| through.iter().position(|known| *known == d).map(Index::from);
+        match columns[at] {
+            Place::Coordinate(j) => {
+                let j = Index::from(j);
+                quote!(v[0][#i][#j])
+            }
+            Place::Speed(j) => {
+                let j = Index::from(j);
+                quote!(v[1][#i][#j])
+            }
+            Place::Deflection(d) => {
+                let d = by(d);
+                quote!(by[0][#d][#i])
+            }
+            Place::Rate(d) => {
+                let d = by(d);
+                quote!(by[1][#d][#i])
+            }
+        }
+    });
+    let count = Index::from(through.len());
+    let gradients = through.iter().map(|d| gradients::bent(m, *d));
+    let add = (!through.is_empty()).then(|| {
+        let gradients = with_lets(m, quote!(let gradients: [&[(usize, f64)]; #count] = [#(&#gradients),*];));
+        quote!(#gradients equations::add_through(&mut v, &by, &gradients);)
+    });
+    quote!(let mut v = [[[0.0; #n]; #n]; 2]; let mut by = [[[0.0; #n]; #count]; 2]; #terms #add v)
 }
 
 /// The function that computes an output from its number; none if the model has no outputs. The sum with 0.0 turns the -0.0 of a sum

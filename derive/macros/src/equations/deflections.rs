@@ -47,7 +47,7 @@ pub fn deflection(m: &Model, Assignment { name, value }: &Assignment, offsets: &
 }
 
 /// The addends of a sum, each with whether it is subtracted.
-fn addends(e: &Expr, minus: bool) -> Vec<(bool, &Expr)> {
+pub fn addends(e: &Expr, minus: bool) -> Vec<(bool, &Expr)> {
     match e {
         Expr::Binary(e) if matches!(e.op, BinOp::Add(_) | BinOp::Sub(_)) => {
             let right = minus ^ matches!(e.op, BinOp::Sub(_));

@@ -9,6 +9,7 @@ mod describe;
 mod effects;
 pub mod emit;
 mod gated;
+mod gradients;
 mod hoist;
 mod items;
 mod jumps;

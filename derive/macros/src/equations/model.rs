@@ -38,7 +38,9 @@ pub struct Model {
     /// Derivatives of M q'' (rows) by the coordinates (columns), if M depends on them.
     pub inertia: Vec<Entry>,
     pub force: Option<Vec<Row>>,
+    /// Derivatives of the force (rows) by coordinates, speeds, deflections and rates (columns).
     pub jacobian: Option<Vec<Entry>>,
+    /// Entries of coordinates and deflections.
     pub stiffness: Vec<Entry>,
     pub damping: Vec<Entry>,
     pub load: Vec<Row>,

@@ -9,7 +9,6 @@ use syn::{Expr, Ident, Index};
 use crate::equations::effects::is_met;
 use crate::equations::lets::lets;
 use crate::equations::model::{Model, Sum};
-use crate::equations::scope::speed;
 use crate::equations::sums::position;
 use crate::equations::variants::Variants;
 
@@ -33,14 +32,9 @@ impl Terms {
         Self::of([(0, &m.dissipation)])
     }
 
-    /// Those of the derivatives of the forces, by n times their row plus their column; n² more for those by speeds.
+    /// Those of the entries of the Jacobian, in their order.
     pub fn of_jacobian(m: &Model) -> Self {
-        let n = m.coordinates.len();
-        Self::of(m.jacobian.iter().flatten().map(|e| {
-            let by_speed = m.coordinates.iter().position(|c| e.column == speed(&c.name));
-            let column = by_speed.map_or_else(|| place(m, &e.column), |j| n * n + j);
-            (n * place(m, &e.row) + column, &e.sum)
-        }))
+        Self::of(m.jacobian.iter().flatten().map(|e| &e.sum).enumerate())
     }
 
     fn of<'a>(sums: impl IntoIterator<Item = (usize, &'a Sum)>) -> Self {

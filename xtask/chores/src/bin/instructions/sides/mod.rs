@@ -40,7 +40,11 @@ impl<const N: usize> Side<N> {
         match N {
             2 => evaluated(q, q_dot, k, dk, move |q, v, k, dk| {
                 let force = force(q, v, k, dk);
-                std::array::from_fn(|i| mobility[(i, 0)] * force[0] + mobility[(i, 1)] * force[1])
+                let mut acceleration = [0.0; N];
+                for (i, a) in acceleration.iter_mut().enumerate() {
+                    *a = mobility[(i, 0)] * force[0] + mobility[(i, 1)] * force[1];
+                }
+                acceleration
             }),
             _ => evaluated(q, q_dot, k, dk, force),
         }

@@ -289,21 +289,15 @@ equations! {
                 - dk12*arm12*F_mu12_by_k12/N2;
             jump_terms => -ddk12*touch12*over12.powi(2)/2.0;
         }
-        theta s {
+        theta theta_dot { damping => -I1*alpha_M/N1.powi(2) - I2*alpha_M/N2.powi(2) - I_w*alpha_M/N2.powi(2); }
+        theta s_dot { damping => (I2*alpha_M/(h*N2.powi(2)) - I1*alpha_M/(h*N1.powi(2)) + I_w*alpha_M/(h*N2.powi(2)))/2.0; }
+        theta psi_dot { damping => I_w*alpha_M/N2; }
+        theta over12 {
             transmission_error_12_and_jump_terms => k12*de12*touch12;
             sliding_friction_12 => -arm12*F_mu12_by_over12/N1 - arm12*F_mu12_by_over12/N2;
             jump_terms => -dk12*touch12*over12;
         }
-        theta theta_dot {
-            sliding_friction_12 => -arm12*F_mu12_by_psi12_dot/N1.powi(2) - 2.0*arm12*F_mu12_by_psi12_dot/(N1*N2)
-                - arm12*F_mu12_by_psi12_dot/N2.powi(2);
-            damping => -I1*alpha_M/N1.powi(2) - I2*alpha_M/N2.powi(2) - I_w*alpha_M/N2.powi(2);
-        }
-        theta s_dot {
-            sliding_friction_12 => (arm12*F_mu12_by_psi12_dot/(h*N2.powi(2)) - arm12*F_mu12_by_psi12_dot/(h*N1.powi(2)))/2.0;
-            damping => (I2*alpha_M/(h*N2.powi(2)) - I1*alpha_M/(h*N1.powi(2)) + I_w*alpha_M/(h*N2.powi(2)))/2.0;
-        }
-        theta psi_dot { damping => I_w*alpha_M/N2; }
+        theta psi12_dot { sliding_friction_12 => -arm12*F_mu12_by_psi12_dot/N1 - arm12*F_mu12_by_psi12_dot/N2; }
         s theta {
             transmission_error_12_and_backlash_12_and_moving_phase => k12*de12*clip12*touch12;
             transmission_error_12_and_sliding_friction_12_and_moving_phase => tan_a*de12*side12*F_mu12_by_over12
@@ -314,56 +308,55 @@ equations! {
                 - darm12*F_mu12/(2.0*h*N1) - dk12*arm12*F_mu12_by_k12/(2.0*h*N1) + dk12*arm12*F_mu12_by_k12/(2.0*h*N2);
             moving_phase => -dk12*touch12*over12;
         }
-        s s {
+        s theta_dot { damping => (I2*alpha_M/(h*N2.powi(2)) - I1*alpha_M/(h*N1.powi(2)) + I_w*alpha_M/(h*N2.powi(2)))/2.0; }
+        s s_dot {
+            damping => (-I1*alpha_M/(h.powi(2)*N1.powi(2)) - I2*alpha_M/(h.powi(2)*N2.powi(2)) - I_w*alpha_M/(h.powi(2)*N2.powi(2)))/4.0;
+        }
+        s psi_dot { damping => -I_w*alpha_M/(2.0*h*N2); }
+        s over12 {
             _ => -k12*touch12;
             backlash_12 => -k12*clip12*touch12;
             sliding_friction_12 => arm12*F_mu12_by_over12/(2.0*h*N2) - tan_a*side12*F_mu12_by_over12 - arm12*F_mu12_by_over12/(2.0*h*N1);
         }
-        s theta_dot {
-            sliding_friction_12 => arm12*F_mu12_by_psi12_dot/(2.0*h*N2.powi(2)) - tan_a*side12*F_mu12_by_psi12_dot/N1
-                - tan_a*side12*F_mu12_by_psi12_dot/N2 - arm12*F_mu12_by_psi12_dot/(2.0*h*N1.powi(2));
-            damping => (I2*alpha_M/(h*N2.powi(2)) - I1*alpha_M/(h*N1.powi(2)) + I_w*alpha_M/(h*N2.powi(2)))/2.0;
+        s over12_dot { damping => -beta_K*k12_mid*damp12; }
+        s psi12_dot {
+            sliding_friction_12 => arm12*F_mu12_by_psi12_dot/(2.0*h*N2) - tan_a*side12*F_mu12_by_psi12_dot
+                - arm12*F_mu12_by_psi12_dot/(2.0*h*N1);
         }
-        s s_dot {
-            sliding_friction_12 => arm12*F_mu12_by_psi12_dot/(2.0*h.powi(2)*N1*N2) - arm12*F_mu12_by_psi12_dot/(4.0*h.powi(2)*N1.powi(2))
-                - arm12*F_mu12_by_psi12_dot/(4.0*h.powi(2)*N2.powi(2)) - tan_a*side12*F_mu12_by_psi12_dot/(2.0*h*N1)
-                + tan_a*side12*F_mu12_by_psi12_dot/(2.0*h*N2);
-            damping => -beta_K*k12_mid*damp12 - I1*alpha_M/(4.0*h.powi(2)*N1.powi(2)) - I2*alpha_M/(4.0*h.powi(2)*N2.powi(2))
-                - I_w*alpha_M/(4.0*h.powi(2)*N2.powi(2));
-        }
-        s psi_dot { damping => -I_w*alpha_M/(2.0*h*N2); }
-        psi psi { _ => -k_s; }
         psi theta_dot { damping => I_w*alpha_M/N2; }
         psi s_dot { damping => -I_w*alpha_M/(2.0*h*N2); }
-        psi psi_dot { damping => -I_w*alpha_M - beta_K*k_s; }
+        psi psi_dot { damping => -I_w*alpha_M; }
+        psi twist_s { _ => -k_s; }
+        psi twist_s_dot { damping => -beta_K*k_s; }
     }
     cell {
         stiffness {
-            s s {
+            twist_s twist_s { _ => k_s; }
+            over12 over12 {
                 _ => k12*touch12;
                 backlash_12 => k12*clip12*touch12;
             }
-            psi psi { _ => k_s; }
         }
         damping {
             theta theta { damping => I1*alpha_M/N1.powi(2) + I2*alpha_M/N2.powi(2) + I_w*alpha_M/N2.powi(2); }
             theta s { damping => (I1*alpha_M/(h*N1.powi(2)) - I2*alpha_M/(h*N2.powi(2)) - I_w*alpha_M/(h*N2.powi(2)))/2.0; }
             theta psi { damping => -I_w*alpha_M/N2; }
             s s {
-                damping => beta_K*k12_mid*damp12 + I1*alpha_M/(4.0*h.powi(2)*N1.powi(2)) + I2*alpha_M/(4.0*h.powi(2)*N2.powi(2))
-                    + I_w*alpha_M/(4.0*h.powi(2)*N2.powi(2));
+                damping => (I1*alpha_M/(h.powi(2)*N1.powi(2)) + I2*alpha_M/(h.powi(2)*N2.powi(2)) + I_w*alpha_M/(h.powi(2)*N2.powi(2)))/4.0;
             }
             s psi { damping => I_w*alpha_M/(2.0*h*N2); }
-            psi psi { damping => I_w*alpha_M + beta_K*k_s; }
+            psi psi { damping => I_w*alpha_M; }
+            twist_s twist_s { damping => beta_K*k_s; }
+            over12 over12 { damping => beta_K*k12_mid*damp12; }
         }
         load {
             theta { torques => T_motor/N1 - T_wheel/N2; }
-            s {
+            s { torques => (T_motor/(h*N1) + T_wheel/(h*N2))/2.0; }
+            psi { torques => T_wheel; }
+            over12 {
                 _ => k12*touch12*edge12 + k12*touch12*e12;
                 backlash_12 => k12*clip12*touch12*edge12 + k12*clip12*touch12*e12;
-                torques => (T_motor/(h*N1) + T_wheel/(h*N2))/2.0;
             }
-            psi { torques => T_wheel; }
         }
     }
     nonlinear_with {
