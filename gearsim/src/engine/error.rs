@@ -33,6 +33,10 @@ pub enum Refusal {
     )]
     Defective { condition: f64 },
     #[error(
+        "the modes of a cell are not found: a part of {missed:.0e} of a motion is in none of them. Change a damping or an inertia by a factor of 1 + 1e-6, or choose a method by steps, such as run.method = \"dop853\""
+    )]
+    ModesMissed { missed: f64 },
+    #[error(
         "precision = \"compensated\" needs the exact method, and this scene is solved by another one ({0}): set run.precision = \"plain\""
     )]
     CompensatedNumerical(String),

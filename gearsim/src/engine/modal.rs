@@ -165,9 +165,12 @@ fn significant(omega2: &[f64], damping: &DMatrix<f64>, rounding: &DMatrix<f64>, 
         n as f64 * f64::EPSILON * (0..n).filter(|j| *j != i).filter(same).map(|j| damping[(j, j)]).fold(0.0, f64::max)
     };
     let is_rounding = |i: usize| damping[(i, i)] <= rounding[(i, i)].max(mixed).max(turned(i)).max(own[i]);
+    // The strongest damper acts on shape i, by its error, and on shape j.
+    let between = |i: usize, j: usize| (mixed * damping[(i, i)].max(damping[(j, j)])).sqrt();
     DMatrix::from_fn(n, n, |i, j| {
         let mean = 0.5 * (damping[(i, j)] + damping[(j, i)]);
-        if mean.abs() <= rounding[(i, j)] || is_rounding(i) || is_rounding(j) { 0.0 } else { mean }
+        let error = if i == j { rounding[(i, i)] } else { rounding[(i, j)].max(between(i, j)) };
+        if mean.abs() <= error || is_rounding(i) || is_rounding(j) { 0.0 } else { mean }
     })
 }
 

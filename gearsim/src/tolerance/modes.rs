@@ -66,8 +66,8 @@ pub(crate) const JACOBI: f64 = 0.1 * f64::EPSILON;
 /// sqrt(eps) = 1.5e-8 into a complex pair by rounding. Smaller: such a pair is not recognised. Larger: strongly damped vibrations
 /// count as aperiodic motions; Newton's method corrects both afterwards.
 pub(crate) const NEARLY_REAL: f64 = 1e-6;
-/// Two pairs of eigenvalues are one cluster if they are closer than this [relative to the fastest eigenvalue]. It is 45 000 eps,
-/// above the errors of the QR method. Smaller: the shapes of equal pairs are rounding errors. Larger: different pairs get common
+/// Two pairs of eigenvalues are one cluster if they are closer than this [relative to themselves, or up to the fastest eigenvalue]. It is
+/// 45 000 eps, above the errors of the QR method. Smaller: the shapes of equal pairs are rounding errors. Larger: different pairs get common
 /// shapes before they are refined.
 pub(crate) const EQUAL_PAIRS: f64 = 1e-11;
 /// Accuracy asked of the QR method for the eigenvalues [relative to the largest entry]: one rounding.

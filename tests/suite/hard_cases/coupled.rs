@@ -24,6 +24,15 @@ pub const CASES: &[Case] = &[
     },
     Case {
         row: "13",
+        name: "equal parts around a hub with a damper of any strength",
+        proves: "modes of equal frequencies that a damper does not reach are found beside modes that it damps by up to 1e6 times as much",
+        tolerance: 100.0,
+        unit: "eps cond (1 + rate t) of the speeds",
+        reason: "cond is the rate of the damper over that of a vibration: rounding the damper disturbs the motions it does not reach",
+        measure: wheels,
+    },
+    Case {
+        row: "13",
         name: "energy that damping takes from random cells",
         proves: "the integral of the speeds equals the energy loss by the matrix exponential",
         tolerance: 100.0,
@@ -144,6 +153,19 @@ fn motions(note: &mut String) -> f64 {
         (all, coupled) = (all + 1, coupled + usize::from(drawn.system.cell().coupling.is_some()));
         drawn.judged(error(&drawn.system, &drawn.q, &drawn.v, drawn.t))
     });
+    *note = format!("{coupled} of {all} cells coupled");
+    worst
+}
+
+fn wheels(note: &mut String) -> f64 {
+    let (mut noise, mut coupled, mut all) = (Noise::new(1306), 0, 0);
+    let worst = largest((0..100).map(|_| {
+        let (of_three, of_five) = (Drawn::<4>::wheel(&mut noise), Drawn::<6>::wheel(&mut noise));
+        (all, coupled) = (all + 2, coupled + usize::from(of_three.system.cell().coupling.is_some()));
+        coupled += usize::from(of_five.system.cell().coupling.is_some());
+        let of_three = of_three.judged(error(&of_three.system, &of_three.q, &of_three.v, of_three.t));
+        of_three.max(of_five.judged(error(&of_five.system, &of_five.q, &of_five.v, of_five.t)))
+    }));
     *note = format!("{coupled} of {all} cells coupled");
     worst
 }

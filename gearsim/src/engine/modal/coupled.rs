@@ -17,7 +17,7 @@
 
 use nalgebra::{DMatrix, DVector};
 
-use super::pairs::{Pair, eigenpairs};
+use super::pairs::{Nearness, Pair, eigenpairs};
 use super::{refine, subspace};
 use crate::engine::error::Refusal;
 use crate::engine::mode::Mode;
@@ -44,15 +44,25 @@ pub struct Coupled {
 impl Coupled {
     /// The modes of xi'' + G xi' + diag(omega2) xi = g.
     ///
+    /// The errors of eigenvalues are some eps of themselves, or in the worst case of the fastest one. Which pairs are equal is not known
+    /// beforehand. Modes that represent every motion ([`verify`]) are right, whichever were taken for equal.
+    ///
     /// # Errors
-    /// If a pair of complex eigenvalues is defective, or damping adds energy.
+    /// If a pair of complex eigenvalues is defective, the modes are not found, or damping adds energy.
     pub fn of(omega2: &[f64], damping: &DMatrix<f64>) -> Result<Coupled, Refusal> {
+        let narrow = Coupled::with(omega2, damping, Nearness::NARROW);
+        let wider = |nearness| Coupled::with(omega2, damping, nearness).ok();
+        narrow.or_else(|refusal| Nearness::WIDER.into_iter().find_map(wider).ok_or(refusal))
+    }
+
+    /// The modes, if pairs of eigenvalues that are near one another are equal.
+    fn with(omega2: &[f64], damping: &DMatrix<f64>, nearness: Nearness) -> Result<Coupled, Refusal> {
         let n = omega2.len();
         let mut pairs: Vec<Pair> = vec![];
         for group in groups(damping) {
             let clusters = pairs.iter().map(|p| p.cluster + 1).max().unwrap_or(0);
             let (w, g) = (subspace::pick(omega2, &group), subspace::block(damping, &group));
-            for pair in solve(&w, &g)? {
+            for pair in solve(&w, &g, nearness)? {
                 let whole = |x: &DVector<f64>| {
                     let mut all = DVector::zeros(n);
                     group.iter().zip(x.iter()).for_each(|(&i, x)| all[i] = *x);
@@ -109,21 +119,22 @@ fn groups(damping: &DMatrix<f64>) -> Vec<Vec<usize>> {
 }
 
 /// The pairs of eigenvalues of one set.
-fn solve(omega2: &[f64], g: &DMatrix<f64>) -> Result<Vec<Pair>, Refusal> {
+fn solve(omega2: &[f64], g: &DMatrix<f64>, nearness: Nearness) -> Result<Vec<Pair>, Refusal> {
     if let [omega2] = omega2 {
         let (x1, x2) = (DVector::from_element(1, 1.0), DVector::zeros(1));
         return Ok(vec![Pair { x1, x2, s: g[(0, 0)], b: *omega2, cluster: 0 }]);
     }
     let mut pairs = vec![];
     let mut rigid = (0..omega2.len()).filter(|&i| omega2[i] == 0.0);
-    for (cluster, values) in eigenpairs(omega2, g)?.into_iter().enumerate() {
+    for (cluster, values) in eigenpairs(omega2, g, nearness)?.into_iter().enumerate() {
         let of_rigid = values[0].1 == 0.0;
         let starts = match of_rigid {
             true => subspace::of_rigid(omega2, g, &values, &mut rigid)?,
             false => subspace::of(omega2, g, &values)?,
         };
         let cluster = if of_rigid { 0 } else { cluster + 1 };
-        pairs.extend(starts.into_iter().map(|start| Pair { cluster, ..refine::newton(omega2, g, start) }));
+        let equal = starts.len();
+        pairs.extend(starts.into_iter().map(|start| Pair { cluster, ..refine::newton(omega2, g, equal, start) }));
     }
     Ok(pairs)
 }
@@ -183,6 +194,10 @@ fn verify(units: &[f64], rows: &DMatrix<f64>, columns: &DMatrix<f64>) -> Result<
     let whole = columns * rows;
     let missed =
         DMatrix::from_fn(2 * n, 2 * n, |i, j| (whole[(i, j)] - f64::from(u8::from(i == j))) * unit(j) / unit(i));
-    let complete = missed.iter().all(|x| x.abs() <= MISSED);
-    if complete && condition <= CONDITION { Ok(()) } else { Err(Refusal::Defective { condition }) }
+    let missed = missed.iter().fold(0.0, |worst: f64, x| if x.is_nan() { f64::INFINITY } else { worst.max(x.abs()) });
+    match condition <= CONDITION {
+        true if missed <= MISSED => Ok(()),
+        true => Err(Refusal::ModesMissed { missed }),
+        false => Err(Refusal::Defective { condition }),
+    }
 }

@@ -34,11 +34,22 @@ impl Pair {
     }
 }
 
+/// When two pairs count as equal: their distance is below [`EQUAL_PAIRS`] times rate^(1 - w) fastest^w, with this w.
+#[derive(Debug, Clone, Copy)]
+pub struct Nearness(f64);
+
+impl Nearness {
+    /// Relative to the pairs themselves.
+    pub const NARROW: Nearness = Nearness(0.0);
+    /// Towards a distance relative to the fastest eigenvalue.
+    pub const WIDER: [Nearness; 2] = [Nearness(0.5), Nearness(1.0)];
+}
+
 /// The pairs (s, b), in clusters of equal pairs, of the modes with the squares `omega2` (rising) and the damping `g`.
 ///
 /// # Errors
 /// If the eigenvalues are not found.
-pub fn eigenpairs(omega2: &[f64], g: &DMatrix<f64>) -> Result<Vec<Vec<(f64, f64)>>, Refusal> {
+pub fn eigenpairs(omega2: &[f64], g: &DMatrix<f64>, nearness: Nearness) -> Result<Vec<Vec<(f64, f64)>>, Refusal> {
     let values = eigenvalues(omega2, g)?;
     let nearly_real = |z: &Complex<f64>| z.im.abs() <= NEARLY_REAL * z.re.abs();
     let mut pairs: Vec<(f64, f64)> =
@@ -59,7 +70,7 @@ pub fn eigenpairs(omega2: &[f64], g: &DMatrix<f64>) -> Result<Vec<Vec<(f64, f64)
     if pairs.len() != omega2.len() {
         return Err(Refusal::Defective { condition: f64::INFINITY });
     }
-    Ok(clusters(pairs, values.iter().map(|z| z.norm()).fold(0.0, f64::max)))
+    Ok(clusters(pairs, values.iter().map(|z| z.norm()).fold(0.0, f64::max), nearness))
 }
 
 /// All eigenvalues except those of damped rigid motions at 0, which are known exactly.
@@ -117,12 +128,13 @@ fn negative(omega2: &[f64], g: &DMatrix<f64>, lambda: f64) -> usize {
     pencil.symmetric_eigenvalues().iter().filter(|x| **x < 0.0).count()
 }
 
-fn clusters(mut pairs: Vec<(f64, f64)>, fastest: f64) -> Vec<Vec<(f64, f64)>> {
+fn clusters(mut pairs: Vec<(f64, f64)>, fastest: f64, Nearness(w): Nearness) -> Vec<Vec<(f64, f64)>> {
     let mut clusters: Vec<Vec<(f64, f64)>> = vec![];
     pairs.sort_by(|x, y| y.partial_cmp(x).unwrap_or(std::cmp::Ordering::Equal));
     for (s, b) in pairs {
         let near = |&(t, c): &(f64, f64)| {
-            let near = EQUAL_PAIRS * fastest;
+            let rate = b.max(c).sqrt().max(s).max(t);
+            let near = EQUAL_PAIRS * rate.powf(1.0 - w) * fastest.powf(w);
             (s - t).abs() <= near && (b - c).abs() <= near * b.max(c).sqrt().max(near)
         };
         match clusters.iter_mut().find(|cluster| cluster.iter().any(near)) {

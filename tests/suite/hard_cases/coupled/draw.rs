@@ -11,7 +11,8 @@ pub struct Drawn<const N: usize> {
     pub v: [f64; N],
     /// Length of the flight [s].
     pub t: f64,
-    /// sqrt of the largest ratio of inertias times that of stiffnesses.
+    /// What amplifies the rounding errors of the matrices: sqrt of the largest ratio of inertias times that of stiffnesses, or the rate of
+    /// the strongest damper over that of a vibration.
     condition: f64,
 }
 
@@ -60,6 +61,31 @@ impl<const N: usize> Drawn<N> {
             v: [(); N].map(|()| unit * noise.even()),
             t: noise.power(-2.0, 2.0) / unit,
             condition: (10f64.powf(spread) * stiffest / softest).sqrt(),
+        }
+    }
+
+    /// Draws a wheel of N - 1 equal masses on a hub, with equal springs to the hub and the ground and dampers beside them. A damper of any
+    /// strength acts on the hub. The motions in which the hub rests have equal frequencies, and the damper does not act on them.
+    pub fn wheel(noise: &mut Noise) -> Self {
+        let (mut mass, mut stiffness, mut damping) = ([[0.0; N]; N], [[0.0; N]; N], [[0.0; N]; N]);
+        let [rim, spoke, ground] = [(); 3].map(|()| noise.power(-1.0, 1.0));
+        let ground = if noise.below(2) == 0 { 0.0 } else { ground };
+        let per_stiffness = noise.power(-4.0, -1.0);
+        mass[0][0] = noise.power(-1.0, 1.0);
+        damping[0][0] = noise.power(-4.0, 6.0);
+        for i in 1..N {
+            mass[i][i] = rim;
+            between(&mut stiffness, 0, i, spoke);
+            stiffness[i][i] += ground;
+            between(&mut damping, 0, i, per_stiffness * spoke);
+            damping[i][i] += per_stiffness * ground;
+        }
+        Drawn {
+            system: Linear { mass, damping, stiffness, load: [(); N].map(|()| noise.even()), normal: [1.0; N] },
+            q: [(); N].map(|()| noise.even()),
+            v: [(); N].map(|()| noise.even()),
+            t: noise.power(-1.0, 1.0),
+            condition: 1.0 + damping[0][0] / mass[0][0] * (rim / spoke).sqrt(),
         }
     }
 
