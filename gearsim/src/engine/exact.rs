@@ -120,7 +120,7 @@ impl Solver for Exact {
             return Ok(Box::new(InWindow::begin(now, forcing, linear, (&here.exits, watches), horizon)));
         }
         let State { q, q_dot, .. } = &now.state;
-        let mut flight = match now.switches.is_empty() {
+        let mut flight = match now.switches.is_empty() && !now.state.is_at_rest() {
             true => here.cell.flight(q, q_dot),
             false => here.cell.flight_under(q, q_dot, &now.force_at_rest()),
         };

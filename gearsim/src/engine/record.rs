@@ -35,6 +35,12 @@ impl State {
         State { q, q_dot, turns, lost, low: Vector::zeros(0) }
     }
 
+    /// Whether all speeds are zero.
+    #[inline]
+    pub fn is_at_rest(&self) -> bool {
+        self.q_dot.iter().all(|v| *v == 0.0)
+    }
+
     /// Sets coordinate `i` to `x` exactly.
     #[inline]
     pub fn put(&mut self, i: usize, x: f64) {

@@ -2,8 +2,10 @@
 
 use gearsim::run::Outcome;
 
-use crate::case::Case;
+use crate::case::{Case, WRONG, count};
+use crate::common;
 use crate::contact::{Freed, K, REST, frequencies, pair_at_rest};
+use crate::noise::Noise;
 
 pub const CASES: &[Case] = &[
     Case {
@@ -23,6 +25,15 @@ pub const CASES: &[Case] = &[
         unit: "of the motion's sizes",
         reason: "rounding errors of closed forms and of the frequencies",
         measure: |_| slip(),
+    },
+    Case {
+        row: "3",
+        name: "a train without a load at rest exactly at a step of a transmission error, by exact cells and dop853",
+        proves: "it stays there, bit for bit, and meets no step in 20 random scenes: no force acts, so that none has a rounding error",
+        tolerance: 0.0,
+        unit: WRONG,
+        reason: "its springs are not strained",
+        measure: |_| unloaded(),
     },
 ];
 
@@ -56,4 +67,30 @@ fn slip() -> f64 {
     let outcome = at_rest(-10.0, start, cos.acos() / held + after);
     let speed = -size * held * (1.0 - cos * cos).sqrt();
     Freed { phi: middle, speed, k: K, rest: BELOW - REST, after }.off(&outcome, (1, 1), 1e-14)
+}
+
+fn unloaded() -> f64 {
+    let mut noise = Noise::new(7422);
+    let scenes = [(); 20].map(|()| {
+        let error = noise.power(-1.0, 2.0);
+        let mut set = vec![
+            r#"effects=["stiffness_step", "transmission_error"]"#.to_string(),
+            format!(r#"meshes.12.error={{steps=[{{value="{error:?} um", width="2.5 rad"}}, {{value="0 um"}}]}}"#),
+            format!("start.s12={error:?} um"),
+            "start.speed=0 rpm".into(),
+            "run.t_end=1 ms".into(),
+        ];
+        let rotors = ["1", "2", "motor", "a", "b"];
+        set.extend(rotors.map(|rotor| format!("rotors.{rotor}={:?} kg*m^2", noise.power(-5.0, -1.0))));
+        set
+    });
+    let methods: [&[String]; 2] = [&[], &["run.method=dop853".into()]];
+    let sets = scenes.iter().flat_map(|scene| methods.map(|method| [scene, method].concat()));
+    count(sets.map(|set| {
+        let Outcome { trajectory, counts, .. } = common::run(&common::scene("train_branches", &set));
+        let rests = |x: &Vec<f64>| x.first() == x.last();
+        !(trajectory.q.iter().all(rests)
+            && trajectory.q_dot.iter().flatten().all(|v| *v == 0.0)
+            && counts.cell_changes == 0)
+    }))
 }
