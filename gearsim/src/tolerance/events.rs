@@ -164,6 +164,10 @@ pub(crate) const AT_REST: f64 = 1e-12;
 /// error of the difference is 1e3 times smaller.
 pub(crate) const INDEPENDENT: f64 = 1e-12;
 
+/// Rounding error of the mobility that holds leave [relative to the mobility without them, for each coordinate]. Larger: a heavy part that is
+/// held to a light one does not move. Smaller: forces move what is held, by rounding errors.
+pub(crate) const HELD_ROUNDING: f64 = 4.0 * f64::EPSILON;
+
 /// Cells with holds that are kept for the next time they are met [cells]. It decides the memory, not the accuracy.
 pub(crate) const HELD_CELLS: usize = 4096;
 

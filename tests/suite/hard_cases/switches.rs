@@ -83,6 +83,15 @@ pub const CASES: &[Case] = &[
     },
     Case {
         row: "20",
+        name: "a train that friction and clutch hold wholly, by exact cells, dop853 and radau",
+        proves: "no rounding error moves it in 40 random scenes, and its energy stays zero",
+        tolerance: 0.0,
+        unit: WRONG,
+        reason: "no motion is left that a force could cause",
+        measure: |_| held(),
+    },
+    Case {
+        row: "20",
         name: "dry friction and clutch: the energy account closes",
         proves: "T + V - W plus what was lost is constant in 60 random scenes",
         tolerance: 1e-12,
@@ -252,6 +261,29 @@ fn both() -> f64 {
         // Started from rest by a balance within the 1e-9 of the release.
         [(v[0], a1), (v[1], a2)].iter().any(|(v, a)| (v - a).abs() > 1e-12 * a.abs())
     }))
+}
+
+/// The torques are below the breakaway torque.
+fn held() -> f64 {
+    let mut noise = Noise::new(2187);
+    let scenes = [(); 40].map(|()| {
+        [
+            r#"effects=["overrunning_clutch", "dry_friction", "torques"]"#.to_string(),
+            format!("parameters.I1={:?} kg*m^2", noise.power(-4.0, 1.0)),
+            format!("parameters.I2={:?} kg*m^2", noise.power(-4.0, 1.0)),
+            format!("parameters.T_motor={:?} N*m", between(&mut noise, 0.0, 1.0)),
+            format!("parameters.T_load={:?} N*m", between(&mut noise, -0.07, 0.07)),
+            "start.theta1=0.3 rad".into(),
+            "start.theta2=0.1 rad".into(),
+            "run.t_end=1 ms".into(),
+        ]
+    });
+    count([EXACT, DOP853, RADAU].iter().flat_map(|method| scenes.iter().map(|set| run("freewheel", method, set))).map(
+        |outcome| {
+            let (q, v) = end(&outcome);
+            q != [0.3, 0.1] || v != [0.0, 0.0] || residual(&outcome) != 0.0
+        },
+    ))
 }
 
 fn accounts(note: &mut String) -> f64 {

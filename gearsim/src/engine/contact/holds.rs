@@ -3,7 +3,7 @@
 use nalgebra::linalg::Cholesky;
 use nalgebra::{DMatrix, DVector, Dyn};
 
-use crate::engine::contact::reaction::{centripetal, is_free};
+use crate::engine::contact::reaction::{centripetal, is_free, left};
 use crate::engine::contact::step::barriers;
 use crate::engine::contact::watch::{Form, Watch};
 use crate::engine::contact::{Contact, Ending};
@@ -155,7 +155,7 @@ impl Holds {
             held.contains(&Held::Switch(*i)) || !is_free(&mass, &[&columns[..], &[normal]].concat())
         };
         let locked = (0..now.switches.len()).filter(is_locked).collect();
-        let mobility = now.equations.mobility(&now.state.q) - &mobility * &to_reactions;
+        let mobility = left(&now.equations.mobility(&now.state.q), &mobility, &to_reactions);
         Ok((Some(Contact { laws, switches, normals, mobility, watches, turning, locked }), neglected))
     }
 }

@@ -4,7 +4,7 @@ use nalgebra::linalg::Cholesky;
 use nalgebra::{DMatrix, DVector, Dyn};
 
 use crate::engine::vector::{Matrix, Vector};
-use crate::tolerance::events::INDEPENDENT;
+use crate::tolerance::events::{HELD_ROUNDING, INDEPENDENT};
 
 /// The vector N (NᵀM⁻¹N)⁻¹ d. `mobility` is M⁻¹, and `normals` is N. The result is NaN if NᵀM⁻¹N is not positive definite.
 pub fn centripetal(mobility: &Matrix, normals: &DMatrix<f64>, d: &DVector<f64>) -> Vector {
@@ -20,7 +20,22 @@ pub fn held(mobility: &Matrix, normals: &DMatrix<f64>) -> (Matrix, DMatrix<f64>)
     let unknown = || DMatrix::repeat(normals.ncols(), normals.nrows(), f64::NAN);
     let compliance = (normals.transpose() * &response).cholesky();
     let to_reactions = compliance.map_or_else(unknown, |compliance| compliance.solve(&response.transpose()));
-    (mobility - &response * &to_reactions, to_reactions)
+    (left(mobility, &response, &to_reactions), to_reactions)
+}
+
+/// The mobility that holds leave: `mobility` less `response`, M⁻¹N, times `to_reactions`. As many holds as coordinates leave none. Else entries
+/// of which only rounding errors are left are zero: forces would move what is held.
+pub fn left(mobility: &Matrix, response: &DMatrix<f64>, to_reactions: &DMatrix<f64>) -> Matrix {
+    let n = mobility.nrows();
+    if response.ncols() == n {
+        return Matrix::zeros(n, n);
+    }
+    let taken: Matrix = response * to_reactions;
+    Matrix::from_fn(n, n, |i, j| {
+        let left = mobility[(i, j)] - taken[(i, j)];
+        let scale = (mobility[(i, i)] * mobility[(j, j)]).sqrt();
+        if left.abs() <= HELD_ROUNDING * n as f64 * scale { 0.0 } else { left }
+    })
 }
 
 /// Whether the last of several motions is possible while those before it are held. Each is a column of gradients (n).
@@ -34,6 +49,6 @@ pub fn is_free(mass: &Cholesky<f64, Dyn>, columns: &[DVector<f64>]) -> bool {
     let before = DMatrix::from_columns(before);
     let coupling = before.transpose() * &response;
     let compliance = (before.transpose() * mass.solve(&before)).cholesky();
-    let left = compliance.map(|compliance| alone - coupling.dot(&compliance.solve(&coupling)));
-    left.is_some_and(|left| left > INDEPENDENT * alone)
+    let rest = compliance.map(|compliance| alone - coupling.dot(&compliance.solve(&coupling)));
+    rest.is_some_and(|rest| rest > INDEPENDENT * alone)
 }
