@@ -99,3 +99,52 @@ pub fn compile() -> Option<ExitCode> {
     let compiled = command.status().is_ok_and(|status| status.success());
     Some(if compiled { ExitCode::SUCCESS } else { ExitCode::FAILURE })
 }
+
+#[cfg(test)]
+mod tests {
+    use std::collections::{BTreeMap, BTreeSet};
+    use std::path::Path;
+
+    fn read(file: &str) -> String {
+        std::fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join("..").join(file)).unwrap()
+    }
+
+    /// The settings of the release profile in a manifest, without those of crates that are instrumented.
+    fn profile(manifest: &str) -> BTreeSet<String> {
+        let text = read(manifest);
+        let (_, release) = text.split_once("[profile.release]\n").unwrap();
+        let (release, _) = release.split_once("[profile.release.package.").unwrap_or((release, ""));
+        let own = ["gearsim.debug", "gearsim.overflow-checks"];
+        let settings = release.lines().filter(|line| line.contains(" = ") && !line.starts_with('#'));
+        settings.filter(|line| !own.iter().any(|own| line.starts_with(own))).map(str::to_owned).collect()
+    }
+
+    /// The versions of each package in a lock file.
+    fn versions(lock: &str) -> BTreeMap<String, BTreeSet<String>> {
+        let mut versions = BTreeMap::<String, BTreeSet<String>>::new();
+        let text = read(lock);
+        for package in text.split("[[package]]").skip(1) {
+            let value =
+                |key: &str| package.lines().find_map(|line| line.strip_prefix(key)?.strip_prefix(" = ")).unwrap();
+            versions.entry(value("name").into()).or_default().insert(value("version").into());
+        }
+        versions
+    }
+
+    /// A dependency that is compiled with other settings or in another version is compiled once more.
+    #[test]
+    fn the_other_workspaces_have_the_dependencies_of_this_one() {
+        let mut here = profile("Cargo.toml");
+        assert!(here.len() > 20, "{here:?}");
+        assert_eq!(profile("tests/fuzz/Cargo.toml"), here);
+        assert!(here.remove("parquet.opt-level = 0"));
+        assert_eq!(profile("gearsim/python/Cargo.toml"), here);
+        let here = versions("Cargo.lock");
+        for lock in ["tests/fuzz/Cargo.lock", "gearsim/python/Cargo.lock"] {
+            for (name, there) in versions(lock) {
+                let known = here.get(&name).is_none_or(|here| there.is_subset(here));
+                assert!(known, "{lock}: {name} {there:?}. Copy Cargo.lock there, then run `cargo tree` there");
+            }
+        }
+    }
+}
