@@ -8,7 +8,7 @@ pub use crate::engine::vector::{Matrix, Vector};
 pub mod equations {
     pub use crate::engine::equations::{
         Affine, Deflection, Derived, Equations, ExactCells, Exit, Known, Matrices, On, Switching, add_force,
-        add_product, add_square, add_through, array, array_mut, compliance, direction, exits, gradient, matrix,
+        add_product, add_square, add_through, array, array_mut, compliance, direction, exits, gradient, matrix, mode,
         no_such, numbers, values, vector,
     };
 

@@ -463,7 +463,7 @@ mod assembly;
 mod exits;
 mod numbers;
 pub use assembly::{add_force, add_product, add_square, add_through};
-pub use exits::{On, exits, gradient};
+pub use exits::{On, exits, gradient, mode};
 pub use numbers::numbers;
 
 #[cfg(test)]

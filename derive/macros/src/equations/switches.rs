@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 
 use proc_macro2::TokenStream;
-use quote::quote;
+use quote::{ToTokens, TokenStreamExt, quote};
 use syn::{Ident, Index};
 
 use crate::equations::cold::{Cold, Returns, Takes, in_any_number};
@@ -30,20 +30,25 @@ fn of_each(m: &Model, arm: impl Fn(&Switch) -> TokenStream) -> TokenStream {
 pub fn cells(m: &Model) -> Vec<Cold> {
     let n = Index::from(m.coordinates.len());
     let values = of_each(m, |switch| {
-        let effect = is_met(&switch.effect);
-        let modes = switch.modes.iter().enumerate().map(|(mode, of)| {
-            let (mode, values) = (Index::from(mode), &of.values);
-            quote!(#mode => Some(vec![#(#values),*]),)
+        let mut distinct = Distinct::default();
+        let modes = switch.modes.iter().map(|of| {
+            let places = of.values.iter().map(|value| distinct.place(quote!(#value)));
+            let places: Vec<_> = places.collect();
+            quote!(&[#(#places),*])
         });
-        quote!(match mode { _ if !#effect => None, #(#modes)* _ => equations::no_such("mode", mode) })
+        let modes: Vec<_> = modes.collect();
+        let effect = is_met(&switch.effect);
+        quote!(#effect.then(|| equations::mode(&[#(#modes),*], mode, &[#distinct])))
     });
     let exits = of_each(m, |switch| {
-        let modes = switch.modes.iter().enumerate().map(|(mode, of)| {
-            let mode = Index::from(mode);
-            let exits = of.exits.iter().map(|exit| self::exit(m, switch, exit));
-            quote!(#mode => equations::exits(#n, &[#(#exits),*], of),)
+        let mut distinct = Distinct::default();
+        let modes = switch.modes.iter().map(|of| {
+            let exits = of.exits.iter().map(|exit| self::exit(m, switch, exit, &mut distinct));
+            let exits: Vec<_> = exits.collect();
+            quote!(&[#(#exits),*])
         });
-        quote!(match mode { #(#modes)* _ => equations::no_such("mode", mode) })
+        let modes: Vec<_> = modes.collect();
+        quote!(equations::exits(#n, &[#(#modes),*], mode, &[#distinct], of))
     });
     let exits = quote! {
         let of: &dyn Fn(usize) -> equations::Deflection<f64> = &|index| self.deflection(met, index, q, k);
@@ -88,8 +93,30 @@ pub fn lost(m: &Model) -> Option<Cold> {
     })
 }
 
-/// An exit of a mode: where it leads, and the addends of its guard. They are data, since code for each guard is larger than all else of a switch.
-fn exit(m: &Model, switch: &Switch, Exit { to, sudden, guard }: &Exit) -> TokenStream {
+/// Different values of a switch. Tables of its modes have their places: tables are data, while code for each mode would be larger than
+/// all else of a model.
+#[derive(Default)]
+struct Distinct(Vec<TokenStream>);
+
+impl Distinct {
+    /// The place of a value.
+    fn place(&mut self, value: TokenStream) -> Index {
+        let known = self.0.iter().position(|known| known.to_string() == value.to_string());
+        Index::from(known.unwrap_or_else(|| {
+            self.0.push(value);
+            self.0.len() - 1
+        }))
+    }
+}
+
+impl ToTokens for Distinct {
+    fn to_tokens(&self, tokens: &mut TokenStream) {
+        tokens.append_separated(&self.0, quote!(,));
+    }
+}
+
+/// An exit of a mode: where it leads, and the addends of its guard, whose factors are at their places in `distinct`.
+fn exit(m: &Model, switch: &Switch, Exit { to, sudden, guard }: &Exit, distinct: &mut Distinct) -> TokenStream {
     let beyond = Index::from(switch.modes.iter().position(|mode| mode.name == *to).expect("checked"));
     let addends = guard.iter().map(|Row { name, sum }| {
         let on = match m.rates.iter().position(|rate| rate.name == *name).map(Index::from) {
@@ -101,7 +128,7 @@ fn exit(m: &Model, switch: &Switch, Exit { to, sudden, guard }: &Exit) -> TokenS
                 quote!(Deflection(#d))
             }
         };
-        let factor = block(sum);
+        let factor = distinct.place(block(sum));
         quote!((equations::On::#on, #factor))
     });
     quote!((#beyond, #sudden, &[#(#addends),*]))

@@ -1,7 +1,7 @@
 //! The exits of a mode and the gradients of deflections, from what the code of a model states of them. The sums are written here, not in the code
 //! of each model.
 
-use super::{Affine, Deflection, Exit};
+use super::{Affine, Deflection, Exit, no_such};
 use crate::engine::real::Real;
 
 /// What an addend of a guard is a multiple of.
@@ -17,8 +17,9 @@ pub enum On {
     Reaction,
 }
 
-/// An exit as the code of a model states it: the mode that follows, whether it is sudden ([`Exit`]), and the addends of its guard.
-pub type Stated<'a, R> = (usize, bool, &'a [(On, R)]);
+/// An exit as the code of a model states it: the mode that follows, whether it is sudden ([`Exit`]), and the addends of its guard, each with
+/// the place of its factor.
+pub type Stated = (usize, bool, &'static [(On, usize)]);
 
 /// The gradient of a linear form: its values along each coordinate.
 pub fn gradient<R: Real, const N: usize>(form: &dyn Fn(&[R; N]) -> R) -> [R; N] {
@@ -31,11 +32,25 @@ pub fn gradient<R: Real, const N: usize>(form: &dyn Fn(&[R; N]) -> R) -> [R; N] 
     })
 }
 
-/// The exits of a mode of a model with `n` coordinates and the named deflections `of`.
-pub fn exits<R: Real>(n: usize, stated: &[Stated<'_, R>], of: &dyn Fn(usize) -> Deflection<R>) -> Vec<Exit<R>> {
-    let exit = |&(beyond, sudden, addends): &Stated<'_, R>| {
+/// The values of the symbols in a mode of a switch. `modes` has for each mode the places of its values in `values`.
+pub fn mode<R: Real>(modes: &[&[usize]], mode: usize, values: &[R]) -> Vec<R> {
+    let places = modes.get(mode).unwrap_or_else(|| no_such("mode", mode));
+    places.iter().map(|&place| values[place]).collect()
+}
+
+/// The exits of a mode of a switch of a model with `n` coordinates and the named deflections `of`. `modes` has for each mode what the code of
+/// the model states, with places in `factors`.
+pub fn exits<R: Real>(
+    n: usize,
+    modes: &[&[Stated]],
+    mode: usize,
+    factors: &[R],
+    of: &dyn Fn(usize) -> Deflection<R>,
+) -> Vec<Exit<R>> {
+    let exit = |&(beyond, sudden, addends): &Stated| {
         let mut guard = Affine::zero(n);
-        for &(on, factor) in addends {
+        for &(on, place) in addends {
+            let factor = factors[place];
             match on {
                 On::One => guard.constant += factor,
                 On::Deflection(i) => guard.add(factor, &of(i)),
@@ -45,5 +60,5 @@ pub fn exits<R: Real>(n: usize, stated: &[Stated<'_, R>], of: &dyn Fn(usize) -> 
         }
         Exit { beyond, sudden, guard }
     };
-    stated.iter().map(exit).collect()
+    modes.get(mode).unwrap_or_else(|| no_such("mode", mode)).iter().map(exit).collect()
 }
