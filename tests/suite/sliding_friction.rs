@@ -47,6 +47,15 @@ fn work<'a>(outcome: &'a Outcome, torque: &str) -> &'a [f64] {
     outcome.trajectory.work_of(torque).expect("a torque of the scene")
 }
 
+/// For each mesh the share of the run in modes in which its flanks stick.
+fn stuck(outcome: &Outcome) -> Vec<f64> {
+    let of = |times: &[(&str, f64)]| {
+        let all: f64 = times.iter().map(|(_, time)| time).sum();
+        times.iter().filter(|(mode, _)| mode.starts_with("stuck")).map(|(_, time)| time).sum::<f64>() / all
+    };
+    outcome.modes.iter().map(|(_, times)| of(times)).collect()
+}
+
 /// theta, phi and their speeds at a row.
 fn state(outcome: &Outcome, row: usize) -> [f64; 4] {
     let t = &outcome.trajectory;

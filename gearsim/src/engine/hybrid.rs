@@ -236,7 +236,7 @@ impl Hybrid<'_> {
     pub fn law_rates(&self, q: &[f64], q_dot: &[f64]) -> Vec<f64> {
         let mut rates = self.slopes(q, self.clock.now());
         for (rate, law) in rates.iter_mut().zip(&self.laws) {
-            *rate *= q_dot[law.phase];
+            *rate *= law.speed(q_dot);
         }
         rates
     }

@@ -122,6 +122,12 @@ impl LawState {
         self.pitch.course(self.cell, s - self.bounds().0)
     }
 
+    /// The speed of its phase in a motion with the speeds `q_dot`.
+    #[inline]
+    pub fn speed(&self, q_dot: &[f64]) -> f64 {
+        self.frozen.map_or(q_dot[self.phase], |frozen| frozen.speed)
+    }
+
     /// Length of one turn of the coordinate; 0 if turns are not counted.
     pub fn turn(&self) -> f64 {
         self.turn

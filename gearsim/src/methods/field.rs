@@ -116,7 +116,7 @@ impl<'a> Field<'a> {
         let rates = || {
             let mut rates = vec![0.0; self.k.len()];
             for (i, law) in self.laws.iter().enumerate() {
-                rates[i] = self.dk[i] * y.v[law.phase];
+                rates[i] = self.dk[i] * law.speed(&y.v);
             }
             rates
         };

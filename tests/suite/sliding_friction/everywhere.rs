@@ -4,7 +4,7 @@ use gearsim::model::Role;
 use gearsim::run::Outcome;
 use gearsim::scene::Scene;
 
-use crate::common;
+use crate::{common, stuck};
 
 const MODELS: [&str; 6] =
     ["gear_pair_shafts", "gear_pair_bearings", "two_stage", "idler", "planetary_3", "planar_planetary_3"];
@@ -45,15 +45,6 @@ fn run(scene: &Scene) -> Outcome {
 
 fn largest(x: &[f64]) -> f64 {
     x.iter().fold(0.0, |m: f64, x| m.max(x.abs()))
-}
-
-/// For each mesh the share of the run in modes in which its flanks stick.
-fn stuck(outcome: &Outcome) -> Vec<f64> {
-    let of = |times: &[(&str, f64)]| {
-        let all: f64 = times.iter().map(|(_, time)| time).sum();
-        times.iter().filter(|(mode, _)| mode.starts_with("stuck")).map(|(_, time)| time).sum::<f64>() / all
-    };
-    outcome.modes.iter().map(|(_, times)| of(times)).collect()
 }
 
 /// Under a load that swings by less than the breakaway torque the flanks of every mesh stick; of planets, for a time at least. A load that swings by more moves them to and fro;
