@@ -39,6 +39,29 @@ pub struct Model {
     pub elements: &'static [&'static Model],
 }
 
+impl Model {
+    /// Vector of law values with every switch as without its effect, so with every play in contact and its width 0: the values
+    /// `laws`, padded with 0 to the number of laws, then the neutral values of each switch.
+    pub fn in_contact(&self, laws: impl IntoIterator<Item = f64>) -> Vec<f64> {
+        let laws = laws.into_iter().chain(std::iter::repeat(0.0)).take(self.laws.len());
+        laws.chain(self.switches.iter().flat_map(|switch| switch.neutral.iter().copied())).collect()
+    }
+
+    /// Whether the bit set `effects` has effects of the model only, with all that they require and none that they exclude.
+    pub fn admits(&self, effects: u64) -> bool {
+        let has = |i: usize| effects >> i & 1 == 1;
+        let named = |name: &&str| self.effects.iter().position(|effect| effect.name == *name).is_some_and(has);
+        let goes = |effect: &Effect| effect.requires.iter().all(named) && !effect.excludes.iter().any(named);
+        effects.checked_shr(self.effects.len() as u32).unwrap_or(0) == 0
+            && self.effects.iter().enumerate().all(|(i, effect)| !has(i) || goes(effect))
+    }
+
+    /// The effect with which laws switch in this way.
+    pub fn switching(&self, how: Switching) -> Option<&'static Effect> {
+        self.effects.iter().find(|effect| effect.switching == Some(how))
+    }
+}
+
 /// A generalised coordinate.
 #[derive(Debug, Clone, Copy)]
 pub struct Coordinate {
@@ -215,24 +238,6 @@ impl Mode {
     }
 }
 
-impl Model {
-    /// Vector of law values with every switch as without its effect, so with every play in contact and its width 0: the values
-    /// `laws`, padded with 0 to the number of laws, then the neutral values of each switch.
-    pub fn in_contact(&self, laws: impl IntoIterator<Item = f64>) -> Vec<f64> {
-        let laws = laws.into_iter().chain(std::iter::repeat(0.0)).take(self.laws.len());
-        laws.chain(self.switches.iter().flat_map(|switch| switch.neutral.iter().copied())).collect()
-    }
-
-    /// Whether the bit set `effects` has effects of the model only, with all that they require and none that they exclude.
-    pub fn admits(&self, effects: u64) -> bool {
-        let has = |i: usize| effects >> i & 1 == 1;
-        let named = |name: &&str| self.effects.iter().position(|effect| effect.name == *name).is_some_and(has);
-        let goes = |effect: &Effect| effect.requires.iter().all(named) && !effect.excludes.iter().any(named);
-        effects.checked_shr(self.effects.len() as u32).unwrap_or(0) == 0
-            && self.effects.iter().enumerate().all(|(i, effect)| !has(i) || goes(effect))
-    }
-}
-
 /// A rigid motion of the whole drivetrain, scaled by one number.
 #[derive(Debug, Clone, Copy)]
 pub struct Motion {
@@ -274,13 +279,6 @@ pub enum Switching {
     WithoutJump,
     /// When Omega0 t passes a step, independent of the motion.
     ByTime,
-}
-
-impl Model {
-    /// The effect with which laws switch in this way.
-    pub fn switching(&self, how: Switching) -> Option<&'static Effect> {
-        self.effects.iter().find(|effect| effect.switching == Some(how))
-    }
 }
 
 /// A quantity that a run can record: a force, a loss, a speed.

@@ -1,10 +1,15 @@
 //! A whole run of a scene, from its equations to its account. Programs call [`Scene::run`](crate::Scene::run).
 
 pub(crate) mod account;
+mod compensated;
+mod entry;
+mod outcome;
 mod rest;
 mod together;
 
 pub use account::Account;
+pub use entry::Entry;
+pub use outcome::{Digits, Outcome, Prospect, Solver};
 
 pub use crate::engine::error::{Refusal, Stop};
 pub use crate::engine::hybrid::Counts;
@@ -13,11 +18,9 @@ use std::time::Duration;
 
 use cpu_time::ThreadTime;
 use indexmap::IndexMap;
-use xprec::Df64;
 
 use crate::engine::cell::Cell;
-use crate::engine::compensated::Given;
-use crate::engine::equations::{Derived, DerivedModel, Equations};
+use crate::engine::equations::{DerivedModel, Equations};
 use crate::engine::forcing::Forcing;
 use crate::engine::hybrid::Hybrid;
 use crate::engine::motion::Effort;
@@ -25,217 +28,11 @@ use crate::engine::record::{Recorder, State};
 use crate::engine::simulate::Simulation;
 use crate::engine::start;
 use crate::engine::switch::Switch;
-use crate::engine::system::System;
-use crate::engine::train::Elements;
 use crate::methods::choice::{self, Choice};
 use crate::methods::steps::BySteps;
-use crate::model::Model;
 use crate::scene::solver::Method;
 use crate::scene::{Precision, Scene};
-use crate::trajectory::{Moment, Trajectory};
-
-/// The result of a run.
-#[derive(Debug, Clone)]
-pub struct Outcome {
-    /// The recorded rows. The last one is the state at the end, or where the run had to stop.
-    pub trajectory: Trajectory,
-    /// T + V at the start \[J\].
-    pub energy_at_start: f64,
-    /// Energy of neglected bounces \[J\], counted in the residual.
-    pub ignored: f64,
-    /// Events and costs.
-    pub counts: Counts,
-    /// For each switch of the scene, by its name: the time spent in each of its modes \[s\].
-    pub modes: Vec<(&'static str, Vec<(&'static str, f64)>)>,
-    /// Impacts of each kind, by what the modes of the scene's switches count, e.g. "flanks met".
-    pub impacts: Vec<(&'static str, u64)>,
-    /// How it was solved.
-    pub solver: Solver,
-    /// Why the run ended before its time, if it did.
-    pub stopped_by: Option<Stop>,
-    /// Damped angular frequency of the lowest elastic mode at the mid stiffness [rad/s].
-    pub reference_frequency: Option<f64>,
-    /// Processor time that the simulation took, with its recording \[s\].
-    pub cpu_seconds: f64,
-    /// The energy account, if it refutes the result.
-    pub refuted: Option<Account>,
-    /// How many digits of the result are left, where that was estimated.
-    pub digits: Option<Digits>,
-    /// Remarks for the reader of the result, a sentence each.
-    pub remarks: Vec<String>,
-}
-
-/// How many digits of a result are left.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Digits {
-    /// Digits of the least accurate coordinate or speed at the end: 0 to 16.
-    pub at_end: f64,
-    /// Time from which on none are left \[s\]; `None` where some are.
-    pub none_from: Option<f64>,
-}
-
-/// How a run was solved.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Solver {
-    /// The method, by its name in scenes; the one that took over, if one did.
-    pub method: &'static str,
-    /// Why it was this one.
-    pub why: String,
-    /// Steps of a numerical method; 0 for the exact one.
-    pub steps: u64,
-    /// Steps that were rejected.
-    pub rejected: u64,
-}
-
-/// How a scene would be run.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Prospect {
-    /// The method, by its name in scenes.
-    pub method: &'static str,
-    /// Why it is this one.
-    pub why: String,
-    /// Coordinates at the start \[SI\] (n).
-    pub q: Vec<f64>,
-    /// Speeds at the start \[SI\] (n).
-    pub q_dot: Vec<f64>,
-}
-
-/// A model as the program knows it: its description, and how to run a scene of it.
-#[derive(Clone, Copy)]
-pub struct Entry {
-    /// The description of the model.
-    pub model: &'static Model,
-    derived: DerivedModel,
-}
-
-impl Entry {
-    /// The entry of a derived model: `D` is a type that [`equations!`](crate::equations) defines.
-    pub const fn new<D: Derived>() -> Entry {
-        Entry { model: &D::MODEL, derived: DerivedModel::of::<D>() }
-    }
-
-    /// The entry of trains, whose parts a scene lists. `elements` are the elements of `model`, in its order.
-    pub(crate) const fn train(model: &'static Model, elements: &'static Elements) -> Entry {
-        Entry { model, derived: DerivedModel { model, source: elements } }
-    }
-
-    /// The entry with the description of a scene's model: that of a train has its parts.
-    pub(crate) fn described(self, model: &'static Model) -> Entry {
-        Entry { model, ..self }
-    }
-
-    /// Runs a scene, telling the model time \[s\] to `watch` as it goes.
-    ///
-    /// # Errors
-    /// Where the scene cannot be run.
-    pub fn run(&self, scene: &Scene, watch: &mut dyn FnMut(f64)) -> Result<Outcome, Refusal> {
-        let equations = self.equations(scene)?;
-        Ok(Prepared::new(&self.derived, scene, &*equations)?.run(watch))
-    }
-
-    /// How a scene would be run, and from where; it is not run.
-    ///
-    /// # Errors
-    /// Those of [`Entry::run`].
-    pub fn check(&self, scene: &Scene) -> Result<Prospect, Refusal> {
-        let equations = self.equations(scene)?;
-        let Prepared { simulation, plan } = Prepared::new(&self.derived, scene, &*equations)?;
-        let (method, why) = (plan.choice.method.name(), plan.choice.why);
-        Ok(Prospect { method, why, q: simulation.now.state.q.to_vec(), q_dot: simulation.now.state.q_dot.to_vec() })
-    }
-
-    /// Runs scenes side by side; of those with linear cells and constant torques, the start and the end are recorded
-    /// and nothing between.
-    ///
-    /// # Errors
-    /// For each, those of [`Entry::run`].
-    pub fn ends(&self, scenes: &[Scene]) -> Vec<Result<Outcome, Refusal>> {
-        let equations: Vec<_> = scenes.iter().map(|scene| self.equations(scene)).collect();
-        let prepared = scenes.iter().zip(&equations).map(|(scene, equations)| match equations {
-            Ok(equations) => Prepared::new(&self.derived, scene, &**equations),
-            Err(refusal) => Err(refusal.clone()),
-        });
-        together::run(prepared.collect())
-    }
-
-    /// The equations of a scene, for analyses.
-    ///
-    /// # Errors
-    /// Those of [`System::of`].
-    pub(crate) fn system(&self, scene: &Scene) -> Result<System, Refusal> {
-        System::of(&self.derived, scene)
-    }
-
-    /// The equations of a scene about its steady motion.
-    ///
-    /// # Errors
-    /// Those of [`System::about_steady_motion`].
-    pub(crate) fn about_steady_motion(&self, scene: &Scene) -> Result<System, Refusal> {
-        System::about_steady_motion(&self.derived, scene)
-    }
-
-    /// The linear part of the equations of a scene.
-    ///
-    /// # Errors
-    /// Those of [`System::linear_part`].
-    pub(crate) fn linear_part(&self, scene: &Scene) -> Result<System, Refusal> {
-        System::linear_part(&self.derived, scene)
-    }
-
-    /// The equations of a scene.
-    ///
-    /// # Errors
-    /// Where its effects contradict one another.
-    pub(crate) fn equations(&self, scene: &Scene) -> Result<Box<dyn Equations>, Refusal> {
-        self.derived.equations(scene)
-    }
-
-    /// A simulation of `scene` as [`Entry::run`] runs it, for programs that ask for its states; `equations` are those of the scene.
-    ///
-    /// # Errors
-    /// Those of [`Entry::run`].
-    pub(crate) fn simulation<'a>(
-        &self,
-        scene: &'a Scene,
-        equations: &'a dyn Equations,
-    ) -> Result<Simulation<'a>, Refusal> {
-        Ok(Prepared::new(&self.derived, scene, equations)?.simulation)
-    }
-
-    /// A simulation of `scene` with state and time in double-double precision.
-    ///
-    /// # Errors
-    /// If its cells cannot be solved in double-double precision.
-    pub(crate) fn compensate<'a>(
-        &self,
-        simulation: Simulation<'a>,
-        scene: &'a Scene,
-    ) -> Result<Simulation<'a>, Refusal> {
-        compensate(&self.derived, simulation, scene)
-    }
-}
-
-fn compensate<'a>(
-    derived: &DerivedModel,
-    simulation: Simulation<'a>,
-    scene: &'a Scene,
-) -> Result<Simulation<'a>, Refusal> {
-    let parameters: Vec<Df64> = scene.parameters.iter().copied().map(Df64::from).collect();
-    let mids: Vec<Df64> = scene.laws.iter().map(|law| law.exact_mid()).collect();
-    let k: Vec<Df64> = simulation.now.k.iter().copied().map(Df64::from).collect();
-    let load = |parameters| derived.source.exactly(scene, parameters, mids.clone()).matrices(&k).load;
-    let varies = scene.model.parameters.iter().map(|p| p.varies);
-    let bare: Vec<Df64> = parameters.iter().zip(varies).map(|(x, v)| if v { Df64::from(0.0) } else { *x }).collect();
-    // The forces are linear in a torque: subtract those at 0 from those at 1.
-    let of_unit = |p: usize| {
-        let mut unit = bare.clone();
-        unit[p] = Df64::from(1.0);
-        load(unit) - load(bare.clone())
-    };
-    let loads = simulation.now.forcing.iter().flat_map(|forcing| forcing.parameters()).map(of_unit).collect();
-    let cells = derived.source.exactly(scene, parameters, mids.clone());
-    simulation.compensate(Given { cells, loads })
-}
+use crate::trajectory::Moment;
 
 /// A scene that is ready to be run.
 struct Prepared<'a> {
@@ -275,7 +72,9 @@ impl<'a> Prepared<'a> {
         let forcing = Forcing::of(derived, scene);
         let compensated = scene.solver.precision == Precision::Compensated;
         let simulation = match choice::numerical(&choice, scene) {
-            None if compensated => compensate(derived, Simulation::exact(equations, scene, begun, forcing)?, scene),
+            None if compensated => {
+                compensated::compensate(derived, Simulation::exact(equations, scene, begun, forcing)?, scene)
+            }
             None => Simulation::exact(equations, scene, begun, forcing),
             Some(_) if compensated => Err(Refusal::CompensatedNumerical(choice.why.clone())),
             Some((method, settings)) => {

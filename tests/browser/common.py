@@ -7,7 +7,7 @@ import sys
 import tempfile
 import time
 
-from playwright.sync_api import sync_playwright
+from playwright.sync_api import TimeoutError, sync_playwright
 
 SCENES = pathlib.Path(__file__).parents[2] / "models" / "scenes"
 LAPTOP = {"viewport": {"width": 1280, "height": 800}}
@@ -54,13 +54,22 @@ def opened_file(browser, path, **settings):
 
 def run_tests(tests):
     """Runs what `tests(gearsim, folder, pictures)` yields: each a test, its arguments after the browser, and a word about them. The command
-    line has the program GEARSIM, and optionally a folder that gets pictures of the pages, for people."""
+    line has the program GEARSIM, and optionally a folder that gets pictures of the pages, for people.
+
+    Chromium sometimes ceases to draw frames for good on a busy machine, and then all waits. A test that waited in vain is run once
+    more in a new browser; a fault of a page makes it wait in vain again."""
     gearsim = pathlib.Path(sys.argv[1]).resolve()
     pictures = pathlib.Path(sys.argv[2]) if len(sys.argv) > 2 else None
     with tempfile.TemporaryDirectory() as folder, sync_playwright() as playwright:
         browser = started(playwright)
         for test, arguments, word in tests(gearsim, pathlib.Path(folder), pictures):
-            test(browser, *arguments)
+            try:
+                test(browser, *arguments)
+            except TimeoutError as error:
+                print("again, in a new browser:", test.__name__, word, str(error).splitlines()[0], flush=True)
+                browser.close()
+                browser = started(playwright)
+                test(browser, *arguments)
             print("passed:", test.__name__, word, flush=True)
         browser.close()
 
@@ -72,10 +81,15 @@ def screens(fits, path, *more):
 
 def settle(page):
     """Waits for the frames in which the page draws what was asked, in all detail."""
-    frames = "new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(() => setTimeout(done))))"
-    page.evaluate(frames)
+    two_frames(page)
     wait_until(page, "[...groups.values()].every((group) => group.detail === null)")
-    page.evaluate(frames)
+    two_frames(page)
+
+
+def two_frames(page):
+    """Waits for two frames and the tasks after them."""
+    page.evaluate("{ window.framed = false; requestAnimationFrame(() => requestAnimationFrame(() => setTimeout(() => { window.framed = true; }))); }")
+    wait_until(page, "window.framed")
 
 
 def wait_until(page, condition, arg=None):
@@ -83,5 +97,6 @@ def wait_until(page, condition, arg=None):
     Content-Security-Policy forbids."""
     deadline = time.monotonic() + 120
     while not page.evaluate(condition, arg):
-        assert time.monotonic() < deadline, f"does not become true: {condition}"
+        if time.monotonic() > deadline:
+            raise TimeoutError(f"does not become true: {condition}")
         page.wait_for_timeout(20)

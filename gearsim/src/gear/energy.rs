@@ -19,8 +19,9 @@
 
 use std::f64::consts::PI;
 
+use super::contact::Contact;
 use super::foundation::Foundation;
-use super::pair::{Contact, GearError, Gears};
+use super::pair::{GearError, Gears};
 use super::tooth::Tooth;
 use crate::tolerance::scene::FILLET_CONTACT;
 

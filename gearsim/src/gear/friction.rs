@@ -14,9 +14,10 @@
 //! The cells of these laws of spur gears are bit-identical to those of the stiffness, with one more boundary where a pair passes the pitch
 //! point: there the side steps, and the arm has a kink.
 
+use super::contact::Contact;
 use super::energy::ToothPair;
 use super::mesh_stiffness::{Cell, StiffnessMethod, cells, curves, from_pitch_point};
-use super::pair::{Contact, GearError, Gears};
+use super::pair::{GearError, Gears};
 use crate::profile::{Curve, Profile, Step};
 use crate::tolerance::scene::PITCH_POINT;
 

@@ -10,9 +10,10 @@
 //! With the method "energy" a section has the teeth of the transverse section, and the slices are independent of one another: the
 //! stiffness of teeth across slices is neglected, as in the sum of slices of Wan et al. (2015), Mech. Mach. Theory 84.
 
+use super::contact::Contact;
 use super::energy::ToothPair;
 use super::iso6336::Iso6336;
-use super::pair::{Contact, GearError, Gears};
+use super::pair::{GearError, Gears};
 use crate::profile::{Curve, Profile, Step};
 use crate::tolerance::scene::SLOPE_STEP;
 

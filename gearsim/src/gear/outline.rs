@@ -22,8 +22,9 @@
 
 use std::f64::consts::PI;
 
+use super::contact::Contact;
 use super::involute::involute;
-use super::pair::{Contact, GearError, Gears};
+use super::pair::{GearError, Gears};
 use super::tooth::Tooth;
 
 /// Points of a flank, and of a fillet.

@@ -13,8 +13,9 @@
 
 use std::f64::consts::PI;
 
+use super::contact::Contact;
 use super::involute::involute;
-use super::pair::{Contact, GearError, Gears};
+use super::pair::{GearError, Gears};
 use crate::tolerance::scene::UNDERCUT;
 
 /// A tooth. Heights are measured along its centre line from the centre of the gear [m].

@@ -1,0 +1,132 @@
+//! Where the equations of a scene come from: a derived model, or the parts of a train.
+
+use nalgebra::{DMatrix, DVector};
+use xprec::Df64;
+
+use super::{Deflection, Equations, Exit, no_such};
+use crate::engine::error::Refusal;
+use crate::engine::real::Real;
+use crate::model::Model;
+use crate::scene::Scene;
+
+/// A derived model: its description, and its equations for any set of effects.
+pub trait Derived: Sync {
+    /// The description of the model.
+    const MODEL: Model;
+
+    /// The equations with the effects of the bit set `effects` (bit i: `MODEL.effects[i]`), the parameter values [SI, order of
+    /// `MODEL.parameters`] and the mid value (max + min)/2 of each stiffness; `None` if the effects contradict one another.
+    fn equations(effects: u64, parameters: &[f64], mids: &[f64]) -> Option<Box<dyn Equations>>;
+
+    /// The matrices of a cell with law values `k`, in numbers of type R. The other arguments are those of [`Derived::equations`].
+    fn matrices<R: Real>(effects: u64, parameters: &[R], mids: &[R], k: &[R]) -> Matrices<R>;
+
+    /// The cells in double-double numbers. The arguments are those of [`Derived::equations`].
+    fn exactly(effects: u64, parameters: &[Df64], mids: &[Df64]) -> Box<dyn ExactCells>;
+}
+
+/// A linear cell, M q'' + C q' + K q = f, in numbers of type R.
+#[derive(Debug, Clone)]
+pub struct Matrices<R> {
+    /// M (n x n), which is constant in a linear cell.
+    pub mass: DMatrix<R>,
+    /// M⁻¹ (n x n), if a closed form is known.
+    pub mobility: Option<DMatrix<R>>,
+    /// C (n x n).
+    pub damping: DMatrix<R>,
+    /// K (n x n).
+    pub stiffness: DMatrix<R>,
+    /// f (n).
+    pub load: DVector<R>,
+    /// V where all coordinates are zero.
+    pub at_zero: R,
+}
+
+/// [`Derived::equations`] of a model.
+type EquationsOf = fn(u64, &[f64], &[f64]) -> Option<Box<dyn Equations>>;
+
+/// [`Derived::exactly`] of a model.
+type ExactlyOf = fn(u64, &[Df64], &[Df64]) -> Box<dyn ExactCells>;
+
+/// The functions of a derived model as values. The engine is compiled once and calls the functions of each model by pointer.
+#[derive(Debug, Clone, Copy)]
+pub struct Functions {
+    /// [`Derived::equations`].
+    pub equations: EquationsOf,
+    /// [`Derived::exactly`].
+    pub exactly: ExactlyOf,
+}
+
+impl Functions {
+    /// The functions of model `D`.
+    pub const fn of<D: Derived>() -> Functions {
+        Functions { equations: D::equations, exactly: D::exactly }
+    }
+}
+
+/// The linear cells of a scene in double-double numbers; `k` are the values of laws and switches.
+pub trait ExactCells {
+    /// The matrices of a cell.
+    fn matrices(&self, k: &[Df64]) -> Matrices<Df64>;
+    /// [`Equations::potential`].
+    fn potential(&self, q: &[Df64], k: &[Df64]) -> Df64;
+    /// [`Equations::step`].
+    fn step(&self, law: usize, q: &[Df64], k: &[Df64], dk: Df64) -> Df64;
+    /// [`Equations::mode`].
+    fn mode(&self, i: usize, _mode: usize) -> Option<Vec<Df64>> {
+        no_such("switch", i)
+    }
+    /// [`Equations::exits`].
+    fn exits(&self, i: usize, _mode: usize, _k: &[Df64]) -> Vec<Exit<Df64>> {
+        no_such("switch", i)
+    }
+    /// The deflection of switch `i`.
+    fn switched(&self, i: usize, _k: &[Df64]) -> Deflection<Df64> {
+        no_such("switch", i)
+    }
+}
+
+/// Where the equations of a scene come from: a derived model, or parts that are put together ([`train`](crate::engine::train)).
+pub trait Source: Sync {
+    /// The equations of a scene with these values of its parameters [SI] and mid values of its laws; `None` if its effects contradict one
+    /// another.
+    fn equations(&self, scene: &Scene, parameters: &[f64], mids: &[f64]) -> Option<Box<dyn Equations>>;
+    /// The cells of a scene in double-double numbers.
+    fn exactly<'a>(&'a self, scene: &'a Scene, parameters: Vec<Df64>, mids: Vec<Df64>) -> Box<dyn ExactCells + 'a>;
+}
+
+impl Source for Functions {
+    fn equations(&self, scene: &Scene, parameters: &[f64], mids: &[f64]) -> Option<Box<dyn Equations>> {
+        (self.equations)(scene.effects.0, parameters, mids)
+    }
+
+    fn exactly<'a>(&'a self, scene: &'a Scene, parameters: Vec<Df64>, mids: Vec<Df64>) -> Box<dyn ExactCells + 'a> {
+        (self.exactly)(scene.effects.0, &parameters, &mids)
+    }
+}
+
+/// A model as the engine knows it: its description, and the source of its equations.
+#[derive(Clone, Copy)]
+pub struct DerivedModel {
+    /// The description of the model; of a train without its parts, which the description of a scene has.
+    pub model: &'static Model,
+    /// Where its equations come from.
+    pub source: &'static dyn Source,
+}
+
+impl DerivedModel {
+    /// The functions of model `D`.
+    pub const fn of<D: Derived>() -> DerivedModel {
+        DerivedModel { model: &D::MODEL, source: const { &Functions::of::<D>() } }
+    }
+
+    /// The equations of a scene.
+    ///
+    /// # Errors
+    /// If its effects contradict one another.
+    pub fn equations(&self, scene: &Scene) -> Result<Box<dyn Equations>, Refusal> {
+        let mids: Vec<f64> = scene.laws.iter().map(|l| l.mid()).collect();
+        let which = || scene.effects.contradictions(scene.model);
+        self.source.equations(scene, &scene.parameters, &mids).ok_or_else(|| Refusal::Effects { which: which() })
+    }
+}

@@ -1,0 +1,70 @@
+//! What a run gives, and what is known of it before.
+
+use super::{Account, Counts, Stop};
+use crate::trajectory::Trajectory;
+
+/// The result of a run.
+#[derive(Debug, Clone)]
+pub struct Outcome {
+    /// The recorded rows. The last one is the state at the end, or where the run had to stop.
+    pub trajectory: Trajectory,
+    /// T + V at the start \[J\].
+    pub energy_at_start: f64,
+    /// Energy of neglected bounces \[J\], counted in the residual.
+    pub ignored: f64,
+    /// Events and costs.
+    pub counts: Counts,
+    /// For each switch of the scene, by its name: the time spent in each of its modes \[s\].
+    pub modes: Vec<(&'static str, Vec<(&'static str, f64)>)>,
+    /// Impacts of each kind, by what the modes of the scene's switches count, e.g. "flanks met".
+    pub impacts: Vec<(&'static str, u64)>,
+    /// How it was solved.
+    pub solver: Solver,
+    /// Why the run ended before its time, if it did.
+    pub stopped_by: Option<Stop>,
+    /// Damped angular frequency of the lowest elastic mode at the mid stiffness [rad/s].
+    pub reference_frequency: Option<f64>,
+    /// Processor time that the simulation took, with its recording \[s\].
+    pub cpu_seconds: f64,
+    /// The energy account, if it refutes the result.
+    pub refuted: Option<Account>,
+    /// How many digits of the result are left, where that was estimated.
+    pub digits: Option<Digits>,
+    /// Remarks for the reader of the result, a sentence each.
+    pub remarks: Vec<String>,
+}
+
+/// How many digits of a result are left.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Digits {
+    /// Digits of the least accurate coordinate or speed at the end: 0 to 16.
+    pub at_end: f64,
+    /// Time from which on none are left \[s\]; `None` where some are.
+    pub none_from: Option<f64>,
+}
+
+/// How a run was solved.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Solver {
+    /// The method, by its name in scenes; the one that took over, if one did.
+    pub method: &'static str,
+    /// Why it was this one.
+    pub why: String,
+    /// Steps of a numerical method; 0 for the exact one.
+    pub steps: u64,
+    /// Steps that were rejected.
+    pub rejected: u64,
+}
+
+/// How a scene would be run.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Prospect {
+    /// The method, by its name in scenes.
+    pub method: &'static str,
+    /// Why it is this one.
+    pub why: String,
+    /// Coordinates at the start \[SI\] (n).
+    pub q: Vec<f64>,
+    /// Speeds at the start \[SI\] (n).
+    pub q_dot: Vec<f64>,
+}
