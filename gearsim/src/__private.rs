@@ -90,7 +90,7 @@ pub mod linear {
     }
 }
 
-/// How many digits of a result are left: tests compare methods by it.
+/// The number of correct digits of a result: tests compare methods by it.
 pub mod digits {
     pub use crate::analysis::digits::{companion, noted};
 }

@@ -177,7 +177,6 @@ fn reference_frequency(scene: &Scene, equations: &dyn Equations) -> Option<f64> 
     if !scene.effects.nonlinear(scene.model).is_empty() {
         return None;
     }
-    let mids: Vec<f64> = scene.laws.iter().map(|l| l.mid()).collect();
-    let cell = Cell::new(equations, &scene.model.in_contact(mids)).ok()?;
+    let cell = Cell::new(equations, &scene.model.in_contact(scene.mids())).ok()?;
     cell.modes.iter().map(|m| m.damped_frequency()).find(|w| *w > 0.0)
 }

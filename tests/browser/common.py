@@ -56,8 +56,8 @@ def run_tests(tests):
     """Runs what `tests(gearsim, folder, pictures)` yields: each a test, its arguments after the browser, and a word about them. The command
     line has the program GEARSIM, and optionally a folder that gets pictures of the pages, for people.
 
-    Chromium sometimes ceases to draw frames for good on a busy machine, and then all waits. A test that waited in vain is run once
-    more in a new browser; a fault of a page makes it wait in vain again."""
+    Chromium sometimes stops drawing frames for good on a busy machine, and then a page waits without end. A test that waited in vain
+    on such a page is run once more in a new browser. If the page still draws frames, the test has failed."""
     gearsim = pathlib.Path(sys.argv[1]).resolve()
     pictures = pathlib.Path(sys.argv[2]) if len(sys.argv) > 2 else None
     with tempfile.TemporaryDirectory() as folder, sync_playwright() as playwright:
@@ -66,6 +66,8 @@ def run_tests(tests):
             try:
                 test(browser, *arguments)
             except TimeoutError as error:
+                if draws_frames(browser.contexts[-1].pages[-1]):
+                    raise
                 print("again, in a new browser:", test.__name__, word, str(error).splitlines()[0], flush=True)
                 browser.close()
                 browser = started(playwright)
@@ -86,16 +88,25 @@ def settle(page):
     two_frames(page)
 
 
-def two_frames(page):
-    """Waits for two frames and the tasks after them."""
+def two_frames(page, seconds=120):
+    """Waits for two frames and the tasks after them, at most `seconds`."""
     page.evaluate("{ window.framed = false; requestAnimationFrame(() => requestAnimationFrame(() => setTimeout(() => { window.framed = true; }))); }")
-    wait_until(page, "window.framed")
+    wait_until(page, "window.framed", seconds=seconds)
 
 
-def wait_until(page, condition, arg=None):
-    """Waits until a JavaScript condition holds. Playwright's `wait_for_function` evaluates strings inside the page, which the page's
-    Content-Security-Policy forbids."""
-    deadline = time.monotonic() + 120
+def draws_frames(page):
+    """Whether the page draws frames."""
+    try:
+        two_frames(page, seconds=10)
+    except TimeoutError:
+        return False
+    return True
+
+
+def wait_until(page, condition, arg=None, seconds=120):
+    """Waits at most `seconds` until a JavaScript condition holds. Playwright's `wait_for_function` evaluates strings inside the page,
+    which the page's Content-Security-Policy forbids."""
+    deadline = time.monotonic() + seconds
     while not page.evaluate(condition, arg):
         if time.monotonic() > deadline:
             raise TimeoutError(f"does not become true: {condition}")

@@ -177,7 +177,7 @@ impl Verb for Modes {
 impl Modes {
     /// The value of each law in the chosen cell.
     fn levels(&self, scene: &Scene, courses: &[SteadyLaw]) -> Result<Vec<f64>, Failure> {
-        let Some(cell) = &self.cell else { return Ok(scene.stiffnesses().map(|(_, law)| law.mid()).collect()) };
+        let Some(cell) = &self.cell else { return Ok(scene.mid_stiffnesses()) };
         let wrong = |what: String| Failure::Impossible {
             what,
             help: "give one number per law, in the order of the model, e.g. --cell 0 or --cell 0,1".into(),

@@ -95,7 +95,7 @@ impl Gears {
             }
             along[i] = (tip[i] * tip[i] - base[i] * base[i]).sqrt();
         }
-        let tangent = base.map(|r| r * angle.tan());
+        let tangent = tangents(base, angle);
         let (approach, recess) = (sign * (along[1] - tangent[1]), along[0] - tangent[0]);
         let base_pitch = PI * transverse_module * transverse_angle.cos();
         let overlap = self.face_width * self.helix_angle.sin() / (PI * m);
@@ -112,12 +112,13 @@ impl Gears {
             approach,
             recess,
         };
-        self.check(&contact, tangent)?;
+        self.check(&contact)?;
         Ok(contact)
     }
 
     /// Checks that all contact is on involutes, that tips and roots do not overlap, and that the contact ratio is greater than 1.
-    fn check(&self, contact: &Contact, tangent: [f64; 2]) -> Result<(), GearError> {
+    fn check(&self, contact: &Contact) -> Result<(), GearError> {
+        let tangent = tangents(contact.base, contact.angle);
         let advice = |gear: &str, other: &str| {
             format!("give {gear} more teeth or a positive profile shift, or {other} a smaller addendum")
         };
@@ -167,9 +168,15 @@ impl Contact {
 
     /// Radii on both gears \[m\] at which a pair of external teeth touches, at the distance `x` \[m\] beyond the pitch point.
     pub fn radii(&self, x: f64) -> [f64; 2] {
-        let tangent = self.base.map(|r| r * self.angle.tan());
+        let tangent = tangents(self.base, self.angle);
         [(self.base[0], tangent[0] + x), (self.base[1], tangent[1] - x)].map(|(b, t)| b.hypot(t))
     }
+}
+
+/// Distances of the pitch point from the base circles of radii `base` \[m\], along the common tangent, at the working pressure angle
+/// `angle` \[rad\].
+fn tangents(base: [f64; 2], angle: f64) -> [f64; 2] {
+    base.map(|r| r * angle.tan())
 }
 
 #[cfg(test)]

@@ -1,4 +1,4 @@
-//! Geometry of an involute spur gear pair, and the mesh stiffness and friction laws that follow from it. Pure functions, SI units.
+//! Geometry of an involute gear pair, spur or helical, and the mesh stiffness and friction laws that follow from it. Pure functions, SI units.
 //!
 //! - `involute`: the involute function and its inverse;
 //! - `pair`: [`Gears`], the data of a drawing;

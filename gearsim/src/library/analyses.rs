@@ -13,7 +13,7 @@ impl Scene {
     /// If a mass matrix is not positive definite, or there is no equilibrium. What is not linear is linearised about the equilibrium, or about
     /// the steady motion at the speeds of the start; where inertias change along the motion, about the place of the start.
     pub fn modes(&self) -> Result<CellModes, Error> {
-        let levels: Vec<f64> = self.stiffnesses().map(|(_, law)| law.mid()).collect();
+        let levels = self.mid_stiffnesses();
         self.modes_at(&levels)
     }
 

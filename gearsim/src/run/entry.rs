@@ -1,4 +1,4 @@
-//! A model as the program knows it.
+//! A model for programs.
 
 use super::compensated::compensate;
 use super::{Outcome, Prepared, Prospect, Refusal, together};
@@ -9,7 +9,7 @@ use crate::engine::train::Elements;
 use crate::model::Model;
 use crate::scene::Scene;
 
-/// A model as the program knows it: its description, and how to run a scene of it.
+/// A model for programs: its description, and how to run a scene of it.
 #[derive(Clone, Copy)]
 pub struct Entry {
     /// The description of the model.

@@ -34,12 +34,12 @@ pub struct Outcome {
     pub remarks: Vec<String>,
 }
 
-/// How many digits of a result are left.
+/// The number of correct digits of a result.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Digits {
-    /// Digits of the least accurate coordinate or speed at the end: 0 to 16.
+    /// Correct digits of the least accurate coordinate or speed at the end of the run, 0 to 16.
     pub at_end: f64,
-    /// Time from which on none are left \[s\]; `None` where some are.
+    /// Time from which no digit is correct \[s\]; `None` if some are correct until the end.
     pub none_from: Option<f64>,
 }
 

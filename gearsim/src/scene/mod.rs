@@ -166,6 +166,16 @@ impl Scene {
     pub fn stiffnesses(&self) -> impl Iterator<Item = (&'static Law, &Profile)> {
         self.present().filter(|(law, _)| law.with.is_none())
     }
+
+    /// The mid value (max + min)/2 of each law, in the units of the laws.
+    pub fn mids(&self) -> Vec<f64> {
+        self.laws.iter().map(Profile::mid).collect()
+    }
+
+    /// The mid value (max + min)/2 of each of [`Scene::stiffnesses`], in their units.
+    pub fn mid_stiffnesses(&self) -> Vec<f64> {
+        self.stiffnesses().map(|(_, law)| law.mid()).collect()
+    }
 }
 
 /// A set of effects: bit `i` is `model.effects[i]`.

@@ -10,7 +10,7 @@ fn check(name: &str, q: &[f64], v: &[f64]) {
     let entry = gearsim::models().iter().find(|entry| entry.model.name == scene.model.name).expect("a known model");
     let equations: Box<dyn Equations> = entry.equations(&scene).expect("effects that do not contradict one another");
     assert!(!equations.is_inertia_constant());
-    let k = scene.model.in_contact(scene.laws.iter().map(|law| law.mid()));
+    let k = scene.model.in_contact(scene.mids());
     let none = vec![0.0; scene.model.laws.len()];
     let acceleration = |q: &[f64], v: &[f64]| equations.acceleration(q, v, &k, &none);
     let a = acceleration(q, v);

@@ -20,7 +20,7 @@ const G: f64 = 9.81;
 
 fn cell(entry: &Entry, scene: &Scene) -> (CellModes, Motion) {
     let system = entry.about_steady_motion(scene).unwrap();
-    let levels: Vec<f64> = scene.stiffnesses().map(|(_, law)| law.mid()).collect();
+    let levels = scene.mid_stiffnesses();
     (
         linear::modes(&system, &levels, &linear::Parts::default()).unwrap(),
         system.steady().expect("M depends on q").motion,

@@ -42,7 +42,7 @@ impl Groups {
     pub(crate) fn of(scene: &Scene, system: &System) -> Result<Groups, Refusal> {
         let model = scene.model;
         let courses = steady::courses(scene, system)?;
-        let mids: Vec<f64> = scene.stiffnesses().map(|(_, law)| law.mid()).collect();
+        let mids = scene.mid_stiffnesses();
         let cell = modes::of(system, &mids, &modes::Parts::default())?;
         let coordinate = |name: &str| model.coordinates.iter().position(|c| c.name == name).unwrap_or(0);
         let mut meshes = vec![];

@@ -151,7 +151,7 @@ impl<'a> Steady<'a> {
             natural: (low, high),
             statics: DVector::zeros(speeds.len()),
         };
-        let mids: Vec<f64> = scene.stiffnesses().map(|(_, law)| law.mid()).collect();
+        let mids = scene.mid_stiffnesses();
         steady.statics = &steady.shapes * steady.rest(&mids)?;
         let growth = steady.growth()?;
         if growth.powf(scene.t_end / steady.period) > SETTLED {

@@ -270,7 +270,7 @@ impl Shooting<'_> {
 
     /// The fastest rate of the linearised equations \[1/s\].
     fn rate(&self) -> f64 {
-        let levels: Vec<f64> = self.scene.stiffnesses().map(|(_, law)| law.mid()).collect();
+        let levels = self.scene.mid_stiffnesses();
         let Ok(m) = self.system.linearised(&levels) else { return 1.0 };
         (&m.mobility * &m.stiffness).amax().sqrt().max(1.0 / self.turn.time)
     }

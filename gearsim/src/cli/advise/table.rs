@@ -187,7 +187,7 @@ mod tests {
         let system = known::of(&scene).unwrap().system(&scene).unwrap();
         let groups = Groups::of(&scene, &system).unwrap();
         let courses = steady::courses(&scene, &system).unwrap();
-        let mids: Vec<f64> = scene.stiffnesses().map(|(_, law)| law.mid()).collect();
+        let mids = scene.mid_stiffnesses();
         let parts = modes::Parts::of(&scene, known::of(&scene).unwrap(), &system).unwrap();
         let cell = modes::of(&system, &mids, &parts).unwrap();
         let (law, meeting) = *groups.meetings.first().expect("a harmonic of the meshes is near a mode");

@@ -12,7 +12,7 @@ pub struct Deflection<R: Real = f64> {
     pub normal: R::Row,
     /// Its value where the coordinates and the transmission errors are zero.
     pub constant: R,
-    /// The transmission errors that shift it: index of the law, and shift per unit of the law.
+    /// The transmission errors that shift it, each with the index of its law and the shift per unit of the law.
     pub errors: Vec<(usize, R)>,
 }
 
@@ -23,7 +23,7 @@ impl Deflection {
     }
 }
 
-/// How far transmission errors shift a deflection.
+/// The shift of a deflection by transmission errors.
 fn shift<R: Real>(errors: &[(usize, R)], k: &[R]) -> R {
     errors.iter().fold(R::from(0.0), |sum, &(law, unit)| sum + unit * k[law])
 }
@@ -44,7 +44,7 @@ pub struct Exit<R: Real = f64> {
 pub struct Affine<R: Real = f64> {
     /// Its value at the state zero.
     pub constant: R,
-    /// The transmission errors in it: index of the law, and factor.
+    /// The transmission errors in it, each with the index of its law and its factor.
     pub errors: SmallVec<[(usize, R); 1]>,
     /// Its slopes along the coordinates (n).
     pub on_q: R::Row,

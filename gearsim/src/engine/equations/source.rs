@@ -1,4 +1,4 @@
-//! Where the equations of a scene come from: a derived model, or the parts of a train.
+//! The source of the equations of a scene: a derived model, or the parts of a train.
 
 use nalgebra::{DMatrix, DVector};
 use xprec::Df64;
@@ -21,7 +21,7 @@ pub trait Derived: Sync {
     /// The matrices of a cell with law values `k`, in numbers of type R. The other arguments are those of [`Derived::equations`].
     fn matrices<R: Real>(effects: u64, parameters: &[R], mids: &[R], k: &[R]) -> Matrices<R>;
 
-    /// The cells in double-double numbers. The arguments are those of [`Derived::equations`].
+    /// The linear cells in double-double precision. The arguments are those of [`Derived::equations`].
     fn exactly(effects: u64, parameters: &[Df64], mids: &[Df64]) -> Box<dyn ExactCells>;
 }
 
@@ -64,7 +64,7 @@ impl Functions {
     }
 }
 
-/// The linear cells of a scene in double-double numbers; `k` are the values of laws and switches.
+/// The linear cells of a scene in double-double precision; `k` are the values of laws and switches.
 pub trait ExactCells {
     /// The matrices of a cell.
     fn matrices(&self, k: &[Df64]) -> Matrices<Df64>;
@@ -86,12 +86,12 @@ pub trait ExactCells {
     }
 }
 
-/// Where the equations of a scene come from: a derived model, or parts that are put together ([`train`](crate::engine::train)).
+/// The source of the equations of a scene: a derived model, or parts that are put together ([`train`](crate::engine::train)).
 pub trait Source: Sync {
     /// The equations of a scene with these values of its parameters [SI] and mid values of its laws; `None` if its effects contradict one
     /// another.
     fn equations(&self, scene: &Scene, parameters: &[f64], mids: &[f64]) -> Option<Box<dyn Equations>>;
-    /// The cells of a scene in double-double numbers.
+    /// The linear cells of a scene in double-double precision.
     fn exactly<'a>(&'a self, scene: &'a Scene, parameters: Vec<Df64>, mids: Vec<Df64>) -> Box<dyn ExactCells + 'a>;
 }
 
@@ -105,12 +105,12 @@ impl Source for Functions {
     }
 }
 
-/// A model as the engine knows it: its description, and the source of its equations.
+/// A model for the engine: its description, and the source of its equations.
 #[derive(Clone, Copy)]
 pub struct DerivedModel {
     /// The description of the model; of a train without its parts, which the description of a scene has.
     pub model: &'static Model,
-    /// Where its equations come from.
+    /// The source of its equations.
     pub source: &'static dyn Source,
 }
 
@@ -125,7 +125,7 @@ impl DerivedModel {
     /// # Errors
     /// If its effects contradict one another.
     pub fn equations(&self, scene: &Scene) -> Result<Box<dyn Equations>, Refusal> {
-        let mids: Vec<f64> = scene.laws.iter().map(|l| l.mid()).collect();
+        let mids = scene.mids();
         let which = || scene.effects.contradictions(scene.model);
         self.source.equations(scene, &scene.parameters, &mids).ok_or_else(|| Refusal::Effects { which: which() })
     }

@@ -54,7 +54,7 @@ fn shifted_gears_mesh_without_backlash() {
     assert!((told.ratio() - contact.ratio()).abs() < 1e-9);
 }
 
-/// A ring with very many teeth is a rack, and so is an external gear: both have the same contact ratio with a planet.
+/// With very many teeth, a ring and an external gear both become a rack: a planet has the same contact ratio with each.
 #[test]
 fn a_ring_with_many_teeth_is_a_rack() {
     let ring = |z2: f64| Gears { internal: true, addendum: [1.0, 0.8], ..standard(36.0, z2) };

@@ -48,8 +48,7 @@ impl Motion {
     pub(super) fn force(&self, scene: &Scene, equations: &dyn Equations, speed: f64) -> f64 {
         let still = Vector::zeros(self.unit.len());
         let q_dot = &self.unit * speed;
-        let mids: Vec<f64> = scene.laws.iter().map(|law| law.mid()).collect();
-        let (k, flat) = (scene.model.in_contact(mids.iter().copied()), vec![0.0; scene.model.laws.len()]);
+        let (k, flat) = (scene.model.in_contact(scene.mids()), vec![0.0; scene.model.laws.len()]);
         dot(&self.unit, &equations.force(&still, &q_dot, &k, &flat))
     }
 
