@@ -112,12 +112,31 @@ pub struct Parameter {
     pub default: Option<f64>,
     /// The only effect that uses the parameter, if there is one. Scenes without this effect need not give it.
     pub with: Option<&'static str>,
-    /// Whether it may vary in time. This requires that the generalised forces are linear in it and that nothing else depends on it.
-    pub varies: bool,
+    /// Whether it may vary in time.
+    pub varies: Varies,
     /// Allowed values \[SI\].
     pub range: Range,
     /// What it is.
     pub doc: &'static str,
+}
+
+/// Whether a parameter may vary in time. This requires that the generalised forces are linear in it and that nothing else depends on it, in
+/// particular no guard of a switch.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Varies {
+    /// It may not.
+    Never,
+    /// The factors of the parameter in the forces are the same in every state. Cells stay linear.
+    AsLoad,
+    /// The factors depend on the state, as those of the demand on a motor whose torque falls with its speed.
+    WithState,
+}
+
+impl Varies {
+    /// Whether the parameter may vary.
+    pub fn may(self) -> bool {
+        self != Varies::Never
+    }
 }
 
 /// An interval of allowed values.

@@ -2,6 +2,8 @@
 
 mod common;
 
+use std::f64::consts::PI;
+
 use common::{run, scene};
 use gearsim::run::Outcome;
 use gearsim::scene::Scene;
@@ -242,6 +244,67 @@ fn a_traction_motor_brakes_along_the_same_curve() {
         }
         assert!(t.kinetic[t.len() - 1] < t.kinetic[0] && unaccounted(&outcome) < 1e-10);
     }
+}
+
+/// The demand varies in time: along d(t), I domega = d T dt, so the integral of d takes the place of the time. Harmonics and a table, whose
+/// breakpoint is an event; an explicit method, and an implicit one.
+#[test]
+fn the_demand_on_a_traction_motor_varies_in_time() {
+    let demand = "parameters.d_motor={table=[{at=0, value=0.2}, {at=\"1 s\", value=1.2}], harmonics=[{amplitude=0.5, frequency=\"3 Hz\"}]}";
+    let integral = |t: f64| {
+        let ramp = if t < 1.0 { 0.2 * t + 0.5 * t * t } else { 0.7 + 1.2 * (t - 1.0) };
+        ramp + 0.5 * (6.0 * PI * t).sin() / (6.0 * PI)
+    };
+    for method in ["dop853", "radau"] {
+        let outcome =
+            traction(&[demand, &format!("run.method={method}"), "run.tolerance=1e-10", "start.speed=\"20 rad/s\""]);
+        let t = &outcome.trajectory;
+        for (i, (time, omega)) in t.t.iter().zip(&t.q_dot[0]).enumerate() {
+            let passed = run_up(*omega, 0.01) - run_up(20.0, 0.01);
+            assert!((integral(*time) - passed).abs() < 1e-8, "{method}: {time} s: {omega} rad/s, {passed} s");
+            let d = 0.2 + time.min(1.0) + 0.5 * (6.0 * PI * time).cos();
+            let envelope = 500.0 * 5.0 * omega / (500.0f64.powi(2) + (5.0 * omega).powi(2)).sqrt();
+            let power = t.output("power_traction").expect("an output")[i];
+            assert!((0.7..1.5).contains(&(power / (d * envelope))), "{method}: {time} s: {power} W, demand {d}");
+        }
+        assert!(unaccounted(&outcome) < 1e-9, "{method}: {:e}", unaccounted(&outcome));
+    }
+}
+
+/// A fan whose coefficient varies, in closed form: I domega/(omega (w0² + omega²)^(1/2)) = -c(t) dt.
+#[test]
+fn the_coefficient_of_a_fan_varies_in_time() {
+    let (inertia, w0) = (0.4, 0.5);
+    let set = [
+        "effects=[\"fan_load\"]",
+        "parameters.I2=\"0.4 kg*m^2\"",
+        "parameters.w0_load=\"0.5 rad/s\"",
+        "parameters.cf_load={steps=[{value=\"0.01 N*m*s^2/rad^2\", until=\"0.3 s\"}, {value=\"0.002 N*m*s^2/rad^2\"}]}",
+        "start.theta2_dot=\"200 rad/s\"",
+        "run.t_end=\"2 s\"",
+        "run.tolerance=1e-12",
+    ];
+    let outcome = run(&scene("freewheel", &set.map(String::from)));
+    let t = &outcome.trajectory;
+    let slowed = |omega: f64| inertia / w0 * ((w0 / omega).asinh() - (w0 / 200.0f64).asinh());
+    for (time, omega) in t.t.iter().zip(&t.q_dot[1]) {
+        let taken = 0.01 * time.min(0.3) + 0.002 * (time - 0.3).max(0.0);
+        assert!((slowed(*omega) - taken).abs() < 1e-10, "{time} s: {omega} rad/s");
+    }
+    assert!(t.q_dot[1][t.len() - 1] < 60.0 && unaccounted(&outcome) < 1e-11, "{:e}", unaccounted(&outcome));
+}
+
+/// What a guard depends on cannot vary: the guards of a run are those of its start.
+#[test]
+fn the_torque_of_dry_friction_cannot_vary_in_time() {
+    let path = common::root().join("models/scenes/friction_oscillator.toml");
+    let varies = ["parameters.Tc={ramp={to=\"5 N*m\", duration=\"1 s\"}}".to_string()];
+    let refused = Scene::load_with(&path, &varies, &common::models()).expect_err("a guard depends on Tc");
+    let text = refused.render(100, false);
+    assert!(
+        text.contains("`parameters.Tc` must be a quantity: it cannot vary in time") && text.contains("`d_motor`"),
+        "{text}"
+    );
 }
 
 /// The end scene: what is nonlinear is named; without it every cell is solved exactly. Friction takes energy, and the account closes.

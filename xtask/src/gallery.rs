@@ -9,7 +9,7 @@ use std::process::Command;
 use anyhow::{Context, bail};
 
 /// The scenes, by their paths under models/scenes, and the plot that is kept of each.
-const SCENES: [(&str, &str); 27] = [
+const SCENES: [(&str, &str); 28] = [
     ("backlash", "motion"),
     ("backlash_oscillator", "motion"),
     ("drives/fan_run_up", "outputs"),
@@ -17,6 +17,7 @@ const SCENES: [(&str, &str); 27] = [
     ("drives/start_up", "motion"),
     ("drives/torque_ripple", "outputs"),
     ("drives/traction_run_up", "outputs"),
+    ("drives/tip_in", "outputs"),
     ("gear_pair_bearings", "outputs"),
     ("gear_pair_shafts", "spectrum"),
     ("geared_branches", "motion"),

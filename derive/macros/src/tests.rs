@@ -320,3 +320,37 @@ fn laws_are_absent_without_their_effect() {
         assert!(code.contains(said), "{said} is not there: {code}");
     }
 }
+
+/// How the expanded sample, with `good` replaced by `bad`, says that a parameter may vary in time.
+fn variation(parameter: &str, good: &str, bad: &str) -> String {
+    let sample = sample();
+    assert!(sample.contains(good), "{good}");
+    let code = expand(tokens(&sample.replace(good, bad))).to_string();
+    let (_, after) = code.split_once(&format!("name : \"{parameter}\"")).expect("the parameter is described");
+    let (_, after) = after.split_once("varies : model :: Varies :: ").expect("it says how it may vary");
+    after.chars().take_while(|c| c.is_alphabetic()).collect()
+}
+
+/// Forces must be linear in a parameter that varies, and nothing else may depend on it: not the guards of a switch, which are those of the
+/// start, nor its loss, an output, or a factor of a named force that is not linear.
+#[test]
+fn a_parameter_varies_if_forces_alone_depend_on_it_linearly() {
+    let as_it_is = |parameter| variation(parameter, "", "");
+    for (how, parameters) in [
+        ("AsLoad", &["T0", "n_motor"][..]),
+        ("WithState", &["d_motor", "Tb_motor", "cf_load"]),
+        ("Never", &["I1", "b", "zeta", "mu", "c_motor", "Tp_motor", "sb_motor", "w0_load"]),
+    ] {
+        parameters.iter().for_each(|parameter| assert_eq!(as_it_is(parameter), how, "{parameter}"));
+    }
+    for (good, bad) in [
+        ("one { _ => b/2.0; }", "one { _ => b/2.0 + T0; }"),
+        ("loss { over { _ => 2.0*k*clip*touch; } }", "loss { over { _ => 2.0*k*clip*touch*T0; } }"),
+        ("_ => 2.0*phi/N1;", "_ => 2.0*phi/N1*T0;"),
+    ] {
+        assert_eq!(variation("T0", good, bad), "Never", "{bad}");
+    }
+    let fan = "fan_load => -cf_load*theta_load_dot*";
+    assert_eq!(variation("cf_load", fan, "fan_load => -cf_load*cf_load*theta_load_dot*"), "Never");
+    assert_eq!(variation("T0", fan, "fan_load => -cf_load*T0*theta_load_dot*"), "WithState");
+}

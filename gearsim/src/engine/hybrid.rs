@@ -225,7 +225,7 @@ impl Hybrid<'_> {
         form.at(&to_reactions).value(q, q_dot, || self.force())
     }
 
-    /// Generalised forces of the torques that vary, beyond those of the start (N).
+    /// Generalised forces of the torques that vary, beyond those of the start, without those that depend on the state (N).
     #[cold]
     pub fn further_load(&self) -> Vector {
         let none = || Vector::zeros(self.state.q.len());
@@ -253,9 +253,11 @@ impl Hybrid<'_> {
     /// All generalised forces (N).
     pub fn force(&self) -> Vector {
         let State { q, q_dot, .. } = &self.state;
-        let mut force = self.equations.force(q, q_dot, &self.k, &self.slopes(q, self.clock.now()));
-        if self.forcing.is_some() {
-            force += &self.further_load();
+        let (t, k) = (self.clock.now(), &self.k);
+        let dk = self.slopes(q, t);
+        let mut force = self.equations.force(q, q_dot, k, &dk);
+        if let Some(forcing) = &self.forcing {
+            forcing.add_force(t, (q, q_dot, k, &dk), &mut force);
         }
         force
     }

@@ -7,7 +7,7 @@ use serde::Serialize;
 use super::choice::si;
 use super::text::{Leaf, Text};
 use crate::library::usual_value;
-use crate::model::{Parameter, Range};
+use crate::model::{Parameter, Range, Varies};
 use crate::scene::quantity::split;
 use crate::scene::solver::Method;
 use crate::scene::{Effects, Scene};
@@ -168,7 +168,7 @@ fn usual(scene: &Scene, leaf: &Leaf, parameter: Option<&Parameter>) -> f64 {
     let unit = parameter.map(|p| p.unit).or(coordinate.map(|c| c.unit)).or(motion.map(|m| m.unit)).unwrap_or("1");
     let all = Range { low: f64::NEG_INFINITY, high: f64::INFINITY, low_included: false, high_included: false };
     let doc = parameter.map_or("", |p| p.doc);
-    let like = Parameter { name: "", unit, default: None, with: None, varies: false, range: all, doc };
+    let like = Parameter { name: "", unit, default: None, with: None, varies: Varies::Never, range: all, doc };
     let text = usual_value(&like);
     let size = split(text.trim_matches('"')).map_or(1.0, |(number, unit)| si(number, unit));
     size / si(1.0, &leaf.unit)

@@ -32,7 +32,9 @@ pub struct Field<'a> {
     holds: Vec<Watch>,
     /// P (N x N); `None` where M depends on q.
     mobility: Option<Matrix>,
-    /// The torques that depend on the state: which of the scene each is, and which of the model.
+    /// The external torques of the scene, by their numbers in the model.
+    torques: Arc<[usize]>,
+    /// Those that depend on the state: which of the scene each is, and which of the model.
     of_state: Vec<(usize, usize)>,
     /// The linear forces of the present mode, if the model puts them together from parts.
     linear: Option<LinearForces>,
@@ -64,6 +66,7 @@ impl<'a> Field<'a> {
             forcing: None,
             holds: vec![],
             mobility: None,
+            torques: now.torques.clone(),
             of_state: now.torques.iter().copied().enumerate().filter(|(_, i)| now.equations.has_power(*i)).collect(),
             linear: None,
             held: None,
@@ -144,7 +147,7 @@ impl<'a> Field<'a> {
             self.equations.add_other_forces(&y.q, &y.v, &self.k, &self.dk, &mut force);
         }
         if let Some(forcing) = &self.forcing {
-            force += &forcing.load(self.begins + t);
+            forcing.add_force(self.begins + t, (&y.q, &y.v, &self.k, &self.dk), &mut force);
         }
         force
     }
@@ -182,7 +185,8 @@ impl<'a> Field<'a> {
             power[at] = self.equations.torque_power(i, &y.q, &y.v, &self.k);
         }
         if let Some(forcing) = &self.forcing {
-            let varying = forcing.power(self.begins + t, &y.v);
+            let (at, torques) = ((&y.q[..], &y.v[..], &self.k[..], &self.dk[..]), &self.torques);
+            let varying = forcing.all_power(self.begins + t, at, self.equations, torques);
             power.iter_mut().zip(varying).for_each(|(power, varying)| *power += varying);
         }
     }
@@ -195,7 +199,11 @@ impl<'a> Field<'a> {
     /// Derivatives of the accelerations by q and by q' (N x N each, row = equation).
     pub fn jacobian(&mut self, t: f64, y: &Flow) -> [Matrix; 2] {
         self.set(t, y);
-        let [mut by_q, by_v] = self.equations.jacobian(&y.q, &y.v, &self.k, &self.dk, &self.ddk);
+        let mut by_state = self.equations.jacobian(&y.q, &y.v, &self.k, &self.dk, &self.ddk);
+        if let Some(forcing) = &self.forcing {
+            forcing.add_jacobian(self.begins + t, (&y.q, &y.v, &self.k, &self.dk), &self.ddk, &mut by_state);
+        }
+        let [mut by_q, by_v] = by_state;
         if let Some(mobility) = &self.mobility {
             return accelerated(mobility, [by_q, by_v]);
         }

@@ -21,7 +21,7 @@ pub(super) fn compensate<'a>(
     let mids: Vec<Df64> = scene.laws.iter().map(|law| law.exact_mid()).collect();
     let k: Vec<Df64> = simulation.now.k.iter().copied().map(Df64::from).collect();
     let load = |parameters| derived.source.exactly(scene, parameters, mids.clone()).matrices(&k).load;
-    let varies = scene.model.parameters.iter().map(|p| p.varies);
+    let varies = scene.model.parameters.iter().map(|p| p.varies.may());
     let bare: Vec<Df64> = parameters.iter().zip(varies).map(|(x, v)| if v { Df64::from(0.0) } else { *x }).collect();
     // The forces are linear in a torque: subtract those at 0 from those at 1.
     let of_unit = |p: usize| {
@@ -30,6 +30,6 @@ pub(super) fn compensate<'a>(
         load(unit) - load(bare.clone())
     };
     let loads = simulation.now.forcing.iter().flat_map(|forcing| forcing.parameters()).map(of_unit).collect();
-    let cells = derived.source.exactly(scene, parameters, mids.clone());
+    let cells = derived.source.exactly(scene, parameters, mids);
     simulation.compensate(Given { cells, loads })
 }

@@ -8,7 +8,7 @@ use crate::equations::lets::{names, with_lets};
 use crate::equations::model::*;
 use crate::equations::sums::block;
 use crate::equations::switches::bending;
-use crate::equations::varies::varies;
+use crate::equations::varies::{Varies, varies};
 
 /// The expression of type `gearsim::model::Model`.
 pub fn describe(m: &Model) -> TokenStream {
@@ -120,14 +120,14 @@ fn coordinate(c: &Coordinate) -> TokenStream {
     quote!(model::Coordinate { name: #name, unit: #unit, doc: #doc, start: #start })
 }
 
-fn parameter(p: &Parameter, varies: bool) -> TokenStream {
+fn parameter(p: &Parameter, varies: Varies) -> TokenStream {
     let Parameter { unit, low_included, high_included, doc, .. } = p;
     let (name, low, high) = (p.name.to_string(), number(p.low), number(p.high));
     let default = match p.default.map(number) {
         Some(x) => quote!(Some(#x)),
         None => quote!(None),
     };
-    let with = option(&p.with);
+    let (with, varies) = (option(&p.with), varies.tokens());
     quote! {
         model::Parameter {
             name: #name,

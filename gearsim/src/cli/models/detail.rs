@@ -57,7 +57,7 @@ fn parameter(p: &Parameter) -> Row {
         (None, Some(effect)) => format!("required with {effect}"),
         (None, None) => "required".into(),
     };
-    let varies = if p.varies { ", may vary in time" } else { "" };
+    let varies = if p.varies.may() { ", may vary in time" } else { "" };
     (vec![p.name.into(), unit(p.unit), default, format!("in {}{varies}", p.range)], p.doc.into())
 }
 

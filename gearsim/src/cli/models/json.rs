@@ -70,7 +70,7 @@ fn describe<'a>(model: &'a Model) -> Description<'a> {
                 default: p.default,
                 with: p.with,
                 range: p.range.to_string(),
-                varies: p.varies,
+                varies: p.varies.may(),
             })
             .collect(),
         laws: model.laws.iter().map(|law| quantity(law.name, law.unit, law.doc)).collect(),

@@ -58,7 +58,7 @@ fn of_model(model: &Model) -> Value {
 
 fn parameter(parameter: &Parameter) -> Value {
     let value = quantity(parameter.unit);
-    let value = match parameter.varies {
+    let value = match parameter.varies.may() {
         true => json!({ "anyOf": [value, table(&[time_history::KEYS])] }),
         false => value,
     };

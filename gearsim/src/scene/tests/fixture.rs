@@ -2,7 +2,7 @@
 
 use std::f64::consts::TAU;
 
-use crate::model::{Coordinate, Effect, Law, Model, Motion, Parameter, Range, Role, Start, Switching, Torque};
+use crate::model::{Coordinate, Effect, Law, Model, Motion, Parameter, Range, Role, Start, Switching, Torque, Varies};
 use crate::scene::{Scene, SceneMistakes};
 
 const POSITIVE: Range = Range { low: 0.0, high: f64::INFINITY, low_included: false, high_included: false };
@@ -16,7 +16,8 @@ const fn parameter(
     range: Range,
     doc: &'static str,
 ) -> Parameter {
-    Parameter { name, unit, default, with: None, varies: matches!(name.as_bytes(), b"T0"), range, doc }
+    let varies = if matches!(name.as_bytes(), b"T0") { Varies::AsLoad } else { Varies::Never };
+    Parameter { name, unit, default, with: None, varies, range, doc }
 }
 
 const fn effect(name: &'static str, requires: &'static [&'static str], excludes: &'static [&'static str]) -> Effect {

@@ -48,8 +48,8 @@ pub(in crate::scene) fn read(
     report: &mut Report,
 ) -> Option<TimeHistory> {
     let path = format!("parameters.{}", parameter.name);
-    if !parameter.varies {
-        let can: Vec<_> = model.parameters.iter().filter(|p| p.varies).map(|p| p.name).collect();
+    if !parameter.varies.may() {
+        let can: Vec<_> = model.parameters.iter().filter(|p| p.varies.may()).map(|p| p.name).collect();
         let help = match can[..] {
             [] => "give a number: no parameter of this model can vary in time".to_string(),
             _ => format!("give a number; parameters of this model that can vary in time: {}", list(&can)),

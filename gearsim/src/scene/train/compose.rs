@@ -6,7 +6,9 @@ use std::sync::{Arc, Mutex, OnceLock};
 use super::basis::{self, Basis, resolve};
 use super::draft::{Draft, DraftPart, Terms, named};
 use super::text;
-use crate::model::{Coordinate, Effect, Law, Model, Motion, Output, Parameter, Range, Role, Start, Switch, Torque};
+use crate::model::{
+    Coordinate, Effect, Law, Model, Motion, Output, Parameter, Range, Role, Start, Switch, Torque, Varies,
+};
 use crate::scene::mistake::Report;
 use crate::train::{Factor, Form, Row, Train};
 
@@ -119,7 +121,7 @@ impl<'a> Composer<'a> {
                 unit: g.unit,
                 default: None,
                 with: None,
-                varies: false,
+                varies: Varies::Never,
                 range,
                 doc,
             });

@@ -68,16 +68,18 @@ const LOAD_KINDS: &[TorqueKind] = &[
 const AT: Key = key("rotor", ROTOR, REQUIRED, "the rotor on which it acts");
 const TORQUE: Key = key(
     "torque",
-    Kind::Either(&[Kind::Quantity("N*m"), Kind::Table(&[time_history::KEYS])]),
+    Kind::Either(&[Kind::Quantity("N*m"), HISTORY]),
     ELSEWHERE,
     "a constant, or a function of time; with the effect torques",
 );
 const SPEED: Kind = Kind::Quantity("rad/s");
+/// A value that varies in time.
+const HISTORY: Kind = Kind::Table(&[time_history::KEYS]);
 
 const GOVERNOR: Key = key("governor", Kind::Table(&[OF_GOVERNOR]), "none", "torque gain (set_point - speed)");
 const OF_GOVERNOR: &[Key] = &[
     key("gain", Kind::Quantity("N*m*s/rad"), ELSEWHERE, "torque per difference of speeds"),
-    key("set_point", SPEED, ELSEWHERE, "the speed that it seeks"),
+    key("set_point", Kind::Either(&[SPEED, HISTORY]), ELSEWHERE, "the speed that it seeks"),
 ];
 
 const DC_MOTOR: Key = key("dc_motor", Kind::Table(&[OF_DC_MOTOR]), "none", "torque that falls linearly with the speed");
@@ -89,7 +91,7 @@ const OF_DC_MOTOR: &[Key] = &[
 const INDUCTION_MOTOR: Key =
     key("induction_motor", Kind::Table(&[OF_INDUCTION_MOTOR]), "none", "torque by Kloss's formula");
 const OF_INDUCTION_MOTOR: &[Key] = &[
-    key("breakdown_torque", Kind::Quantity("N*m"), ELSEWHERE, "largest torque"),
+    key("breakdown_torque", Kind::Either(&[Kind::Quantity("N*m"), HISTORY]), ELSEWHERE, "largest torque"),
     key("breakdown_slip", Kind::Number, ELSEWHERE, "slip at the largest torque"),
     key("synchronous_speed", SPEED, ELSEWHERE, "speed without torque"),
 ];
@@ -103,12 +105,22 @@ const TRACTION_MOTOR: Key = key(
 const OF_TRACTION_MOTOR: &[Key] = &[
     key("peak_torque", Kind::Quantity("N*m"), ELSEWHERE, "torque up to the base speed"),
     key("peak_power", Kind::Quantity("W"), ELSEWHERE, "power above the base speed"),
-    key("demand", Kind::Number, "1", "1 drives with the whole torque or power, -1 brakes with them"),
+    key(
+        "demand",
+        Kind::Either(&[Kind::Number, HISTORY]),
+        "1",
+        "1 drives with the whole torque or power, -1 brakes with them",
+    ),
     key("rounding", Kind::Number, "0.01", "of the corner at the base speed, relative to that speed"),
 ];
 
 const FAN: Key = key("fan", Kind::Table(&[OF_FAN]), "none", "torque that grows with the square of the speed");
 const OF_FAN: &[Key] = &[
-    key("coefficient", Kind::Quantity("N*m*s^2/rad^2"), ELSEWHERE, "torque over squared speed"),
+    key(
+        "coefficient",
+        Kind::Either(&[Kind::Quantity("N*m*s^2/rad^2"), HISTORY]),
+        ELSEWHERE,
+        "torque over squared speed",
+    ),
     key("corner_speed", SPEED, "0.01 rad/s", "below it the torque is nearly linear in the speed"),
 ];

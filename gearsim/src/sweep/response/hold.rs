@@ -15,7 +15,7 @@ use super::motion::Motion;
 use super::span::Span;
 use crate::engine::equations::Equations;
 use crate::engine::vector::{Vector, dot};
-use crate::model::Parameter;
+use crate::model::{Parameter, Varies};
 use crate::run::Entry;
 use crate::scene::Scene;
 use crate::tolerance::analysis::{HELD_SPEED, HELD_STEADY};
@@ -60,7 +60,7 @@ pub(super) struct Speed {
 impl Handle {
     /// The parameters of a scene that can hold the speed `motion`, the best one first.
     pub(super) fn all(scene: &Scene, entry: &Entry, motion: &Motion, speed: f64) -> Vec<Handle> {
-        let active = |p: &Parameter| p.varies && scene.effects.activate(p.with, scene.model);
+        let active = |p: &Parameter| p.varies == Varies::AsLoad && scene.effects.activate(p.with, scene.model);
         let of = |parameter: usize| {
             let force = |value: f64| {
                 let mut scene = scene.clone();
