@@ -120,22 +120,30 @@ pub struct Parameter {
     pub doc: &'static str,
 }
 
-/// Whether a parameter may vary in time. This requires that the generalised forces are linear in it and that nothing else depends on it, in
-/// particular no guard of a switch.
+/// Whether a parameter may vary in time. This requires that the generalised forces are linear in it, and that energies and inertias do not
+/// depend on it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Varies {
     /// It may not.
     Never,
     /// The factors of the parameter in the forces are the same in every state. Cells stay linear.
     AsLoad,
-    /// The factors depend on the state, as those of the demand on a motor whose torque falls with its speed.
+    /// The factors depend on the state, as those of the demand on a motor whose torque falls with its speed. Only methods by steps compute the
+    /// motion.
     WithState,
+    /// Guards or losses of switches depend on the parameter too, as on the capacity of a clutch. Only methods by steps compute the motion.
+    WithGuards,
 }
 
 impl Varies {
     /// Whether the parameter may vary.
     pub fn may(self) -> bool {
         self != Varies::Never
+    }
+
+    /// Whether a cell in which it varies is not linear.
+    pub fn by_steps(self) -> bool {
+        matches!(self, Varies::WithState | Varies::WithGuards)
     }
 }
 

@@ -331,15 +331,16 @@ fn variation(parameter: &str, good: &str, bad: &str) -> String {
     after.chars().take_while(|c| c.is_alphabetic()).collect()
 }
 
-/// Forces must be linear in a parameter that varies, and nothing else may depend on it: not the guards of a switch, which are those of the
-/// start, nor its loss, an output, or a factor of a named force that is not linear.
+/// Forces must be linear in a parameter that varies. If guards, losses, outputs or forces of the state depend on it too, they must be linear,
+/// and the parameter must not be that of a constant torque, whose work is computed from the displacement.
 #[test]
-fn a_parameter_varies_if_forces_alone_depend_on_it_linearly() {
+fn a_parameter_varies_if_forces_are_linear_in_it() {
     let as_it_is = |parameter| variation(parameter, "", "");
     for (how, parameters) in [
         ("AsLoad", &["T0", "n_motor"][..]),
         ("WithState", &["d_motor", "Tb_motor", "cf_load"]),
-        ("Never", &["I1", "b", "zeta", "mu", "c_motor", "Tp_motor", "sb_motor", "w0_load"]),
+        ("WithGuards", &["mu"]),
+        ("Never", &["I1", "b", "zeta", "mu_rise", "c_motor", "Tp_motor", "sb_motor", "w0_load"]),
     ] {
         parameters.iter().for_each(|parameter| assert_eq!(as_it_is(parameter), how, "{parameter}"));
     }
@@ -352,5 +353,8 @@ fn a_parameter_varies_if_forces_alone_depend_on_it_linearly() {
     }
     let fan = "fan_load => -cf_load*theta_load_dot*";
     assert_eq!(variation("cf_load", fan, "fan_load => -cf_load*cf_load*theta_load_dot*"), "Never");
-    assert_eq!(variation("T0", fan, "fan_load => -cf_load*T0*theta_load_dot*"), "WithState");
+    assert_eq!(variation("T0", fan, "fan_load => -cf_load*T0*theta_load_dot*"), "Never");
+    // Each alone is linear, both together are not.
+    let product = "fan_load => -cf_load*d_motor*theta_load_dot*";
+    assert_eq!(["cf_load", "d_motor"].map(|parameter| variation(parameter, fan, product)), ["Never"; 2]);
 }

@@ -13,6 +13,7 @@ mod numbers;
 mod source;
 #[cfg(test)]
 mod tests;
+mod varying;
 
 pub use arrays::{array, array_mut, matrix, no_such, values, vector};
 pub use assembly::{add_force, add_product, add_square, add_through};
@@ -21,6 +22,7 @@ pub use guard::{Affine, Deflection, Exit};
 pub use inertia::{accelerated, compliance, direction, mobility};
 pub use numbers::numbers;
 pub use source::{Derived, DerivedModel, ExactCells, Functions, Matrices, Source};
+pub use varying::varying_by_steps;
 
 pub use crate::engine::known::Known;
 use crate::engine::linear_forces::LinearForces;

@@ -4,7 +4,8 @@
 //! ([`Forcing::load`]). While one is linear in time or harmonic, the motion is computed in windows of a power series ([`window`]). A
 //! breakpoint of a time history is an event: the present piece is part of the state, as the cell of a stiffness is.
 //!
-//! Where B_p depends on the state ([`with_state`]), no cell is linear, and only methods by steps compute the motion.
+//! Where B_p depends on the state, or guards depend on p, only methods by steps compute the motion. The equations then are those of
+//! [`varying`](crate::engine::equations), which read from the law values how far each such parameter has moved.
 
 use std::sync::Arc;
 
@@ -12,23 +13,24 @@ use smallvec::SmallVec;
 use xprec::Df64;
 
 use crate::engine::clock::Clock;
-use crate::engine::equations::{DerivedModel, Equations};
-use crate::engine::vector::{Matrix, Vector};
+use crate::engine::equations::{DerivedModel, Equations, varying_by_steps};
+use crate::engine::vector::Vector;
 use crate::model::Varies;
 use crate::scene::{Scene, TimeHistory};
 
 pub mod linear;
 pub mod window;
-mod with_state;
 
 use window::TERMS;
-pub use with_state::At;
-use with_state::Farthest;
 
 /// The parameters that vary.
 #[derive(Debug, Clone)]
 pub struct Forcing {
     drives: Arc<[Drive]>,
+    /// The parameters of [`varying_by_steps`]: the index of each among the drives, and the largest change, p_1 - p_0.
+    by_steps: Arc<[(usize, f64)]>,
+    /// Whether guards or losses of switches depend on one of them.
+    moves_guards: bool,
     /// The piece of its time history in which each parameter is. State: never computed from the time.
     pieces: SmallVec<[usize; 4]>,
     /// Number of external torques of the scene.
@@ -47,44 +49,28 @@ struct Drive {
     load: Vector,
     /// Power of each torque of the scene per unit of the parameter: its factors of the speeds (N each).
     power: Vec<Vector>,
-    /// The forces, if they depend on the state.
-    with_state: Option<Farthest>,
 }
 
 impl Forcing {
     /// The parameters of a scene that vary and act on its motion; `None` if there are none.
     pub fn of(derived: &DerivedModel, scene: &Scene) -> Option<Self> {
-        let mids = scene.mids();
-        let varies = scene.model.parameters.iter().map(|p| p.varies.may());
+        let mids: Vec<f64> = scene.laws.iter().map(|law| law.mid()).collect();
+        let varies = scene.model.parameters.iter().map(|p| p.varies == Varies::AsLoad);
         let bare: Vec<f64> =
             scene.parameters.iter().zip(varies).map(|(x, varies)| if varies { 0.0 } else { *x }).collect();
         let (k, flat) = (scene.model.in_contact(mids.iter().copied()), vec![0.0; scene.model.laws.len()]);
         let torques = scene.torques();
-        let equations = |values: &[f64]| derived.source.equations(scene, values, &mids);
-        let with_state = |p: usize, course: &TimeHistory, at_start: f64| {
-            let mut values = scene.parameters.clone();
-            values[p] = Farthest::value(course, at_start);
-            Some(Farthest::new(equations(&values)?, values[p] - at_start))
-        };
         let drive = |(p, course): &(usize, TimeHistory)| {
             let at_start = course.at(course.piece(0.0), 0.0);
-            if scene.model.parameters[*p].varies == Varies::WithState {
-                let with_state = Some(with_state(*p, course, at_start)?);
-                let load = Vector::zeros(scene.model.coordinates.len());
-                return Some(Drive {
-                    parameter: *p,
-                    course: course.clone(),
-                    at_start,
-                    load,
-                    power: vec![],
-                    with_state,
-                });
+            if scene.model.parameters[*p].varies.by_steps() {
+                let none = Vector::zeros(scene.model.coordinates.len());
+                return Some(Drive { parameter: *p, course: course.clone(), at_start, load: none, power: vec![] });
             }
             // The forces are linear in the parameter: B_p is the difference of those at 1 and at 0.
             let mut unit = bare.clone();
             unit[*p] = 1.0;
-            let unit = equations(&unit)?;
-            let none = equations(&bare)?;
+            let unit = derived.source.equations(scene, &unit, &mids)?;
+            let none = derived.source.equations(scene, &bare, &mids)?;
             let n = unit.coordinates();
             let still = Vector::zeros(n);
             let force = |e: &dyn Equations| e.force(&still, &still, &k, &flat);
@@ -94,12 +80,15 @@ impl Forcing {
                 unit.torque_work(i, &unit_dq) - none.torque_work(i, &unit_dq)
             };
             let power = torques.iter().map(|&i| Vector::from_fn(n, |j| along(i, j))).collect();
-            let course = course.clone();
-            (load.amax() > 0.0).then(|| Drive { parameter: *p, course, at_start, load, power, with_state: None })
+            (load.amax() > 0.0).then(|| Drive { parameter: *p, course: course.clone(), at_start, load, power })
         };
         let drives: Arc<[_]> = scene.time_histories.iter().filter(|c| !c.1.is_constant()).filter_map(drive).collect();
         let pieces = drives.iter().map(|d| d.course.piece(0.0)).collect();
-        (!drives.is_empty()).then(|| Forcing { drives, pieces, torques: torques.len() })
+        let at = varying_by_steps(scene).filter_map(|(p, _)| drives.iter().position(|drive| drive.parameter == *p));
+        let by_steps = at.map(|i| (i, drives[i].course.farthest() - drives[i].at_start)).collect();
+        let moves_guards =
+            varying_by_steps(scene).any(|(p, _)| scene.model.parameters[*p].varies == Varies::WithGuards);
+        (!drives.is_empty()).then(|| Forcing { drives, by_steps, moves_guards, pieces, torques: torques.len() })
     }
 
     /// The time of the next breakpoint \[s\]; infinite if there is none.
@@ -128,6 +117,26 @@ impl Forcing {
         self.drives.iter().flat_map(|d| &d.course.harmonics).map(|h| h.omega).fold(0.0, f64::max)
     }
 
+    /// Whether only methods by steps compute the motion.
+    pub fn is_by_steps(&self) -> bool {
+        !self.by_steps.is_empty()
+    }
+
+    /// Whether guards or losses of switches depend on a parameter that varies.
+    pub fn moves_guards(&self) -> bool {
+        self.moves_guards
+    }
+
+    /// Writes how far each parameter of [`varying_by_steps`] has moved, as a share of its largest change, to the end of the law values `k`,
+    /// which has a place for each.
+    pub fn write_shares(&self, t: f64, k: &mut [f64]) {
+        let at = k.len() - self.by_steps.len();
+        for (share, &(i, largest)) in k[at..].iter_mut().zip(&*self.by_steps) {
+            let Drive { course, at_start, .. } = &self.drives[i];
+            *share = (course.at(self.pieces[i], t) - at_start) / largest;
+        }
+    }
+
     /// T_p(t) - T_p(0) of each.
     fn changes(&self, t: f64) -> impl Iterator<Item = (&Drive, f64)> {
         self.in_pieces().map(move |(d, piece)| (d, d.course.at(piece, t) - d.at_start))
@@ -148,7 +157,7 @@ impl Forcing {
         self.drives.iter().map(|d| d.parameter)
     }
 
-    /// The generalised forces beyond those of the start at the time `t` \[s\] (N), without those that depend on the state.
+    /// The generalised forces beyond those of the start at the time `t` \[s\] (N).
     pub fn load(&self, t: f64) -> Vector {
         let n = self.drives.first().map_or(0, |drive| drive.load.len());
         self.changes(t).fold(Vector::zeros(n), |mut sum, (d, change)| {
@@ -157,41 +166,8 @@ impl Forcing {
         })
     }
 
-    /// Adds the generalised forces beyond those of the start to these (N).
-    pub fn add_force(&self, t: f64, at: At<'_>, force: &mut Vector) {
-        let at_start = force.clone();
-        for (d, change) in self.changes(t) {
-            force.add_times(change, &d.load);
-            if let Some(farthest) = &d.with_state {
-                farthest.add_force(change, at, &at_start, force);
-            }
-        }
-    }
-
-    /// Adds the derivatives of these forces by q and by q' to those of the forces of the start; `ddk` are the second derivatives of the laws.
-    pub fn add_jacobian(&self, t: f64, at: At<'_>, ddk: &[f64], jacobian: &mut [Matrix; 2]) {
-        let mut of_state = self.changes(t).filter_map(|(d, change)| Some((d.with_state.as_ref()?, change))).peekable();
-        if of_state.peek().is_none() {
-            return;
-        }
-        let at_start = jacobian.clone();
-        of_state.for_each(|(farthest, change)| farthest.add_jacobian(change, at, ddk, &at_start, jacobian));
-    }
-
-    /// Power of each torque of the scene beyond that of its value at the start \[W\]; `torques` are their numbers in the model.
-    pub fn all_power(&self, t: f64, at: At<'_>, equations: &dyn Equations, torques: &[usize]) -> Vec<f64> {
-        let mut power = self.power(t, at.1);
-        for (d, change) in self.changes(t) {
-            if let Some(farthest) = &d.with_state {
-                let further = torques.iter().map(|&i| farthest.power(change, i, at, equations));
-                power.iter_mut().zip(further).for_each(|(sum, further)| *sum += further);
-            }
-        }
-        power
-    }
-
-    /// The same at the speeds `q_dot`, without the powers that depend on the state otherwise.
-    pub fn power(&self, t: f64, q_dot: &[f64]) -> Vec<f64> {
+    /// Power of each torque of the scene beyond that of its value at the start, at the speeds `q_dot` \[W\].
+    pub fn power(&self, t: f64, q_dot: &Vector) -> Vec<f64> {
         let mut power = vec![0.0; self.torques];
         for (d, change) in self.changes(t) {
             power.iter_mut().zip(&d.power).for_each(|(sum, row)| *sum += change * row.dot(q_dot));

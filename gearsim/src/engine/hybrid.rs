@@ -9,7 +9,7 @@ use crate::engine::cells::{self, Number};
 use crate::engine::clock::Clock;
 use crate::engine::contact::{self, Contact};
 use crate::engine::crossing::{Cost, SearchError, Side};
-use crate::engine::equations::{Affine, Equations, Exit, Switching};
+use crate::engine::equations::{Affine, Equations, Exit, Switching, varying_by_steps};
 use crate::engine::error::{Refusal, Stop};
 use crate::engine::forcing::Forcing;
 use crate::engine::jump::{Passage, Surface};
@@ -92,11 +92,13 @@ impl<'a> Hybrid<'a> {
         let Initial { state, laws, switches, .. } = begun;
         let torques: Arc<[usize]> = scene.torques().into();
         let varying = forcing.is_some() || torques.iter().any(|&i| equations.has_power(i));
+        let mut k = scene.model.in_contact(laws.iter().map(LawState::level));
+        k.resize(k.len() + varying_by_steps(scene).count(), 0.0);
         let mut now = Hybrid {
             equations,
             clock: Clock::default(),
             t_end: scene.t_end,
-            k: scene.model.in_contact(laws.iter().map(LawState::level)),
+            k,
             state,
             laws,
             switches,
@@ -121,10 +123,14 @@ impl Hybrid<'_> {
         Number::of(&self.laws, &self.switches)
     }
 
-    /// Updates the law values from the laws, at the present state and time, and the switches.
+    /// Updates the law values from the laws, the switches and the parameters that vary, at the present state and time.
     #[inline]
     pub fn set_levels(&mut self) {
-        cells::write((&self.laws, &self.switches), (&self.state.q, self.clock.now()), &mut self.k);
+        let t = self.clock.now();
+        cells::write((&self.laws, &self.switches), (&self.state.q, t), &mut self.k);
+        if let Some(forcing) = &self.forcing {
+            forcing.write_shares(t, &mut self.k);
+        }
     }
 
     /// Updates the geometry of the steps at the present coordinates, if M depends on them.
@@ -150,17 +156,31 @@ impl Hybrid<'_> {
 
     /// The law values in a `state` of the present mode at the time `t` \[s\].
     pub fn levels_at(&self, state: &State, t: f64) -> Cow<'_, [f64]> {
-        if self.steps_only() {
+        if !self.levels_move() {
             return Cow::Borrowed(&self.k);
         }
         let mut k = self.k.clone();
         cells::write((&self.laws, &self.switches), (&state.q, t), &mut k);
+        if let Some(forcing) = &self.forcing {
+            forcing.write_shares(t, &mut k);
+        }
         Cow::Owned(k)
     }
 
-    /// Whether every law is constant within its cells, and no deflection bends.
+    /// Whether laws and guards change at events only: every law is constant within its cells, no deflection bends, and no guard depends on a
+    /// parameter that varies.
     pub fn steps_only(&self) -> bool {
-        self.laws.iter().all(|law| law.pitch.steps_only()) && !self.equations.bends()
+        self.laws.iter().all(|law| law.pitch.steps_only()) && !self.guards_move()
+    }
+
+    /// Whether the factors of guards change within a mode otherwise than by laws.
+    fn guards_move(&self) -> bool {
+        self.equations.bends() || self.forcing.as_ref().is_some_and(|forcing| forcing.moves_guards())
+    }
+
+    /// Whether the law values change within a mode.
+    fn levels_move(&self) -> bool {
+        !self.steps_only() || self.forcing.as_ref().is_some_and(|forcing| forcing.is_by_steps())
     }
 
     /// Whether the phase of a law can meet a boundary of its cell by its motion.
@@ -225,7 +245,7 @@ impl Hybrid<'_> {
         form.at(&to_reactions).value(q, q_dot, || self.force())
     }
 
-    /// Generalised forces of the torques that vary, beyond those of the start, without those that depend on the state (N).
+    /// Generalised forces of the torques that vary, beyond those of the start (N).
     #[cold]
     pub fn further_load(&self) -> Vector {
         let none = || Vector::zeros(self.state.q.len());
@@ -253,11 +273,9 @@ impl Hybrid<'_> {
     /// All generalised forces (N).
     pub fn force(&self) -> Vector {
         let State { q, q_dot, .. } = &self.state;
-        let (t, k) = (self.clock.now(), &self.k);
-        let dk = self.slopes(q, t);
-        let mut force = self.equations.force(q, q_dot, k, &dk);
-        if let Some(forcing) = &self.forcing {
-            forcing.add_force(t, (q, q_dot, k, &dk), &mut force);
+        let mut force = self.equations.force(q, q_dot, &self.k, &self.slopes(q, self.clock.now()));
+        if self.forcing.is_some() {
+            force += &self.further_load();
         }
         force
     }
@@ -346,9 +364,9 @@ impl Hybrid<'_> {
         self.state = reached.state;
         self.dissipated += reached.dissipated;
         self.work.iter_mut().zip(reached.work).for_each(|(work, more)| *work += more);
-        if !self.steps_only() {
+        if self.levels_move() {
             self.set_levels();
-            if self.equations.bends() {
+            if self.guards_move() {
                 self.guards = Arc::new(Guards::of(self.equations, &self.switches, &self.state.q, &self.k));
             }
         }

@@ -35,8 +35,7 @@ impl Known {
     /// Reactions and powers in a `state` of the present mode of a run, with the law values `k`, at the time `t` \[s\].
     pub fn of(now: &Hybrid<'_>, t: f64, state: &State, k: &[f64]) -> Self {
         let State { q, q_dot, .. } = state;
-        let further = now.forcing.as_ref();
-        let further = further.map(|f| f.all_power(t, (q, q_dot, k, &[]), now.equations, &now.torques));
+        let further = now.forcing.as_ref().map(|forcing| forcing.power(t, q_dot));
         let mut powers = Numbers::from_elem(0.0, now.torques.last().map_or(0, |last| last + 1));
         for (at, &i) in now.torques.iter().enumerate() {
             let varying = further.as_ref().map_or(0.0, |further| further[at]);
@@ -49,10 +48,9 @@ impl Known {
 fn reactions(now: &Hybrid<'_>, t: f64, State { q, q_dot, .. }: &State, k: &[f64]) -> Numbers {
     let mut reactions = Numbers::new();
     let Some(held) = now.contact.as_ref().filter(|contact| !contact.switches.is_empty()) else { return reactions };
-    let dk = now.slopes(q, t);
-    let mut force = now.equations.force(q, q_dot, k, &dk);
+    let mut force = now.equations.force(q, q_dot, k, &now.slopes(q, t));
     if let Some(forcing) = &now.forcing {
-        forcing.add_force(t, (q, q_dot, k, &dk), &mut force);
+        force += &forcing.load(t);
     }
     let turned = held.turned((now.equations, &now.switches), (q, q_dot), k, || now.law_rates(q, q_dot));
     let normals = turned.as_ref().map_or(&held.normals, |turned| &turned.normals);

@@ -1,9 +1,10 @@
 //! The choice of the method that runs a scene, with its reason.
 
+use crate::engine::equations::varying_by_steps;
 use crate::engine::error::Refusal;
 use crate::engine::law::{LawState, curved};
-use crate::scene::Scene;
 use crate::scene::solver::Method as Name;
+use crate::scene::{Scene, list};
 use crate::tolerance::methods::HIGH_ORDER;
 
 use super::Method;
@@ -31,9 +32,11 @@ pub struct Choice {
 /// # Errors
 /// If the scene asks for the exact method, and its cells are not linear.
 pub fn of(scene: &Scene, laws: &[LawState]) -> Result<Choice, Refusal> {
+    let varying: Vec<_> = varying_by_steps(scene).map(|(p, _)| scene.model.parameters[*p].name).collect();
     let terms = match scene.effects.nonlinear(scene.model) {
-        terms if terms.is_empty() => curved(scene.model, laws),
-        terms => Some(terms),
+        terms if !terms.is_empty() => Some(terms),
+        _ if !varying.is_empty() => Some(format!("{} in time, with factors that depend on the state", vary(&varying))),
+        _ => curved(scene.model, laws),
     };
     let named = |method| Choice { method, give_way: false, why: "the scene names it".into() };
     match (scene.solver.method, terms) {
@@ -51,6 +54,10 @@ pub fn of(scene: &Scene, laws: &[LawState]) -> Result<Choice, Refusal> {
             Ok(Choice { method, give_way: true, why: format!("cells are not linear: {terms}") })
         }
     }
+}
+
+fn vary(names: &[&str]) -> String {
+    format!("{} {}", list(names), if names.len() == 1 { "varies" } else { "vary" })
 }
 
 /// A numerical method and its settings; `None` for the exact method, which is not a numerical one.

@@ -32,9 +32,7 @@ pub struct Field<'a> {
     holds: Vec<Watch>,
     /// P (N x N); `None` where M depends on q.
     mobility: Option<Matrix>,
-    /// The external torques of the scene, by their numbers in the model.
-    torques: Arc<[usize]>,
-    /// Those that depend on the state: which of the scene each is, and which of the model.
+    /// The torques that depend on the state: which of the scene each is, and which of the model.
     of_state: Vec<(usize, usize)>,
     /// The linear forces of the present mode, if the model puts them together from parts.
     linear: Option<LinearForces>,
@@ -46,7 +44,7 @@ pub struct Field<'a> {
     pub begins: f64,
     /// Evaluations of the right-hand side so far.
     pub evaluations: u64,
-    /// Whether no law is curved and no deflection bends: then k and the factors of guards change at events only.
+    /// Whether laws and guards change at events only ([`Hybrid::steps_only`]).
     steps_only: bool,
     /// Where it was last evaluated: the law values, and their first and second derivatives by the phase.
     k: Vec<f64>,
@@ -66,7 +64,6 @@ impl<'a> Field<'a> {
             forcing: None,
             holds: vec![],
             mobility: None,
-            torques: now.torques.clone(),
             of_state: now.torques.iter().copied().enumerate().filter(|(_, i)| now.equations.has_power(*i)).collect(),
             linear: None,
             held: None,
@@ -147,13 +144,12 @@ impl<'a> Field<'a> {
             self.equations.add_other_forces(&y.q, &y.v, &self.k, &self.dk, &mut force);
         }
         if let Some(forcing) = &self.forcing {
-            forcing.add_force(self.begins + t, (&y.q, &y.v, &self.k, &self.dk), &mut force);
+            force += &forcing.load(self.begins + t);
         }
         force
     }
 
-    /// The power that damping dissipates at `y`, the time `t` after the step began \[W\]; without the forces of switches if their loss is
-    /// computed from the displacement ([`Hybrid::lost_by_switches`]).
+    /// The power that damping dissipates at `y`, the time `t` after the step began \[W\], without the forces of switches.
     pub fn lost(&mut self, t: f64, y: &Flow) -> f64 {
         self.set(t, y);
         self.loss(y)
@@ -166,15 +162,13 @@ impl<'a> Field<'a> {
             Some(linear) => linear.dissipation(&y.v) + self.equations.other_dissipation(&y.q, &y.v, &self.k),
             None => self.equations.dissipation(&y.q, &y.v, &self.k),
         };
-        let rayleigh = 2.0 * dissipation;
-        if self.steps_only {
-            return rayleigh;
-        }
-        if self.switches.is_empty() {
-            return rayleigh;
-        }
-        // With curved laws or bent deflections, the forces of switches change within a mode.
-        rayleigh + Guards::of(self.equations, &self.switches, &y.q, &self.k).power(&y.q, &y.v, &self.k)
+        2.0 * dissipation
+    }
+
+    /// The power that the forces of switches dissipate at `y`, where the field was last evaluated \[W\]. If their forces do not change within a
+    /// mode, their loss is computed from the displacement instead ([`Hybrid::lost_by_switches`]).
+    pub fn lost_by_switches(&self, y: &Flow) -> f64 {
+        Guards::of(self.equations, &self.switches, &y.q, &self.k).power(&y.q, &y.v, &self.k)
     }
 
     /// Writes the power of the varying part of each of the scene's torques at `y`, the time `t` after the step began \[W\] (n_torques).
@@ -185,8 +179,7 @@ impl<'a> Field<'a> {
             power[at] = self.equations.torque_power(i, &y.q, &y.v, &self.k);
         }
         if let Some(forcing) = &self.forcing {
-            let (at, torques) = ((&y.q[..], &y.v[..], &self.k[..], &self.dk[..]), &self.torques);
-            let varying = forcing.all_power(self.begins + t, at, self.equations, torques);
+            let varying = forcing.power(self.begins + t, &y.v);
             power.iter_mut().zip(varying).for_each(|(power, varying)| *power += varying);
         }
     }
@@ -199,11 +192,7 @@ impl<'a> Field<'a> {
     /// Derivatives of the accelerations by q and by q' (N x N each, row = equation).
     pub fn jacobian(&mut self, t: f64, y: &Flow) -> [Matrix; 2] {
         self.set(t, y);
-        let mut by_state = self.equations.jacobian(&y.q, &y.v, &self.k, &self.dk, &self.ddk);
-        if let Some(forcing) = &self.forcing {
-            forcing.add_jacobian(self.begins + t, (&y.q, &y.v, &self.k, &self.dk), &self.ddk, &mut by_state);
-        }
-        let [mut by_q, by_v] = by_state;
+        let [mut by_q, by_v] = self.equations.jacobian(&y.q, &y.v, &self.k, &self.dk, &self.ddk);
         if let Some(mobility) = &self.mobility {
             return accelerated(mobility, [by_q, by_v]);
         }
@@ -245,9 +234,12 @@ impl<'a> Field<'a> {
         }
     }
 
-    /// Evaluates the laws at `y`, the time `t` after the step began.
+    /// Evaluates the laws and the parameters that vary at `y`, the time `t` after the step began.
     #[inline]
     fn set(&mut self, t: f64, y: &Flow) {
+        if let Some(forcing) = &self.forcing {
+            forcing.write_shares(self.begins + t, &mut self.k);
+        }
         if self.steps_only {
             return;
         }

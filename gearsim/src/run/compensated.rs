@@ -6,6 +6,7 @@ use super::Refusal;
 use crate::engine::compensated::Given;
 use crate::engine::equations::DerivedModel;
 use crate::engine::simulate::Simulation;
+use crate::model::Varies;
 use crate::scene::Scene;
 
 /// A simulation of `scene` with state and time in double-double precision.
@@ -21,7 +22,7 @@ pub(super) fn compensate<'a>(
     let mids: Vec<Df64> = scene.laws.iter().map(|law| law.exact_mid()).collect();
     let k: Vec<Df64> = simulation.now.k.iter().copied().map(Df64::from).collect();
     let load = |parameters| derived.source.exactly(scene, parameters, mids.clone()).matrices(&k).load;
-    let varies = scene.model.parameters.iter().map(|p| p.varies.may());
+    let varies = scene.model.parameters.iter().map(|p| p.varies == Varies::AsLoad);
     let bare: Vec<Df64> = parameters.iter().zip(varies).map(|(x, v)| if v { Df64::from(0.0) } else { *x }).collect();
     // The forces are linear in a torque: subtract those at 0 from those at 1.
     let of_unit = |p: usize| {

@@ -84,6 +84,12 @@ impl TimeHistory {
             && self.pieces.iter().all(|piece| piece.slope == 0.0 && piece.value == first)
     }
 
+    /// The bound of the value that is farthest from its value at the start.
+    pub fn farthest(&self) -> f64 {
+        let (start, (low, high)) = (self.at(self.piece(0.0), 0.0), self.bounds());
+        if high - start >= start - low { high } else { low }
+    }
+
     /// Lower and upper bound of the value over all times.
     pub fn bounds(&self) -> (f64, f64) {
         let swing: f64 = self.harmonics.iter().map(|h| h.amplitude.abs()).sum();

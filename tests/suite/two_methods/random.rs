@@ -3,6 +3,7 @@
 use std::collections::hash_map::DefaultHasher;
 use std::hash::{Hash, Hasher};
 
+use gearsim::model::Varies;
 use gearsim::scene::{Effects, Scene};
 
 use crate::common;
@@ -61,7 +62,10 @@ fn vary(scene: &mut Scene, draw: &mut Draw) {
     }
     for torque in 0..scene.parameters.len() {
         let fixed = scene.time_histories.iter().all(|(which, _)| *which != torque);
-        if fixed && scene.model.parameters[torque].unit == "N*m" && scene.model.parameters[torque].varies {
+        if fixed
+            && scene.model.parameters[torque].unit == "N*m"
+            && scene.model.parameters[torque].varies == Varies::AsLoad
+        {
             scene.parameters[torque] *= 0.7 + 0.6 * draw.unit();
         }
     }

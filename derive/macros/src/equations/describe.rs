@@ -15,7 +15,7 @@ pub fn describe(m: &Model) -> TokenStream {
     let (name, title) = (m.name.to_string(), &m.title);
     let source = m.source.as_ref().map_or_else(String::new, LitStr::value);
     let coordinates = m.coordinates.iter().map(coordinate);
-    let parameters = m.parameters.iter().map(|p| parameter(p, varies(m, &p.name)));
+    let parameters = m.parameters.iter().zip(varies(m)).map(|(p, varies)| parameter(p, varies));
     let laws = m.laws.iter().map(|Law { name, unit, phase, period, rolling, held, with, role, doc }| {
         let (name, phase, with) = (name.to_string(), phase.to_string(), option(with));
         let (role, held) = (format_ident!("{role:?}"), strings(held));

@@ -1,5 +1,5 @@
-//! Which parameters may vary in time in a scene: those on which the generalised forces and the work of the torques depend linearly
-//! and nothing else depends, in particular no guard of a switch and no output.
+//! Which parameters may vary in time in a scene: those on which the generalised forces depend linearly and energies and inertias do not.
+//! Guards of switches, losses and outputs may depend on them linearly too; then only methods by steps compute the motion.
 
 use proc_macro2::TokenStream;
 use quote::quote;
@@ -14,8 +14,10 @@ pub enum Varies {
     Never,
     /// Linearly, with factors that are the same in every state.
     AsLoad,
-    /// Linearly, with factors that depend on the state.
+    /// Linearly, with factors that depend on the state; or outputs depend on it too.
     WithState,
+    /// Guards or losses of switches depend on it too.
+    WithGuards,
 }
 
 impl Varies {
@@ -25,16 +27,30 @@ impl Varies {
             Varies::Never => quote!(model::Varies::Never),
             Varies::AsLoad => quote!(model::Varies::AsLoad),
             Varies::WithState => quote!(model::Varies::WithState),
+            Varies::WithGuards => quote!(model::Varies::WithGuards),
         }
     }
 }
 
-/// How the parameter may vary in time.
-pub fn varies(m: &Model, parameter: &Ident) -> Varies {
-    let mut degrees = Degrees(vec![(parameter, 1)]);
-    let apart = apart(m);
-    let loads = m.torques.iter().map(|t| &t.work).chain(of_rows(&m.work)).chain(of_rows(&m.load));
-    let loads = terms(loads.chain(m.force.iter().flat_map(|rows| of_rows(rows))));
+/// How each parameter of the model may vary in time, in their order.
+pub fn varies(m: &Model) -> Vec<Varies> {
+    let parameters: Vec<&Ident> = m.parameters.iter().map(|p| &p.name).collect();
+    let mut all: Vec<Varies> = parameters.iter().map(|p| of(m, &[*p])).collect();
+    // The engine adds the changes by each: forces must not contain a product of two of them.
+    let by_steps = |varies: &Varies| matches!(varies, Varies::WithState | Varies::WithGuards);
+    let together: Vec<&Ident> =
+        parameters.iter().zip(&all).filter(|(_, varies)| by_steps(varies)).map(|(p, _)| *p).collect();
+    if !together.is_empty() && of(m, &together) == Varies::Never {
+        all.iter_mut().filter(|varies| by_steps(varies)).for_each(|varies| *varies = Varies::Never);
+    }
+    all
+}
+
+/// How parameters may vary in time together.
+fn of(m: &Model, parameters: &[&Ident]) -> Varies {
+    let mut degrees = Degrees(parameters.iter().map(|parameter| (*parameter, 1)).collect());
+    let loads = terms(of_rows(&m.work).chain(m.torques.iter().map(|t| &t.work)));
+    let forces = terms(of_rows(&m.load).chain(m.force.iter().flat_map(|rows| of_rows(rows))));
     let mut of_state = vec![];
     for named in m.forces.iter().chain(&m.partials) {
         let values = terms(std::iter::once(&named.sum));
@@ -44,11 +60,20 @@ pub fn varies(m: &Model, parameter: &Ident) -> Varies {
     }
     of_state.extend(terms(m.torques.iter().map(|t| &t.power)));
     of_state.extend(terms(m.jacobian.iter().flat_map(|entries| of_entries(entries))));
-    match [&apart, &of_state, &loads].map(|values| degrees.highest(values)) {
-        [Some(0), Some(0), Some(1)] => Varies::AsLoad,
-        [Some(0), Some(1), Some(0 | 1)] => Varies::WithState,
+    of_state.extend(terms(m.outputs.iter().map(|output| &output.value.sum)));
+    match [&apart(m), &of_state, &of_switches(m), &loads, &forces].map(|values| degrees.highest(values)) {
+        [Some(0), Some(0), Some(0), Some(0 | 1), Some(1)] => Varies::AsLoad,
+        [Some(0), Some(1), Some(0), Some(0), Some(1)] => Varies::WithState,
+        [Some(0), Some(0 | 1), Some(1), Some(0), Some(1)] => Varies::WithGuards,
         _ => Varies::Never,
     }
+}
+
+/// Guards and losses of switches.
+fn of_switches(m: &Model) -> Vec<&Expr> {
+    let guards = m.switches.iter().flat_map(|switch| &switch.modes).flat_map(|mode| &mode.exits);
+    let guards = guards.map(|exit| &exit.guard).chain(m.switches.iter().map(|switch| &switch.loss));
+    terms(guards.flat_map(|rows| of_rows(rows)))
 }
 
 /// What must not depend on a parameter that varies.
@@ -63,12 +88,7 @@ fn apart(m: &Model) -> Vec<&Expr> {
         apart.extend(terms(jump.normal.iter().chain(&jump.direction).flat_map(|rows| of_rows(rows))));
         apart.extend(terms(jump.compliance.iter().chain(&jump.step)));
     }
-    for switch in &m.switches {
-        apart.extend(switch.modes.iter().flat_map(|mode| &mode.values));
-        let guards = switch.modes.iter().flat_map(|mode| &mode.exits).map(|exit| &exit.guard);
-        apart.extend(terms(guards.chain([&switch.loss]).flat_map(|rows| of_rows(rows))));
-    }
-    apart.extend(terms(m.outputs.iter().map(|output| &output.value.sum)));
+    apart.extend(m.switches.iter().flat_map(|switch| &switch.modes).flat_map(|mode| &mode.values));
     apart
 }
 

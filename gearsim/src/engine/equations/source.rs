@@ -3,6 +3,7 @@
 use nalgebra::{DMatrix, DVector};
 use xprec::Df64;
 
+use super::varying::Varying;
 use super::{Deflection, Equations, Exit, no_such};
 use crate::engine::error::Refusal;
 use crate::engine::real::Real;
@@ -127,6 +128,8 @@ impl DerivedModel {
     pub fn equations(&self, scene: &Scene) -> Result<Box<dyn Equations>, Refusal> {
         let mids = scene.mids();
         let which = || scene.effects.contradictions(scene.model);
-        self.source.equations(scene, &scene.parameters, &mids).ok_or_else(|| Refusal::Effects { which: which() })
+        let start = self.source.equations(scene, &scene.parameters, &mids);
+        let equations = start.and_then(|start| Varying::of(start, self.source, scene, &mids));
+        equations.ok_or_else(|| Refusal::Effects { which: which() })
     }
 }

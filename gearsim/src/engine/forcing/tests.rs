@@ -13,9 +13,9 @@ use crate::scene::Scene;
 
 use super::Forcing;
 
+mod by_steps;
 mod closed_forms;
 mod contacts;
-mod with_state;
 
 /// The paper's gear pair with a constant stiffness: phi'' + 2 zeta w phi' + w² phi = M2 T0(t).
 const SCENE: &str = r#"

@@ -26,7 +26,7 @@ pub struct Step<'s, 'f> {
     pub dense: Dense,
     /// The event that was found last.
     pub found: Option<Found>,
-    /// The work of torques that vary, until where the motion ends; `None` until it is asked for.
+    /// The work of torques that vary and the loss of switches whose guards move, until where the motion ends; `None` until it is asked for.
     pub work: Option<Work>,
 }
 
@@ -43,23 +43,31 @@ pub struct Found {
 impl Step<'_, '_> {
     /// The state of the run after the time `t` \[s\], where the method has reached `y`. The motion takes at most the time `length` \[s\].
     fn reached(&mut self, y: Flow, t: f64, length: f64) -> Reached {
-        let mut dissipated = y.lost;
-        if self.now.steps_only() {
-            dissipated += self.now.lost_by_switches(&(&y.q - &self.start.q));
-        }
-        let work = self.work(t, length);
+        let mut work = self.work(t, length);
+        let by_switches = match self.now.steps_only() {
+            true => self.now.lost_by_switches(&(&y.q - &self.start.q)),
+            false => work.split_off(self.now.work.len()).into_iter().sum(),
+        };
+        let dissipated = y.lost + by_switches;
         Reached { state: State { turns: self.now.state.turns.clone(), ..State::new(y.q, y.v) }, dissipated, work }
     }
 
-    /// The work of the varying part of each torque until the time `t` \[J\]. The times `t` and `length` are in \[s\], and `t` is at most `length`.
+    /// The work of the varying part of each torque until the time `t` \[J\], then the energy that switches dissipate if their forces change
+    /// within a mode. The times `t` and `length` are in \[s\], and `t` is at most `length`.
     fn work(&mut self, t: f64, length: f64) -> Vec<f64> {
         let torques = self.now.work.len();
-        if torques == 0 {
+        let losses = usize::from(!self.now.steps_only() && !self.now.switches.is_empty());
+        if torques + losses == 0 {
             return vec![];
         }
         let (h, dense, field) = (self.h, &self.dense, &mut self.solver.field);
         let work = self.work.get_or_insert_with(|| {
-            Work::new(length, torques, |t, power| field.write_power(t, &dense.at(t / h), power))
+            Work::new(length, torques + losses, |t, powers| {
+                let (power, lost) = powers.split_at_mut(torques);
+                let y = dense.at(t / h);
+                field.write_power(t, &y, power);
+                lost.iter_mut().for_each(|lost| *lost = field.lost_by_switches(&y));
+            })
         });
         work.until(t)
     }
