@@ -9,7 +9,7 @@ use std::process::Command;
 use anyhow::{Context, bail};
 
 /// The scenes, by their paths under models/scenes, and the plot that is kept of each.
-const SCENES: [(&str, &str); 28] = [
+const SCENES: [(&str, &str); 29] = [
     ("backlash", "motion"),
     ("backlash_oscillator", "motion"),
     ("drives/fan_run_up", "outputs"),
@@ -33,6 +33,7 @@ const SCENES: [(&str, &str); 28] = [
     ("chain_5", "motion"),
     ("friction_oscillator", "motion"),
     ("freewheel", "motion"),
+    ("clutch_engages", "outputs"),
     ("damaged_tooth", "orders"),
     ("electric_axle", "outputs"),
     ("end_stop", "motion"),

@@ -64,7 +64,8 @@ impl Forcing {
             let at_start = course.at(course.piece(0.0), 0.0);
             if scene.model.parameters[*p].varies.by_steps() {
                 let none = Vector::zeros(scene.model.coordinates.len());
-                return Some(Drive { parameter: *p, course: course.clone(), at_start, load: none, power: vec![] });
+                let drive = Drive { parameter: *p, course: course.clone(), at_start, load: none, power: vec![] };
+                return varying_by_steps(scene).any(|(active, _)| active == p).then_some(drive);
             }
             // The forces are linear in the parameter: B_p is the difference of those at 1 and at 0.
             let mut unit = bare.clone();

@@ -10,11 +10,7 @@ use crate::model::{Model, Parameter, Range};
 /// Parameters that a scene may have.
 pub(super) const NAMED: &[Named] = &[each(
     "PARAMETER",
-    Kind::Either(&[
-        Kind::ValueIn("unit of the parameter"),
-        Kind::Table(&[per_radius::KEYS]),
-        Kind::Table(&[time_history::KEYS]),
-    ]),
+    Kind::Either(&[Kind::ValueIn("unit of the parameter"), Kind::Table(&[per_radius::KEYS]), time_history::HISTORY]),
     "that of the model",
     "a value; an inertia, torsional stiffness or damping also over the square of a radius; a function of time where the model allows it",
 )];

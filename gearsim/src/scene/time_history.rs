@@ -4,7 +4,7 @@ mod read;
 
 use std::f64::consts::TAU;
 
-pub(super) use read::{KEYS, read};
+pub(super) use read::{HISTORY, KEYS, read};
 
 use super::{Scene, list};
 

@@ -27,7 +27,10 @@ pub struct Varying {
 /// The parameters of a scene that vary so that only methods by steps compute the motion, in the order of their shares.
 pub fn varying_by_steps(scene: &Scene) -> impl Iterator<Item = &(usize, TimeHistory)> {
     let varying = scene.time_histories.iter().filter(|(_, history)| !history.is_constant());
-    varying.filter(|(p, _)| scene.model.parameters[*p].varies.by_steps())
+    varying.filter(|(p, _)| {
+        let parameter = &scene.model.parameters[*p];
+        parameter.varies.by_steps() && scene.effects.activate(parameter.with, scene.model)
+    })
 }
 
 impl Varying {

@@ -19,6 +19,8 @@ pub(in crate::scene) const KEYS: &[Key] = &[
     key("mean", VALUE, "0", "a constant"),
     key("harmonics", Kind::List(&Kind::Table(&[HARMONIC])), "none", "added to any of these"),
 ];
+/// The values of a parameter over time.
+pub(in crate::scene) const HISTORY: Kind = Kind::Table(&[KEYS]);
 const STEP: &[Key; 2] = &[
     key("value", VALUE, REQUIRED, "the level"),
     key("until", Kind::Quantity("s"), "without end, last level only", "when it ends"),

@@ -5,6 +5,7 @@ use super::read::{Item, Reader};
 use super::{ELSEWHERE, ROTOR, TWO_ROTORS};
 use crate::scene::document::{Entry, Node, Value};
 use crate::scene::keys::{Key, Kind, Named, REQUIRED, each, key};
+use crate::scene::time_history::HISTORY;
 
 pub(super) const ROTORS: &[Named] = &[each(
     "NAME",
@@ -45,16 +46,18 @@ const BEARING: &[Key] = &[
     key("rotor", ROTOR, REQUIRED, "the rotor that it carries"),
     key("viscous", DAMPING, "none", "viscous friction c, or c/r^2, with the effect viscous_friction"),
     RADIUS,
-    key("friction", Kind::Quantity("N*m"), "none", "friction torque while it slides, with the effect dry_friction"),
+    key("friction", TORQUE, "none", "friction torque while it slides, with the effect dry_friction"),
     key("breakaway", Kind::Number, "0", "breakaway torque over this friction torque, less 1"),
 ];
 
 pub(super) const CLUTCHES: &[Named] = &[each("NAME", Kind::Table(&[CLUTCH]), "none", "an overrunning clutch")];
 const CLUTCH: &[Key] = &[
     key("between", TWO_ROTORS, REQUIRED, "the rotors that it joins; the first drives the second"),
-    key("capacity", Kind::Quantity("N*m"), ELSEWHERE, "largest torque that it transmits; beyond it slips"),
-    key("drag", Kind::Quantity("N*m"), "0 N*m", "friction torque while it overruns"),
+    key("capacity", TORQUE, ELSEWHERE, "largest torque that it transmits; beyond it slips"),
+    key("drag", TORQUE, "0 N*m", "friction torque while it overruns"),
 ];
+/// A torque, or its values over time.
+const TORQUE: Kind = Kind::Either(&[Kind::Quantity("N*m"), HISTORY]);
 
 impl Reader<'_> {
     pub(super) fn rotor(&mut self, entry: &Entry) {

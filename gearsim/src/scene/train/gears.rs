@@ -5,6 +5,7 @@ use super::read::{GROUND, Item, Reader};
 use super::{ELSEWHERE, TWO_ROTORS, axial, bodies};
 use crate::scene::document::{Entry, Node, Value};
 use crate::scene::keys::{Key, Kind, Named, REQUIRED, each, key};
+use crate::scene::time_history::HISTORY;
 use crate::scene::{field, friction, keys, laws};
 
 pub(super) const MESHES: &[Named] = &[each("NAME", Kind::Table(&[MESH]), "none", "a pair of gears")];
@@ -31,7 +32,12 @@ const MESH: &[Key] = &[
         "none",
         "viscous damping along the line of action, or of the first gear's rotation against the second, in contact and out of it, with the effect viscous_friction",
     ),
-    key("friction", Kind::Number, ELSEWHERE, "coefficient of friction of the flanks, with the effect sliding_friction"),
+    key(
+        "friction",
+        Kind::Either(&[Kind::Number, HISTORY]),
+        ELSEWHERE,
+        "coefficient of friction of the flanks, with the effect sliding_friction",
+    ),
 ];
 /// A law of a mesh, or its constant value.
 pub(super) const LAW: Kind = Kind::Either(&[laws::VALUE, Kind::Table(laws::STIFFNESS)]);

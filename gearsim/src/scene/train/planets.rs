@@ -6,6 +6,7 @@ use super::read::{Item, Reader};
 use super::{ELSEWHERE, ROTOR, axial, bodies};
 use crate::scene::document::{Entry, Node, Value};
 use crate::scene::keys::{Key, Kind, Named, REQUIRED, each, key};
+use crate::scene::time_history::HISTORY;
 use crate::scene::{field, keys};
 use crate::tolerance::scene::PLANETS;
 
@@ -28,7 +29,12 @@ const SET: &[Key] = &[
     key("sun_stiffness", LAW, "in [laws]", "stiffness of the meshes with the sun; phases follow from teeth and places"),
     key("ring_stiffness", LAW, "in [laws]", "stiffness of the meshes with the ring; likewise"),
     key("backlash", Kind::Quantity("m"), ELSEWHERE, "play of all meshes, with the effect backlash"),
-    key("friction", Kind::Number, ELSEWHERE, "coefficient of friction of all flanks, with the effect sliding_friction"),
+    key(
+        "friction",
+        Kind::Either(&[Kind::Number, HISTORY]),
+        ELSEWHERE,
+        "coefficient of friction of all flanks, with the effect sliding_friction",
+    ),
 ];
 const ROTOR_OR_GROUND: Kind = Kind::Name("a rotor or \"ground\"");
 

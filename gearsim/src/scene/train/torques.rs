@@ -4,7 +4,8 @@ use super::draft::{Term, named};
 use super::read::{Item, Reader};
 use super::{ELSEWHERE, ROTOR};
 use crate::scene::keys::{Key, Kind, Named, REQUIRED, each, key};
-use crate::scene::{field, keys, list, time_history};
+use crate::scene::time_history::HISTORY;
+use crate::scene::{field, keys, list};
 
 impl Reader<'_> {
     /// A drive or a load.
@@ -73,8 +74,6 @@ const TORQUE: Key = key(
     "a constant, or a function of time; with the effect torques",
 );
 const SPEED: Kind = Kind::Quantity("rad/s");
-/// A value that varies in time.
-const HISTORY: Kind = Kind::Table(&[time_history::KEYS]);
 
 const GOVERNOR: Key = key("governor", Kind::Table(&[OF_GOVERNOR]), "none", "torque gain (set_point - speed)");
 const OF_GOVERNOR: &[Key] = &[

@@ -128,3 +128,42 @@ fn equations_are_those_of_the_present_value() {
         assert!(some.iter().all(|what| changed.contains(what)), "{parameter} changes {changed:?}");
     }
 }
+
+/// Without the effect of the parameter, its time history changes nothing, and the cells are exact.
+#[test]
+fn parameters_of_absent_effects_do_not_matter() {
+    let scene = parse(TRAIN, &["effects=[]"]);
+    assert!(Forcing::of(&DerivedModel::of::<Freewheel>(), &scene).is_none());
+    let outcome = run_of(TRAIN, &["effects=[]"]);
+    assert_eq!(outcome.solver.method, "exact", "{}", outcome.solver.why);
+}
+
+/// A clutch in a train that engages, as of a model: the slip is 30 rad/s - (1 N*m t + 5 N*m/s t²) (1/I1 + 1/I2).
+#[test]
+fn parts_of_trains_have_parameters_that_vary() {
+    let outcome = run_of(TRAIN, &[]);
+    let t = &outcome.trajectory;
+    for (i, time) in t.t.iter().enumerate() {
+        let impulse = (time + 5.0 * time * time).min(20.0);
+        let (found, expected) = ([t.q_dot[0][i], t.q_dot[1][i]], [30.0 - impulse, 0.5 * impulse]);
+        assert!((0..2).all(|j| (found[j] - expected[j]).abs() < 1e-8), "{time} s: {found:?}, not {expected:?}");
+    }
+    assert!((t.dissipated[t.len() - 1] - 300.0).abs() < 1e-8 && residual(&outcome) < 1e-12);
+}
+
+const TRAIN: &str = r#"
+model = "train"
+effects = ["overrunning_clutch"]
+[rotors]
+1 = "1 kg*m^2"
+2 = "2 kg*m^2"
+[clutches.c]
+between = ["1", "2"]
+capacity = { ramp = { from = "1 N*m", to = "31 N*m", duration = "3 s" } }
+[start]
+theta1_dot = "30 rad/s"
+[run]
+t_end = "3 s"
+[output]
+rate = "100 Hz"
+"#;
