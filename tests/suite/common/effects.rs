@@ -45,9 +45,10 @@ pub fn of(model: &str) -> Vec<(&'static str, Result<Scene, String>)> {
 }
 
 /// The first committed scene of a model that starts with a speed, or else the first one, cut to at most `T_END`: phases that do not move
-/// have no multipliers.
+/// have no multipliers. Scenes in which a parameter varies that makes cells nonlinear are left out: not the effects are nonlinear there.
 fn base(model: &str) -> Scene {
     let mut scenes = committed(model, T_END);
+    scenes.retain(|scene| scene.time_histories.iter().all(|(p, _)| !scene.model.parameters[*p].varies.by_steps()));
     let turns = |scene: &Scene| scene.start.motions.iter().any(|speed| *speed != 0.0);
     let base = scenes.swap_remove(scenes.iter().position(turns).unwrap_or(0));
     if !EQUAL_GEARS.contains(&model) {
