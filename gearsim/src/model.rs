@@ -126,12 +126,12 @@ pub struct Parameter {
 pub enum Varies {
     /// It may not.
     Never,
-    /// The factors of the parameter in the forces are the same in every state. Cells stay linear.
+    /// Forces are linear in it, with factors that are the same in every state. Cells stay linear.
     AsLoad,
-    /// The factors depend on the state, as those of the demand on a motor whose torque falls with its speed. Only methods by steps compute the
-    /// motion.
+    /// The factors depend on the state, as those of the demand on a motor whose torque falls with its speed. Only methods by steps can compute
+    /// the motion.
     WithState,
-    /// Guards or losses of switches depend on the parameter too, as on the capacity of a clutch. Only methods by steps compute the motion.
+    /// Guards or losses of switches depend on the parameter too, as on the capacity of a clutch. Only methods by steps can compute the motion.
     WithGuards,
 }
 

@@ -11,6 +11,7 @@ use smallvec::SmallVec;
 use crate::engine::cell::{Cell, matrices};
 use crate::engine::equations::{Equations, Exit};
 use crate::engine::error::Refusal;
+use crate::engine::forcing::Forcing;
 use crate::engine::law::LawState;
 use crate::engine::switch::{Guards, Switch};
 use crate::engine::vector::Vector;
@@ -138,14 +139,22 @@ fn stand(laws: &mut [LawState], switches: &mut [Switch], mut index: usize) {
     switches.iter_mut().for_each(|switch| switch.mode = digit(switch.modes()));
 }
 
-/// Writes the law values at the coordinates `q` and the time `t` \[s\] into `k`, then the values of the switches.
+/// Writes the law values at the coordinates `q` and the time `t` \[s\] into `k`: those of the laws, of the switches, and of the parameters that
+/// vary.
 #[inline]
-pub fn write((laws, switches): (&[LawState], &[Switch]), (q, t): (&[f64], f64), k: &mut [f64]) {
+pub fn write(
+    (laws, switches, forcing): (&[LawState], &[Switch], Option<&Forcing>),
+    (q, t): (&[f64], f64),
+    k: &mut [f64],
+) {
     let of_laws = &mut k[..laws.len()];
     for i in 0..laws.len() {
         of_laws[i] = laws[i].course(q[laws[i].phase], t)[0];
     }
     switches.iter().for_each(|switch| switch.write(k));
+    if let Some(forcing) = forcing {
+        forcing.write_shares(t, k);
+    }
 }
 
 /// The same for laws that are constant within their cells.

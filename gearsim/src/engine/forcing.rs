@@ -27,8 +27,8 @@ use window::TERMS;
 #[derive(Debug, Clone)]
 pub struct Forcing {
     drives: Arc<[Drive]>,
-    /// The parameters of [`varying_by_steps`]: the index of each among the drives, and the largest change, p_1 - p_0.
-    by_steps: Arc<[(usize, f64)]>,
+    /// Number of the drives whose factors are constant. Those of [`varying_by_steps`] follow, in their order.
+    loads: usize,
     /// Whether guards or losses of switches depend on one of them.
     moves_guards: bool,
     /// The piece of its time history in which each parameter is. State: never computed from the time.
@@ -45,6 +45,8 @@ struct Drive {
     course: TimeHistory,
     /// T_p(0).
     at_start: f64,
+    /// Its largest change, p_1 - p_0.
+    largest: f64,
     /// B_p: generalised forces per unit of the parameter (N); zero if they depend on the state.
     load: Vector,
     /// Power of each torque of the scene per unit of the parameter: its factors of the speeds (N each).
@@ -54,22 +56,21 @@ struct Drive {
 impl Forcing {
     /// The parameters of a scene that vary and act on its motion; `None` if there are none.
     pub fn of(derived: &DerivedModel, scene: &Scene) -> Option<Self> {
-        let mids: Vec<f64> = scene.laws.iter().map(|law| law.mid()).collect();
-        let varies = scene.model.parameters.iter().map(|p| p.varies == Varies::AsLoad);
-        let bare: Vec<f64> =
-            scene.parameters.iter().zip(varies).map(|(x, varies)| if varies { 0.0 } else { *x }).collect();
+        let mids = scene.mids();
+        let varies = |p: usize| scene.model.parameters[p].varies;
+        let without_loads = |(p, x): (usize, &f64)| if varies(p) == Varies::AsLoad { 0.0 } else { *x };
+        let bare: Vec<f64> = scene.parameters.iter().enumerate().map(without_loads).collect();
         let (k, flat) = (scene.model.in_contact(mids.iter().copied()), vec![0.0; scene.model.laws.len()]);
         let torques = scene.torques();
-        let drive = |(p, course): &(usize, TimeHistory)| {
-            let at_start = course.at(course.piece(0.0), 0.0);
-            if scene.model.parameters[*p].varies.by_steps() {
-                let none = Vector::zeros(scene.model.coordinates.len());
-                let drive = Drive { parameter: *p, course: course.clone(), at_start, load: none, power: vec![] };
-                return varying_by_steps(scene).any(|(active, _)| active == p).then_some(drive);
-            }
+        let drive = |(p, course): &(usize, TimeHistory), load, power| {
+            let (at_start, course) = (course.at_start(), course.clone());
+            Drive { parameter: *p, at_start, largest: course.farthest() - at_start, course, load, power }
+        };
+        let as_load = |history: &(usize, TimeHistory)| {
+            let p = history.0;
             // The forces are linear in the parameter: B_p is the difference of those at 1 and at 0.
             let mut unit = bare.clone();
-            unit[*p] = 1.0;
+            unit[p] = 1.0;
             let unit = derived.source.equations(scene, &unit, &mids)?;
             let none = derived.source.equations(scene, &bare, &mids)?;
             let n = unit.coordinates();
@@ -81,15 +82,18 @@ impl Forcing {
                 unit.torque_work(i, &unit_dq) - none.torque_work(i, &unit_dq)
             };
             let power = torques.iter().map(|&i| Vector::from_fn(n, |j| along(i, j))).collect();
-            (load.amax() > 0.0).then(|| Drive { parameter: *p, course: course.clone(), at_start, load, power })
+            (load.amax() > 0.0).then(|| drive(history, load, power))
         };
-        let drives: Arc<[_]> = scene.time_histories.iter().filter(|c| !c.1.is_constant()).filter_map(drive).collect();
+        let histories = scene.time_histories.iter().filter(|c| !c.1.is_constant());
+        let mut drives: Vec<Drive> =
+            histories.filter(|(p, _)| varies(*p) == Varies::AsLoad).filter_map(as_load).collect();
+        let loads = drives.len();
+        let none = Vector::zeros(scene.model.coordinates.len());
+        drives.extend(varying_by_steps(scene).map(|history| drive(history, none.clone(), vec![])));
+        let moves_guards = varying_by_steps(scene).any(|(p, _)| varies(*p) == Varies::WithGuards);
         let pieces = drives.iter().map(|d| d.course.piece(0.0)).collect();
-        let at = varying_by_steps(scene).filter_map(|(p, _)| drives.iter().position(|drive| drive.parameter == *p));
-        let by_steps = at.map(|i| (i, drives[i].course.farthest() - drives[i].at_start)).collect();
-        let moves_guards =
-            varying_by_steps(scene).any(|(p, _)| scene.model.parameters[*p].varies == Varies::WithGuards);
-        (!drives.is_empty()).then(|| Forcing { drives, by_steps, moves_guards, pieces, torques: torques.len() })
+        let drives: Arc<[_]> = drives.into();
+        (!drives.is_empty()).then(|| Forcing { drives, loads, moves_guards, pieces, torques: torques.len() })
     }
 
     /// The time of the next breakpoint \[s\]; infinite if there is none.
@@ -120,7 +124,7 @@ impl Forcing {
 
     /// Whether only methods by steps compute the motion.
     pub fn is_by_steps(&self) -> bool {
-        !self.by_steps.is_empty()
+        self.loads < self.drives.len()
     }
 
     /// Whether guards or losses of switches depend on a parameter that varies.
@@ -131,10 +135,9 @@ impl Forcing {
     /// Writes how far each parameter of [`varying_by_steps`] has moved, as a share of its largest change, to the end of the law values `k`,
     /// which has a place for each.
     pub fn write_shares(&self, t: f64, k: &mut [f64]) {
-        let at = k.len() - self.by_steps.len();
-        for (share, &(i, largest)) in k[at..].iter_mut().zip(&*self.by_steps) {
-            let Drive { course, at_start, .. } = &self.drives[i];
-            *share = (course.at(self.pieces[i], t) - at_start) / largest;
+        let at = k.len() - (self.drives.len() - self.loads);
+        for (share, (drive, change)) in k[at..].iter_mut().zip(self.changes(t).skip(self.loads)) {
+            *share = change / drive.largest;
         }
     }
 

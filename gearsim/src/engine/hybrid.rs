@@ -123,14 +123,11 @@ impl Hybrid<'_> {
         Number::of(&self.laws, &self.switches)
     }
 
-    /// Updates the law values from the laws, the switches and the parameters that vary, at the present state and time.
+    /// Updates the law values to the present state and time: those of the laws, of the switches, and of the parameters that vary.
     #[inline]
     pub fn set_levels(&mut self) {
-        let t = self.clock.now();
-        cells::write((&self.laws, &self.switches), (&self.state.q, t), &mut self.k);
-        if let Some(forcing) = &self.forcing {
-            forcing.write_shares(t, &mut self.k);
-        }
+        let of = (&self.laws[..], &self.switches[..], self.forcing.as_deref());
+        cells::write(of, (&self.state.q, self.clock.now()), &mut self.k);
     }
 
     /// Updates the geometry of the steps at the present coordinates, if M depends on them.
@@ -160,10 +157,7 @@ impl Hybrid<'_> {
             return Cow::Borrowed(&self.k);
         }
         let mut k = self.k.clone();
-        cells::write((&self.laws, &self.switches), (&state.q, t), &mut k);
-        if let Some(forcing) = &self.forcing {
-            forcing.write_shares(t, &mut k);
-        }
+        cells::write((&self.laws, &self.switches, self.forcing.as_deref()), (&state.q, t), &mut k);
         Cow::Owned(k)
     }
 

@@ -149,7 +149,7 @@ impl<'a> Field<'a> {
         force
     }
 
-    /// The power that damping dissipates at `y`, the time `t` after the step began \[W\], without the forces of switches.
+    /// The power that dampers take at `y`, the time `t` after the step began \[W\]. The forces of switches are not included.
     pub fn lost(&mut self, t: f64, y: &Flow) -> f64 {
         self.set(t, y);
         self.loss(y)
@@ -165,8 +165,8 @@ impl<'a> Field<'a> {
         2.0 * dissipation
     }
 
-    /// The power that the forces of switches dissipate at `y`, where the field was last evaluated \[W\]. If their forces do not change within a
-    /// mode, their loss is computed from the displacement instead ([`Hybrid::lost_by_switches`]).
+    /// The power that the forces of switches take at `y` \[W\]. The field must have been evaluated there. If these forces do not change within a
+    /// mode, the loss is computed from the displacement instead ([`Hybrid::lost_by_switches`]).
     pub fn lost_by_switches(&self, y: &Flow) -> f64 {
         Guards::of(self.equations, &self.switches, &y.q, &self.k).power(&y.q, &y.v, &self.k)
     }

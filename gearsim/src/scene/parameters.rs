@@ -63,7 +63,7 @@ pub(super) fn read(
             }
             Some(node) if matches!(node.value, Value::Table(_)) => {
                 let history = history(parameter, node, model, report)?;
-                let value = history.at(history.piece(0.0), 0.0);
+                let value = history.at_start();
                 varying.push((i, history));
                 Some(value)
             }

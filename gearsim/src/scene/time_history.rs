@@ -84,9 +84,14 @@ impl TimeHistory {
             && self.pieces.iter().all(|piece| piece.slope == 0.0 && piece.value == first)
     }
 
-    /// The bound of the value that is farthest from its value at the start.
+    /// Value at t = 0.
+    pub fn at_start(&self) -> f64 {
+        self.at(self.piece(0.0), 0.0)
+    }
+
+    /// Of the lower and upper bound of the value, the one that is farther from the value at t = 0.
     pub fn farthest(&self) -> f64 {
-        let (start, (low, high)) = (self.at(self.piece(0.0), 0.0), self.bounds());
+        let (start, (low, high)) = (self.at_start(), self.bounds());
         if high - start >= start - low { high } else { low }
     }
 

@@ -1,5 +1,5 @@
 //! Which parameters may vary in time in a scene: those on which the generalised forces depend linearly and energies and inertias do not.
-//! Guards of switches, losses and outputs may depend on them linearly too; then only methods by steps compute the motion.
+//! Guards of switches, losses and outputs may also be linear in them. Then only methods by steps can compute the motion.
 
 use proc_macro2::TokenStream;
 use quote::quote;
@@ -108,7 +108,7 @@ fn of_entries(entries: &[Entry]) -> impl Iterator<Item = &Sum> {
 struct Degrees<'a>(Vec<(&'a Ident, u32)>);
 
 impl Degrees<'_> {
-    /// The highest degree of the expressions; `None` if one of them is not a polynomial or its degree is not known.
+    /// The highest degree of the expressions. `None` if one of them is not a polynomial, or if its degree is not known.
     fn highest(&self, values: &[&Expr]) -> Option<u32> {
         values.iter().try_fold(0, |highest, value| Some(highest.max(self.of(value)?)))
     }

@@ -1,5 +1,5 @@
-//! The equations of a scene in which parameters vary in time whose factors depend on the state: the demand on a motor whose torque falls with
-//! its speed, the capacity of a clutch.
+//! The equations of a scene with parameters that vary in time and whose factors depend on the state. Examples are the demand on a motor whose
+//! torque falls with its speed, and the capacity of a clutch.
 //!
 //! Forces, guards, losses and outputs are linear in such a parameter p. With its value p_0 at the start and another one p_1,
 //!
@@ -24,7 +24,7 @@ pub struct Varying {
     values: usize,
 }
 
-/// The parameters of a scene that vary so that only methods by steps compute the motion, in the order of their shares.
+/// The parameters of a scene that vary in time and make its cells nonlinear, in the order of their shares.
 pub fn varying_by_steps(scene: &Scene) -> impl Iterator<Item = &(usize, TimeHistory)> {
     let varying = scene.time_histories.iter().filter(|(_, history)| !history.is_constant());
     varying.filter(|(p, _)| {

@@ -26,7 +26,8 @@ pub struct Step<'s, 'f> {
     pub dense: Dense,
     /// The event that was found last.
     pub found: Option<Found>,
-    /// The work of torques that vary and the loss of switches whose guards move, until where the motion ends; `None` until it is asked for.
+    /// The work of torques that vary, and the loss of switches if their forces change within a mode, from the start of the step to the end of the
+    /// motion. `None` until it is needed.
     pub work: Option<Work>,
 }
 
