@@ -1,6 +1,8 @@
 //! Which parameters may vary in time in a scene: those on which the generalised forces depend linearly and energies and inertias do not.
 //! Guards of switches, losses and outputs may also be linear in them. Then only methods by steps can compute the motion.
 
+use std::collections::{BTreeMap, HashMap};
+
 use proc_macro2::TokenStream;
 use quote::quote;
 use syn::{BinOp, Expr, Ident, Member};
@@ -34,39 +36,42 @@ impl Varies {
 
 /// How each parameter of the model may vary in time, in their order.
 pub fn varies(m: &Model) -> Vec<Varies> {
-    let parameters: Vec<&Ident> = m.parameters.iter().map(|p| &p.name).collect();
-    let mut all: Vec<Varies> = parameters.iter().map(|p| of(m, &[*p])).collect();
+    let mut all = of(m, Some);
     // The engine adds the changes by each: forces must not contain a product of two of them.
     let by_steps = |varies: &Varies| matches!(varies, Varies::WithState | Varies::WithGuards);
-    let together: Vec<&Ident> =
-        parameters.iter().zip(&all).filter(|(_, varies)| by_steps(varies)).map(|(p, _)| *p).collect();
-    if !together.is_empty() && of(m, &together) == Varies::Never {
+    let together = of(m, |i| by_steps(&all[i]).then_some(0));
+    if all.iter().any(by_steps) && together[0] == Varies::Never {
         all.iter_mut().filter(|varies| by_steps(varies)).for_each(|varies| *varies = Varies::Never);
     }
     all
 }
 
-/// How parameters may vary in time together.
-fn of(m: &Model, parameters: &[&Ident]) -> Varies {
-    let mut degrees = Degrees(parameters.iter().map(|parameter| (*parameter, 1)).collect());
+/// How the parameters may vary in time, by the index that `place` gives each: those of one index together. Those without one are constant.
+fn of(m: &Model, place: impl Fn(usize) -> Option<usize>) -> Vec<Varies> {
+    let parameters = m.parameters.iter().enumerate();
+    let placed = parameters.filter_map(|(i, p)| Some((p.name.to_string(), Degrees::from([(place(i)?, 1)]))));
+    let mut names = Names(placed.collect());
     let loads = terms(of_rows(&m.work).chain(m.torques.iter().map(|t| &t.work)));
     let forces = terms(of_rows(&m.load).chain(m.force.iter().flat_map(|rows| of_rows(rows))));
-    let mut of_state = vec![];
+    let mut of_state = Degrees::new();
     for named in m.forces.iter().chain(&m.partials) {
-        let values = terms(std::iter::once(&named.sum));
-        // A force that is not linear in the parameter makes all that contains it so.
-        degrees.0.push((&named.name, degrees.highest(&values).unwrap_or(2)));
-        of_state.extend(values);
+        let degrees = names.highest(&terms(std::iter::once(&named.sum)));
+        merge(&mut of_state, &degrees, u32::max);
+        names.0.insert(named.name.to_string(), degrees);
     }
-    of_state.extend(terms(m.torques.iter().map(|t| &t.power)));
-    of_state.extend(terms(m.jacobian.iter().flat_map(|entries| of_entries(entries))));
-    of_state.extend(terms(m.outputs.iter().map(|output| &output.value.sum)));
-    match [&apart(m), &of_state, &of_switches(m), &loads, &forces].map(|values| degrees.highest(values)) {
-        [Some(0), Some(0), Some(0), Some(0 | 1), Some(1)] => Varies::AsLoad,
-        [Some(0), Some(1), Some(0), Some(0), Some(1)] => Varies::WithState,
-        [Some(0), Some(0 | 1), Some(1), Some(0), Some(1)] => Varies::WithGuards,
+    let powers = m.torques.iter().map(|t| &t.power);
+    let outputs = m.outputs.iter().map(|output| &output.value.sum);
+    let others = powers.chain(m.jacobian.iter().flat_map(|entries| of_entries(entries))).chain(outputs);
+    merge(&mut of_state, &names.highest(&terms(others)), u32::max);
+    let [apart, switches, loads, forces] =
+        [&apart(m), &of_switches(m), &loads, &forces].map(|values| names.highest(values));
+    let varies = |i: usize| match [&apart, &of_state, &switches, &loads, &forces].map(|d| d.get(&i).map_or(0, |d| *d)) {
+        [0, 0, 0, 0 | 1, 1] => Varies::AsLoad,
+        [0, 1, 0, 0, 1] => Varies::WithState,
+        [0, 0 | 1, 1, 0, 1] => Varies::WithGuards,
         _ => Varies::Never,
-    }
+    };
+    (0..m.parameters.len()).map(varies).collect()
 }
 
 /// Guards and losses of switches.
@@ -104,44 +109,62 @@ fn of_entries(entries: &[Entry]) -> impl Iterator<Item = &Sum> {
     entries.iter().map(|entry| &entry.sum)
 }
 
-/// The degree of names as polynomials in a parameter; that of others is 0.
-struct Degrees<'a>(Vec<(&'a Ident, u32)>);
+/// The degrees of an expression as a polynomial in parameters, by their indices. Parameters that are not in it are left out;
+/// [`NOT_LINEAR`] is any higher degree, or that of an expression that is not a polynomial.
+type Degrees = BTreeMap<usize, u32>;
 
-impl Degrees<'_> {
-    /// The highest degree of the expressions. `None` if one of them is not a polynomial, or if its degree is not known.
-    fn highest(&self, values: &[&Expr]) -> Option<u32> {
-        values.iter().try_fold(0, |highest, value| Some(highest.max(self.of(value)?)))
+const NOT_LINEAR: u32 = 2;
+
+/// Combines the degrees of two expressions.
+fn merge(degrees: &mut Degrees, others: &Degrees, with: impl Fn(u32, u32) -> u32) {
+    for (&i, &other) in others {
+        let degree = degrees.entry(i).or_insert(0);
+        *degree = with(*degree, other).min(NOT_LINEAR);
+    }
+}
+
+/// The degrees of names: parameters and named forces. Other names are constant.
+struct Names(HashMap<String, Degrees>);
+
+impl Names {
+    /// The highest degrees of the expressions.
+    fn highest(&self, values: &[&Expr]) -> Degrees {
+        let mut highest = Degrees::new();
+        values.iter().for_each(|value| merge(&mut highest, &self.of(value), u32::max));
+        highest
     }
 
-    /// The degree of an expression, as [`Degrees::highest`].
-    fn of(&self, e: &Expr) -> Option<u32> {
+    fn of(&self, e: &Expr) -> Degrees {
         match e {
             Expr::Paren(e) => self.of(&e.expr),
             Expr::Group(e) => self.of(&e.expr),
             Expr::Unary(e) => self.of(&e.expr),
             Expr::Binary(b) => {
-                let (left, right) = (self.of(&b.left)?, self.of(&b.right)?);
+                let (mut degrees, right) = (self.of(&b.left), self.of(&b.right));
                 match b.op {
-                    BinOp::Add(_) | BinOp::Sub(_) => Some(left.max(right)),
-                    BinOp::Mul(_) => Some(left + right),
-                    BinOp::Div(_) if right == 0 => Some(left),
-                    _ => None,
+                    BinOp::Add(_) | BinOp::Sub(_) => merge(&mut degrees, &right, u32::max),
+                    BinOp::Mul(_) => merge(&mut degrees, &right, |a, b| a + b),
+                    // A quotient: the grammar has no other operators.
+                    _ => merge(&mut degrees, &right, |_, _| NOT_LINEAR),
                 }
+                degrees
             }
             Expr::MethodCall(call) => {
-                let constant = self.of(&call.receiver) == Some(0) && call.args.iter().all(|e| self.of(e) == Some(0));
-                constant.then_some(0)
+                let mut degrees = self.of(&call.receiver);
+                call.args.iter().for_each(|e| merge(&mut degrees, &self.of(e), u32::max));
+                degrees.values_mut().for_each(|degree| *degree = NOT_LINEAR);
+                degrees
             }
             Expr::Field(e) => match &e.member {
-                Member::Named(name) => Some(self.named(name)),
-                Member::Unnamed(_) => Some(0),
+                Member::Named(name) => self.named(name),
+                Member::Unnamed(_) => Degrees::new(),
             },
-            Expr::Path(e) => Some(e.path.get_ident().map_or(0, |name| self.named(name))),
-            _ => Some(0),
+            Expr::Path(e) => e.path.get_ident().map_or_else(Degrees::new, |name| self.named(name)),
+            _ => Degrees::new(),
         }
     }
 
-    fn named(&self, name: &Ident) -> u32 {
-        self.0.iter().find(|(known, _)| *known == name).map_or(0, |(_, degree)| *degree)
+    fn named(&self, name: &Ident) -> Degrees {
+        self.0.get(&name.to_string()).cloned().unwrap_or_default()
     }
 }
