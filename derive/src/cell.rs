@@ -3,7 +3,7 @@
 
 use symbolica::atom::{Atom, AtomCore, Symbol};
 
-use crate::expr::{Expr, Kind, kind_and_name, number, symbol, symbols, total};
+use crate::expr::{Expr, Kind, kind_and_name, number, set, symbol, symbols, total};
 use crate::lagrange::{Motion, external};
 use crate::markers::{all_present, markers, optional, terms, without};
 use crate::model::{Model, Switch};
@@ -119,9 +119,7 @@ impl Bends {
 
     /// The expression with straight deflections.
     fn straight(&self, e: &Atom) -> Atom {
-        let straight =
-            self.zero.iter().fold(e.clone(), |e, s| e.replace(Atom::var(*s).to_pattern()).with(number(0).to_pattern()));
-        straight.expand()
+        self.zero.iter().fold(e.clone(), |e, s| set(&e, *s, &number(0))).expand()
     }
 }
 
@@ -157,7 +155,7 @@ fn at_rest(s: &Symbols, e: &Atom) -> Atom {
             Place::Deflection(d) => s.deflections[d].rest.clone(),
             _ => return e,
         };
-        e.replace(Atom::var(symbol).to_pattern()).with(rest.to_pattern())
+        set(&e, symbol, &rest)
     })
 }
 

@@ -1,17 +1,18 @@
 //! The result of a derivation: equations, jump rules, cells and proofs.
 
+mod rolling;
 mod stages;
 
-use symbolica::atom::{Atom, AtomCore};
+use symbolica::atom::Atom;
 
 use crate::cell::Cell;
-use crate::expr::{Expr, Kind, speed_name, total};
+use crate::expr::{Expr, Kind, number, set, speed_name, symbol};
 use crate::jump::Jump;
 use crate::lagrange::Motion;
-use crate::model::{JUMP_TERMS, Law, MOVING_PHASE, Model};
+use crate::model::{JUMP_TERMS, MOVING_PHASE, Model};
 use crate::print::Style;
 use crate::symbols::{Partials, Place, Symbols};
-use crate::{Home, expr, file, markers, proof, text};
+use crate::{Home, file, markers, proof, text};
 pub use stages::derive;
 pub(crate) use stages::{Formulas, derive_with};
 
@@ -69,25 +70,19 @@ impl Derivation<'_> {
     /// The expression without the terms of the effects and conditions in `absent`: their markers are 0, the symbols of
     /// their switches have their neutral values, their laws are 0.
     fn without(&self, e: &Atom, absent: &[&str]) -> Atom {
-        let without = absent.iter().fold(e.clone(), |e, name| {
-            let marker = Atom::var(expr::symbol(Kind::Marker, name));
-            e.replace(marker.to_pattern()).with(expr::number(0).to_pattern())
-        });
+        let without = absent.iter().fold(e.clone(), |e, name| set(&e, symbol(Kind::Marker, name), &number(0)));
         let switches = self.model.switches.iter().filter(|switch| absent.contains(&switch.effect.as_str()));
         let without = switches.fold(without, |e, switch| switch.neutral(&e));
         let laws =
             self.model.laws.iter().filter(|law| law.with.as_deref().is_some_and(|effect| absent.contains(&effect)));
-        laws.fold(without, |e, law| {
-            let value = Atom::var(expr::symbol(law.kind(), &law.name));
-            e.replace(value.to_pattern()).with(expr::number(0).to_pattern())
-        })
+        laws.fold(without, |e, law| set(&e, symbol(law.kind(), &law.name), &number(0)))
     }
 
     /// 2 G dV: the decrease of the square of the normal speed at a step `dk` of law `l`, without the terms of the effects in
     /// `absent`. `None` if M was not inverted.
     pub fn speed_lost(&self, l: usize, absent: &[&str]) -> Option<Expr> {
         let jump = &self.jumps[l];
-        jump.compliance.as_ref().map(|g| self.in_parameters(&(expr::number(2) * g * &jump.step), absent))
+        jump.compliance.as_ref().map(|g| self.in_parameters(&(number(2) * g * &jump.step), absent))
     }
 
     /// The change of the speed of coordinate `i` per change of the normal speed at a step of law `l`: entry i of M⁻¹n/G. `None`
@@ -99,10 +94,10 @@ impl Derivation<'_> {
     /// The expression with forces, deflections and constants written out, all remaining effects present.
     fn in_parameters(&self, e: &Atom, absent: &[&str]) -> Expr {
         let s = &self.symbols;
-        let written_out = s.deflections.iter().fold(self.model.written_out(e), |e, d| {
-            let e = e.replace(Atom::var(d.symbol).to_pattern()).with(d.of(&s.q).to_pattern());
-            e.replace(Atom::var(d.rate_symbol).to_pattern()).with(d.rate(&s.v).to_pattern())
-        });
+        let written_out = s
+            .deflections
+            .iter()
+            .fold(self.model.written_out(e), |e, d| set(&set(&e, d.symbol, &d.of(&s.q)), d.rate_symbol, &d.rate(&s.v)));
         Expr::new(markers::all_present(&proof::exact(&self.motion, &self.without(&written_out, absent))))
     }
 
@@ -114,39 +109,6 @@ impl Derivation<'_> {
     /// The terms that make a cell nonlinear in scenes with an effect: the effect, and the term.
     pub fn nonlinear_with(&self) -> &[(String, String)] {
         &self.cell.nonlinear_with
-    }
-
-    /// Whether the phase of a law rolls: energies and torques depend on this coordinate only through laws. Whole pitches of it
-    /// then change nothing, so that the engine may count them separately. `None` if it never rolls; otherwise each effect that alone
-    /// prevents it, for example a support of a rotor that turns. An effect of all parts replaces those of its parts.
-    pub(crate) fn rolling(&self, law: &Law) -> Option<Vec<String>> {
-        let phase = expr::symbols(&law.phase.atom());
-        let [(kind, name)] = phase.as_slice() else { return None };
-        let s = &self.symbols;
-        let i = s.q.iter().position(|q| *q == expr::symbol(*kind, name))?;
-        let m = self.model;
-        let along = |parts: &mut dyn Iterator<Item = Atom>| {
-            let along = parts.flat_map(|e| s.by_coordinates(&e)).filter(|(j, _)| *j == i);
-            total(along.map(|(_, by)| by).collect()).expand()
-        };
-        let energies = [&m.kinetic, &m.potential, &m.dissipation].into_iter();
-        let energies = energies.map(|e| along(&mut e.iter().map(|piece| piece.atom())));
-        let forces = self.motion.external.iter().map(|force| along(&mut std::iter::once(m.written_out(force))));
-        let mut stopped: Vec<String> = vec![];
-        for term in energies.chain(forces).flat_map(|sum| markers::terms(&sum)) {
-            match &markers::markers(&term)[..] {
-                [effect] if m.effects.iter().any(|e| e.name == *effect) => stopped.push(effect.clone()),
-                _ => return None,
-            }
-        }
-        let of = |effect: &String| m.effects.iter().find(|e| e.name == *effect).and_then(|e| e.of.clone());
-        let all =
-            |of: &String| m.effects.iter().filter(|e| e.of.as_ref() == Some(of)).all(|e| stopped.contains(&e.name));
-        let mut named: Vec<String> =
-            stopped.iter().map(|effect| of(effect).filter(&all).unwrap_or_else(|| effect.clone())).collect();
-        named.sort();
-        named.dedup();
-        Some(named)
     }
 
     /// Effects and conditions in the order in which terms are printed.

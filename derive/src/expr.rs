@@ -182,6 +182,15 @@ pub(crate) fn number(n: i64) -> Atom {
     Atom::num(n)
 }
 
+/// The expression with a symbol replaced by a value.
+pub(crate) fn set(e: &Atom, symbol: Symbol, value: &Atom) -> Atom {
+    match e.contains_symbol(symbol) {
+        true => e.replace(Atom::var(symbol).to_pattern()).with(value.to_pattern()),
+        // The search for a symbol is quicker than that for a pattern.
+        false => e.clone(),
+    }
+}
+
 /// The sum of many atoms, halves first: adding one after another copies the growing sum each time.
 pub(crate) fn total(mut parts: Vec<Atom>) -> Atom {
     while parts.len() > 1 {
@@ -278,8 +287,7 @@ impl Expr {
 
     /// The expression with the first symbol replaced by the second.
     pub(crate) fn with(self, (kind, name): (Kind, &str), (new_kind, new_name): (Kind, &str)) -> Expr {
-        let new = Atom::var(symbol(new_kind, new_name));
-        Expr::new(self.atom().replace(Atom::var(symbol(kind, name)).to_pattern()).with(new.to_pattern()))
+        Expr::new(set(&self.atom(), symbol(kind, name), &Atom::var(symbol(new_kind, new_name))))
     }
 
     /// The time derivative, by the chain rule over coordinates, deflections and named functions; all other symbols are constant.

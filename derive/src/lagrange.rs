@@ -4,7 +4,7 @@
 //! the coordinates, c_i = sum_j d(dT/dq'_i)/dq_j q'_j - dT/dq_i are the centrifugal and gyroscopic forces; else they are zero. dV/dq_i
 //! includes the derivative through the mesh stiffness, (dV/dk) (dk/ds) (ds/dq_i): the jump terms.
 
-use symbolica::atom::{Atom, AtomCore};
+use symbolica::atom::{Atom, AtomCore, Symbol};
 
 use crate::expr::{Expr, Kind, acceleration_name, number, symbol, total};
 use crate::model::{JUMP_TERMS, Model, Torque, mobility_name};
@@ -167,6 +167,6 @@ pub(crate) fn derive(model: &Model, s: &Symbols) -> Result<Motion, Slip> {
 }
 
 /// The placeholder for an entry of the inverse mass matrix in the constants of a model.
-pub(crate) fn mobility_symbol(i: usize, j: usize) -> Atom {
-    Atom::var(symbol(Kind::Mobility, &mobility_name(i, j)))
+pub(crate) fn mobility_symbol(i: usize, j: usize) -> Symbol {
+    symbol(Kind::Mobility, &mobility_name(i, j))
 }

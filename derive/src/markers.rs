@@ -3,7 +3,7 @@
 
 use symbolica::atom::{Atom, AtomCore, AtomView};
 
-use crate::expr::{Kind, kind_and_name, number, symbol};
+use crate::expr::{Kind, kind_and_name, number, set, symbol};
 use crate::model::{JUMP_TERMS, MOVING_PHASE};
 use crate::tree::Tree;
 
@@ -16,14 +16,12 @@ pub(crate) struct Group {
 
 /// The sum with every marker set to 1: all effects present.
 pub(crate) fn all_present(e: &Atom) -> Atom {
-    markers(e).iter().fold(e.clone(), |e, name| {
-        e.replace(Atom::var(symbol(Kind::Marker, name)).to_pattern()).with(number(1).to_pattern())
-    })
+    markers(e).iter().fold(e.clone(), |e, name| set(&e, symbol(Kind::Marker, name), &number(1)))
 }
 
 /// The sum without the terms of an effect, expanded.
 pub(crate) fn without(e: &Atom, effect: &str) -> Atom {
-    e.replace(Atom::var(symbol(Kind::Marker, effect)).to_pattern()).with(number(0).to_pattern()).expand()
+    set(e, symbol(Kind::Marker, effect), &number(0)).expand()
 }
 
 /// The effects that change a sum, which is not zero without them.

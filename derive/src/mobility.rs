@@ -2,7 +2,7 @@
 
 use symbolica::atom::{Atom, AtomCore, AtomView};
 
-use crate::expr::{Kind, number, symbol, symbols};
+use crate::expr::{Kind, number, set, symbol, symbols};
 use crate::lagrange::{Motion, mobility_symbol};
 use crate::markers::{all_present, terms};
 use crate::model::Model;
@@ -36,12 +36,12 @@ pub(crate) fn name(model: &Model, motion: &mut Motion) -> Result<(), Slip> {
             for i in 0..n {
                 for j in i..n {
                     let w = mobility_symbol(i, j);
-                    let ratio = (&value / &w).expand();
+                    let ratio = (&value / Atom::var(w)).expand();
                     if symbols(&ratio).is_empty() && !value.is_zero() {
                         let entry = Atom::var(symbol(Kind::Constant, name)) / ratio;
                         substitute(exact, named, (i, j), &entry);
                     }
-                    value = value.replace(w.to_pattern()).with(exact[i][j].to_pattern());
+                    value = set(&value, w, &exact[i][j]);
                 }
             }
         }
@@ -58,7 +58,7 @@ pub(crate) fn name(model: &Model, motion: &mut Motion) -> Result<(), Slip> {
 fn substitute(exact: &[Vec<Atom>], named: &mut [Vec<Atom>], (i, j): (usize, usize), entry: &Atom) {
     for k in 0..exact.len() {
         for l in 0..exact.len() {
-            if is_zero(&(&exact[k][l] - &exact[i][j])) {
+            if exact[k][l] == exact[i][j] || is_zero(&(&exact[k][l] - &exact[i][j])) {
                 named[k][l] = entry.clone();
             }
         }

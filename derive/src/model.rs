@@ -22,7 +22,7 @@ pub(crate) use output::Output;
 pub(crate) use parts::{Coordinate, Deflection, Motion, Parameter};
 pub use parts::{Range, Start};
 pub use switch::{Describing, Switching};
-pub(crate) use switch::{Exit, Mode, REACTION, Switch, set};
+pub(crate) use switch::{Exit, Mode, REACTION, Switch};
 pub(crate) use torque::{Force, Torque};
 
 /// A drivetrain, described by its energies.

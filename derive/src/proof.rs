@@ -9,7 +9,7 @@ mod switches;
 
 use symbolica::atom::{Atom, AtomCore};
 
-use crate::expr::{Expr, Kind, symbol, symbols};
+use crate::expr::{Expr, Kind, set, symbol, symbols};
 use crate::jump::Jump;
 use crate::lagrange::Motion;
 use crate::mobility::is_zero;
@@ -92,11 +92,6 @@ impl Proof<'_> {
 
 /// Replaces the names of constants by their definitions in parameters.
 pub(crate) fn exact(motion: &Motion, e: &Atom) -> Atom {
-    motion.constants.iter().rev().fold(e.clone(), |e, (name, value)| {
-        let constant = symbol(Kind::Constant, name);
-        if !e.get_all_symbols(false).contains(&constant) {
-            return e;
-        }
-        e.replace(Atom::var(constant).to_pattern()).with(value.to_pattern())
-    })
+    let constants = motion.constants.iter().rev();
+    constants.fold(e.clone(), |e, (name, value)| set(&e, symbol(Kind::Constant, name), value))
 }

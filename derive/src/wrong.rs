@@ -3,7 +3,7 @@
 use symbolica::atom::{Atom, AtomCore};
 
 use crate::derivation::{Derivation, Formulas, derive_with};
-use crate::expr::{Kind, number};
+use crate::expr::{Kind, number, set};
 use crate::model::Model;
 use crate::slip::Slip;
 
@@ -76,8 +76,5 @@ fn with_clips_turned(force: &Atom) -> Atom {
         .get_all_symbols(false)
         .into_iter()
         .filter(|s| crate::expr::kind_and_name(*s) == (Kind::Switched, "clip".into()));
-    clips.fold(force.clone(), |force, clip| {
-        let clip = Atom::var(clip);
-        force.replace(clip.to_pattern()).with((-&clip).to_pattern())
-    })
+    clips.fold(force.clone(), |force, clip| set(&force, clip, &-Atom::var(clip)))
 }

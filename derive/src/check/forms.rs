@@ -1,9 +1,9 @@
 //! Checks that T is quadratic in the speeds, D a sum of squares, and that displacements and deflections are linear.
 
-use symbolica::atom::{Atom, AtomCore, AtomView};
+use symbolica::atom::{Atom, AtomCore, AtomView, Symbol};
 
 use super::sign::never_negative;
-use crate::expr::{Kind, number, symbol, symbols};
+use crate::expr::{Kind, number, set, symbol, symbols};
 use crate::markers::{all_present, terms};
 use crate::mobility::is_zero;
 use crate::model::{Model, Role};
@@ -17,8 +17,8 @@ pub(super) fn quadratic(model: &Model) -> Result<(), Slip> {
     for piece in &model.kinetic {
         for term in terms(&piece.atom().expand()) {
             let scaled = model.speeds().iter().fold(term.clone(), |t, name| {
-                let speed = Atom::var(symbol(Kind::Speed, name));
-                t.replace(speed.to_pattern()).with((&stretch * &speed).to_pattern())
+                let speed = symbol(Kind::Speed, name);
+                set(&t, speed, &(&stretch * Atom::var(speed)))
             });
             if !(scaled - &term * &stretch * &stretch).expand().is_zero() {
                 let term = print(&Tree::new(&all_present(&term)), Style::Plain);
@@ -71,7 +71,7 @@ pub(super) fn linear(model: &Model) -> Result<(), Slip> {
         let offsets = model.switches.iter().flat_map(|switch| &switch.symbols).filter(|s| s.kind == Kind::Edge);
         let edges = offsets.map(|s| (Kind::Edge, &s.name));
         let errors = model.laws.iter().filter(|law| law.role == Role::Offset).map(|law| (law.kind(), &law.name));
-        let offsets: Vec<Atom> = edges.chain(errors).map(|(kind, name)| Atom::var(symbol(kind, name))).collect();
+        let offsets: Vec<Symbol> = edges.chain(errors).map(|(kind, name)| symbol(kind, name)).collect();
         // Functions of positions are no part of the form either; the factor of each must be constant in a mode.
         let functions: Vec<_> = symbols(&d.value.atom()).into_iter().filter(|s| s.0 == Kind::Function).collect();
         let factor = |(kind, name): &(Kind, String)| d.value.atom().derivative(symbol(*kind, name)).expand();
@@ -80,12 +80,9 @@ pub(super) fn linear(model: &Model) -> Result<(), Slip> {
         let parts = functions.iter().map(|f| factor(f) * Atom::var(symbol(f.0, &f.1)));
         let straight = parts.fold(d.value.atom(), |value, part| value - part).expand();
         let switched = symbols(&straight).iter().any(|s| matches!(s.0, Kind::Function | Kind::Switched));
-        let value = offsets
-            .iter()
-            .fold(straight.clone(), |value, offset| value.replace(offset.to_pattern()).with(number(0).to_pattern()));
+        let value = offsets.iter().fold(straight.clone(), |value, offset| set(&value, *offset, &number(0)));
         let offset = (&straight - &value).expand();
-        let scaled =
-            offsets.iter().fold(offset.clone(), |e, o| e.replace(o.to_pattern()).with((o * number(2)).to_pattern()));
+        let scaled = offsets.iter().fold(offset.clone(), |e, o| set(&e, *o, &(Atom::var(*o) * number(2))));
         let rest = slopes(&value).into_iter().fold(value.clone(), |rest, (q, slope)| rest - slope * q);
         if !bends
             || switched

@@ -6,8 +6,8 @@ use symbolica::atom::{Atom, AtomCore};
 
 use super::functions::functions;
 use super::names::what_it_is;
-use crate::expr::{Expr, Kind, number, symbol, symbols};
-use crate::markers::markers;
+use crate::expr::{Expr, Kind, number, set, symbol, symbols};
+use crate::markers::{markers, without};
 use crate::model::{Exit, Mode, Model, REACTION, Switch, Torque};
 use crate::slip::Slip;
 
@@ -232,10 +232,7 @@ impl Places<'_> {
             };
             // A term is in the equations with its effects or not at all: they are factors.
             let inside = output.terms().into_iter().find_map(|term| {
-                let stays = |effect: &String| {
-                    let marker = Atom::var(symbol(Marker, effect)).to_pattern();
-                    !term.replace(marker).with(number(0).to_pattern()).expand().is_zero()
-                };
+                let stays = |effect: &String| !without(&term, effect).is_zero();
                 markers(&term).into_iter().find(stays)
             });
             if let Some(symbol) = inside {
@@ -254,10 +251,7 @@ impl Places<'_> {
         let value = self.model.written_out(&torque.value.atom());
         let laws = self.model.laws.iter().filter(|law| law.kind() == Friction);
         let vanishes = |law: &crate::model::Law| {
-            let at_zero = |kind, name: &str| {
-                let symbol = Atom::var(symbol(kind, name));
-                value.replace(symbol.to_pattern()).with(number(0).to_pattern()).expand().is_zero()
-            };
+            let at_zero = |kind, name: &str| set(&value, symbol(kind, name), &number(0)).expand().is_zero();
             at_zero(Friction, &law.name) && law.with.as_deref().is_some_and(|effect| at_zero(Marker, effect))
         };
         laws.into_iter().any(vanishes)

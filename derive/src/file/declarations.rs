@@ -14,7 +14,7 @@ pub(super) fn write(b: &mut Block, d: &Derivation, conditions: &[(String, String
     b.blank();
     coordinates(b, m);
     b.braces(1, "parameters", |b| m.parameters.iter().for_each(|p| parameter(b, p)));
-    b.braces(1, "laws", |b| m.laws.iter().for_each(|l| law(b, l, d.rolling(l))));
+    b.braces(1, "laws", |b| m.laws.iter().zip(d.rolling()).for_each(|(l, rolling)| law(b, l, rolling)));
     b.braces(1, "motions", |b| m.motions.iter().for_each(|x| motion(b, x)));
     b.braces(1, "effects", |b| m.effects.iter().for_each(|e| effect(b, e)));
     if !m.switching.is_empty() {

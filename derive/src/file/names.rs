@@ -4,7 +4,7 @@ use symbolica::atom::{Atom, AtomCore};
 
 use super::block::Block;
 use crate::derivation::Derivation;
-use crate::expr::{Expr, Kind, kind_and_name, number, symbol, symbols};
+use crate::expr::{Expr, Kind, kind_and_name, number, set, symbol, symbols};
 use crate::markers::{all_present, terms};
 use crate::model::Switch;
 use crate::print::{Style, print};
@@ -103,7 +103,7 @@ fn linear(b: &mut Block, depth: usize, e: &Atom) {
         if matches!(kind, Kind::Deflection | Kind::Rate | Kind::Reaction) {
             let symbol = symbol(kind, &name);
             b.sum(depth, &name, &b.grouped(&e.derivative(symbol).expand()));
-            rest = rest.replace(Atom::var(symbol).to_pattern()).with(number(0).to_pattern());
+            rest = set(&rest, symbol, &number(0));
         }
     }
     b.sum(depth, "one", &b.grouped(&rest.expand()));

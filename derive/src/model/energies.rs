@@ -4,7 +4,7 @@ use symbolica::atom::{Atom, AtomCore};
 
 use super::Model;
 use super::law::mid_name;
-use crate::expr::{Expr, Kind, speed_name, symbol, symbols};
+use crate::expr::{Expr, Kind, set, speed_name, symbol, symbols};
 
 impl Model {
     /// Adds to the kinetic energy T [J].
@@ -75,8 +75,8 @@ fn is_spring(v: &Expr) -> bool {
     }
     let moving = symbols(&v).into_iter().filter(|s| matches!(s.0, Kind::Coordinate | Kind::Deflection));
     let doubled = moving.fold(v.clone(), |e, (kind, name)| {
-        let x = Atom::var(symbol(kind, &name));
-        e.replace(x.to_pattern()).with((&x * Atom::num(2)).to_pattern())
+        let x = symbol(kind, &name);
+        set(&e, x, &(Atom::var(x) * Atom::num(2)))
     });
     (doubled - v * Atom::num(4)).expand().is_zero()
 }

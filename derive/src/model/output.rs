@@ -3,8 +3,7 @@
 use symbolica::atom::{Atom, AtomCore, Symbol};
 
 use super::Model;
-use super::switch::set;
-use crate::expr::{Expr, Kind, power_name, reaction_name, speed_name, symbol, symbols, total};
+use crate::expr::{Expr, Kind, power_name, reaction_name, set, speed_name, symbol, symbols, total};
 use crate::markers::{markers, terms};
 
 /// A quantity that a run can record.

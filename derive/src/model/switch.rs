@@ -2,7 +2,7 @@
 
 use symbolica::atom::{Atom, AtomCore};
 
-use crate::expr::{Expr, Kind, number, symbol};
+use crate::expr::{Expr, Kind, number, set, symbol};
 use crate::model::{Deflection, Model};
 
 /// A switch: a deflection x, and a finite number of modes. In each mode the symbols of the switch are constant, and what ends it
@@ -239,9 +239,4 @@ pub(super) fn complete(model: &mut Model) {
         }
     }
     model.switches = switches;
-}
-
-/// The expression with a symbol replaced by a value.
-pub(crate) fn set(e: &Atom, symbol: symbolica::atom::Symbol, value: &Atom) -> Atom {
-    e.replace(Atom::var(symbol).to_pattern()).with(value.to_pattern())
 }

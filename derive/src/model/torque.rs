@@ -3,7 +3,7 @@
 use symbolica::atom::{Atom, AtomCore};
 
 use super::Model;
-use crate::expr::{Expr, Kind, symbol, symbols, varies};
+use crate::expr::{Expr, Kind, set, symbol, symbols, varies};
 use crate::markers::{optional, terms};
 
 /// A named force, a factor in torques.
@@ -89,10 +89,8 @@ impl Model {
 
     /// The expression with named forces written out. In reverse order, since a force may depend on earlier ones.
     pub(crate) fn written_out(&self, e: &Atom) -> Atom {
-        self.forces.iter().rev().fold(e.clone(), |e, force| {
-            let name = Atom::var(symbol(Kind::Force, &force.name));
-            e.replace(name.to_pattern()).with(force.value.atom().to_pattern())
-        })
+        let forces = self.forces.iter().rev();
+        forces.fold(e.clone(), |e, force| set(&e, symbol(Kind::Force, &force.name), &force.value.atom()))
     }
 
     /// Whether a torque acts with generalised forces that are not constant: it depends on speeds, has a friction law in it, or its

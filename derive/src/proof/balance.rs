@@ -4,7 +4,7 @@
 use symbolica::atom::{Atom, AtomCore, Symbol};
 
 use super::Proof;
-use crate::expr::{Expr, Kind, kind_and_name, number, symbol, total};
+use crate::expr::{Expr, Kind, kind_and_name, number, set, symbol, total};
 use crate::lagrange::gradient;
 use crate::markers::all_present;
 use crate::model::{JUMP_TERMS, Model, Torque};
@@ -102,7 +102,7 @@ fn with_jump_terms(e: &Atom) -> Atom {
 }
 
 fn set_jump_terms(e: &Atom, value: i64) -> Atom {
-    e.replace(Atom::var(symbol(Kind::Marker, JUMP_TERMS)).to_pattern()).with(number(value).to_pattern())
+    set(e, symbol(Kind::Marker, JUMP_TERMS), &number(value))
 }
 
 /// The error of the power balance without the jump terms, as a warning to the reader.

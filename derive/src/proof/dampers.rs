@@ -1,10 +1,10 @@
 //! Every damper takes energy or none.
 
-use symbolica::atom::{Atom, AtomCore};
+use symbolica::atom::Atom;
 
 use super::{Proof, balance};
 use crate::check::never_negative;
-use crate::expr::{Expr, Kind, number, symbol, symbols};
+use crate::expr::{Expr, Kind, number, set, symbol, symbols};
 use crate::markers::all_present;
 use crate::mobility::is_zero;
 use crate::slip::Slip;
@@ -38,6 +38,6 @@ fn takes(p: &Proof, what: &str, d: &Expr) -> Result<(), Slip> {
 fn in_speeds(p: &Proof, e: &Atom) -> Atom {
     symbols(e).into_iter().filter(|(kind, _)| *kind == Kind::Rate).fold(e.clone(), |e, (kind, name)| {
         let rate = all_present(&balance::deflection_rate(p.model, name.trim_end_matches("_dot")));
-        e.replace(Atom::var(symbol(kind, &name)).to_pattern()).with(rate.to_pattern())
+        set(&e, symbol(kind, &name), &rate)
     })
 }

@@ -10,10 +10,10 @@
 //! is an identity in q', d, G and w, if M is the matrix of T and v = n.q' the speed of the phase. This identity is proved with the derived
 //! T, M, n and v. If the file has d, M d = n/G is proved too.
 
-use symbolica::atom::{Atom, AtomCore};
+use symbolica::atom::{Atom, AtomCore, Symbol};
 
 use super::Proof;
-use crate::expr::{Kind, number, symbol, total};
+use crate::expr::{Kind, number, set, symbol, total};
 use crate::jump::Jump;
 use crate::model::{Law, Model, Role};
 use crate::slip::Slip;
@@ -65,10 +65,7 @@ fn kinetic(p: &Proof, law: &Law, jump: &Jump) -> Atom {
     let gained = p.model.kinetic.iter().map(|piece| {
         let before = piece.atom();
         let after = p.s.present(&before).into_iter().fold(before.clone(), |t, (symbol, place)| match place {
-            Place::Speed(i) => {
-                let speed = Atom::var(symbol);
-                t.replace(speed.to_pattern()).with((&speed + &w * &d[i]).to_pattern())
-            }
+            Place::Speed(i) => set(&t, symbol, &(Atom::var(symbol) + &w * &d[i])),
             _ => t,
         });
         after - before
@@ -96,16 +93,15 @@ fn direction(p: &Proof, jump: &Jump) -> Vec<Atom> {
 
 /// V beyond a step of a law minus V before it, with the deflections that contain the law written out where it steps.
 fn potential(model: &Model, law: &Law) -> Atom {
-    let (value, step) = (Atom::var(symbol(law.kind(), &law.name)), symbol(Kind::Slope, &format!("d{}", law.name)));
-    let beyond = |e: &Atom| e.replace(value.to_pattern()).with((&value + Atom::var(step)).to_pattern());
+    let (value, step) = (symbol(law.kind(), &law.name), symbol(Kind::Slope, &format!("d{}", law.name)));
+    let beyond = |e: &Atom| set(e, value, &(Atom::var(value) + Atom::var(step)));
+    let deflections = model.deflections.iter().map(|d| (symbol(Kind::Deflection, &d.name), d.value.atom()));
+    let steps = deflections.filter(|(_, near)| near.contains_symbol(value));
+    // A deflection stays a name, because V is written in it. Its step is added to it.
+    let moved: Vec<(Symbol, Atom)> = steps.map(|(name, near)| (name, Atom::var(name) + beyond(&near) - near)).collect();
     let parts = model.potential.iter().map(|v| {
         let v = v.atom();
-        let far = model.deflections.iter().fold(beyond(&v), |e, d| {
-            let (name, near) = (Atom::var(symbol(Kind::Deflection, &d.name)), d.value.atom());
-            let moved = beyond(&near);
-            // The deflection stays a name, because V is written in it. Its step is added to it.
-            if moved == near { e } else { e.replace(name.to_pattern()).with((&name + moved - near).to_pattern()) }
-        });
+        let far = moved.iter().fold(beyond(&v), |e, (name, moved)| set(&e, *name, moved));
         far - v
     });
     total(parts.collect())

@@ -4,36 +4,34 @@ use symbolica::atom::{Atom, AtomCore, Symbol};
 
 use super::Proof;
 use crate::check::never_negative;
-use crate::expr::{Expr, Kind, number, speed_name, symbol, symbols, total};
+use crate::expr::{Expr, Kind, number, set, speed_name, symbol, symbols, total};
 use crate::markers::all_present;
 use crate::mobility::is_zero;
-use crate::model::{Exit, Mode, Switch, set};
+use crate::model::{Exit, Mode, Model, Switch};
 use crate::slip::Slip;
 
 /// Proves both statements for every switch.
 pub(super) fn prove(p: &mut Proof) -> Result<(), Slip> {
     for switch in &p.model.switches {
         let what = format!("V is the same on both sides of the exits of {}: no impulse there", switch.over);
-        let rests: Vec<Atom> = switch.exits().map(|(mode, exit)| step(p, switch, mode, exit)).collect();
-        p.claim(&what, rests)?;
+        p.claim(&what, steps(p.model, switch))?;
         losses(p, switch)?;
     }
     Ok(())
 }
 
-/// The step of V from a mode to the one beyond an exit. Where V depends on the mode, the guard is zero at one value of the
-/// deflection, and V is compared there.
-fn step(p: &Proof, switch: &Switch, mode: &Mode, exit: &Exit) -> Atom {
-    let Some(beyond) = switch.mode(&exit.to) else { return number(0) };
+/// The step of V at each exit, from the mode that ends to the one beyond. Where V depends on the mode, the guard is zero at one value of
+/// the deflection, and V is compared there.
+fn steps(model: &Model, switch: &Switch) -> Vec<Atom> {
     let over = symbol(Kind::Deflection, &switch.over);
     // The deflection without the offset and the functions of the mode.
     let x = symbol(Kind::Free, "x");
-    let value = |name: &str| p.model.deflections.iter().find(|d| d.name == name).map_or(number(0), |d| d.value.atom());
+    let value = |name: &str| model.deflections.iter().find(|d| d.name == name).map_or(number(0), |d| d.value.atom());
     let zero = |e: &Atom| switch.symbols.iter().fold(e.clone(), |e, s| set(&e, symbol(s.kind, &s.name), &number(0)));
     let base = zero(&value(&switch.over));
     let plain = |mode: &Mode, e: &Atom| {
         let offset = (switch.within(mode, &value(&switch.over)) - &base).expand();
-        let mut e = e.replace(Atom::var(over).to_pattern()).with((Atom::var(x) + offset).to_pattern());
+        let mut e = set(e, over, &(Atom::var(x) + offset));
         // Other deflections that differ from it by functions of positions.
         for (kind, name) in symbols(&e).into_iter().filter(|s| s.0 == Kind::Deflection) {
             let apart = (value(&name) - &base).expand();
@@ -43,15 +41,22 @@ fn step(p: &Proof, switch: &Switch, mode: &Mode, exit: &Exit) -> Atom {
         }
         switch.within(mode, &e)
     };
-    let v = all_present(&total(p.model.potential.iter().map(|v| v.atom()).collect()));
-    let step = (plain(beyond, &v) - plain(mode, &v)).expand();
-    if step.is_zero() {
-        return step;
-    }
-    let guard = plain(mode, &all_present(&exit.guard.atom())).expand();
-    let slope = guard.derivative(x);
-    let at_zero = guard.replace(Atom::var(x).to_pattern()).with(number(0).to_pattern());
-    step.replace(Atom::var(x).to_pattern()).with((-at_zero / slope).to_pattern())
+    // The other terms of V are the same in all modes.
+    let changed: Vec<Symbol> = switch.symbols.iter().map(|s| symbol(s.kind, &s.name)).chain([over]).collect();
+    let terms = model.potential.iter().map(|v| v.atom());
+    let terms = terms.filter(|v| changed.iter().any(|symbol| v.contains_symbol(*symbol)));
+    let v = all_present(&total(terms.collect()));
+    let energies: Vec<(&Mode, Atom)> = switch.modes.iter().map(|mode| (mode, plain(mode, &v))).collect();
+    let step = |(mode, before): &(&Mode, Atom), exit: &Exit| {
+        let Some((_, beyond)) = energies.iter().find(|(mode, _)| mode.name == exit.to) else { return number(0) };
+        let step = (beyond - before).expand();
+        if step.is_zero() {
+            return step;
+        }
+        let guard = plain(mode, &all_present(&exit.guard.atom())).expand();
+        set(&step, x, &(-set(&guard, x, &number(0)) / guard.derivative(x)))
+    };
+    energies.iter().flat_map(|energy| energy.0.exits.iter().map(move |exit| step(energy, exit))).collect()
 }
 
 /// The force f of a switch takes energy or none: f x' >= 0 in every mode in which f is not zero. Either f x' is a guard of the mode,

@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use symbolica::atom::{Atom, AtomCore};
 
 use super::{Partials, Place, Sparse, Symbols};
-use crate::expr::number;
+use crate::expr::{number, set};
 
 impl Symbols {
     /// Sums the derivatives by the symbols of `e`, each times the value of `parts` for its place.
@@ -105,8 +105,7 @@ impl Symbols {
             Some((symbol, by))
         });
         moved.fold(None, |e_so_far, (symbol, by)| {
-            let (e, symbol) = (e_so_far.unwrap_or_else(|| e.clone()), Atom::var(symbol));
-            Some(e.replace(symbol.to_pattern()).with((&symbol + by).to_pattern()))
+            Some(set(e_so_far.as_ref().unwrap_or(e), symbol, &(Atom::var(symbol) + by)))
         })
     }
 }

@@ -5,7 +5,7 @@ use std::collections::HashMap;
 use symbolica::atom::{Atom, AtomCore, Symbol};
 
 use super::{Partials, Place, Sparse, Symbols, present};
-use crate::expr::{Kind, kind_and_name, number, partial_name, speed_name, symbol, total};
+use crate::expr::{Kind, kind_and_name, number, partial_name, set, speed_name, symbol, total};
 use crate::model::{self, Deflection};
 
 /// A named deflection, delta = sum_i slope_i q_i + rest, and its rate, delta' = sum_i slope_i q'_i.
@@ -36,7 +36,7 @@ impl Linear {
                 _ if slope.is_zero() => {}
                 Place::Coordinate(i) => {
                     slopes.push((i, slope));
-                    rest = rest.replace(Atom::var(symbol).to_pattern()).with(number(0).to_pattern());
+                    rest = set(&rest, symbol, &number(0));
                 }
                 Place::Law(l) => by_law.push((l, slope)),
                 _ => {}

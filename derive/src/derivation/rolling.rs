@@ -1,0 +1,63 @@
+//! Whether the phases of laws roll.
+
+use std::collections::BTreeMap;
+
+use symbolica::atom::{Atom, AtomCore};
+
+use super::Derivation;
+use crate::expr::{symbol, symbols, total};
+use crate::markers;
+use crate::model::Law;
+use crate::symbols::Sparse;
+
+/// The effects each of which alone prevents a phase from rolling; `None` if it never rolls.
+type Unless = Option<Vec<String>>;
+
+impl Derivation<'_> {
+    /// Whether the phase of each law rolls: energies and torques depend on this coordinate only through laws. Whole pitches of it
+    /// then change nothing, so that the engine may count them separately. `None` if it never rolls; otherwise each effect that alone
+    /// prevents it, for example a support of a rotor that turns. An effect of all parts replaces those of its parts.
+    pub(crate) fn rolling(&self) -> Vec<Unless> {
+        let (m, s) = (self.model, &self.symbols);
+        let gradients = |parts: &mut dyn Iterator<Item = Atom>| parts.flat_map(|e| s.by_coordinates(&e)).collect();
+        let energies = [&m.kinetic, &m.potential, &m.dissipation].into_iter();
+        let energies = energies.map(|e| gradients(&mut e.iter().map(|piece| piece.atom())));
+        let torques = self.motion.external.iter().map(|force| gradients(&mut std::iter::once(m.written_out(force))));
+        let gradients: Vec<Sparse> = energies.chain(torques).collect();
+        // Many laws have the same phase.
+        let mut known = BTreeMap::new();
+        let mut of = |i: usize| known.entry(i).or_insert_with(|| self.unless(&gradients, i)).clone();
+        m.laws.iter().map(|law| of(self.coordinate(law)?)).collect()
+    }
+
+    /// The coordinate that is the phase of a law, by its index.
+    fn coordinate(&self, law: &Law) -> Option<usize> {
+        let phase = symbols(&law.phase.atom());
+        let [(kind, name)] = phase.as_slice() else { return None };
+        self.symbols.q.iter().position(|q| *q == symbol(*kind, name))
+    }
+
+    /// The effects through which one of the energies and torques with these gradients depends on coordinate `i`.
+    fn unless(&self, gradients: &[Sparse], i: usize) -> Unless {
+        let m = self.model;
+        let along = |gradient: &Sparse| {
+            let parts = gradient.iter().filter(|(j, _)| *j == i).map(|(_, by)| by.clone());
+            total(parts.collect()).expand()
+        };
+        let mut stopped: Vec<String> = vec![];
+        for term in gradients.iter().map(along).flat_map(|sum| markers::terms(&sum)) {
+            match &markers::markers(&term)[..] {
+                [effect] if m.effects.iter().any(|e| e.name == *effect) => stopped.push(effect.clone()),
+                _ => return None,
+            }
+        }
+        let of = |effect: &String| m.effects.iter().find(|e| e.name == *effect).and_then(|e| e.of.clone());
+        let all =
+            |of: &String| m.effects.iter().filter(|e| e.of.as_ref() == Some(of)).all(|e| stopped.contains(&e.name));
+        let mut named: Vec<String> =
+            stopped.iter().map(|effect| of(effect).filter(&all).unwrap_or_else(|| effect.clone())).collect();
+        named.sort();
+        named.dedup();
+        Some(named)
+    }
+}
