@@ -22,9 +22,12 @@ const SETS: [&str; 4] =
 /// Number of events after which a run is stopped, if its time still advances. Some runs have more: a pressed phase may bounce a
 /// million times before it is held, and without jumps a phase that is pushed against a step from both sides crosses it for ever.
 const EVENTS: u32 = 200_000;
-/// Largest mean number of steps of a search for the next event, over a run.
+/// Largest mean number of steps of a search for the next event, over a run: there is one after every event, and one at the start.
 const STEPS: u64 = 1000;
-/// The same with play. A search for the sign change of a contact force takes many steps where damping keeps the force near zero
+/// Largest number of steps of the first search beyond that. Where strong damping stops the phase near a boundary, the steps grow with the
+/// root of the time: 2,723 were seen at 1e12 times the critical damping.
+const FIRST: u64 = 10_000;
+/// The same mean with play. A search for the sign change of a contact force takes many steps where damping keeps the force near zero
 /// for long: 273,811 steps were seen at 1e37 times critical damping. After a million steps a search stops with a named error.
 const STEPS_WITH_PLAY: u64 = 1_000_000;
 
@@ -89,10 +92,9 @@ pub fn check(data: &[u8]) {
         Err(reason) => resume_unwind(reason),
         Ok(done) => Some(done),
     };
-    // One search after every event, and one at the start.
     let most = if simulation.now.switches.is_empty() { STEPS } else { STEPS_WITH_PLAY };
     let counts = &simulation.now.counts;
-    assert!(counts.cost.steps <= most * (u64::from(events) + 1), "{events} events, {counts:?}");
+    assert!(counts.cost.steps <= most * (u64::from(events) + 1) + FIRST, "{events} events, {counts:?}");
     let Some(done) = done else { return };
     if let Err(stop) = done {
         assert!(!stop.to_string().is_empty());
