@@ -18,7 +18,7 @@ impl Published {
         let root = Path::new(env!("CARGO_MANIFEST_DIR")).parent().context("xtask has a parent folder")?;
         let table = root.join("tests/published.md");
         let mut command = Command::new(env!("CARGO"));
-        command.args(["test", "--quiet", "--package", "gearsim-tests", "--test", "models", "published"]);
+        command.args(["test", "--quiet", "--workspace", "--test", "models", "published"]);
         let status =
             command.env("GEARSIM_PUBLISHED", &table).current_dir(root).status().context("cannot start cargo")?;
         if !status.success() {

@@ -6,7 +6,7 @@ use gearsim::__private::{Inside, Simulation, ensemble};
 use gearsim::run::Entry;
 use gearsim::scene::Scene;
 use gearsim_tests::oh2005;
-use gearsim_tests::trains::{PLANETARY, Pair, TWO_STAGE};
+use gearsim_tests::trains::{PLANETARY, Pair, SHAFTS, TWO_STAGE};
 
 use crate::bare::{BarePair, WatchedPair};
 use crate::sides;
@@ -137,15 +137,19 @@ pub const PATHS: &[Path] = &[
     path("method_friction", "a step of dop853, a pair on bearings with sliding friction", None, || {
         steps::<GearPairBearings>("sliding_friction", &["output.rate=1 kHz", "output.events=false"])
     }),
+    path("derived_shafts", "a row of a pair between shafts, 20 ms by exact cells with all outputs", None, || {
+        derived(&SHAFTS, "exact")
+    }),
+    as_train(
+        "train_shafts",
+        "the same as a train, whose equations are put together from those of its parts",
+        "derived_shafts",
+        || train(&SHAFTS, "exact"),
+    ),
     path("derived_two_stage", "a row of two stages, 20 ms by exact cells with all outputs", None, || {
         derived(&TWO_STAGE, "exact")
     }),
-    as_train(
-        "train_two_stage",
-        "the same as a train, whose equations are put together from those of its parts",
-        "derived_two_stage",
-        || train(&TWO_STAGE, "exact"),
-    ),
+    as_train("train_two_stage", "the same as a train", "derived_two_stage", || train(&TWO_STAGE, "exact")),
     path("derived_planets", "a row of a planetary stage, 20 ms by exact cells with all outputs", None, || {
         derived(&PLANETARY, "exact")
     }),
