@@ -31,7 +31,8 @@ Writes compare.json, trajectory_exact.parquet and so on, and the scene's plots w
 
 Examples:
   gearsim compare models/scenes/oh2005/energy_300rpm.toml
-  gearsim compare models/scenes/oh2005/energy_300rpm.toml --set start.speed=\"4500 rpm\" --out out/fast"
+  gearsim compare models/scenes/oh2005/energy_300rpm.toml --set start.speed=\"4500 rpm\" \\
+      --out out/fast"
 )]
 pub(super) struct Compare {
     #[command(flatten)]

@@ -13,10 +13,10 @@ use super::{Verb, page};
 #[command(
     name = "explore",
     after_help = "\
-Prints an address to open in a browser on this machine: sliders for the numbers of the scene, check boxes
-for its effects, a menu for its method. Each change is run and drawn at once, with its processor time,
-its error at the end, the energy unaccounted for and the digits left. \"Save as scene\" writes a scene that
-`gearsim run` runs to the same bytes. Ends with Ctrl-C.
+Prints an address to open in a browser on this machine: sliders for the numbers of the scene, check
+boxes for its effects, a menu for its method. Each change is run and drawn at once, with its
+processor time, its error at the end, the energy unaccounted for and the digits left. \"Save as
+scene\" writes a scene that `gearsim run` runs to the same bytes. Ends with Ctrl-C.
 
 The page is served on 127.0.0.1 alone, to whoever knows the address. With -q the address alone is
 printed.

@@ -14,9 +14,9 @@ use crate::output::OutputFolder;
 #[command(
     name = "run",
     after_help = "\
-Writes summary.json, trajectory.parquet (with --csv also trajectory.csv), lines.csv with the amplitudes
-at mesh orders and their sidebands, and plots as SVG and PNG. Rows with moment = \"sample\" are evenly
-spaced; at each event there are two more rows of the same time.
+Writes summary.json, trajectory.parquet (with --csv also trajectory.csv), lines.csv with the
+amplitudes at mesh orders and their sidebands, and plots as SVG and PNG. Rows with moment =
+\"sample\" are evenly spaced; at each event there are two more rows of the same time.
 
 Examples:
   gearsim run models/scenes/oh2005/energy_300rpm.toml

@@ -89,13 +89,14 @@ Designs of --samples N with random axes:
                          of the variance of each quantity each axis causes
 
 Writes sweep.parquet with one row per point in this order, sweep.json and plots. With random axes
-also statistics.csv, and limits.csv with --limit. A point that cannot be simulated has a row with the
-reason. The same command continues an interrupted sweep. The bytes
-of the result depend neither on the number of threads nor on interruptions and shards.
+also statistics.csv, and limits.csv with --limit. A point that cannot be simulated has a row with
+the reason. The same command continues an interrupted sweep. The bytes of the result depend neither
+on the number of threads nor on interruptions and shards.
 
 Groups that can be recorded:
-{groups}extremes, peak and outputs need samples at output.rate, which take longer than the motion itself: a sweep
-without them is faster. Each thread then has the rows of one run in memory, by default at most 1 GB.
+{groups}extremes, peak and outputs need samples at output.rate, which take longer than the motion itself: a
+sweep without them is faster. Each thread then has the rows of one run in memory, by default at most
+1 GB.
 
 Examples:
   gearsim sweep models/scenes/oh2005/energy_300rpm.toml --vary parameters.T0=\"1 N*m:100 N*m:50\"

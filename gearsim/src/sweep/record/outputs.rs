@@ -7,7 +7,7 @@ use crate::run::Outcome;
 
 pub(super) const GROUP: Group = Group {
     name: "outputs",
-    doc: "of every output of the model after --from: dte_min, dte_max, dte_mean, dte_rms, dte_p01, dte_p99",
+    doc: "of every output of the model after --from: its _min, _max, _mean, _rms, _p01, _p99",
     samples: true,
     limits: true,
     digits: false,
