@@ -36,9 +36,9 @@ motion, whose speeds and mean forces are printed. Where inertias change along th
 universal joint), no motion is steady: the equations are linearised about the one that repeats after
 a turn at the mean speed of the start.
 
---vary varies a quantity of the scene, by values as of `gearsim sweep`. Given twice, the first quantity is the x axis
-and the second the y axis of a stability chart. Writes floquet.json; with --vary also stability.csv
-and its plot.
+--vary varies a quantity of the scene, by values as of `gearsim sweep`. Given twice, the first
+quantity is the x axis and the second the y axis of a stability chart. Writes floquet.json; with
+--vary also stability.csv and its plot.
 
 Examples:
   gearsim floquet models/scenes/oh2005/energy_300rpm.toml
