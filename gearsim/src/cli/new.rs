@@ -15,8 +15,9 @@ use crate::output::{OutputError, WholeFiles};
 #[command(
     name = "new",
     after_help = "\
-The crate has a model to begin with, a motor that drives a wheel through a gear pair and a shaft. Its
-program has all commands of gearsim. Its README.md is a tutorial that changes the model step by step.
+The crate has a model to begin with, a motor that drives a wheel through a gear pair and a shaft.
+Its program has all commands of gearsim. Its README.md is a tutorial that changes the model step by
+step.
 
 Examples:
   gearsim new my-axle
