@@ -1,6 +1,6 @@
 //! From energies to equations of motion, jump rules and their proofs.
 //!
-//! A [`Model`] collects the kinetic energy T, the potential energy V, the dissipation function D and torques; [`derive`] turns
+//! A [`Model`] collects the kinetic energy T, the potential energy V, the dissipation function D and torques; [`derive`](fn@derive) turns
 //! them into a [`Derivation`]. The text of [`Derivation::file`] is committed under `gearsim/src/generated/`.
 //!
 //! The stages, in order: `expr` (expressions), `model` (what an author declares), `check` (errors in a model, `slip`), `symbols`

@@ -82,7 +82,7 @@ impl Model {
         Expr::var(Kind::Coordinate, name)
     }
 
-    /// Declares a parameter with its SI unit. A scene must give it if `default` [SI] is `None`; if it is declared inside an
+    /// Declares a parameter with its SI unit. A scene must give it if `default` \[SI\] is `None`; if it is declared inside an
     /// effect, only a scene that names the effect must.
     pub fn parameter(&mut self, name: &str, unit: &str, default: Option<f64>, range: Range, doc: &str) -> Expr {
         let with = self.within.clone();

@@ -2,7 +2,7 @@
 //!
 //! # How to add a model, in five minutes
 //!
-//! 1. Write `models/src/my_train.rs` with one function that describes the model to a [`Model`] (`use gearsim_derive::{Model,
+//! 1. Write `models/src/my_train.rs` with one function that describes the model to a [`Model`](gearsim_derive::Model) (`use gearsim_derive::{Model,
 //!    Range, Start, half};`):
 //!    - `m.title(text)`, `m.source(text)`: what the model is, in one line, and its source.
 //!    - `m.coordinate(name, unit, start, doc)`: declares a coordinate and returns it as an expression. Expressions have

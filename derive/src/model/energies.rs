@@ -7,26 +7,26 @@ use super::law::mid_name;
 use crate::expr::{Expr, Kind, set, speed_name, symbol, symbols};
 
 impl Model {
-    /// Adds to the kinetic energy T [J].
+    /// Adds to the kinetic energy T \[J\].
     pub fn kinetic(&mut self, t: Expr) {
         let t = self.marked(t);
         self.kinetic.push(t);
     }
 
-    /// Adds to the potential energy V [J].
+    /// Adds to the potential energy V \[J\].
     pub fn potential(&mut self, v: Expr) {
         let v = self.marked(v);
         self.potential.push(v);
     }
 
-    /// Adds to Rayleigh's dissipation function D [W]; the dissipated power is 2 D.
+    /// Adds to Rayleigh's dissipation function D \[W\]; the dissipated power is 2 D.
     pub fn dissipation(&mut self, d: Expr) {
         let d = self.marked(d);
         self.dissipation.push(d);
     }
 
     /// Adds Rayleigh damping, C = alpha M + beta K: D = alpha T + beta V, where V has the speeds instead of the coordinates and
-    /// every law at its mid value. `alpha` [1/s], `beta` [s]. Call it after all of T and V. Terms of T that depend on coordinates and
+    /// every law at its mid value. `alpha` [1/s], `beta` \[s\]. Call it after all of T and V. Terms of T that depend on coordinates and
     /// terms of V that are not quadratic, as those of gravity, are left out: they are not the inertia of a rotor or a spring.
     pub fn rayleigh(&mut self, alpha: Expr, beta: Expr) {
         let (mut kinetic, mut potential) = (self.kinetic.clone(), self.potential.clone());

@@ -73,7 +73,7 @@ impl Model {
         }
     }
 
-    /// For outputs: the power [W] of the external torque `name`, at its present value if it varies in time.
+    /// For outputs: the power \[W\] of the external torque `name`, at its present value if it varies in time.
     pub fn power(&self, name: &str) -> Expr {
         Expr::var(Kind::Known, &power_name(name))
     }

@@ -5,13 +5,13 @@ use crate::expr::Expr;
 /// The initial value of a coordinate, unless a scene gives another.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Start {
-    /// At this value [SI].
+    /// At this value \[SI\].
     At(f64),
     /// The static equilibrium of this coordinate.
     Static,
 }
 
-/// Admissible values of a parameter [SI].
+/// Admissible values of a parameter \[SI\].
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Range {
     /// Any number.

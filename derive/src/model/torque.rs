@@ -24,12 +24,12 @@ pub(crate) struct Torque {
 }
 
 impl Torque {
-    /// Its power [W]: the value times the speed along which it works.
+    /// Its power \[W\]: the value times the speed along which it works.
     pub fn power(&self) -> Atom {
         (self.value * self.along.unwrap_or_else(|| self.through.dot())).atom()
     }
 
-    /// Its power in parts that sum to it [W]: one, or one a term of its value if an effect changes that value.
+    /// Its power in parts that sum to it \[W\]: one, or one a term of its value if an effect changes that value.
     pub fn powers(&self) -> Vec<Atom> {
         let value = self.value.atom();
         if optional(&value).is_empty() {
@@ -57,7 +57,7 @@ impl Model {
     /// depends on speeds; only with a friction law as a factor may it depend on deflections and stiffnesses too. A torque that is not
     /// constant, or whose displacement is not linear in the coordinates, makes the cells nonlinear. If it is linear in the speed of `through`,
     /// avoid this by writing it as a constant torque and a dissipation: T = c (n - omega) is the torque c n and D = c omega^2/2. Its power
-    /// is the output `power_NAME` [W].
+    /// is the output `power_NAME` \[W\].
     pub fn torque(&mut self, name: &str, value: Expr, through: Expr, doc: &str) {
         let value = self.marked(value);
         self.torques.push(Torque { name: name.into(), value, through, along: None, doc: doc.into() });

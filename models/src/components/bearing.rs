@@ -4,7 +4,7 @@ use gearsim_derive::{Expr, Model, Range, half};
 
 use super::{named, observed};
 
-/// A bearing that deflects by `x` and `y` [m]. Declares its radial stiffness `kb`, and its damping `cb` in the effect `viscous_friction`.
+/// A bearing that deflects by `x` and `y` \[m\]. Declares its radial stiffness `kb`, and its damping `cb` in the effect `viscous_friction`.
 pub fn bearing(m: &mut Model, part: &str, what: &str, [x, y]: [Expr; 2]) {
     let doc = format!("radial stiffness of the {what}");
     let k = m.parameter(&named("kb", part), "N/m", None, Range::NotNegative, &doc);
@@ -15,7 +15,7 @@ pub fn bearing(m: &mut Model, part: &str, what: &str, [x, y]: [Expr; 2]) {
     observed::bearing(m, part, what, [x, y]);
 }
 
-/// Dampers along the named deflections `along` [m], beside those in proportion to stiffness, in the effect `viscous_friction`. Declares
+/// Dampers along the named deflections `along` \[m\], beside those in proportion to stiffness, in the effect `viscous_friction`. Declares
 /// their coefficient `cb`.
 pub fn bearing_damper(m: &mut Model, part: &str, what: &str, along: &[Expr]) {
     m.part_effect("viscous_friction", part, "friction proportional to speed", |m| {

@@ -13,7 +13,7 @@ use gearsim_derive::{Expr, Model, Range};
 
 use super::{named, observed};
 
-/// A clutch between two rotors; `lead` [rad] is the rotation of the driving one minus that of the driven one. Declares the capacity
+/// A clutch between two rotors; `lead` \[rad\] is the rotation of the driving one minus that of the driven one. Declares the capacity
 /// `T_max` and the drag torque `T_drag`.
 pub fn overrunning_clutch(m: &mut Model, part: &str, what: &str, lead: Expr) {
     let doc =

@@ -5,20 +5,20 @@ use gearsim_derive::{Expr, Model, Range};
 
 use super::{dc_motor, fan, governor, induction_motor, named, traction_motor};
 
-/// A rotor with the rotation `theta` [rad] that may have each drive: [`drive`] and [`machine`].
+/// A rotor with the rotation `theta` \[rad\] that may have each drive: [`drive`] and [`machine`].
 pub fn driven(m: &mut Model, part: &str, what: &str, theta: Expr) {
     drive(m, part, what, theta);
     machine(m, part, what, theta);
 }
 
-/// A rotor with the rotation `theta` [rad] that may have each load: [`load`] and [`fan`].
+/// A rotor with the rotation `theta` \[rad\] that may have each load: [`load`] and [`fan`](fn@fan).
 pub fn loaded(m: &mut Model, part: &str, what: &str, theta: Expr) {
     load(m, part, what, theta);
     let omega = speed(m, part, theta);
     fan(m, part, what, theta, omega);
 }
 
-/// One of the machines whose torque depends on the speed of the rotor with the rotation `theta` [rad], each in an effect of its own: a motor with
+/// One of the machines whose torque depends on the speed of the rotor with the rotation `theta` \[rad\], each in an effect of its own: a motor with
 /// a speed governor, a DC motor, an induction motor, a traction motor. Faster than its torque is zero, a machine brakes as a generator.
 pub fn machine(m: &mut Model, part: &str, what: &str, theta: Expr) {
     let omega = speed(m, part, theta);
@@ -37,12 +37,12 @@ fn speed(m: &mut Model, part: &str, theta: Expr) -> Expr {
     m.deflection(&named("theta", part), theta).dot()
 }
 
-/// A motor that drives a body with the rotation `theta` [rad]. Declares its torque `T`.
+/// A motor that drives a body with the rotation `theta` \[rad\]. Declares its torque `T`.
 pub fn drive(m: &mut Model, part: &str, what: &str, theta: Expr) {
     torque(m, part, &format!("driving torque of the {what}"), theta);
 }
 
-/// A load on a body with the rotation `theta` [rad], against that rotation. Declares its torque `T`.
+/// A load on a body with the rotation `theta` \[rad\], against that rotation. Declares its torque `T`.
 pub fn load(m: &mut Model, part: &str, what: &str, theta: Expr) {
     torque(m, part, &format!("load torque of the {what}, against its rotation"), -theta);
 }

@@ -8,7 +8,7 @@ use gearsim_derive::{Expr, Model, Range};
 
 use super::named;
 
-/// A fan on a body with the rotation `through` [rad] and the speed `omega` [rad/s], in the effect `fan_load`. Declares the
+/// A fan on a body with the rotation `through` \[rad\] and the speed `omega` [rad/s], in the effect `fan_load`. Declares the
 /// coefficient `cf` and the speed `w0`.
 pub fn fan(m: &mut Model, part: &str, what: &str, through: Expr, omega: Expr) {
     m.effect("fan_load", "a fan as load: torque proportional to the square of the speed, against the rotation", |m| {

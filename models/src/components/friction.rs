@@ -33,15 +33,15 @@ use super::{FLANK_STICTION, Mesh, Stiction, flank_stiction, named};
 /// The kinematics of the sliding between the flanks of a mesh.
 #[derive(Clone, Copy)]
 pub struct Sliding {
-    /// The phase of the mesh, a coordinate [rad]; one pitch is 2 pi.
+    /// The phase of the mesh, a coordinate \[rad\]; one pitch is 2 pi.
     pub phase: Expr,
     /// Sliding distance at the pitch point [unit of the mesh deflection], positive if the driving gear is ahead.
     pub tau: Expr,
-    /// The sum of the rotations of both gears [rad], each positive in its direction of rotation in normal drive.
+    /// The sum of the rotations of both gears \[rad\], each positive in its direction of rotation in normal drive.
     pub psi: Expr,
 }
 
-/// Friction in a mesh whose deflection has the unit `unit`. Declares the laws `side` [1] and `arm` [unit], both periodic in the
+/// Friction in a mesh whose deflection has the unit `unit`. Declares the laws `side` \[1\] and `arm` [unit], both periodic in the
 /// phase, the coefficient of friction `mu`, the rolling speed `w_mix` [rad/s] below which friction decreases, and the effect `flank_stiction`, by
 /// which the flanks stick.
 pub fn sliding_friction(m: &mut Model, part: &str, what: &str, unit: &str, mesh: Mesh, sliding: Sliding) {
@@ -88,7 +88,7 @@ pub fn friction_effect(m: &mut Model, part: &str, add: impl FnOnce(&mut Model)) 
     effect
 }
 
-/// The tangent of the pressure angle, for a model that needs it only for friction. Declares `alpha` [rad] and `tan_a`.
+/// The tangent of the pressure angle, for a model that needs it only for friction. Declares `alpha` \[rad\] and `tan_a`.
 pub fn pressure_tangent(m: &mut Model) -> Expr {
     tangent_of(m, "", "working pressure angle, for friction")
 }

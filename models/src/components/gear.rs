@@ -21,7 +21,7 @@
 
 use gearsim_derive::Expr;
 
-/// The plane motion of a gear [m].
+/// The plane motion of a gear \[m\].
 #[derive(Clone, Copy)]
 pub struct Gear {
     /// Displacement of the centre along x.
@@ -65,23 +65,23 @@ impl Gear {
     }
 }
 
-/// The deflection of an external mesh [m]. The second gear may be given in its own frame, with the direction `l2` of the line
+/// The deflection of an external mesh \[m\]. The second gear may be given in its own frame, with the direction `l2` of the line
 /// of action in that frame.
 pub fn external(a: Gear, l1: Direction, b: Gear, l2: Direction) -> Expr {
     a.across(l1) - b.across(l2) + a.u + b.u
 }
 
-/// The distance by which the flanks of an external mesh slide at the pitch point [m]; `tangent` is that of the pressure angle.
+/// The distance by which the flanks of an external mesh slide at the pitch point \[m\]; `tangent` is that of the pressure angle.
 pub fn external_sliding(a: Gear, l1: Direction, b: Gear, l2: Direction, tangent: Expr) -> Expr {
     tangent * (a.u + b.u) - a.along(l1) + b.along(l2)
 }
 
-/// The deflection of the internal mesh of a ring and a planet [m].
+/// The deflection of the internal mesh of a ring and a planet \[m\].
 pub fn internal(ring: Gear, l1: Direction, planet: Gear, l2: Direction) -> Expr {
     ring.across(l1) - planet.across(l2) + ring.u - planet.u
 }
 
-/// The distance by which the flanks of the internal mesh of a ring and a planet slide at the pitch point [m].
+/// The distance by which the flanks of the internal mesh of a ring and a planet slide at the pitch point \[m\].
 pub fn internal_sliding(ring: Gear, l1: Direction, planet: Gear, l2: Direction, tangent: Expr) -> Expr {
     tangent * (ring.u - planet.u) + ring.along(l1) - planet.along(l2)
 }

@@ -7,7 +7,7 @@ use gearsim_derive::{Expr, Model, Range, half};
 
 use super::named;
 
-/// A motor with a governor, in the effect `speed_governor`; `through` [rad] is its rotation, `omega` [rad/s] its speed. Declares
+/// A motor with a governor, in the effect `speed_governor`; `through` \[rad\] is its rotation, `omega` [rad/s] its speed. Declares
 /// the gain `c` and the set point `n`.
 pub fn governor(m: &mut Model, part: &str, what: &str, through: Expr, omega: Expr) {
     m.effect("speed_governor", "a speed governor: motor torque proportional to the set point minus the speed", |m| {

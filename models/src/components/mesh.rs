@@ -15,10 +15,10 @@ pub struct Mesh {
     pub delta: Expr,
 }
 
-/// A mesh of two gears whose relative displacement along the line of action is `delta` [m], linear in the coordinates. Declares its
-/// stiffness law `k` [N/m] and its transmission error `e` [m], periodic in `phase` [rad], in which one tooth pitch is 2 pi, its backlash `b` [m]
+/// A mesh of two gears whose relative displacement along the line of action is `delta` \[m\], linear in the coordinates. Declares its
+/// stiffness law `k` [N/m] and its transmission error `e` \[m\], periodic in `phase` \[rad\], in which one tooth pitch is 2 pi, its backlash `b` \[m\]
 /// along the line of action, and the effects `stiffness_step`, `rigid_kinematics`, `frozen_phase`, `transmission_error` and `backlash`. `driving`
-/// is the part of `delta` that is the displacement of the first gear's flank [m], for the power that this gear gives; without it the mesh has no
+/// is the part of `delta` that is the displacement of the first gear's flank \[m\], for the power that this gear gives; without it the mesh has no
 /// output of its power.
 pub fn mesh_with_play(
     m: &mut Model,

@@ -7,9 +7,9 @@ pub fn of_part(quantity: &str, part: &str) -> String {
     if part.is_empty() { quantity.into() } else { format!("{quantity}_{part}") }
 }
 
-/// Force and loss of a mesh with the deflection `x` [m] in contact, its deflection [m], and its dynamic transmission error `dte` [m]: the
+/// Force and loss of a mesh with the deflection `x` \[m\] in contact, its deflection \[m\], and its dynamic transmission error `dte` \[m\]: the
 /// relative displacement of the flanks' ideal positions along the line of action, from all coordinates. The deflection is that less the
-/// transmission error `error` [m]. `driving` [m] is the displacement of the first gear's flank along the line of action: the power that
+/// transmission error `error` \[m\]. `driving` \[m\] is the displacement of the first gear's flank along the line of action: the power that
 /// this gear gives to the mesh is the force times its speed. A train has no `driving`: it forms the power from its rotors.
 pub fn mesh(m: &mut Model, part: &str, what: &str, x: Expr, [dte, error]: [Expr; 2], driving: Option<Expr>) {
     let doc = format!(
@@ -30,8 +30,8 @@ pub fn mesh(m: &mut Model, part: &str, what: &str, x: Expr, [dte, error]: [Expr;
     m.output(&of_part("mesh_loss", part), "W", m.damper(x) * x.dot(), &doc);
 }
 
-/// Twist, torque and loss of a shaft with the deflection `twist` [rad], and the power that enters it at the end whose rotation is
-/// `first` [rad], the one that leads if the twist is positive. A train has no `first`: it forms the power from its rotors.
+/// Twist, torque and loss of a shaft with the deflection `twist` \[rad\], and the power that enters it at the end whose rotation is
+/// `first` \[rad\], the one that leads if the twist is positive. A train has no `first`: it forms the power from its rotors.
 pub fn shaft(m: &mut Model, part: &str, what: &str, twist: Expr, first: Option<Expr>) {
     m.output(&of_part("shaft_twist", part), "rad", twist, &format!("twist of the {what}"));
     let doc = format!("torque in the {what}, damper included");
@@ -44,7 +44,7 @@ pub fn shaft(m: &mut Model, part: &str, what: &str, twist: Expr, first: Option<E
     m.output(&of_part("shaft_loss", part), "W", m.damper(twist) * twist.dot(), &doc);
 }
 
-/// Components and magnitude of the force of a bearing that deflects by the named deflections `x` and `y` [m].
+/// Components and magnitude of the force of a bearing that deflects by the named deflections `x` and `y` \[m\].
 pub fn bearing(m: &mut Model, part: &str, what: &str, [x, y]: [Expr; 2]) {
     let taken = m.damper(x) * x.dot() + m.damper(y) * y.dot();
     let [x, y] = [("x", x), ("y", y)].map(|(axis, x)| {
@@ -61,7 +61,7 @@ pub fn bearing(m: &mut Model, part: &str, what: &str, [x, y]: [Expr; 2]) {
     m.output(&of_part("bearing_loss", part), "W", taken, &doc);
 }
 
-/// Deflection, force and loss of a thrust bearing that deflects by the named deflection `z` [m].
+/// Deflection, force and loss of a thrust bearing that deflects by the named deflection `z` \[m\].
 pub fn thrust_bearing(m: &mut Model, part: &str, what: &str, z: Expr) {
     let doc = format!("axial displacement of the rotor on the {what}, along the positive axis");
     m.output(&of_part("thrust_deflection", part), "m", z, &doc);
@@ -71,12 +71,12 @@ pub fn thrust_bearing(m: &mut Model, part: &str, what: &str, z: Expr) {
     m.output(&of_part("thrust_loss", part), "W", m.damper(z) * z.dot(), &doc);
 }
 
-/// Speed of a rotor with the rotation `theta` [rad].
+/// Speed of a rotor with the rotation `theta` \[rad\].
 pub fn rotor(m: &mut Model, part: &str, what: &str, theta: Expr) {
     m.output(&of_part("rotor_speed", part), "rad/s", theta.dot(), &format!("rotational speed of the {what}"));
 }
 
-/// Components and magnitude of the force of a planet's bearing, along the named deflections `radial` and `tangential` [m].
+/// Components and magnitude of the force of a planet's bearing, along the named deflections `radial` and `tangential` \[m\].
 pub fn planet_bearing(m: &mut Model, planet: &str, [radial, tangential]: [Expr; 2]) {
     let taken = m.damper(radial) * radial.dot() + m.damper(tangential) * tangential.dot();
     let [r, t] = [("radial", radial), ("tangential", tangential)].map(|(axis, x)| {
@@ -98,7 +98,7 @@ pub fn friction(m: &mut Model, effect: &str, part: &str, [what, unit]: [&str; 2]
     m.output_with(effect, &of_part("friction_loss", part), "W", m.damper(x) * x.dot(), &doc);
 }
 
-/// Torque and loss of a clutch whose driving side leads by `x` [rad], in scenes with `effect`. Locked, its torque is the reaction.
+/// Torque and loss of a clutch whose driving side leads by `x` \[rad\], in scenes with `effect`. Locked, its torque is the reaction.
 pub fn clutch(m: &mut Model, effect: &str, part: &str, what: &str, x: Expr) {
     let doc = format!("torque that the {what} gives to its driven side, locked, slipping or overrunning");
     m.output_with(effect, &of_part("clutch_torque", part), "N*m", m.damper(x) + m.reaction(x), &doc);

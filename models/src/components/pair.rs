@@ -11,25 +11,25 @@ use super::{Mesh, Sliding, mesh_with_play, named, sliding_friction};
 /// A pair of gears: their rotations and numbers of teeth.
 #[derive(Clone, Copy)]
 pub struct Pair {
-    /// Mean rotation, the phase of the mesh: a coordinate [rad].
+    /// Mean rotation, the phase of the mesh: a coordinate \[rad\].
     pub theta: Expr,
-    /// Relative motion along the line of action: a coordinate [m]. It is the deflection of the mesh if the centres are fixed.
+    /// Relative motion along the line of action: a coordinate \[m\]. It is the deflection of the mesh if the centres are fixed.
     pub s: Expr,
-    /// Displacement of the driving gear's flank along the line of action, r1 theta1 [m].
+    /// Displacement of the driving gear's flank along the line of action, r1 theta1 \[m\].
     pub u1: Expr,
-    /// Rotation of the driving gear [rad].
+    /// Rotation of the driving gear \[rad\].
     pub theta1: Expr,
-    /// Rotation of the driven gear [rad].
+    /// Rotation of the driven gear \[rad\].
     pub theta2: Expr,
     /// Number of teeth of the driving gear.
     pub n1: Expr,
     /// Number of teeth of the driven gear.
     pub n2: Expr,
-    /// Base radius per tooth [m].
+    /// Base radius per tooth \[m\].
     pub h: Expr,
 }
 
-/// Declares the number of teeth `N` and the base radius `r` [m] of the driving gear `a`, the number of teeth of the driven gear
+/// Declares the number of teeth `N` and the base radius `r` \[m\] of the driving gear `a`, the number of teeth of the driven gear
 /// `b`, and the coordinates `theta` and `s`, followed by the name `of_mesh`: `pair(m, "", "1", "2")` declares `theta`, `s`, `N1`,
 /// `N2`, `r1`.
 pub fn pair(m: &mut Model, of_mesh: &str, a: &str, b: &str) -> Pair {
@@ -50,7 +50,7 @@ pub fn pair(m: &mut Model, of_mesh: &str, a: &str, b: &str) -> Pair {
 }
 
 impl Pair {
-    /// The sum of the base radii [m].
+    /// The sum of the base radii \[m\].
     pub fn sum_of_base_radii(&self) -> Expr {
         self.h * (self.n1 + self.n2)
     }

@@ -19,31 +19,31 @@ use super::{
 /// The geometry of a stage and its rotations.
 #[derive(Clone, Copy)]
 pub struct Stage {
-    /// The phase of its meshes, a coordinate [rad]; one pitch is 2 pi.
+    /// The phase of its meshes, a coordinate \[rad\]; one pitch is 2 pi.
     pub theta: Expr,
-    /// Rotation of the sun [rad].
+    /// Rotation of the sun \[rad\].
     pub theta_s: Expr,
-    /// Rotation of the carrier [rad].
+    /// Rotation of the carrier \[rad\].
     pub theta_c: Expr,
-    /// Rotation of the carrier in excess of rigid rolling, a coordinate [rad].
+    /// Rotation of the carrier in excess of rigid rolling, a coordinate \[rad\].
     excess: Expr,
-    /// Base radius of the sun [m].
+    /// Base radius of the sun \[m\].
     pub r_s: Expr,
-    /// Base radius of the ring [m].
+    /// Base radius of the ring \[m\].
     pub r_r: Expr,
-    /// Radius of the circle of the planets' centres [m].
+    /// Radius of the circle of the planets' centres \[m\].
     pub a: Expr,
     /// Speed of theta per speed of the sun, with the ring at rest.
     pub per_sun: Expr,
-    /// Base radius of a planet [m]: in parameters, and as a named constant.
+    /// Base radius of a planet \[m\]: in parameters, and as a named constant.
     r_p: [Expr; 2],
     /// `a` as a named constant.
     named_a: Expr,
-    /// Pressure angle [rad].
+    /// Pressure angle \[rad\].
     angle: Expr,
     /// The pressure angle as a direction.
     alpha: Direction,
-    /// Rolling distance along the line of action [m].
+    /// Rolling distance along the line of action \[m\].
     rho: Expr,
     /// Rotations of the sun and of the ring against a planet per theta, if all roll rigidly and the ring is at rest.
     per_theta: [Expr; 2],
@@ -85,7 +85,7 @@ pub fn stage(m: &mut Model) -> Stage {
 
 impl Stage {
     /// Adds `n` planets with their centres fixed to the carrier, and their meshes with a sun on a fixed axis and a ring with the
-    /// rotation `theta_r` [rad]. Declares mass `m_p` and inertia `I_p` of a planet, for each planet the coordinate `u1`, ..., and for
+    /// rotation `theta_r` \[rad\]. Declares mass `m_p` and inertia `I_p` of a planet, for each planet the coordinate `u1`, ..., and for
     /// its meshes with sun and ring, `s1`, `r1`, ..., what [`mesh_with_play`] and [`sliding_friction`] declare.
     pub fn planets(&self, m: &mut Model, n: usize, theta_r: Expr) {
         let (mass, inertia) = inertia(m);
@@ -143,7 +143,7 @@ impl Stage {
         bearing_damper(m, "p", "bearing of a planet", &damped);
     }
 
-    /// The rotation of planet `i` in excess of rigid rolling and all of it, times its base radius [m]; adds its kinetic energy.
+    /// The rotation of planet `i` in excess of rigid rolling and all of it, times its base radius \[m\]; adds its kinetic energy.
     fn rotation(&self, m: &mut Model, i: usize, inertia: Expr) -> (Expr, Expr) {
         let doc = format!("rotation of planet {i} in excess of rigid rolling, times its base radius");
         let beyond = m.coordinate(&format!("u{i}"), "m", Start::Static, &doc);
@@ -152,8 +152,8 @@ impl Stage {
         (beyond, r_p * self.theta_c - self.rho + beyond)
     }
 
-    /// Adds the meshes of planet `i`, with the rotation `beyond` in excess of rigid rolling [m], with sun and ring, each with the direction of its
-    /// line of action. `theta_r` is the rotation of the ring [rad]. In the frame of the planet the lines of action are at the pressure angle.
+    /// Adds the meshes of planet `i`, with the rotation `beyond` in excess of rigid rolling \[m\], with sun and ring, each with the direction of its
+    /// line of action. `theta_r` is the rotation of the ring \[rad\]. In the frame of the planet the lines of action are at the pressure angle.
     fn meshes(
         &self,
         m: &mut Model,

@@ -27,7 +27,7 @@ const DOC: &str =
 /// What decides whether the flanks of a mesh stick.
 #[derive(Clone, Copy)]
 pub struct Stiction {
-    /// The sum of the rotations of both gears [rad], linear in the coordinates.
+    /// The sum of the rotations of both gears \[rad\], linear in the coordinates.
     pub psi: Expr,
     /// Sliding distance at the pitch point [unit of the mesh deflection], a named deflection.
     pub tau: Expr,

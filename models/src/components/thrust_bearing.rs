@@ -4,7 +4,7 @@ use gearsim_derive::{Expr, Model, Range, half};
 
 use super::{named, observed};
 
-/// A bearing that deflects by the axial displacement `z` [m] of its rotor. Declares its axial stiffness `ka`, and its damping `ca` in the
+/// A bearing that deflects by the axial displacement `z` \[m\] of its rotor. Declares its axial stiffness `ka`, and its damping `ca` in the
 /// effect `viscous_friction`.
 pub fn thrust_bearing(m: &mut Model, part: &str, what: &str, z: Expr) {
     let doc = format!("axial stiffness of the {what}");

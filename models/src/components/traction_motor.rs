@@ -16,7 +16,7 @@ use gearsim_derive::{Expr, Model, Range};
 
 use super::named;
 
-/// A traction motor with the rotation `through` [rad] and the speed `omega` [rad/s]. Declares the peak torque `Tp`, the peak power `Pp`, the
+/// A traction motor with the rotation `through` \[rad\] and the speed `omega` [rad/s]. Declares the peak torque `Tp`, the peak power `Pp`, the
 /// demand `d` and the rounding `round` of the corner at the base speed, relative to that speed.
 pub fn traction_motor(m: &mut Model, part: &str, what: &str, through: Expr, omega: Expr) {
     let doc = "a traction motor: its peak torque up to the base speed, constant power above it, times the demand";

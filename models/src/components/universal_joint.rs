@@ -9,7 +9,7 @@ use gearsim_derive::{Expr, Model, Range};
 use super::named;
 use super::observed::of_part;
 
-/// The speed [rad/s] of the shaft behind a universal joint whose driving shaft has the rotation `theta` [rad]. Declares the angle
+/// The speed [rad/s] of the shaft behind a universal joint whose driving shaft has the rotation `theta` \[rad\]. Declares the angle
 /// between the shafts `beta`. The joint itself has no mass. Give the shaft behind it an inertia with [`Model::kinetic`] and torques
 /// with [`Model::torque_along`]; its angle is not needed.
 pub fn universal_joint(m: &mut Model, part: &str, theta: Expr) -> Expr {

@@ -4,7 +4,7 @@ use gearsim_derive::{Expr, Model, Range, half};
 
 use super::{named, observed};
 
-/// Viscous friction against the rotation `theta` [rad] of a body, or the relative rotation of two. Declares its coefficient `c`.
+/// Viscous friction against the rotation `theta` \[rad\] of a body, or the relative rotation of two. Declares its coefficient `c`.
 pub fn viscous(m: &mut Model, part: &str, what: &str, theta: Expr) {
     m.part_effect("viscous_friction", part, "friction proportional to speed", |m| {
         let doc = format!("viscous friction of the {what}: torque per speed");

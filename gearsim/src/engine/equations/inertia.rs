@@ -4,7 +4,7 @@ use nalgebra::DVector;
 
 use crate::engine::vector::{Matrix, Vector, dot};
 
-/// Derivatives of the accelerations: M⁻¹ times the derivatives of the forces, [`Equations::jacobian`].
+/// Derivatives of the accelerations: M⁻¹ times the derivatives of the forces, [`Equations::jacobian`](super::Equations::jacobian).
 pub fn accelerated(mobility: &Matrix, of_force: [Matrix; 2]) -> [Matrix; 2] {
     of_force.map(|by| mobility * by)
 }
