@@ -1,10 +1,6 @@
 //! `cargo xtask combinations`: random scenes over models, effects, numbers, methods and precisions, with what must hold of each.
 
-use std::process::Command;
-
-use anyhow::{Context, bail};
-
-use crate::chore::root;
+use crate::suite;
 
 /// Run random scenes with random sets of effects, and check what must hold of each.
 #[derive(clap::Args)]
@@ -23,13 +19,9 @@ impl Combinations {
     /// # Errors
     /// If something does not hold of a scene.
     pub fn run(&self) -> anyhow::Result<()> {
-        let mut command = Command::new(env!("CARGO"));
-        command.args(["test", "--quiet", "--workspace", "--test", "combinations", "--", "--nocapture"]);
-        command.env("COMBINATIONS", self.scenes.to_string()).env("COMBINATIONS_FROM", self.from.to_string());
-        let status = command.current_dir(root()?).status().context("cannot start cargo")?;
-        if !status.success() {
-            bail!("something does not hold of a scene; the message is above");
-        }
-        Ok(())
+        let mut tests = suite::of("combinations")?;
+        tests.args(["--", "--nocapture"]);
+        tests.env("COMBINATIONS", self.scenes.to_string()).env("COMBINATIONS_FROM", self.from.to_string());
+        suite::run(&mut tests, "something does not hold of a scene; the message is above")
     }
 }

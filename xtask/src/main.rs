@@ -15,6 +15,7 @@ mod peers;
 mod published;
 mod shell;
 mod soak;
+mod suite;
 mod tutorial;
 mod work_precision;
 

@@ -1,9 +1,7 @@
 //! `cargo xtask published`: compare the models with published numbers and write the table tests/published.md.
 
-use std::path::Path;
-use std::process::Command;
-
-use anyhow::{Context, bail};
+use crate::chore::root;
+use crate::suite;
 
 /// Compare the models with published numbers; write their table to tests/published.md.
 #[derive(clap::Args)]
@@ -15,15 +13,10 @@ impl Published {
     /// # Errors
     /// If a number is not reproduced.
     pub fn run(&self) -> anyhow::Result<()> {
-        let root = Path::new(env!("CARGO_MANIFEST_DIR")).parent().context("xtask has a parent folder")?;
-        let table = root.join("tests/published.md");
-        let mut command = Command::new(env!("CARGO"));
-        command.args(["test", "--quiet", "--workspace", "--test", "models", "published"]);
-        let status =
-            command.env("GEARSIM_PUBLISHED", &table).current_dir(root).status().context("cannot start cargo")?;
-        if !status.success() {
-            bail!("a published number was not reproduced; the message is above");
-        }
+        let table = root()?.join("tests/published.md");
+        let mut tests = suite::of("models")?;
+        tests.arg("published").env("GEARSIM_PUBLISHED", &table);
+        suite::run(&mut tests, "a published number was not reproduced; the message is above")?;
         println!("{}", table.display());
         Ok(())
     }
