@@ -10,13 +10,13 @@ use crate::markers;
 use crate::model::Law;
 use crate::symbols::Sparse;
 
-/// The effects each of which alone prevents a phase from rolling; `None` if it never rolls.
+/// The effects that prevent a phase from rolling; a single one is enough. `None`: the phase never rolls.
 type Unless = Option<Vec<String>>;
 
 impl Derivation<'_> {
-    /// Whether the phase of each law rolls: energies and torques depend on this coordinate only through laws. Whole pitches of it
-    /// then change nothing, so that the engine may count them separately. `None` if it never rolls; otherwise each effect that alone
-    /// prevents it, for example a support of a rotor that turns. An effect of all parts replaces those of its parts.
+    /// Whether the phase of each law rolls. A phase rolls if it is a coordinate on which energies and torques depend only through laws. A
+    /// rotation by whole pitches then changes nothing, and the engine counts whole pitches separately. For example, a torsional support of
+    /// the rotor prevents rolling. If all parts of an effect prevent it, the effect itself is named.
     pub(crate) fn rolling(&self) -> Vec<Unless> {
         let (m, s) = (self.model, &self.symbols);
         let gradients = |parts: &mut dyn Iterator<Item = Atom>| parts.flat_map(|e| s.by_coordinates(&e)).collect();
@@ -37,7 +37,7 @@ impl Derivation<'_> {
         self.symbols.q.iter().position(|q| *q == symbol(*kind, name))
     }
 
-    /// The effects through which one of the energies and torques with these gradients depends on coordinate `i`.
+    /// The effects by which energies or torques depend on coordinate `i`; `gradients` are the gradients of the energies and torques.
     fn unless(&self, gradients: &[Sparse], i: usize) -> Unless {
         let m = self.model;
         let along = |gradient: &Sparse| {

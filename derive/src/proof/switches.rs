@@ -20,8 +20,8 @@ pub(super) fn prove(p: &mut Proof) -> Result<(), Slip> {
     Ok(())
 }
 
-/// The step of V at each exit, from the mode that ends to the one beyond. Where V depends on the mode, the guard is zero at one value of
-/// the deflection, and V is compared there.
+/// The step of V at each exit: V in the next mode minus V in the mode that ends. If V depends on the mode, the two are compared at the
+/// deflection at which the guard is zero.
 fn steps(model: &Model, switch: &Switch) -> Vec<Atom> {
     let over = symbol(Kind::Deflection, &switch.over);
     // The deflection without the offset and the functions of the mode.

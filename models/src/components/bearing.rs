@@ -15,8 +15,8 @@ pub fn bearing(m: &mut Model, part: &str, what: &str, [x, y]: [Expr; 2]) {
     observed::bearing(m, part, what, [x, y]);
 }
 
-/// Dampers along the named deflections `along` \[m\], beside those in proportion to stiffness, in the effect `viscous_friction`. Declares
-/// their coefficient `cb`.
+/// Viscous dampers of a bearing along the named deflections `along` \[m\], in the effect `viscous_friction`. They act in addition to damping in
+/// proportion to stiffness. Declares their coefficient `cb`.
 pub fn bearing_damper(m: &mut Model, part: &str, what: &str, along: &[Expr]) {
     m.part_effect("viscous_friction", part, "friction proportional to speed", |m| {
         let doc = format!("radial damping of the {what}: force per speed");

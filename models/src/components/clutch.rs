@@ -2,9 +2,9 @@
 //!
 //! | mode | while | torque on the driven side |
 //! | --- | --- | --- |
-//! | locked | the torque R that the clutch transmits is between -T_drag and T_max | R, so that the rate is zero |
-//! | overrun | the driven side is faster, x' < 0 | -T_drag |
-//! | slips | the driving side is faster, x' > 0: the clutch is overloaded | T_max |
+//! | locked | the torque R that the clutch transmits is between -Tdrag and Tmax | R, so that the rate is zero |
+//! | overrun | the driven side is faster, x' < 0 | -Tdrag |
+//! | slips | the driving side is faster, x' > 0: the clutch is overloaded | Tmax |
 //!
 //! The torque is bounded, as that of any real clutch: an impulse of a mesh makes it slip for an instant. In scenes without the effect the
 //! clutch is open. Compare Modelica.Mechanics.Rotational.Components.OneWayClutch.
@@ -13,8 +13,8 @@ use gearsim_derive::{Expr, Model, Range};
 
 use super::{named, observed};
 
-/// A clutch between two rotors; `lead` \[rad\] is the rotation of the driving one minus that of the driven one. Declares the capacity
-/// `T_max` and the drag torque `T_drag`.
+/// A clutch between two rotors. `lead` \[rad\] is the rotation of the driving rotor minus the rotation of the driven rotor. Declares the
+/// capacity `Tmax` and the drag torque `Tdrag`.
 pub fn overrunning_clutch(m: &mut Model, part: &str, what: &str, lead: Expr) {
     let doc =
         "a one-way clutch: locked while it drives, free while the driven side is faster; without it the clutch is open";

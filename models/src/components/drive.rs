@@ -18,8 +18,8 @@ pub fn loaded(m: &mut Model, part: &str, what: &str, theta: Expr) {
     fan(m, part, what, theta, omega);
 }
 
-/// One of the machines whose torque depends on the speed of the rotor with the rotation `theta` \[rad\], each in an effect of its own: a motor with
-/// a speed governor, a DC motor, an induction motor, a traction motor. Faster than its torque is zero, a machine brakes as a generator.
+/// Machines whose torque depends on the speed of the rotor with the rotation `theta` \[rad\]. Each is an effect of its own: a motor with a speed
+/// governor, a DC motor, an induction motor, a traction motor. Above the speed at which its torque is zero, a machine brakes as a generator.
 pub fn machine(m: &mut Model, part: &str, what: &str, theta: Expr) {
     let omega = speed(m, part, theta);
     governor(m, part, what, theta, omega);

@@ -41,9 +41,9 @@ pub struct Sliding {
     pub psi: Expr,
 }
 
-/// Friction in a mesh whose deflection has the unit `unit`. Declares the laws `side` \[1\] and `arm` [unit], both periodic in the
-/// phase, the coefficient of friction `mu`, the rolling speed `w_mix` [rad/s] below which friction decreases, and the effect `flank_stiction`, by
-/// which the flanks stick.
+/// Friction in a mesh whose deflection has the unit `unit`. Declares the laws `side` \[1\] and `arm` [unit], which are periodic in the phase, the
+/// coefficient of friction `mu`, and the rolling speed `w_mix` [rad/s] below which friction decreases. Also declares the effect
+/// `flank_stiction`: the flanks then stick.
 pub fn sliding_friction(m: &mut Model, part: &str, what: &str, unit: &str, mesh: Mesh, sliding: Sliding) {
     let effect = friction_effect(m, part, |m| {
         let doc = format!("coefficient of friction of the {what}");
@@ -88,7 +88,8 @@ pub fn friction_effect(m: &mut Model, part: &str, add: impl FnOnce(&mut Model)) 
     effect
 }
 
-/// The tangent of the pressure angle, for a model that needs it only for friction. Declares `alpha` \[rad\] and `tan_a`.
+/// The tangent of the pressure angle, for models in which only friction needs it. Declares the pressure angle `alpha` \[rad\] and its tangent
+/// `tan_a`.
 pub fn pressure_tangent(m: &mut Model) -> Expr {
     tangent_of(m, "", "working pressure angle, for friction")
 }

@@ -71,17 +71,18 @@ pub fn external(a: Gear, l1: Direction, b: Gear, l2: Direction) -> Expr {
     a.across(l1) - b.across(l2) + a.u + b.u
 }
 
-/// The distance by which the flanks of an external mesh slide at the pitch point \[m\]; `tangent` is that of the pressure angle.
+/// The sliding distance of the flanks of an external mesh at the pitch point \[m\]. `tangent` is the tangent of the pressure angle.
 pub fn external_sliding(a: Gear, l1: Direction, b: Gear, l2: Direction, tangent: Expr) -> Expr {
     tangent * (a.u + b.u) - a.along(l1) + b.along(l2)
 }
 
-/// The deflection of the internal mesh of a ring and a planet \[m\].
+/// The deflection \[m\] of the internal mesh between a ring and a planet.
 pub fn internal(ring: Gear, l1: Direction, planet: Gear, l2: Direction) -> Expr {
     ring.across(l1) - planet.across(l2) + ring.u - planet.u
 }
 
-/// The distance by which the flanks of the internal mesh of a ring and a planet slide at the pitch point \[m\].
+/// The sliding distance \[m\] of the flanks of the internal mesh between a ring and a planet, at the pitch point. `tangent` is as in
+/// [`external_sliding`].
 pub fn internal_sliding(ring: Gear, l1: Direction, planet: Gear, l2: Direction, tangent: Expr) -> Expr {
     tangent * (ring.u - planet.u) + ring.along(l1) - planet.along(l2)
 }

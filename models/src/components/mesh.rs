@@ -15,11 +15,11 @@ pub struct Mesh {
     pub delta: Expr,
 }
 
-/// A mesh of two gears whose relative displacement along the line of action is `delta` \[m\], linear in the coordinates. Declares its
-/// stiffness law `k` [N/m] and its transmission error `e` \[m\], periodic in `phase` \[rad\], in which one tooth pitch is 2 pi, its backlash `b` \[m\]
-/// along the line of action, and the effects `stiffness_step`, `rigid_kinematics`, `frozen_phase`, `transmission_error` and `backlash`. `driving`
-/// is the part of `delta` that is the displacement of the first gear's flank \[m\], for the power that this gear gives; without it the mesh has no
-/// output of its power.
+/// A mesh of two gears. `delta` \[m\] is their relative displacement along the line of action; it is linear in the coordinates. Declares the
+/// stiffness law `k` [N/m] and the transmission error `e` \[m\], which are periodic in `phase` \[rad\] (one tooth pitch is 2 pi). Declares the
+/// backlash `b` \[m\] along the line of action, and the effects `stiffness_step`, `rigid_kinematics`, `frozen_phase`, `transmission_error` and
+/// `backlash`. `driving` \[m\] is the displacement of the first gear's flank, a part of `delta`. It gives the output of the power that the first
+/// gear transmits to the mesh; without `driving` there is no such output.
 pub fn mesh_with_play(
     m: &mut Model,
     part: &str,

@@ -1,7 +1,7 @@
 //! The components of drivetrains: functions that declare parameters and add energies to a model.
 //!
-//! One file for each component. Components take rotations \[rad\] and displacements \[m\] as expressions in the coordinates that the
-//! model has chosen: `rotor(m, "1", "driving gear", (theta + s / h) / N1)`. The name of a parameter consists of the symbol of the
+//! Each component has its own file. The model chooses the coordinates. It passes rotations \[rad\] and displacements \[m\] to the components as
+//! expressions in these coordinates: `rotor(m, "1", "driving gear", (theta + s / h) / N1)`. The name of a parameter consists of the symbol of the
 //! quantity and the name of the part: the inertia of part `1` is `I1`, that of part `motor` is `I_motor`.
 
 pub mod bearing;

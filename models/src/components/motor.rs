@@ -9,8 +9,8 @@ use gearsim_derive::{Expr, Model, Range};
 
 use super::named;
 
-/// An induction motor with the rotation `through` \[rad\] and the speed `omega` [rad/s]. Declares the breakdown torque `Tb`, the
-/// slip `sb` at breakdown, and the synchronous speed `ns`.
+/// An induction motor whose rotor has the rotation `through` \[rad\] and the speed `omega` [rad/s]. Declares the breakdown torque `Tb`, the slip
+/// `sb` at which the motor has this torque, and the synchronous speed `ns`.
 pub fn induction_motor(m: &mut Model, part: &str, what: &str, through: Expr, omega: Expr) {
     m.effect("induction_motor", "an induction motor, its torque by the formula of Kloss", |m| {
         let doc = format!("breakdown torque of the {what}, its largest torque");

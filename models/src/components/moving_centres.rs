@@ -21,7 +21,7 @@ use gearsim_derive::{Expr, Model};
 
 use super::{Direction, named};
 
-/// What moving centres subtract from the linear deflection of a mesh \[m\]; zero without the effect.
+/// The change of the deflection of a mesh by moving centres \[m\]: it is subtracted from the linear deflection. It is zero without the effect.
 #[derive(Clone, Copy)]
 pub struct Bend {
     /// For both flanks: the line of action turns.
@@ -30,8 +30,9 @@ pub struct Bend {
     pub open: Expr,
 }
 
-/// Declares the effect for the mesh of two external gears. `apart` \[m\] is the displacement of the second gear's centre relative to the first,
-/// along and across the line of centres; `sum` \[m\] that of the base radii; `angle` \[rad\] the pressure angle at rest, `alpha` its direction.
+/// Declares the effect for the mesh of two external gears. `apart` \[m\] is the displacement of the second gear's centre relative to the first
+/// gear's centre, along and across the line of centres. `sum` \[m\] is the sum of the base radii. `angle` \[rad\] is the pressure angle at rest, and
+/// `alpha` its direction.
 pub fn moving_centres(
     m: &mut Model,
     part: &str,

@@ -7,10 +7,10 @@ pub fn of_part(quantity: &str, part: &str) -> String {
     if part.is_empty() { quantity.into() } else { format!("{quantity}_{part}") }
 }
 
-/// Force and loss of a mesh with the deflection `x` \[m\] in contact, its deflection \[m\], and its dynamic transmission error `dte` \[m\]: the
-/// relative displacement of the flanks' ideal positions along the line of action, from all coordinates. The deflection is that less the
-/// transmission error `error` \[m\]. `driving` \[m\] is the displacement of the first gear's flank along the line of action: the power that
-/// this gear gives to the mesh is the force times its speed. A train has no `driving`: it forms the power from its rotors.
+/// Force, loss, deflection and dynamic transmission error of a mesh. `x` \[m\] is its deflection in contact. `dte` \[m\] is the relative displacement
+/// of the ideal positions of the flanks along the line of action, from all coordinates. The deflection is `dte` minus the transmission error
+/// `error` \[m\]. `driving` \[m\] is the displacement of the first gear's flank along the line of action: the power that this gear transmits to the
+/// mesh is the force times the speed of this flank. A train has no `driving`: it forms the power from its rotors.
 pub fn mesh(m: &mut Model, part: &str, what: &str, x: Expr, [dte, error]: [Expr; 2], driving: Option<Expr>) {
     let doc = format!(
         "force of the {what} along the line of action, damper included: positive if it presses the drive flanks"
@@ -30,8 +30,8 @@ pub fn mesh(m: &mut Model, part: &str, what: &str, x: Expr, [dte, error]: [Expr;
     m.output(&of_part("mesh_loss", part), "W", m.damper(x) * x.dot(), &doc);
 }
 
-/// Twist, torque and loss of a shaft with the deflection `twist` \[rad\], and the power that enters it at the end whose rotation is
-/// `first` \[rad\], the one that leads if the twist is positive. A train has no `first`: it forms the power from its rotors.
+/// Twist, torque and loss of a shaft with the deflection `twist` \[rad\], and the power that enters it at its first end. This end has the
+/// rotation `first` \[rad\], and leads if the twist is positive. A train has no `first`: it forms the power from its rotors.
 pub fn shaft(m: &mut Model, part: &str, what: &str, twist: Expr, first: Option<Expr>) {
     m.output(&of_part("shaft_twist", part), "rad", twist, &format!("twist of the {what}"));
     let doc = format!("torque in the {what}, damper included");
@@ -98,7 +98,8 @@ pub fn friction(m: &mut Model, effect: &str, part: &str, [what, unit]: [&str; 2]
     m.output_with(effect, &of_part("friction_loss", part), "W", m.damper(x) * x.dot(), &doc);
 }
 
-/// Torque and loss of a clutch whose driving side leads by `x` \[rad\], in scenes with `effect`. Locked, its torque is the reaction.
+/// Torque and loss of a clutch whose driving side leads by `x` \[rad\], in scenes with `effect`. While the clutch is locked, its torque is the
+/// reaction.
 pub fn clutch(m: &mut Model, effect: &str, part: &str, what: &str, x: Expr) {
     let doc = format!("torque that the {what} gives to its driven side, locked, slipping or overrunning");
     m.output_with(effect, &of_part("clutch_torque", part), "N*m", m.damper(x) + m.reaction(x), &doc);

@@ -15,7 +15,7 @@ pub struct Pair {
     pub theta: Expr,
     /// Relative motion along the line of action: a coordinate \[m\]. It is the deflection of the mesh if the centres are fixed.
     pub s: Expr,
-    /// Displacement of the driving gear's flank along the line of action, r1 theta1 \[m\].
+    /// Displacement \[m\] of the driving gear's flank along the line of action: r1 theta1.
     pub u1: Expr,
     /// Rotation of the driving gear \[rad\].
     pub theta1: Expr,

@@ -143,7 +143,8 @@ impl Stage {
         bearing_damper(m, "p", "bearing of a planet", &damped);
     }
 
-    /// The rotation of planet `i` in excess of rigid rolling and all of it, times its base radius \[m\]; adds its kinetic energy.
+    /// The rotation of planet `i` in excess of rigid rolling, and its whole rotation, both times its base radius \[m\]. Adds the kinetic energy of
+    /// the rotation.
     fn rotation(&self, m: &mut Model, i: usize, inertia: Expr) -> (Expr, Expr) {
         let doc = format!("rotation of planet {i} in excess of rigid rolling, times its base radius");
         let beyond = m.coordinate(&format!("u{i}"), "m", Start::Static, &doc);
@@ -152,8 +153,9 @@ impl Stage {
         (beyond, r_p * self.theta_c - self.rho + beyond)
     }
 
-    /// Adds the meshes of planet `i`, with the rotation `beyond` in excess of rigid rolling \[m\], with sun and ring, each with the direction of its
-    /// line of action. `theta_r` is the rotation of the ring \[rad\]. In the frame of the planet the lines of action are at the pressure angle.
+    /// Adds the meshes of planet `i` with sun and ring, each with the direction of its line of action. `beyond` \[m\] is the rotation of the planet
+    /// in excess of rigid rolling, times its base radius. `theta_r` \[rad\] is the rotation of the ring. In the frame of the planet the lines of
+    /// action are at the pressure angle.
     fn meshes(
         &self,
         m: &mut Model,

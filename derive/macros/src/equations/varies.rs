@@ -46,7 +46,8 @@ pub fn varies(m: &Model) -> Vec<Varies> {
     all
 }
 
-/// How the parameters may vary in time, by the index that `place` gives each: those of one index together. Those without one are constant.
+/// How the parameters may vary in time. `place` gives each parameter an index of the result, or `None`: then it is constant. Parameters with
+/// the same index vary together.
 fn of(m: &Model, place: impl Fn(usize) -> Option<usize>) -> Vec<Varies> {
     let parameters = m.parameters.iter().enumerate();
     let placed = parameters.filter_map(|(i, p)| Some((p.name.to_string(), Degrees::from([(place(i)?, 1)]))));
