@@ -23,8 +23,8 @@ pub(crate) struct Cell {
     /// The terms that make the cell nonlinear in every scene, as text, each with the energy or torque it comes from. The matrices are
     /// without them.
     pub nonlinear: Vec<String>,
-    /// Terms that make the cell nonlinear in scenes with an effect: the effect, and the term as text. The matrices are without them.
-    pub nonlinear_with: Vec<(String, String)>,
+    /// Terms that make the cell nonlinear in scenes with some effects: these, and the term as text. The matrices are without them.
+    pub nonlinear_with: Vec<(Vec<String>, String)>,
 }
 
 /// The matrices of a cell.
@@ -45,13 +45,8 @@ pub(crate) fn derive(model: &Model, s: &Symbols, motion: &Motion) -> Cell {
     }
     let bends = Bends::of(model, s);
     culprits.extend(bends.culprits.iter().cloned());
-    let (mut nonlinear, mut nonlinear_with) = (vec![], vec![]);
-    for (marks, text) in culprits {
-        match &marks[..] {
-            [effect] => nonlinear_with.push((effect.clone(), text)),
-            _ => nonlinear.push(text),
-        }
-    }
+    let (always, nonlinear_with): (Vec<_>, Vec<_>) = culprits.into_iter().partition(|(marks, _)| marks.is_empty());
+    let nonlinear = always.into_iter().map(|(_, text)| text).collect();
     let constant = external(model, s, |torque| !model.varies(torque));
     let linear = |pieces: &[Expr]| -> Vec<Expr> {
         let of_one = |piece: &Expr| not_quadratic(std::slice::from_ref(piece)).is_empty();

@@ -1,6 +1,7 @@
 //! Checks a model before anything is derived from it. One file for each kind of check.
 
 mod boundaries;
+mod effects;
 mod forms;
 mod functions;
 mod names;
@@ -24,6 +25,7 @@ pub(crate) fn check(model: &Model) -> Result<(), Slip> {
     }
     let declared = names::declared(model)?;
     places::places(model, declared)?;
+    effects::parameters(model)?;
     values::laws(model)?;
     boundaries::boundaries(model)?;
     values::defaults(model)?;

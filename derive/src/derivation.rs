@@ -106,8 +106,8 @@ impl Derivation<'_> {
         &self.cell.nonlinear
     }
 
-    /// The terms that make a cell nonlinear in scenes with an effect: the effect, and the term.
-    pub fn nonlinear_with(&self) -> &[(String, String)] {
+    /// The terms that make a cell nonlinear in scenes with some effects: these, and the term.
+    pub fn nonlinear_with(&self) -> &[(Vec<String>, String)] {
         &self.cell.nonlinear_with
     }
 

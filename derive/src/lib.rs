@@ -33,7 +33,7 @@ mod wrong;
 pub use derivation::{Derivation, derive};
 pub use expr::{Expr, half};
 pub use home::Home;
-pub use model::{Boundary, Describing, Factor, Model, Range, Start, Stiffness, Switching};
+pub use model::{Boundary, Describing, Factor, GearData, Model, Range, Start, Stiffness, Switching};
 pub use program::{Entry, program};
 pub use slip::Slip;
 pub use wrong::{Wrong, derive_wrong};

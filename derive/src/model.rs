@@ -20,7 +20,7 @@ pub use law::{Factor, Stiffness};
 pub(crate) use law::{Law, Role, mid_name};
 pub(crate) use output::Output;
 pub(crate) use parts::{Coordinate, Deflection, Motion, Parameter};
-pub use parts::{Range, Start};
+pub use parts::{GearData, Range, Start};
 pub use switch::{Describing, Switching};
 pub(crate) use switch::{Exit, Mode, REACTION, Switch};
 pub(crate) use torque::{Force, Torque};
@@ -51,8 +51,8 @@ pub struct Model {
     pub(crate) kinetic: Vec<Expr>,
     pub(crate) potential: Vec<Expr>,
     pub(crate) dissipation: Vec<Expr>,
-    /// The effect whose closure is running: everything that is added now belongs to it.
-    within: Option<String>,
+    /// The effects whose closures are running, the innermost one last: everything that is added now belongs to them.
+    within: Vec<String>,
 }
 
 impl Model {
@@ -85,8 +85,18 @@ impl Model {
     /// Declares a parameter with its SI unit. A scene must give it if `default` \[SI\] is `None`; if it is declared inside an
     /// effect, only a scene that names the effect must.
     pub fn parameter(&mut self, name: &str, unit: &str, default: Option<f64>, range: Range, doc: &str) -> Expr {
-        let with = self.within.clone();
-        self.parameters.push(Parameter { name: name.into(), unit: unit.into(), default, with, range, doc: doc.into() });
+        let with = self.innermost();
+        let (name, unit, doc) = (name.into(), unit.into(), doc.into());
+        let parameter = Parameter { name, unit, default, with, gear_data: None, range, doc };
+        let symbol = Expr::var(Kind::Parameter, &parameter.name);
+        self.parameters.push(parameter);
+        symbol
+    }
+
+    /// Declares a parameter of a gear, as [`Model::parameter`]. Its unit and range follow from `gear_data`.
+    pub fn gear_data(&mut self, gear_data: GearData, name: &str, default: Option<f64>, doc: &str) -> Expr {
+        let with = self.innermost();
+        self.parameters.push(Parameter::of_gear(gear_data, name, default, with, doc));
         Expr::var(Kind::Parameter, name)
     }
 

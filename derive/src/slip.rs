@@ -63,11 +63,19 @@ pub enum Slip {
     #[error("{model}: the default of `{parameter}`, {default}, is not in its range")]
     Default { model: String, parameter: String, default: f64 },
     #[error(
+        "{model}: `{parameter}` must exceed {lesser}: Range::Above takes a parameter that is positive, and the greater one has no default"
+    )]
+    Above { model: String, parameter: String, lesser: String },
+    #[error(
         "{model}: m.inverse_mass(...) takes two coordinates of a model that has at most two, and whose mass matrix is constant: only then is it inverted symbolically"
     )]
     InverseMass { model: String },
     #[error("{model}: proof failed: {what}; what contradicts it: {rest}")]
     Unproved { model: String, what: String, rest: String },
+    #[error(
+        "{model}: the parameter `{parameter}` is declared in the effect `{effect}`, but {place} contains it without this effect. Declare it before m.effect(...)"
+    )]
+    OfAnEffect { model: String, parameter: String, effect: String, place: String },
     #[error("{model}: no coordinates; declare at least one with m.coordinate(...)")]
     Empty { model: String },
 }

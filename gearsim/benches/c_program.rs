@@ -105,7 +105,7 @@ fn scene(file: &str, changes: &[String]) -> Scene {
 }
 
 fn equations(scene: &Scene) -> Box<dyn Equations> {
-    let equations = GearPair::equations(scene.effects.0, &scene.parameters, &[scene.laws[0].mid()]);
+    let equations = GearPair::equations(&scene.effects, &scene.parameters, &[scene.laws[0].mid()]);
     equations.expect("the scene was checked")
 }
 

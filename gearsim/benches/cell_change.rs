@@ -30,7 +30,7 @@ fn scene(extra: &[&str]) -> Scene {
 fn engine(bencher: Bencher, extra: &[&str]) {
     let scene = scene(extra);
     let mids = [scene.laws[0].mid()];
-    let equations = GearPair::equations(scene.effects.0, &scene.parameters, &mids).expect("the scene was checked");
+    let equations = GearPair::equations(&scene.effects, &scene.parameters, &mids).expect("the scene was checked");
     bencher.counter(divan::counter::ItemsCount::new(CHANGES)).bench_local(|| {
         let mut simulation = Simulation::new(&*equations, &scene).expect("the scene is sound");
         simulation.run(None, &mut |_| {}).expect("the run ends");
@@ -49,7 +49,7 @@ fn engine_damped(bencher: Bencher) {
 fn engine_unwatched(bencher: Bencher) {
     let scene = scene(&[]);
     let mids = [scene.laws[0].mid()];
-    let equations = GearPair::equations(scene.effects.0, &scene.parameters, &mids).expect("the scene was checked");
+    let equations = GearPair::equations(&scene.effects, &scene.parameters, &mids).expect("the scene was checked");
     bencher.counter(divan::counter::ItemsCount::new(CHANGES)).bench_local(|| {
         let mut simulation = [Simulation::new(&*equations, &scene).expect("the scene is sound")];
         ensemble::run(&mut simulation).pop().expect("there is one").expect("the run ends");

@@ -31,7 +31,7 @@ fn scenes() -> Vec<(Scene, Box<dyn Equations>)> {
         ];
         let scene = Scene::load_with(path.as_ref(), &overrides, &[&GearPair::MODEL]);
         let scene = scene.unwrap_or_else(|e| panic!("{}", e.render(100, false)));
-        let equations = GearPair::equations(scene.effects.0, &scene.parameters, &[scene.laws[0].mid()]);
+        let equations = GearPair::equations(&scene.effects, &scene.parameters, &[scene.laws[0].mid()]);
         (scene, equations.expect("the scene was checked"))
     };
     (0..SCENES).map(scene).collect()

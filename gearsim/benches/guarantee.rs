@@ -55,7 +55,7 @@ fn search(simulation: &Simulation<'_>, starts: &[Start], guaranteed: bool) -> (V
 fn measure(bencher: Bencher, (name, span): (&str, &str), guaranteed: bool) {
     let scene = scene(name, span);
     let mids = [scene.laws[0].mid()];
-    let equations = GearPair::equations(scene.effects.0, &scene.parameters, &mids).expect("the scene was checked");
+    let equations = GearPair::equations(&scene.effects, &scene.parameters, &mids).expect("the scene was checked");
     let mut simulation = Simulation::new(&*equations, &scene).expect("the scene is sound");
     let mut starts = vec![];
     loop {

@@ -50,6 +50,7 @@ pub mod linear {
     use super::{Matrices, System};
     use crate::analysis::floquet::{Floquet, FloquetError};
     use crate::analysis::modes::{self, CellModes};
+    use crate::analysis::steady;
     use crate::run::{Entry, Refusal};
     use crate::scene::Scene;
 
@@ -81,12 +82,21 @@ pub mod linear {
         modes::of_matrices(matrices, &[], &laws, parts)
     }
 
+    /// The stiffnesses of a scene in steady rotation as a function of the time \[s\].
+    ///
+    /// # Errors
+    /// If the start of the scene cannot be determined.
+    pub fn stiffnesses(scene: &Scene, system: &System) -> Result<impl Fn(f64) -> Vec<f64>, Refusal> {
+        let courses = steady::courses(scene, system)?;
+        Ok(move |t| courses.iter().map(|course| course.at(t)).collect())
+    }
+
     /// The multipliers of a scene whose equations are `system`.
     ///
     /// # Errors
     /// Those of [`Scene::floquet`].
     pub fn floquet(scene: &Scene, system: &System) -> Result<Floquet, FloquetError> {
-        Floquet::of(scene, system)
+        Floquet::of(scene, system, &|| {})
     }
 }
 

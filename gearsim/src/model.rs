@@ -29,8 +29,8 @@ pub struct Model {
     pub switches: &'static [Switch],
     /// The terms that make cells nonlinear without any effect, with the energies they come from; empty if there are none.
     pub nonlinear: &'static str,
-    /// The terms that make cells nonlinear if an effect is active: (effect, term).
-    pub nonlinear_with: &'static [(&'static str, &'static str)],
+    /// Terms that make cells nonlinear, each with its effects: (effects, term). The term is present only if all of these effects are active.
+    pub nonlinear_with: &'static [(&'static [&'static str], &'static str)],
     /// The derived equations as plain text, one group of terms per line.
     pub equations: &'static str,
     /// The derived equations in LaTeX, one group of terms per line.
@@ -45,15 +45,6 @@ impl Model {
     pub fn in_contact(&self, laws: impl IntoIterator<Item = f64>) -> Vec<f64> {
         let laws = laws.into_iter().chain(std::iter::repeat(0.0)).take(self.laws.len());
         laws.chain(self.switches.iter().flat_map(|switch| switch.neutral.iter().copied())).collect()
-    }
-
-    /// Whether the bit set `effects` has effects of the model only, with all that they require and none that they exclude.
-    pub fn admits(&self, effects: u64) -> bool {
-        let has = |i: usize| effects >> i & 1 == 1;
-        let named = |name: &&str| self.effects.iter().position(|effect| effect.name == *name).is_some_and(has);
-        let goes = |effect: &Effect| effect.requires.iter().all(named) && !effect.excludes.iter().any(named);
-        effects.checked_shr(self.effects.len() as u32).unwrap_or(0) == 0
-            && self.effects.iter().enumerate().all(|(i, effect)| !has(i) || goes(effect))
     }
 
     /// The effect with which laws switch in this way.
@@ -112,12 +103,29 @@ pub struct Parameter {
     pub default: Option<f64>,
     /// The only effect that uses the parameter, if there is one. Scenes without this effect need not give it.
     pub with: Option<&'static str>,
+    /// What it is of a gear, if it is one of these.
+    pub gear_data: Option<GearData>,
     /// Whether it may vary in time.
     pub varies: Varies,
     /// Allowed values \[SI\].
     pub range: Range,
+    /// A parameter that it must exceed.
+    pub above: Option<&'static str>,
     /// What it is.
     pub doc: &'static str,
+}
+
+/// What a parameter of a gear is.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum GearData {
+    /// A number of teeth.
+    Teeth,
+    /// A base radius \[m\].
+    BaseRadius,
+    /// A working pressure angle \[rad\].
+    PressureAngle,
+    /// The torsional stiffness \[N m/rad\] of the support of a gear.
+    Support,
 }
 
 /// Whether a parameter may vary in time. This requires that the generalised forces are linear in it, and that energies and inertias do not
@@ -166,6 +174,13 @@ impl Range {
         x.is_finite()
             && (if self.low_included { x >= self.low } else { x > self.low })
             && (if self.high_included { x <= self.high } else { x < self.high })
+    }
+}
+
+impl Parameter {
+    /// The allowed values \[SI\], for reading: `(0, inf) and above r_p`.
+    pub fn allowed(&self) -> String {
+        self.range.to_string() + &self.above.map_or(String::new(), |lesser| format!(" and above {lesser}"))
     }
 }
 

@@ -33,10 +33,10 @@ pub struct Part {
     pub element: usize,
     /// The coordinates of the element.
     pub rows: Vec<Row>,
-    /// Parameters; `None` for a test inertia, which is zero in a train.
+    /// Parameters; `None` for those that are zero in the train: test inertias, and parameters of effects that it does not have.
     pub parameters: Vec<Option<usize>>,
-    /// Effects.
-    pub effects: Vec<usize>,
+    /// Effects; `None` for those that the train does not have.
+    pub effects: Vec<Option<usize>>,
     /// Laws, then the symbols of switches: places in the vector of law values.
     pub values: Vec<usize>,
     /// Number of laws among `values`.

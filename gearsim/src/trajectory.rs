@@ -216,10 +216,12 @@ impl<'a> Series<'a> {
 }
 
 /// The interval of the times `t` that contains `time`: the row at its start, and the position of `time` in it, from 0 (start) to 1 (end). The
-/// times `t` increase, and there are at least two. A time outside all intervals is moved to the nearest end.
+/// times `t` do not decrease, and there are at least two. A time outside all intervals is moved to the nearest end.
 pub(crate) fn place(t: &[f64], time: f64) -> (usize, f64) {
     let next = t.partition_point(|&t| t < time).clamp(1, t.len() - 1);
-    (next - 1, ((time - t[next - 1]) / (t[next] - t[next - 1])).clamp(0.0, 1.0))
+    let [from, to] = [t[next - 1], t[next]];
+    // Rows at one time: the first of them.
+    (next - 1, if to > from { ((time - from) / (to - from)).clamp(0.0, 1.0) } else { 0.0 })
 }
 
 /// The value of the column `x` at `time`, by linear interpolation between the rows at the times `t`. Outside the times `t` it is the value

@@ -2,10 +2,11 @@
 
 use std::f64::consts::TAU;
 
-use gearsim_derive::{Model, Range, Start, half};
+use gearsim_derive::{GearData, Model, Range, Start, half};
 
 use crate::components::{
-    Mesh, Sliding, fan, machine, mesh_stiffness, observed, play, pressure_tangent, sliding_friction, transmission_error,
+    Coast, Mesh, Sliding, fan, machine, mesh_stiffness, observed, play, pressure_tangent, sliding_friction,
+    transmission_error,
 };
 
 /// Coordinates: the mean rotation theta and the relative deflection phi, both scaled so that one tooth pitch is 2 pi.
@@ -14,8 +15,8 @@ pub fn gear_pair(m: &mut Model) {
     m.title("two spur gears on rigid shafts");
     m.source("Oh, Grosh & Barber (2005), J. Vib. Acoust. 127(2), doi:10.1115/1.1891815");
 
-    let N1 = m.parameter("N1", "1", Some(24.0), Range::Positive, "number of teeth of the driving gear");
-    let N2 = m.parameter("N2", "1", Some(96.0), Range::Positive, "number of teeth of the driven gear");
+    let N1 = m.gear_data(GearData::Teeth, "N1", Some(24.0), "number of teeth of the driving gear");
+    let N2 = m.gear_data(GearData::Teeth, "N2", Some(96.0), "number of teeth of the driven gear");
     let I1 = m.parameter("I1", "kg*m^2", None, Range::Positive, "moment of inertia of the driving gear");
     let I2 = m.parameter("I2", "kg*m^2", None, Range::Positive, "moment of inertia of the driven gear");
     let zeta = m.parameter("zeta", "1", Some(0.0), Range::NotNegative, "damping factor of phi at the mid stiffness");
@@ -88,7 +89,14 @@ pub fn gear_pair(m: &mut Model) {
 
     let tau = 2 * pressure_tangent(m) * phi;
     let mesh = Mesh { stiffness: k.value * gap.touch, delta: gap.over };
-    sliding_friction(m, "", "mesh", "rad", mesh, Sliding { phase: theta, tau, psi: q1 / N1 + q2 / N2 });
+    sliding_friction(
+        m,
+        "",
+        "mesh",
+        "rad",
+        mesh,
+        Sliding { phase: theta, tau, psi: q1 / N1 + q2 / N2, coast: Coast::Mirrored },
+    );
 
     // The torque T0 is one for both gears. What depends on speed acts on each gear by itself.
     machine(m, "motor", "driving gear", q1 / N1);

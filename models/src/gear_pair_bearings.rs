@@ -1,9 +1,9 @@
 //! A gear pair on elastic bearings: x, y and rotation of each gear.
 
-use gearsim_derive::{Model, Range, Start};
+use gearsim_derive::{GearData, Model, Start};
 
 use crate::components::{
-    Direction, Gear, Sliding, bearing, damping, driven, external, external_sliding, loaded, mesh_on_centres,
+    Coast, Direction, Gear, Sliding, bearing, damping, driven, external, external_sliding, loaded, mesh_on_centres,
     moving_centres, pair, planar_rotor, sliding_friction,
 };
 
@@ -15,7 +15,7 @@ pub fn gear_pair_bearings(m: &mut Model) {
     );
 
     let gears = pair(m, "", "1", "2");
-    let angle = m.parameter("alpha", "rad", Some(20f64.to_radians()), Range::Positive, "pressure angle");
+    let angle = m.gear_data(GearData::PressureAngle, "alpha", Some(20f64.to_radians()), "pressure angle");
     let alpha = Direction { cos: m.constant("cos_a", angle.cos()), sin: m.constant("sin_a", angle.sin()) };
     let centre = |m: &mut Model, part: &str| {
         ["x", "y"].map(|axis| {
@@ -38,7 +38,7 @@ pub fn gear_pair_bearings(m: &mut Model) {
     // The flanks slide when the gears turn relative to each other, and when their centres move across the line of action.
     let tau = external_sliding(one, line, two, line, alpha.sin / alpha.cos);
     let psi = gears.theta1 + gears.theta2;
-    sliding_friction(m, "12", "mesh", "m", mesh, Sliding { phase: gears.theta, tau, psi });
+    sliding_friction(m, "12", "mesh", "m", mesh, Sliding { phase: gears.theta, tau, psi, coast: Coast::AsDrive });
     driven(m, "motor", "driving gear", gears.theta1);
     loaded(m, "load", "driven gear", gears.theta2);
     damping(m);

@@ -1,6 +1,6 @@
 //! Two shafts geared rigidly: motor and disc on the first shaft, a disc on the second.
 
-use gearsim_derive::{Model, Range, Start};
+use gearsim_derive::{GearData, Model, Start};
 
 use crate::components::{damping, driven, geared, loaded, rotor, shaft};
 
@@ -10,8 +10,8 @@ pub fn geared_branches(m: &mut Model) {
     m.title("two shafts geared rigidly, with a motor and two discs");
     m.source("Friswell, Penny, Garvey & Lees (2010), Dynamics of Rotating Machines, Ch. 9: geared systems");
 
-    let N1 = m.parameter("N1", "1", Some(1.0), Range::Positive, "number of teeth of the first shaft's gear");
-    let N2 = m.parameter("N2", "1", Some(1.0), Range::Positive, "number of teeth of the second shaft's gear");
+    let N1 = m.gear_data(GearData::Teeth, "N1", Some(1.0), "number of teeth of the first shaft's gear");
+    let N2 = m.gear_data(GearData::Teeth, "N2", Some(1.0), "number of teeth of the second shaft's gear");
     let theta1 = m.coordinate("theta1", "rad", Start::At(0.0), "rotation of the first shaft's gear");
     let theta2 = geared(theta1, N1, N2);
     let [theta_m, theta_a, theta_b] =

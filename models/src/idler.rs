@@ -1,8 +1,10 @@
 //! An idler train: gear 1 drives gear 3 through the idler 2.
 
-use gearsim_derive::{Model, Range, Start};
+use gearsim_derive::{GearData, Model, Start};
 
-use crate::components::{Sliding, damping, driven, loaded, mesh_with_play, pressure_tangent, rotor, sliding_friction};
+use crate::components::{
+    Coast, Sliding, damping, driven, loaded, mesh_with_play, pressure_tangent, rotor, sliding_friction,
+};
 
 /// Coordinates: the rotation of the idler times its number of teeth, which is the phase of both meshes, and the deflections of
 /// the two meshes.
@@ -12,9 +14,9 @@ pub fn idler(m: &mut Model) {
     m.source("standard torsional model; phase as Oh, Grosh & Barber (2005), on the idler");
 
     let [N1, N2, N3] = ["1", "2", "3"].map(|gear| {
-        m.parameter(&format!("N{gear}"), "1", None, Range::Positive, &format!("number of teeth of gear {gear}"))
+        m.gear_data(GearData::Teeth, &format!("N{gear}"), None, &format!("number of teeth of gear {gear}"))
     });
-    let r2 = m.parameter("r2", "m", None, Range::Positive, "base radius of the idler");
+    let r2 = m.gear_data(GearData::BaseRadius, "r2", None, "base radius of the idler");
     let h = m.constant("h", r2 / N2);
     let theta = m.coordinate("theta", "rad", Start::At(0.0), "rotation of the idler times N2; one pitch is 2 pi");
     let delta1 = m.coordinate("delta1", "m", Start::Static, "deflection of the mesh of gears 1 and 2");
@@ -27,7 +29,7 @@ pub fn idler(m: &mut Model) {
     let mesh1 = mesh_with_play(m, "12", "mesh of gears 1 and 2", theta, delta1, h * theta + delta1);
     let mesh2 = mesh_with_play(m, "23", "mesh of gears 2 and 3", theta, delta2, h * theta);
     let tangent = pressure_tangent(m);
-    let sliding = |delta, psi| Sliding { phase: theta, tau: tangent * delta, psi };
+    let sliding = |delta, psi| Sliding { phase: theta, tau: tangent * delta, psi, coast: Coast::Mirrored };
     sliding_friction(m, "12", "mesh of gears 1 and 2", "m", mesh1, sliding(delta1, theta1 + theta / N2));
     sliding_friction(m, "23", "mesh of gears 2 and 3", "m", mesh2, sliding(delta2, theta / N2 + theta3));
     driven(m, "motor", "driving gear", theta1);

@@ -17,6 +17,8 @@
 //!    - For everything else: `m.parameter(name, unit, default, range, doc)` and the energies themselves, `m.kinetic(T)`,
 //!      `m.potential(V)`, `m.dissipation(D)`, `m.torque(name, value, displacement, doc)`, called once for each body, spring, damper
 //!      and torque. T is proved positive definite if each call of `m.kinetic` adds one square.
+//!    - `m.gear_data(GearData::Teeth, name, default, doc)`: a parameter that is a number of teeth; likewise `BaseRadius`, `PressureAngle`, and
+//!      `Support`, the torsional stiffness of the support of a gear. Scenes check these parameters, and compare them with the tooth data of laws.
 //!    - `mesh_stiffness(m, name, unit, phase, pitch, doc)`, a component: a stiffness that steps with a coordinate. The scene gives its levels, or
 //!      tooth data for a stiffness in N/m with delta along the line of action, V = k delta^2/2 (or in N*m, as in `gear_pair`). Laws
 //!      like this one and switches are the only piecewise functions, since the jump rule is derived from them. An `if`, `abs` or
@@ -31,7 +33,7 @@
 //!      becomes zero. The components `play` and `dead_band` are made of it: a force acts only beyond the play. Write V in
 //!      the symbols returned.
 //!    - `m.effect(name, doc, |m| ...)`: what is added inside is in the equations only of scenes that name the effect; only they must
-//!      give the parameters declared inside. `m.part_effect(name, part, doc, |m| ...)` is an effect of one part: a scene names
+//!      give the parameters declared inside, which no other term may use. `m.part_effect(name, part, doc, |m| ...)` is an effect of one part: a scene names
 //!      `backlash` for all parts, or `backlash_12` for one.
 //!    - `m.constant(name, value)`, `m.deflection(name, value)`, `m.force(name, value)`: names for a recurring constant, for the
 //!      deflection of a spring (a linear form of the coordinates, and functions of positions), or for a factor that torques share. The equations are written in

@@ -124,8 +124,7 @@ fn derivatives_of_inertia_equal_differences_of_mass_times_acceleration() {
 #[test]
 fn forces_of_linear_cells_are_those_of_their_matrices() {
     everywhere(|scene, equations, place| {
-        let bends = |(effect, _): &(&str, &str)| scene.effects.has(effect, scene.model);
-        if !scene.model.nonlinear.is_empty() || scene.model.nonlinear_with.iter().any(bends) {
+        if !scene.effects.nonlinear(scene.model).is_empty() {
             return Ok(());
         }
         let flat = vec![0.0; place.dk.len()];

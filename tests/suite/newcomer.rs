@@ -190,8 +190,9 @@ fn the_energy_of_a_newcomers_model_is_constant() {
 
 #[test]
 fn the_mobility_of_a_newcomers_model_is_in_closed_form() {
+    let none = gearsim::scene::Effects::none(&spring_rotor::SpringRotor::MODEL);
     let equations =
-        spring_rotor::SpringRotor::equations(0, &[J1, J2, 0.0], &[26.0]).expect("no effects, so none contradict");
+        spring_rotor::SpringRotor::equations(&none, &[J1, J2, 0.0], &[26.0]).expect("no effects, so none contradict");
     assert_eq!(equations.mobility(&[0.0; 2]), Matrix::from_row_slice(2, 2, &[1.0 / J1, 0.0, 0.0, 1.0 / J2]));
 }
 

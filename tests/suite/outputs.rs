@@ -243,6 +243,52 @@ fn the_force_at_rest_is_the_torque_over_the_base_radius() {
     }
 }
 
+/// Without a load a motor speeds up both gears. The mesh then carries what the driven gear needs for its part of the acceleration, from the
+/// start on: nothing vibrates.
+#[test]
+fn gears_that_speed_up_steadily_start_without_vibration() {
+    let text = "model = \"train\"\neffects = [\"torques\", \"damping\"]\nrotors = { 1 = \"0.1 kg*m^2\", 2 = \"0.01 kg*m^2\" }\n\
+                meshes.12 = { between = [\"1\", \"2\"], teeth = [20, 40], base_radius = \"28.19 mm\", stiffness = \"300 MN/m\" }\n\
+                drives.m = { rotor = \"1\", torque = \"50 N*m\" }\nloads.l = { rotor = \"2\", torque = \"0 N*m\" }\n\
+                parameters.beta_K = \"20 us\"\nstart.speed = \"100 rpm\"\nrun.t_end = \"0.2 s\"\n";
+    let scene = Scene::from_toml("speeding_up", text).unwrap();
+    let trajectory = run(&scene).trajectory;
+    // The inertia of the driven gear as seen by the driving gear.
+    let seen = 0.01 / 4.0;
+    let force = 50.0 * seen / (0.1 + seen) / 28.19e-3;
+    let found = &dynamic_factor::of(&scene, model("train"), &trajectory)[0];
+    assert!(relative(*found.at_rest.as_ref().unwrap(), force, 0.0) < 1e-9, "{found:?}, not {force}");
+    assert!(relative(*found.factor.as_ref().unwrap(), 1.0, 0.0) < 1e-9, "{found:?}");
+    for x in trajectory.output("mesh_force_12").unwrap() {
+        assert!(relative(*x, force, 0.0) < 1e-9, "{x}, not {force}");
+    }
+}
+
+/// Bearings move the gears' centres: their masses have no part in the resonance of the standard. The same gears on shafts have the same K_v.
+#[test]
+fn bearings_do_not_change_the_factor_of_the_standard() {
+    let text = |model: &str, more: &str, torque: f64, speed: f64| {
+        format!(
+            "model = \"{model}\"\neffects = [\"stiffness_step\", \"torques\", \"damping\"]\n[parameters]\nN1 = 24\nN2 = 96\n\
+             r1 = \"71.60357 mm\"\nI1 = \"2890 kg*mm^2\"\nI2 = \"740200 kg*mm^2\"\nbeta_K = \"4 us\"\n{more}\n\
+             T_motor = \"{torque} N*m\"\nT_load = \"{} N*m\"\n[laws.k12]\nteeth = [24, 96]\nmodule = \"6.35 mm\"\nface_width = \"30 mm\"\n\
+             [start]\nspeed = \"{speed} rpm\"\n[run]\nt_end = \"2 ms\"\n[output]\nrate = \"20 kHz\"\n",
+            4.0 * torque
+        )
+    };
+    let shafts = "I_m = \"0.02 kg*m^2\"\nI_l = \"1.5 kg*m^2\"\nk_m = \"20 kN*m/rad\"\nk_l = \"200 kN*m/rad\"";
+    let bearings = "m1 = \"1 kg\"\nm2 = \"16 kg\"\nkb1 = \"100 MN/m\"\nkb2 = \"200 MN/m\"";
+    // Below, near and above the resonance. The last column is by the formulas of the standard.
+    for (torque, speed, expected) in [(200.0, 3000.0, 1.0499), (200.0, 18500.0, 1.2980), (200.0, 25000.0, 0.7799)] {
+        for (name, more) in [("gear_pair_shafts", shafts), ("gear_pair_bearings", bearings)] {
+            let scene = Scene::from_toml(name, &text(name, more, torque, speed)).unwrap();
+            let kv = dynamic_factor::of(&scene, model(name), &run(&scene).trajectory)[0].iso6336.clone().unwrap();
+            // The speed varies by a few ten-thousandths over the short run.
+            assert!((kv - expected).abs() < 1e-3, "{name} at {speed} rpm: {kv}, not {expected}");
+        }
+    }
+}
+
 /// K_v beside the simulated factor, and the numbers it depends on by hand: N = 24 f/f_E with f_E = sqrt(c/m_red)/2 pi.
 #[test]
 fn gears_by_their_teeth_have_the_factor_of_the_standard() {

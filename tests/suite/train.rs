@@ -22,3 +22,9 @@ mod planets;
 
 #[path = "train/effects.rs"]
 mod effects;
+
+#[path = "train/damage.rs"]
+mod damage;
+
+#[path = "train/starts.rs"]
+mod starts;

@@ -4,6 +4,8 @@
 #[path = "vibration/apart.rs"]
 mod apart;
 mod common;
+#[path = "vibration/curves.rs"]
+mod curves;
 #[path = "vibration/damped.rs"]
 mod damped;
 #[path = "vibration/frequencies.rs"]

@@ -17,8 +17,9 @@
 //! coordinates {                       // `start static`: at the static equilibrium
 //!     x "m" start 0.0, "deflection";
 //! }
-//! parameters {                        // `default X`, `required` or `required with EFFECT`; the range: `from 0.0` includes 0, `open 0.0` does not
+//! parameters {                        // `default X` or `required`, `with EFFECT` if only this effect uses it; the range: `from 0.0` includes 0, `open 0.0` does not
 //!     m "kg" required, open 0.0 to inf, "mass";                  // `-inf` and `inf` are allowed as limits
+//!     l "m" required, open 0.0 to inf above b, "length";         // greater than the parameter b
 //!     b "m" required with backlash, open 0.0 to inf, "play";
 //!     zeta "1" default 0.0, from 0.0 to included 1.0, "damping"; // `included`: the upper limit is admissible
 //! }

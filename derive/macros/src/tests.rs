@@ -204,6 +204,7 @@ fn empty_ranges_and_defaults_out_of_range_are_refused() {
     refused("default 0.0, from 0.0", "default 0.0, open 0.0", "zeta", "default is out of range");
     refused("from 0.0 to inf", "from 1.0 to 0.0", "zeta", "its range is empty");
     refused("from 0.0 to inf", "0.0 to inf", "0.0", "expected `open` or `from`");
+    refused("from 0.0 to inf", "from 0.0 to inf above q", "q", "there is no parameter `q`");
 }
 
 /// The sample with `count` more effects, each with a term of the force.

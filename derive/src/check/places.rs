@@ -138,7 +138,7 @@ impl Places<'_> {
         }
         // A hold begins at rest: no energy is lost there.
         let into = |mode: &Mode, exit: &Exit| !mode.held && switch.mode(&exit.to).is_some_and(|to| to.held);
-        let mut held: Option<Atom> = None;
+        let mut held: BTreeMap<&str, Atom> = BTreeMap::new();
         for (mode, exit) in switch.exits().filter(|(mode, exit)| into(mode, exit)) {
             let guard = exit.guard.atom().expand();
             let of_rates = symbols(&guard).into_iter().filter(|(kind, _)| *kind == Rate).map(|(kind, name)| {
@@ -146,7 +146,7 @@ impl Places<'_> {
                 guard.derivative(rate) * Atom::var(rate)
             });
             let rest = of_rates.fold(guard.clone(), |rest, part| rest - part);
-            let first = held.get_or_insert_with(|| guard.clone());
+            let first = held.entry(&exit.to).or_insert_with(|| guard.clone());
             if !rest.expand().is_zero() || ![&guard - &*first, &guard + &*first].iter().any(|e| e.expand().is_zero()) {
                 return slip("an exit to a mode that holds is the rate that is held, or its negative", &mode.name);
             }

@@ -19,7 +19,7 @@ pub(crate) fn positive(model: &Model, e: &Atom) -> bool {
 fn sign(model: &Model, e: &Atom, strictly: bool) -> bool {
     let admissible = |range: Range| match range {
         Range::Any => false,
-        Range::Positive => true,
+        Range::Positive | Range::Above(_) => true,
         Range::NotNegative => !strictly,
     };
     match e.as_view() {

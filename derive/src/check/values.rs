@@ -3,7 +3,7 @@
 use symbolica::atom::Atom;
 
 use crate::expr::{Kind, symbol, symbols};
-use crate::model::{Model, Range};
+use crate::model::{Model, Parameter, Range};
 use crate::slip::Slip;
 
 /// The phase of a law must be a coordinate, its pitch a positive number.
@@ -21,14 +21,21 @@ pub(super) fn laws(model: &Model) -> Result<(), Slip> {
     Ok(())
 }
 
-/// Every default must be finite and in the range of its parameter.
+/// Every default must be finite and in the range of its parameter. What a parameter must exceed is another one, which is positive.
 pub(super) fn defaults(model: &Model) -> Result<(), Slip> {
     for p in &model.parameters {
         let admissible = |x: f64| match p.range {
             Range::Any => true,
             Range::Positive => x > 0.0,
             Range::NotNegative => x >= 0.0,
+            Range::Above(_) => true,
         };
+        if let Some(lesser) = p.range.above() {
+            let is_positive = |other: &Parameter| matches!(other.range, Range::Positive | Range::Above(_));
+            if p.default.is_some() || !model.parameters.iter().any(|other| other.name == lesser && is_positive(other)) {
+                return Err(Slip::Above { model: model.name.clone(), parameter: p.name.clone(), lesser });
+            }
+        }
         if let Some(default) = p.default.filter(|x| !(x.is_finite() && admissible(*x))) {
             return Err(Slip::Default { model: model.name.clone(), parameter: p.name.clone(), default });
         }

@@ -46,10 +46,9 @@ impl Derivation<'_> {
         };
         let mut stopped: Vec<String> = vec![];
         for term in gradients.iter().map(along).flat_map(|sum| markers::terms(&sum)) {
-            match &markers::markers(&term)[..] {
-                [effect] if m.effects.iter().any(|e| e.name == *effect) => stopped.push(effect.clone()),
-                _ => return None,
-            }
+            // Of several effects that the term needs, the last one is named: the phase then does not roll with this one alone either.
+            let marks = markers::markers(&term);
+            stopped.push(m.effects.iter().rfind(|effect| marks.contains(&effect.name))?.name.clone());
         }
         let of = |effect: &String| m.effects.iter().find(|e| e.name == *effect).and_then(|e| e.of.clone());
         let all =

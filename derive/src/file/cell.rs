@@ -28,8 +28,8 @@ pub(super) fn write(b: &mut Block, d: &Derivation) {
     }
     if !cell.nonlinear_with.is_empty() {
         b.braces(1, "nonlinear_with", |b| {
-            for (effect, text) in &cell.nonlinear_with {
-                b.line(2, &format!("{effect} {text:?};"));
+            for (effects, text) in &cell.nonlinear_with {
+                b.line(2, &format!("{} {text:?};", effects.join(", ")));
             }
         });
     }

@@ -2,7 +2,7 @@
 
 use super::block::Block;
 use crate::derivation::Derivation;
-use crate::model::{Boundary, Effect, Factor, Law, Model, Motion, Parameter, Range, Role, Start};
+use crate::model::{Boundary, Effect, Factor, GearData, Law, Model, Motion, Parameter, Range, Role, Start};
 use crate::print::{Style, print};
 use crate::tree::Tree;
 
@@ -50,17 +50,21 @@ fn coordinates(b: &mut Block, m: &Model) {
 }
 
 fn parameter(b: &mut Block, p: &Parameter) {
-    let default = match (p.default, &p.with) {
-        (Some(x), _) => format!("default {x:?}"),
-        (None, Some(effect)) => format!("required with {effect}"),
-        (None, None) => "required".into(),
-    };
+    let default = p.default.map_or("required".into(), |x| format!("default {x:?}"));
+    let with = p.with.as_ref().map_or(String::new(), |effect| format!(" with {effect}"));
     let range = match p.range {
         Range::Any => "open -inf to inf",
-        Range::Positive => "open 0.0 to inf",
+        Range::Positive | Range::Above(_) => "open 0.0 to inf",
         Range::NotNegative => "from 0.0 to inf",
     };
-    b.line(2, &format!("{} {:?} {default}, {range}, {:?};", p.name, p.unit, p.doc));
+    let above = p.range.above().map_or(String::new(), |lesser| format!(" above {lesser}"));
+    let gear_data = p.gear_data.map_or("", |gear_data| match gear_data {
+        GearData::Teeth => " teeth",
+        GearData::BaseRadius => " base_radius",
+        GearData::PressureAngle => " pressure_angle",
+        GearData::Support => " support",
+    });
+    b.line(2, &format!("{} {:?}{gear_data} {default}{with}, {range}{above}, {:?};", p.name, p.unit, p.doc));
 }
 
 fn law(b: &mut Block, law: &Law, rolling: Option<Vec<String>>) {

@@ -15,7 +15,8 @@ pub(crate) struct Effect {
 
 impl Model {
     /// Declares an effect: what `add` adds is in the equations only of scenes that name the effect. Several components may add
-    /// to one effect, one after another, each with the same `name` and `doc`.
+    /// to one effect, one after another, each with the same `name` and `doc`. Inside the closure of another effect: energies and torques
+    /// are in the equations only of scenes that name both.
     pub fn effect(&mut self, name: &str, doc: &str, add: impl FnOnce(&mut Model)) {
         if !self.effects.iter().any(|e| e.name == name && e.doc == doc) {
             self.effects.push(Effect {
@@ -26,9 +27,9 @@ impl Model {
                 doc: doc.into(),
             });
         }
-        let outer = self.within.replace(name.into());
+        self.within.push(name.into());
         add(self);
-        self.within = outer;
+        self.within.pop();
     }
 
     /// The effect `name` at one part of the model, which scenes may name alone: `backlash_12`; `backlash` is that of all parts. A model
@@ -71,11 +72,13 @@ impl Model {
         }
     }
 
-    /// The expression times the marker of the effect whose closure is running, if there is one.
+    /// The expression times the markers of the effects whose closures are running.
     pub(super) fn marked(&self, e: Expr) -> Expr {
-        match &self.within {
-            Some(effect) => Expr::var(Kind::Marker, effect) * e,
-            None => e,
-        }
+        self.within.iter().fold(e, |e, effect| Expr::var(Kind::Marker, effect) * e)
+    }
+
+    /// The innermost effect whose closure is running.
+    pub(super) fn innermost(&self) -> Option<String> {
+        self.within.last().cloned()
     }
 }

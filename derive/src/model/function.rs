@@ -103,7 +103,7 @@ impl Model {
         value: impl FnOnce([Expr; N]) -> Expr,
         gradient: impl FnOnce([Expr; N]) -> [Expr; N],
     ) -> Expr {
-        let (value, gradient, with) = (value(of), gradient(of).to_vec(), self.within.clone());
+        let (value, gradient, with) = (value(of), gradient(of).to_vec(), self.innermost());
         self.declare_function(Function { name: name.into(), of: of.to_vec(), value, gradient, with })
     }
 

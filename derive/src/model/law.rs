@@ -77,7 +77,7 @@ impl Model {
     ///
     /// Dampers act on the rate of delta, not of delta - e: the rate of e is infinite at a step.
     pub fn offset_law(&mut self, name: &str, unit: &str, phase: Expr, period: f64, doc: &str) -> Expr {
-        let with = self.within.clone();
+        let with = self.innermost();
         self.law(name, unit, (phase, period), with, Role::Offset, doc);
         Expr::var(Kind::Error, name)
     }
@@ -86,7 +86,7 @@ impl Model {
     /// only be a factor of torques in that effect, which may then depend on deflections and stiffnesses too. It is in no energy,
     /// so that the speeds are continuous where it steps.
     pub fn factor_law(&mut self, name: &str, unit: &str, phase: Expr, period: f64, what: Factor, doc: &str) -> Expr {
-        let with = self.within.clone();
+        let with = self.innermost();
         self.law(name, unit, (phase, period), with, Role::Factor(what), doc);
         Expr::var(Kind::Friction, name)
     }

@@ -30,14 +30,14 @@ impl Model {
     /// switches. No equation of motion depends on it. Inside the closure of an effect: only scenes with the effect have it.
     /// Returns its symbol, in which later outputs may be written.
     pub fn output(&mut self, name: &str, unit: &str, value: Expr, doc: &str) -> Expr {
-        let with = self.within.clone();
+        let with = self.innermost();
         self.outputs.push(Output { name: name.into(), unit: unit.into(), value, with, doc: doc.into() });
         Expr::var(Kind::Output, name)
     }
 
     /// As [`Model::output`], for scenes with `effect` only.
     pub fn output_with(&mut self, effect: &str, name: &str, unit: &str, value: Expr, doc: &str) -> Expr {
-        let outer = self.within.replace(effect.into());
+        let outer = std::mem::replace(&mut self.within, vec![effect.into()]);
         let output = self.output(name, unit, value, doc);
         self.within = outer;
         output

@@ -83,7 +83,7 @@ impl Model {
     /// everything on which those torques may depend. The equations contain its name; it is not multiplied out. A term of [`Model::only_with`]
     /// is added to it in scenes with the effect of that term.
     pub fn force(&mut self, name: &str, value: Expr) -> Expr {
-        self.forces.push(Force { name: name.into(), value, with: self.within.clone() });
+        self.forces.push(Force { name: name.into(), value, with: self.innermost() });
         Expr::var(Kind::Force, name)
     }
 

@@ -1,16 +1,17 @@
 //! Friction takes energy or none.
 //!
-//! The friction of a mesh has two torques: `roll` = -arm F through psi and `slide` = -side F through tau, with F = c psi_dot. Their
-//! power is -c psi_dot (arm psi_dot + side tau_dot).
+//! The friction of a mesh has two torques: `roll` = -arm F through psi and `slide` = -side f F through tau, with F = c psi_dot, and with f
+//! between -1 and 1: the sign of the flank. Their power is -c psi_dot (arm psi_dot + side f tau_dot).
 //!
-//! A switch with modes that hold may change F. With it F is c in a mode that lasts while arm psi_dot + side tau_dot >= 0, -c in one that lasts while
-//! it is <= 0, and zero in one that holds: the two torques together then always take energy or none.
+//! A switch with modes that hold may change F. With it F is c in a mode that lasts while arm psi_dot + side f tau_dot >= 0, -c in one that lasts while
+//! it is <= 0, and zero in one that holds: the two torques together then always take energy or none. f is 1 in a mode that lasts while a
+//! guard of its sign is >= 0, and -1 in one with the opposite guard.
 
 use symbolica::atom::{Atom, AtomCore};
 
 use super::Proof;
 use crate::check::never_negative;
-use crate::expr::{Kind, number, symbol, symbols};
+use crate::expr::{Kind, number, set, symbol, symbols};
 use crate::markers::{all_present, without};
 use crate::model::{Factor, Law, Role, Switch, Torque};
 use crate::slip::Slip;
@@ -32,16 +33,32 @@ pub(super) fn prove(p: &mut Proof) -> Result<(), Slip> {
     }
     for (side, slide) in slides {
         let factor = |law: &Law, torque: &Torque| torque.value.atom().derivative(symbol(Kind::Friction, &law.name));
-        let force = factor(side, slide);
-        let Some((arm, roll)) = rolls.iter().find(|(arm, roll)| factor(arm, roll) == force) else {
+        let along_tau = by_force(p, &factor(side, slide));
+        let named = |e: &Atom| symbols(e).into_iter().find(|(kind, _)| *kind == Kind::Force);
+        let of_same = |(arm, roll): &&(&Law, &Torque)| {
+            let force = named(&factor(arm, roll));
+            force.is_some() && force == named(&along_tau)
+        };
+        let Some((arm, roll)) = rolls.iter().find(of_same) else {
             let what = format!("the friction `{}` has the force of a friction with an arm", slide.name);
             return Err(p.unproved(&what, &slide.power()));
         };
+        let force = factor(arm, roll);
+        let flank = (&along_tau / &force).expand();
+        let what = format!(
+            "the friction `{}` is the force of `{}` times at most 1, along its sign or against it",
+            slide.name, roll.name
+        );
+        let room = number(1) - &flank * &flank;
+        if !never_negative(p.model, &room.together()) {
+            return Err(p.unproved(&what, &room));
+        }
+        p.proved.push(what);
         let (psi, tau) = (roll.through.dot(), slide.through.dot());
         let what = format!(
-            "the friction `{}` takes with `{}` energy or none where {psi} and {} {psi} + {} {tau} have one sign: where flanks \
-             slide as rolling makes them",
-            slide.name, roll.name, arm.name, side.name
+            "the friction `{}` takes with `{}` energy or none where {psi} and {} {psi} + {} {tau} have one sign, on the coast flank with \
+             -{}: where flanks slide as rolling makes them",
+            slide.name, roll.name, arm.name, side.name, side.name
         );
         // -F psi_dot, which must never be negative for the power -F psi_dot (..)/psi_dot to have the sign said.
         let weight = smooth(p, &(-&force * psi.atom()));
@@ -49,14 +66,29 @@ pub(super) fn prove(p: &mut Proof) -> Result<(), Slip> {
             return Err(p.unproved(&what, &weight));
         }
         let [arm, side] = [arm, side].map(|law| Atom::var(symbol(Kind::Friction, &law.name)));
-        let sliding = arm * psi.atom() + side * tau.atom();
-        let power = slide.power() + roll.power();
-        p.claim(&what, [power - &force * &sliding])?;
+        let [rolling, sliding] = [arm * psi.atom(), side * tau.atom()];
+        let power = by_force(p, &slide.power()) + roll.power();
+        p.claim(&what, [power - &force * (&rolling + &sliding * &flank)])?;
         if let Some(switch) = changed_by(p, &force) {
-            sticking(p, switch, [&slide.name, &roll.name], &-force, &sliding)?;
+            sticking(p, switch, [&slide.name, &roll.name], &-force, [&rolling, &sliding, &flank])?;
         }
     }
     Ok(())
+}
+
+/// A multiple of a force whose value is itself one of another force, in terms of that.
+fn by_force(p: &Proof<'_>, e: &Atom) -> Atom {
+    let is_multiple = |name: &str| {
+        let force = p.model.forces.iter().find(|force| force.name == name)?;
+        let value = force.value.atom();
+        symbols(&value).iter().any(|(kind, _)| *kind == Kind::Force).then_some(value)
+    };
+    symbols(e).iter().filter(|(kind, _)| *kind == Kind::Force).fold(e.clone(), |e, (kind, name)| {
+        match is_multiple(name) {
+            Some(value) => set(&e, symbol(*kind, name), &value),
+            None => e,
+        }
+    })
 }
 
 /// An expression without the effect of the switch that makes friction stick, all other effects present.
@@ -75,14 +107,14 @@ fn changed_by<'a>(p: &Proof<'a>, e: &Atom) -> Option<&'a Switch> {
     })
 }
 
-/// The friction -F v, with v = `sliding`, takes energy or none in every mode of `switch`: F v is a guard of the mode times a factor that is
-/// never negative, or F is zero.
+/// The friction -F v, with v = `rolling` + f `sliding`, takes energy or none in every mode of `switch`: F v is a guard of the mode times a factor
+/// that is never negative, or F is zero. Another guard of the mode has the sign of the `flank` f, whose size is 1.
 fn sticking(
     p: &mut Proof,
     switch: &Switch,
     [slide, roll]: [&str; 2],
     force: &Atom,
-    sliding: &Atom,
+    [rolling, sliding, flank]: [&Atom; 3],
 ) -> Result<(), Slip> {
     let what = format!(
         "the friction `{slide}` takes with `{roll}` energy or none in every mode of {}, in scenes with {}: from the guards that hold in the mode",
@@ -91,13 +123,22 @@ fn sticking(
     let force = all_present(&p.model.written_out(force)).expand();
     for mode in &switch.modes {
         let force = switch.within(mode, &force).expand();
+        let is_on = |sign: i64| {
+            mode.exits.iter().any(|exit| never_negative(p.model, &(number(sign) * flank / exit.guard.atom()).expand()))
+        };
+        // One line of action for both flanks: f is 1 in every mode.
+        let on = if flank == &number(1) { Some(1) } else { None };
+        let Some(on) = on.or_else(|| [1, -1].into_iter().find(|sign| is_on(*sign))) else {
+            return Err(p.unproved(&format!("{what}; the mode {} lasts on one flank", mode.name), flank));
+        };
+        let speed = rolling + number(on) * sliding;
         let takes = |sign: i64| {
-            let guard = number(sign) * sliding;
+            let guard = number(sign) * &speed;
             never_negative(p.model, &(number(sign) * &force).expand())
                 && mode.exits.iter().any(|exit| (exit.guard.atom() - &guard).expand().is_zero())
         };
         if !(force.is_zero() || takes(1) || takes(-1)) {
-            return Err(p.unproved(&what, &-(force * sliding)));
+            return Err(p.unproved(&what, &-(force * &speed)));
         }
     }
     p.proved.push(what);

@@ -44,10 +44,17 @@ impl Watch {
 
     /// The same as [`Watch::at`], for calls that cannot return an error: it unwinds to [`detached`].
     pub fn at_or_unwind(&mut self, place: f64) {
-        if let Err(error) = self.at(place) {
-            resume_unwind(Box::new(Interrupted(error)));
-        }
+        self.at(place).unwrap_or_else(unwind);
     }
+
+    /// The same as [`Watch::now`], without a place, for calls that cannot return an error.
+    pub fn now_or_unwind(&mut self) {
+        self.now(f64::NAN).unwrap_or_else(unwind);
+    }
+}
+
+fn unwind(error: PyErr) {
+    resume_unwind(Box::new(Interrupted(error)));
 }
 
 /// Calls `work` without Python's lock.

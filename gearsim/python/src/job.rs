@@ -34,6 +34,12 @@ impl Job {
         self.inner.points()
     }
 
+    /// The axes, each as for the option `--vary`.
+    #[getter]
+    fn axes(&self) -> &[String] {
+        self.inner.axes()
+    }
+
     /// Runs the points from `first` to before `end` on `threads` threads, or on all cores of this machine, and returns their rows as bytes.
     /// `progress` is called with the number of finished points.
     #[pyo3(signature = (first, end, progress=None, threads=None))]

@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use pyo3::prelude::*;
-use pyo3::types::PyBytes;
+use pyo3::types::{PyBytes, PyIterator};
 
 use crate::error::raised;
 use crate::scene::Scene;
@@ -28,6 +28,19 @@ impl Results {
     /// A recorded column [SI]: `results["mesh_force_12"]`.
     fn __getitem__<'py>(&self, py: Python<'py>, name: &str) -> PyResult<Bound<'py, PyAny>> {
         Table::__getitem__(self.table.bind(py), name)
+    }
+
+    fn keys(&self) -> Vec<String> {
+        self.table.get().columns()
+    }
+
+    fn __contains__(&self, name: &str) -> bool {
+        self.table.get().__contains__(name)
+    }
+
+    /// The names of the recorded columns, so that `dict(results)` has the columns by name.
+    fn __iter__<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyIterator>> {
+        self.table.get().__iter__(py)
     }
 
     /// All recorded columns.

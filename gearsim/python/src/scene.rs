@@ -6,7 +6,7 @@ use std::path::PathBuf;
 use gearsim::Scene as Inner;
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
-use pyo3::types::{IntoPyDict, PyDict};
+use pyo3::types::{IntoPyDict, PyDict, PyString};
 
 use crate::error::raised;
 use crate::interrupt::detached;
@@ -25,7 +25,7 @@ pub struct Scene {
 /// How a sweep is defined, beside its axes.
 pub struct Definition {
     pub record: Vec<String>,
-    pub start: f64,
+    pub start: Option<f64>,
     pub samples: Option<(usize, u64)>,
     pub design: gearsim::Design,
 }
@@ -36,7 +36,10 @@ impl Scene {
         let mut axes = axes.iter();
         let first = self.inner.vary(axes.next()?);
         let record: Vec<&str> = definition.record.iter().map(String::as_str).collect();
-        let mut variation = axes.fold(first, |variation, axis| variation.vary(axis)).from(definition.start);
+        let mut variation = axes.fold(first, |variation, axis| variation.vary(axis));
+        if let Some(start) = definition.start {
+            variation = variation.from(start);
+        }
         if !record.is_empty() {
             variation = variation.record(&record);
         }
@@ -53,13 +56,14 @@ impl Scene {
     /// Builds a scene of a model from keyword arguments: the tables of a scene file, e.g. `parameters={"I1": "0.5 kg*m^2"}`. Numbers
     /// are in SI units.
     #[new]
-    #[pyo3(signature = (model, effects=vec![], name=None, **tables))]
+    #[pyo3(signature = (model, effects=None, name=None, **tables))]
     fn new(
         model: &str,
-        effects: Vec<String>,
+        effects: Option<&Bound<'_, PyAny>>,
         name: Option<&str>,
         tables: Option<&Bound<'_, PyDict>>,
     ) -> PyResult<Self> {
+        let effects = effects.map_or(Ok(vec![]), |effects| value::names(effects, "effects"))?;
         let effects: Vec<&str> = effects.iter().map(String::as_str).collect();
         let mut builder = Inner::of_model(model).name(name.unwrap_or(model)).effects(&effects);
         for (key, value) in tables.map_or(Ok(vec![]), |tables| value::flat(tables, ""))? {
@@ -70,15 +74,15 @@ impl Scene {
 
     /// Reads a scene file.
     #[staticmethod]
-    fn load(path: PathBuf) -> PyResult<Self> {
-        Ok(Scene { inner: Inner::load(path).map_err(raised)? })
+    fn load(py: Python<'_>, path: PathBuf) -> PyResult<Self> {
+        Ok(Scene { inner: py.detach(|| Inner::load(path)).map_err(raised)? })
     }
 
     /// Reads a scene from its text in TOML.
     #[staticmethod]
     #[pyo3(signature = (text, name="scene"))]
-    fn from_toml(text: &str, name: &str) -> PyResult<Self> {
-        Ok(Scene { inner: Inner::from_toml(name, text).map_err(raised)? })
+    fn from_toml(py: Python<'_>, text: &str, name: &str) -> PyResult<Self> {
+        Ok(Scene { inner: py.detach(|| Inner::from_toml(name, text)).map_err(raised)? })
     }
 
     /// The same scene with other values: `scene.replace({"parameters.T0": 20.0})`, `scene.replace(run={"t_end": "1 s"})`.
@@ -103,10 +107,10 @@ impl Scene {
     /// `kinetic_energy` are dicts too: the shares of stiffnesses and of inertias, by their names in the scene; no strain in a rigid motion.
     #[pyo3(signature = (levels=None))]
     fn modes<'py>(&self, py: Python<'py>, levels: Option<Vec<f64>>) -> PyResult<Vec<Bound<'py, PyDict>>> {
-        let cell = match levels {
+        let cell = py.detach(|| match levels {
             Some(levels) => self.inner.modes_at(&levels),
             None => self.inner.modes(),
-        };
+        });
         let cell = cell.map_err(raised)?;
         let elastic: Vec<_> = self.inner.stiffnesses().map(|(law, _)| law.name).chain(cell.springs).collect();
         let mode = |mode: gearsim::analysis::modes::Vibration| {
@@ -125,7 +129,11 @@ impl Scene {
 
     /// Stability of the steady rotation: Floquet multipliers, period [s], verdict.
     fn floquet<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
-        let floquet = self.inner.floquet().map_err(raised)?;
+        let floquet = detached(py, None, |watch| {
+            let watch = RefCell::new(watch);
+            self.inner.floquet_watched(&|| watch.borrow_mut().now_or_unwind())
+        })?;
+        let floquet = floquet.map_err(raised)?;
         let dict = PyDict::new(py);
         dict.set_item("period", floquet.period)?;
         dict.set_item("growth", floquet.growth())?;
@@ -146,11 +154,25 @@ impl Scene {
         advice.map_err(raised)
     }
 
-    /// The response curve over an axis, upward and downward, of the recorded outputs from `start` [s] of each point on. `progress` is
-    /// called with the number of finished points now and then.
-    #[pyo3(signature = (axis, start=0.0, progress=None))]
-    fn response(&self, py: Python<'_>, axis: String, start: f64, progress: Option<Py<PyAny>>) -> PyResult<Table> {
-        let variation = self.inner.vary(&axis).from(start);
+    /// The response curve over an axis, upward and downward, of the recorded outputs from `start` [s] of each point on. The axis is a text
+    /// as for `--vary`, or a dict of its key and its values, rising: `{"start.speed": numpy.linspace(10.0, 90.0, 50)}`. For each output
+    /// the table has `_mean`, `_rms`, the root mean square about the mean, and `_peak_to_peak`. `progress` is called with the number of
+    /// finished points now and then.
+    #[pyo3(signature = (axis, start=None, progress=None))]
+    fn response(
+        &self,
+        py: Python<'_>,
+        axis: &Bound<'_, PyAny>,
+        start: Option<f64>,
+        progress: Option<Py<PyAny>>,
+    ) -> PyResult<Table> {
+        let [axis] = &value::axes(axis, &self.inner)?[..] else {
+            return Err(PyValueError::new_err("a response has one axis: give one key with its values"));
+        };
+        let mut variation = self.inner.vary(axis);
+        if let Some(start) = start {
+            variation = variation.from(start);
+        }
         let table = detached(py, progress, |watch| {
             let response = variation.response_watched(&mut |done| watch.at_or_unwind(done as f64))?;
             Ok(response.table()?)
@@ -158,20 +180,26 @@ impl Scene {
         Table::new(table.map_err(raised)?)
     }
 
-    /// The points of a sweep over `axes`, each as for the option `--vary`, to be run here or elsewhere.
-    #[pyo3(signature = (axes, record=vec![], start=0.0, samples=None, seed=0, design="random"))]
+    /// The points of a sweep over `axes`, to be run here or elsewhere: a text as for the option `--vary`, a dict of keys and values, or a
+    /// list of these. `record` names groups of quantities, or one.
+    #[pyo3(signature = (axes, record=None, start=None, samples=None, seed=0, design="random"))]
     fn job(
         &self,
-        axes: Vec<String>,
-        record: Vec<String>,
-        start: f64,
+        axes: &Bound<'_, PyAny>,
+        record: Option<&Bound<'_, PyAny>>,
+        start: Option<f64>,
         samples: Option<usize>,
         seed: u64,
         design: &str,
     ) -> PyResult<Job> {
         let design = design.parse().map_err(PyValueError::new_err)?;
+        let record = match record {
+            Some(record) if record.is_instance_of::<PyString>() => vec![record.extract()?],
+            Some(record) => value::names(record, "record")?,
+            None => vec![],
+        };
         let definition = Definition { record, start, samples: samples.map(|samples| (samples, seed)), design };
-        Job::new(self, &axes, &definition)
+        Job::new(self, &value::axes(axes, &self.inner)?, &definition)
     }
 
     /// Accelerations at a state and law values [SI], with every play closed, for comparison with hand-written equations.

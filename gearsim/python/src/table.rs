@@ -9,7 +9,7 @@ use arrow_schema::{DataType, Field, Schema};
 use gearsim::output::table::Values;
 use pyo3::exceptions::{PyKeyError, PyRuntimeError};
 use pyo3::prelude::*;
-use pyo3::types::{PyCapsule, PyDict};
+use pyo3::types::{PyCapsule, PyDict, PyIterator};
 
 use crate::error::raised;
 
@@ -64,7 +64,7 @@ fn texts(array: &ArrayRef) -> impl Iterator<Item = &str> {
 impl Table {
     /// Names of the columns.
     #[getter]
-    fn columns(&self) -> Vec<String> {
+    pub fn columns(&self) -> Vec<String> {
         self.batch.schema().fields().iter().map(|field| field.name().clone()).collect()
     }
 
@@ -83,7 +83,12 @@ impl Table {
         self.columns()
     }
 
-    fn __contains__(&self, name: &str) -> bool {
+    /// The names of the columns, so that `list(table)` has them and `dict(table)` the columns by name.
+    pub fn __iter__<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyIterator>> {
+        self.columns().into_pyobject(py)?.try_iter()
+    }
+
+    pub fn __contains__(&self, name: &str) -> bool {
         self.batch.column_by_name(name).is_some()
     }
 

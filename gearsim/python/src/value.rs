@@ -1,9 +1,9 @@
 //! Python values as values of a scene.
 
-use gearsim::Value;
-use pyo3::exceptions::PyTypeError;
+use gearsim::{Scene, Value};
+use pyo3::exceptions::{PyTypeError, PyValueError};
 use pyo3::prelude::*;
-use pyo3::types::{PyBool, PyDict, PyFloat, PyInt, PyString};
+use pyo3::types::{PyBool, PyBytes, PyDict, PyMapping, PyString};
 
 /// The values of a nested dictionary, each with its dotted key: `{"run": {"t_end": 1.0}}` has `run.t_end`.
 pub fn flat(table: &Bound<'_, PyDict>, before: &str) -> PyResult<Vec<(String, Value)>> {
@@ -20,17 +20,95 @@ pub fn flat(table: &Bound<'_, PyDict>, before: &str) -> PyResult<Vec<(String, Va
 
 /// A value: a number [SI], a text with a unit, a bool, or a list.
 pub fn of(value: &Bound<'_, PyAny>) -> PyResult<Value> {
-    if value.is_instance_of::<PyBool>() || !(value.is_instance_of::<PyFloat>() || value.is_instance_of::<PyInt>()) {
-        return match value.extract::<String>() {
-            Ok(text) => Ok(Value::Text(text)),
-            Err(_) => toml(value).map(Value::Text),
-        };
+    let value = &scalar(value)?;
+    if is_number(value)? {
+        return Ok(Value::Number(value.extract()?));
     }
-    Ok(Value::Number(value.extract()?))
+    match value.extract::<String>() {
+        Ok(text) => Ok(Value::Text(text)),
+        Err(_) => toml(value).map(Value::Text),
+    }
+}
+
+/// Axes as texts for `--vary`. They are texts already, or dicts of keys with their values: lists and arrays of numbers [SI] and of texts
+/// with units, a single value, or a range as for `--vary`. `axes` is one of these, or a list of them.
+pub fn axes(axes: &Bound<'_, PyAny>, scene: &Scene) -> PyResult<Vec<String>> {
+    if axes.is_instance_of::<PyString>() {
+        return Ok(vec![axes.extract()?]);
+    }
+    if let Ok(table) = axes.cast::<PyMapping>() {
+        return axes_of(table, "", scene);
+    }
+    let mut texts = vec![];
+    for axis in axes.try_iter().map_err(|_| not_axes(axes))? {
+        let axis = axis?;
+        match axis.cast::<PyMapping>() {
+            Ok(table) => texts.extend(axes_of(table, "", scene)?),
+            Err(_) => texts.push(axis.extract().map_err(|_| not_axes(&axis))?),
+        }
+    }
+    Ok(texts)
+}
+
+/// The axes of a dict. Keys of nested dicts are joined by dots, as in [`flat`].
+fn axes_of(table: &Bound<'_, PyMapping>, before: &str, scene: &Scene) -> PyResult<Vec<String>> {
+    let mut axes = vec![];
+    for pair in table.items()? {
+        let (key, values): (String, Bound<'_, PyAny>) = pair.extract()?;
+        let key = format!("{before}{key}");
+        let values = scalar(&values)?;
+        if let Ok(table) = values.cast::<PyMapping>() {
+            axes.extend(axes_of(table, &format!("{key}."), scene)?);
+        } else if values.is_instance_of::<PyString>() {
+            axes.push(format!("{key}={}", values.extract::<String>()?));
+        } else if values.hasattr("__iter__")? {
+            let list = values.try_iter()?.map(|value| of(&value?)).collect::<PyResult<Vec<_>>>()?;
+            if list.is_empty() {
+                return Err(PyValueError::new_err(format!("the axis `{key}` has no values: give at least one")));
+            }
+            axes.push(scene.axis(&key, &list));
+        } else {
+            axes.push(scene.axis(&key, &[of(&values)?]));
+        }
+    }
+    Ok(axes)
+}
+
+fn not_axes(found: &Bound<'_, PyAny>) -> PyErr {
+    let kind = found.get_type().name().map_or_else(|_| "object".into(), |name| name.to_string());
+    PyTypeError::new_err(format!(
+        "an axis is a text, \"parameters.T0=1 N*m:9 N*m:5\", or a dict of keys and values, {{\"parameters.T0\": [1.0, 2.0]}}; not {kind}"
+    ))
+}
+
+/// The texts of a list such as `effects`. A single text would be taken as a list of letters.
+pub fn names(list: &Bound<'_, PyAny>, what: &str) -> PyResult<Vec<String>> {
+    if let Ok(name) = list.cast::<PyString>() {
+        return Err(PyTypeError::new_err(format!("`{what}` is a list of texts: {what}=[\"{name}\"]")));
+    }
+    list.try_iter()?.map(|name| name?.extract()).collect()
+}
+
+/// A scalar or an array without dimensions of NumPy as Python's int, float, bool or str; other values as they are.
+fn scalar<'py>(value: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyAny>> {
+    let dimensions = value.getattr_opt("ndim")?.map(|dimensions| dimensions.extract::<usize>());
+    match dimensions {
+        Some(Ok(0)) if value.hasattr("item")? => value.call_method0("item"),
+        _ => Ok(value.clone()),
+    }
+}
+
+/// Whether a value is a number: it converts to one, and is no bool, no text and no list.
+fn is_number(value: &Bound<'_, PyAny>) -> PyResult<bool> {
+    if value.is_instance_of::<PyBool>() || value.is_instance_of::<PyString>() || value.hasattr("__iter__")? {
+        return Ok(false);
+    }
+    Ok(value.hasattr("__float__")? || value.hasattr("__index__")?)
 }
 
 /// A value in TOML.
 fn toml(value: &Bound<'_, PyAny>) -> PyResult<String> {
+    let value = &scalar(value)?;
     if let Ok(flag) = value.cast::<PyBool>() {
         return Ok(flag.is_true().to_string());
     }
@@ -38,20 +116,19 @@ fn toml(value: &Bound<'_, PyAny>) -> PyResult<String> {
         // TOML's basic strings have the escapes of JSON.
         return Ok(serde_json::Value::String(value.extract()?).to_string());
     }
-    if value.is_instance_of::<PyInt>() {
-        return Ok(value.extract::<i64>()?.to_string());
-    }
     if let Ok(table) = value.cast::<PyDict>() {
         let entry =
             |(key, value): (Bound<'_, PyAny>, _)| Ok(format!("{} = {}", key.extract::<String>()?, toml(&value)?));
         let entries = table.iter().map(entry).collect::<PyResult<Vec<_>>>()?;
         return Ok(format!("{{ {} }}", entries.join(", ")));
     }
-    // NumPy's numbers are no instances of Python's classes, but can be converted.
-    if let Ok(number) = value.extract::<f64>() {
-        return Ok(format!("{number:?}"));
+    if is_number(value)? {
+        return match value.hasattr("__index__")? {
+            true => Ok(value.extract::<i64>()?.to_string()),
+            false => Ok(format!("{:?}", value.extract::<f64>()?)),
+        };
     }
-    if let Ok(items) = value.try_iter() {
+    if let (false, Ok(items)) = (value.is_instance_of::<PyBytes>(), value.try_iter()) {
         let items = items.map(|item| toml(&item?)).collect::<PyResult<Vec<_>>>()?;
         return Ok(format!("[{}]", items.join(", ")));
     }

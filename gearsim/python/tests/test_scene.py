@@ -48,6 +48,30 @@ def test_columns_have_names_and_units():
         results["twist"]
 
 
+def test_tables_and_results_are_mappings_of_columns():
+    results = struck().run()
+    assert list(results) == list(results.table) == results.keys() == results.table.columns
+    for columns in (dict(results), dict(results.table)):
+        assert list(columns) == results.table.columns and columns["t"][-1] == results["t"][-1] == 0.1
+    assert "t" in results and "twist" not in results
+
+
+def test_rms_is_about_the_mean_as_its_descriptions_say():
+    """The discs vibrate about their common speed 2 I1/(I1 + I2); a vibration of amplitude a has the root mean square a/sqrt(2)."""
+    table = gearsim.sweep(struck(), {"start.theta1_dot": [2.0]}, record="extremes")
+    assert table["theta1_dot_mean"][0] == pytest.approx(2 * 0.5 / 0.75, rel=0.02)
+    assert table["theta1_dot_rms"][0] == pytest.approx(2 * 0.25 / 0.75 / math.sqrt(2), rel=0.05)
+    for described in (gearsim.sweep, gearsim.Scene.response, gearsim.Results.summary):
+        assert "root mean square about the mean" in " ".join(described.__doc__.split())
+
+
+def test_one_text_is_no_list_of_effects():
+    with pytest.raises(TypeError, match=r'`effects` is a list of texts: effects=\["damping"\]'):
+        gearsim.Scene("chain_2", effects="damping")
+    with pytest.raises(gearsim.SceneError, match="damp"):
+        gearsim.Scene("chain_2", effects=("damp",), parameters={"I1": 1})
+
+
 def test_columns_have_one_place_in_memory():
     """NumPy, pyarrow, polars and pandas read the same bytes, without a copy."""
     table = struck().run().table
@@ -122,9 +146,26 @@ def test_ctrl_c_ends_a_call(call):
     assert time.monotonic() - begin < 10
 
 
-def test_other_threads_run_meanwhile():
-    scene = long("100 s")
-    thread = threading.Thread(target=scene.run)
+def test_ctrl_c_ends_floquet():
+    """The motion of a crank that repeats is searched for by runs: half a minute."""
+    scene = gearsim.load(SCENES / "crank_drive.toml")
+    begin = time.monotonic()
+    threading.Timer(0.5, signal.raise_signal, [signal.SIGINT]).start()
+    with pytest.raises(KeyboardInterrupt):
+        scene.floquet()
+    assert time.monotonic() - begin < 1.5
+
+
+@pytest.mark.parametrize(
+    "call",
+    [
+        lambda: long("100 s").run(),
+        lambda: gearsim.load(SCENES / "sliding_friction.toml").floquet(),
+    ],
+    ids=["run", "floquet"],
+)
+def test_other_threads_run_meanwhile(call):
+    thread = threading.Thread(target=call)
     thread.start()
     turns = 0
     while thread.is_alive():

@@ -4,6 +4,7 @@ import os
 from concurrent.futures import Executor, Future, ProcessPoolExecutor
 
 import gearsim
+import numpy as np
 import pytest
 from conftest import AXES, SCENE
 
@@ -80,11 +81,107 @@ def test_damaged_rows_are_refused(scene, tmp_path, bytes_of_the_command_line):
     assert (tmp_path / "here" / "sweep.parquet").read_bytes() == bytes_of_the_command_line
 
 
+def test_one_group_is_a_list_of_one(scene):
+    one, many = (gearsim.sweep(scene, AXES[1], record=record) for record in ("outputs", ["outputs"]))
+    assert one.columns == many.columns and len(one.columns) > 5
+    assert len(scene.job(AXES[1], record="outputs")) == 2
+
+
+class OfSubmitit:
+    """As submitit's executor: its jobs are no futures."""
+
+    __module__ = "submitit.core"
+
+    def submit(self, task, *arguments):
+        pytest.fail("a task was sent")
+
+
+class WithoutFutures:
+    def submit(self, task, *arguments):
+        return object()
+
+
+@pytest.mark.parametrize(
+    "executor, said",
+    [
+        (OfSubmitit(), r"pass gearsim.executors.SubmititExecutor\(executor\)"),
+        (type("Client", (), {"__module__": "distributed.client", "submit": print})(), r"pass gearsim.executors.DaskExecutor\(client\)"),
+        ("dask", "str is none\n.* gearsim.executors.DaskExecutor"),
+        (ProcessPoolExecutor, "ProcessPoolExecutor is a class"),
+        (WithoutFutures(), "its `submit` returns object"),
+    ],
+)
+def test_what_is_no_executor_is_refused(scene, executor, said):
+    with pytest.raises(TypeError, match=said) as error:
+        gearsim.sweep(scene, AXES[1], record=["outputs"], executor=executor)
+    assert "concurrent.futures.Executor" in str(error.value)
+
+
 def test_mistakes_are_found_before_a_point_runs(scene):
     with pytest.raises(gearsim.SceneError, match="start.spead"):
         gearsim.sweep(scene, "start.spead=1 rpm:2 rpm:2")
     with pytest.raises(ValueError, match="nothing is varied"):
         gearsim.sweep(scene)
+
+
+def written(table):
+    """All values with all digits; NaN is equal to NaN."""
+    return {name: [repr(value) for value in table[name]] for name in table.columns}
+
+
+def test_axes_may_be_values(scene, tmp_path):
+    """The columns have the same bits as the values, and the table is that of the texts."""
+    speeds, torques = np.linspace(10, 90, 4), [1 / 3, 2, np.float32(0.1), "0.004 kN*m"]
+    table = gearsim.sweep(scene, {"start.speed": speeds, "parameters.T0": torques}, record=["outputs"])
+    assert table["start.speed"].reshape(4, 4)[:, 0].tolist() == speeds.tolist()
+    assert table["parameters.T0"][:4].tolist() == [1 / 3, 2.0, float(np.float32(0.1)), 4.0]
+    texts = ["start.speed=" + ",".join(f"{speed!r} rad/s" for speed in speeds.tolist()), "parameters.zeta=0.05:0.1:2"]
+    mixed = gearsim.sweep(scene, {"start": {"speed": speeds}}, texts[1], record=["outputs"], out=tmp_path / "mixed")
+    assert len(mixed) == 8
+    gearsim.sweep(scene, *texts, record=["outputs"], out=tmp_path / "texts")
+    assert (tmp_path / "mixed" / "sweep.parquet").read_bytes() == (tmp_path / "texts" / "sweep.parquet").read_bytes()
+
+
+def test_axes_may_be_values_for_workers(scene):
+    axes = {"run.method": ["dop853", "radau"], "parameters.zeta": np.array([0.05, 0.1])}
+    here = gearsim.sweep(scene, axes, record=["outputs"])
+    with ProcessPoolExecutor(1) as executor:
+        there = gearsim.sweep(scene, axes, record=["outputs"], executor=executor)
+    assert here["run.method"] == ["dop853", "dop853", "radau", "radau"] and set(here["status"]) == {"done"}
+    assert written(here) == written(there)
+
+
+def test_axes_of_jobs_and_of_other_forms(scene):
+    assert scene.job("parameters.zeta=0.05,0.1").axes == scene.job({"parameters.zeta": [0.05, 0.1]}).axes
+    assert scene.job([{"parameters.zeta": "0.05:0.1:3"}, {"parameters.T0": 3}]).axes == [
+        "parameters.zeta=0.05:0.1:3",
+        "parameters.T0=3.0 N*m",
+    ]
+    with pytest.raises(ValueError, match="`parameters.T0` has no values"):
+        scene.job({"parameters.T0": []})
+    with pytest.raises(TypeError, match="an axis is a text"):
+        scene.job([3])
+    with pytest.raises(gearsim.SceneError, match="parameters.T0"):
+        scene.job({"parameters.T0": ["1 rpm", 2]})
+
+
+def test_an_axis_wins_over_a_value_that_was_set(scene):
+    built = gearsim.Scene("chain_2", parameters={"I1": 0.5, "I2": 0.25, "k1": 1e4}, start={"theta1_dot": 1}, run={"t_end": 0.01})
+    table = gearsim.sweep(built, {"parameters.k1": [2e4, 3e4]})
+    assert table["parameters.k1"].tolist() == [2e4, 3e4] and set(table["status"]) == {"done"}
+    axis = {"parameters.zeta": [0.05, 0.1]}
+    changed = gearsim.sweep(scene.replace({"parameters.zeta": 0.2}), axis, record=["outputs"])
+    same = gearsim.sweep(scene, axis, record=["outputs"])
+    assert written(changed) == written(same)
+
+
+def test_a_response_takes_values():
+    scene = gearsim.load(SCENE.parents[1] / "response.toml")
+    speeds = np.linspace(523.6, 534.0, 3)
+    table = scene.response({"start.speed": speeds}, start=0.05)
+    assert table["start.speed"].tolist() == [*speeds, *speeds[::-1]]
+    with pytest.raises(ValueError, match="one axis"):
+        scene.response({"start.speed": speeds, "parameters.zeta": [0.1, 0.2]})
 
 
 def test_a_response_goes_up_and_down():
@@ -137,5 +234,14 @@ def test_statistics_and_sensitivity_name_the_axis_that_matters():
     assert spread["mean"][row] == pytest.approx(4e-3, rel=1e-3) and spread["deviation"][row] == pytest.approx(0.2e-3, rel=0.05)
     with pytest.raises(gearsim.GearsimError, match="design"):
         job.sensitivity(table)
+    other = scene.job(axes[:1], record=["events"], samples=100, seed=1, design="latin-hypercube")
+    with pytest.raises(gearsim.GearsimError, match="another sweep: its values of `run.t_end` differ"):
+        other.statistics(table)
+    for how, said in [({"samples": 50}, "100 points, not all 50"), ({"record": ["outputs"]}, "which has the columns")]:
+        definition = {"record": ["events"], "samples": 100, "design": "latin-hypercube"} | how
+        with pytest.raises(gearsim.GearsimError, match=said):
+            scene.job(axes[:1], **definition).statistics(table)
+    with pytest.raises(gearsim.GearsimError, match="another sweep"):
+        scene.job(axes[1:], record=["events"], samples=100, design="latin-hypercube").statistics(table)
     with pytest.raises(ValueError, match="latin-hypercube"):
         scene.job(axes, samples=4, design="latin")

@@ -9,12 +9,23 @@ pytest.importorskip("mypy")
 
 #: Uses the public names of the package. The comment on a line is its expected type or error.
 USE = """
+from fractions import Fraction
+
 import gearsim
+import numpy as np
 scene = gearsim.load("scene.toml").replace({"run.t_end": "1 s"}, parameters={"zeta": 0.1})
 reveal_type(scene)  # gearsim._gearsim.Scene
 reveal_type(scene.run(progress=print).summary)  # dict[str, Any]
 reveal_type(gearsim.sweep(scene, "run.t_end=1 s,2 s"))  # gearsim._gearsim.Table
 reveal_type(gearsim.executors.RayExecutor(num_cpus=1).submit(len, "abc"))  # Future[int]
+reveal_type(np.mean(scene.run()["t"]))  # numpy.floating
+reveal_type(scene.run().table["t"][1:] * 2)  # float64
+reveal_type(gearsim.sweep(scene, "run.t_end=1 s,2 s")["status"])  # list[str]
+gearsim.sweep(scene, {"run.t_end": [1, 2], "start.speed": np.linspace(1, 2)}, "parameters.zeta=0.1", record="outputs")
+scene.job({"run": {"t_end": [1, 2]}}).run(0, 1)
+scene.response({"start.speed": np.linspace(1, 2)})
+scene.replace({"run.t_end": np.int64(1), "parameters.zeta": np.float32(0.1), "parameters.T0": Fraction(1, 3)})
+gearsim.sweep(scene, 3)  # incompatible type
 scene.run(progress=1)  # incompatible type
 gearsim.sweep(scene, "run.t_end=1 s,2 s", design="latin")  # incompatible type
 """

@@ -4,7 +4,11 @@ import re
 import subprocess
 import sys
 
+from decimal import Decimal
+from fractions import Fraction
+
 import gearsim
+import numpy as np
 import pytest
 from conftest import SCENE
 
@@ -49,3 +53,40 @@ def test_a_value_is_accepted_everywhere_or_nowhere(key, value, good, tmp_path):
         "floquet --vary": command("floquet", SCENE, "--quiet", "--vary", f"{key}={value},{LARGER[key]}", "--out", tmp_path / "chart"),
     }
     assert set(places.values()) == {good}, places
+
+
+class Indexed:
+    """An integer of another package."""
+
+    def __index__(self):
+        return 3
+
+
+OF_NUMPY = [np.int64(3), np.uint8(3), np.float32(3), np.float64(3), np.longdouble(3), np.array(3), np.array(3.0)]
+
+
+@pytest.mark.parametrize("three", [3, 3.0, *OF_NUMPY, Decimal(3), Fraction(3), Indexed()])
+def test_numbers_of_any_type_are_in_si_units(three):
+    scene = gearsim.load(SCENE)
+    assert scene.replace({"parameters.T0": three}).parameters["T0"] == 3
+    assert scene.replace(parameters={"T0": three}).parameters["T0"] == 3
+    built = gearsim.Scene("chain_2", parameters={"I1": three, "I2": three, "k1": three}, run={"t_end": three})
+    assert [built.parameters[name] for name in ("I1", "I2", "k1")] == [3, 3, 3] and built.t_end == 3
+
+
+def test_bools_and_texts_of_numpy_are_no_numbers():
+    scene = gearsim.load(SCENE)
+    for flag in (np.True_, np.array(True)):
+        scene.replace({"output.csv": flag})
+        with pytest.raises(gearsim.SceneError, match="parameters.T0=true"):
+            scene.replace({"parameters.T0": flag})
+    assert scene.replace({"parameters.T0": np.str_("3 N*m")}).parameters["T0"] == 3
+    for bad in (b"3 N*m", 3j, np.complex128(3)):
+        with pytest.raises(TypeError, match="numbers, texts, bools, lists and dicts"):
+            scene.replace({"parameters.T0": bad})
+
+
+def test_no_digit_of_a_number_is_lost():
+    third = Fraction(1, 3)
+    scene = gearsim.load(SCENE).replace({"parameters.T0": third, "parameters.zeta": np.float32(0.1)})
+    assert scene.parameters["T0"] == 1 / 3 and scene.parameters["zeta"] == float(np.float32(0.1))

@@ -2,7 +2,7 @@
 //! the state.
 //!
 //! A second run, the companion run, starts from a state and parameters that differ by a few roundings. With a numerical method it has
-//! ten times the tolerance, or twice the time step. It makes rounding errors of its own, and the motion amplifies them as it amplifies
+//! ten times the tolerance (a tenth, if ten times would be more than a scene may have), or twice the time step. It makes rounding errors of its own, and the motion amplifies them as it amplifies
 //! those of the run itself. The distance between the two runs is therefore an estimate of the error:
 //!
 //! digits = -log10(10 d), where d is the largest difference of a coordinate or speed, in units of its size in the run. The unit of a
@@ -18,7 +18,7 @@ use crate::scene::{Scene, TimeHistory};
 use crate::trajectory::{Moment, Trajectory};
 
 use super::work_precision::{Runner, error};
-use crate::tolerance::analysis;
+use crate::tolerance::{analysis, methods};
 
 /// Maximum number of samples at which the two runs are compared.
 const SAMPLES: usize = 512;
@@ -64,8 +64,12 @@ pub fn companion(scene: &Scene, run: &Outcome, ends: bool) -> Scene {
     if let Some(step) = &mut other.solver.step {
         *step *= 2.0;
     }
-    other.solver.tolerance =
-        (analysis::COMPANION_TOLERANCE * other.solver.tolerance).min(analysis::LARGEST_COMPANION_TOLERANCE);
+    let coarser = analysis::COMPANION_TOLERANCE * other.solver.tolerance;
+    // Beyond the largest tolerance that a scene may have, the companion is the more accurate of the two: the distance is the same.
+    other.solver.tolerance = match methods::ALLOWED.contains(&coarser) {
+        true => coarser,
+        false => other.solver.tolerance / analysis::COMPANION_TOLERANCE,
+    };
     other
 }
 

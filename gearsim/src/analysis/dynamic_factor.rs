@@ -1,17 +1,22 @@
 //! Dynamic factors of meshes: the largest force of a run over the force without vibration, and beside it K_v of ISO 6336-1, method B.
 //!
 //! - Largest force: the largest magnitude of the recorded mesh force, over samples and both sides of events, from `output.from` on.
-//! - Static force: the mesh force in static equilibrium at the torques of the start.
-//! - K_v: ISO 6336-1, method B, for a scene that gives the teeth of the mesh. N is the mesh frequency of the run over
-//!   sqrt(tr M⁻¹K_m)/2 pi, with K_m the part of K from the mesh at its mean stiffness: for two gears on torsional shafts
+//! - Static force: the mesh force without vibration at the torques of the start. If they are not in balance, the gears speed up steadily.
+//! - K_v: ISO 6336-1, method B, for a scene that gives the teeth of the mesh. N is the mean mesh frequency from `output.from` on over
+//!   sqrt(tr M⁻¹K_m)/2 pi, with K_m the part of K from the mesh at its mean stiffness, and with the gears' centres held: for two gears
 //!   sqrt(c_gamma b/m_red)/2 pi of the standard. F_t = F cos(alpha), K_A = 1. The base pitch deviation is the largest difference of
 //!   neighbouring pitch errors of the scene; profile deviation and tip relief are zero, and there is no allowance for running-in.
 
-use super::orders::force;
+use nalgebra::DMatrix;
+
+use super::orders::{SHAFT, force};
+use crate::engine::known::Known;
+use crate::engine::system::System;
 use crate::gear::{Gears, InternalDynamics, Iso6336};
 use crate::model::{Law, Output, Role};
 use crate::run::Entry;
 use crate::scene::Scene;
+use crate::tolerance::analysis::STATIC_LOAD;
 use crate::trajectory::Trajectory;
 
 /// The dynamic factors of a mesh. A value that does not exist has its reason.
@@ -41,7 +46,7 @@ pub fn of(scene: &Scene, entry: &Entry, run: &Trajectory) -> Vec<DynamicFactor> 
         let largest = column[run.row_from(scene.output.from)..].iter().fold(0.0, |m: f64, x| m.max(x.abs()));
         let number = scene.model.outputs.iter().position(|output| output.name == force.name);
         let at_rest = at_rest.clone().map(|values| number.map_or(f64::NAN, |i| values[i].abs()));
-        let at_rest = at_rest.and_then(|force| match force > 0.0 {
+        let at_rest = at_rest.and_then(|force| match force > STATIC_LOAD * largest {
             true => Ok(force),
             false => Err("the mesh carries no load at the torques of the start".to_owned()),
         });
@@ -61,7 +66,7 @@ fn iso6336(scene: &Scene, entry: &Entry, run: &Trajectory, i: usize, at_rest: f6
     let force = if law.unit == "N/m" { at_rest } else { at_rest / contact.base[0] };
     let line_load = force * contact.transverse_angle.cos() / gears.face_width;
     let single = Iso6336::of(gears, Some(line_load)).map_err(|e| e.to_string())?.single;
-    let ratio = mesh_frequency(run, law)? / natural_frequency(scene, entry, i)?;
+    let ratio = mesh_frequency(run, law, scene.output.from)? / natural_frequency(scene, entry, i)?;
     let pitch_deviation = pitch_deviation(scene, law, gears);
     let kv = InternalDynamics {
         ratio,
@@ -76,24 +81,42 @@ fn iso6336(scene: &Scene, entry: &Entry, run: &Trajectory, i: usize, at_rest: f6
     Ok(kv.factor())
 }
 
-/// The mean mesh frequency of a run \[Hz\].
-fn mesh_frequency(run: &Trajectory, law: &Law) -> Result<f64, String> {
+/// The mean mesh frequency of a run from the time `from` \[s\] on \[Hz\].
+fn mesh_frequency(run: &Trajectory, law: &Law, from: f64) -> Result<f64, String> {
     let standing = || format!("the mesh {} does not turn", law.name);
     let phase = run.model.coordinates.iter().position(|c| c.name == law.phase).ok_or_else(standing)?;
-    let (q, last) = (&run.q[phase], run.len() - 1);
-    let frequency = ((q[last] - q[0]) / law.period / (run.t[last] - run.t[0])).abs();
+    let (q, first, last) = (&run.q[phase], run.row_from(from), run.len() - 1);
+    let frequency = ((q[last] - q[first]) / law.period / (run.t[last] - run.t[first])).abs();
     if frequency > 0.0 { Ok(frequency) } else { Err(standing()) }
 }
 
-/// The natural frequency of the gears alone on the mean stiffness of their mesh \[Hz\].
+/// The natural frequency of the gears alone on the mean stiffness of their mesh, with their centres held \[Hz\].
 fn natural_frequency(scene: &Scene, entry: &Entry, i: usize) -> Result<f64, String> {
-    let matrices = |k: &[f64]| entry.system(scene)?.matrices(k);
+    let system = entry.system(scene).map_err(|refusal| refusal.to_string())?;
+    let turning = turning(scene, &system);
+    let held = |a: &DMatrix<f64>| a.select_rows(&turning).select_columns(&turning);
+    let matrices = |k: &[f64]| system.matrices(k);
     let mut k: Vec<f64> = scene.stiffnesses().map(|(_, profile)| profile.mean()).collect();
     let with = matrices(&k).map_err(|refusal| refusal.to_string())?;
     k[i] = 0.0;
     let without = matrices(&k).map_err(|refusal| refusal.to_string())?;
-    let inverse = with.mass.clone().cholesky().ok_or("the mass matrix has no inverse")?.inverse();
-    Ok((inverse * (with.stiffness - without.stiffness)).trace().sqrt() / std::f64::consts::TAU)
+    let inverse = held(&with.mass).cholesky().ok_or("the mass matrix has no inverse")?.inverse();
+    Ok((inverse * held(&(with.stiffness - without.stiffness))).trace().sqrt() / std::f64::consts::TAU)
+}
+
+/// The coordinates that turn a rotor, by the outputs that are rotational speeds; all if there are none. The others move centres.
+fn turning(scene: &Scene, system: &System) -> Vec<usize> {
+    let (equations, model) = (system.equations(), scene.model);
+    let n = model.coordinates.len();
+    let (q, k) = (vec![0.0; n], model.in_contact(scene.mids()));
+    let speeds = (0..model.outputs.len()).filter(|i| model.outputs[*i].unit == SHAFT);
+    let speeds: Vec<usize> = speeds.filter(|i| scene.effects.activate(model.outputs[*i].with, model)).collect();
+    let turns = |&coordinate: &usize| {
+        let q_dot: Vec<f64> = (0..n).map(|i| f64::from(u8::from(i == coordinate))).collect();
+        speeds.iter().any(|i| equations.output(*i, &q, &q_dot, &k, &Known::default()) != 0.0)
+    };
+    let turning: Vec<usize> = (0..n).filter(turns).collect();
+    if turning.is_empty() { (0..n).collect() } else { turning }
 }
 
 /// The largest difference of neighbouring pitch errors along the line of action [m]; 0 if the scene gives none.

@@ -1,6 +1,7 @@
-//! Stability of steady rotation: the stiffnesses are periodic in time. The monodromy matrix is the product of the exact propagators of
-//! the cells of a period. Its eigenvalues are the Floquet multipliers, by which a small disturbance grows per period (Meissner's
-//! equation and its generalisations; G. Floquet, 1883).
+//! Stability of steady rotation: the stiffnesses are periodic in time. The monodromy matrix is the product of the propagators of the cells of
+//! a period. They are exact where the stiffnesses are constant, and integrated where one follows a curve. The eigenvalues of the monodromy
+//! matrix are the Floquet multipliers, the factors by which a small disturbance grows per period (Meissner's equation and its
+//! generalisations; G. Floquet, 1883).
 //!
 //! Forces that are not linear, such as friction of the flanks, are linearised about the steady motion (`about.rs`). If M or F change along
 //! the motion, the reference is a motion that repeats, and the monodromy matrix is integrated along it (`orbit.rs`).
@@ -19,6 +20,7 @@ use crate::tolerance::analysis;
 
 mod about;
 mod chart;
+mod magnus;
 mod orbit;
 mod period;
 
@@ -45,6 +47,10 @@ pub enum FloquetError {
     NotSmooth { why: &'static str },
     #[error("the run of a turn stopped early: {why}")]
     Stopped { why: String },
+    #[error(
+        "a period at this speed is too long: {most} steps do not resolve the vibration in it; choose a higher speed"
+    )]
+    Unresolved { most: f64 },
     #[error("the multipliers overflow: a period at this speed is too long for the growth in it; choose a higher speed")]
     Overflow,
 }
@@ -54,21 +60,27 @@ pub enum FloquetError {
 pub struct Floquet {
     /// Common period of all stiffnesses \[s\].
     pub period: f64,
-    /// Multipliers of all motions that are not rigid, the largest first.
+    /// Multipliers of the motions that are not rigid, in descending order. The list ends with the last one that is larger than `rounding`.
     pub multipliers: Vec<Complex<f64>>,
+    /// Number of multipliers that are left out: those motions decay to less than `rounding` of their size.
+    pub unresolved: usize,
+    /// Rounding error of a multiplier.
+    pub rounding: f64,
     /// Number of rigid motions, which are left out.
     pub rigid: usize,
     /// Stability according to the multipliers.
     pub verdict: Verdict,
     /// Lowest natural frequency \[Hz\] at the mean stiffness.
     pub natural: f64,
-    /// Frequency of the first mesh that steps \[Hz\].
+    /// Frequency of the first mesh whose stiffness varies \[Hz\].
     pub mesh: f64,
     /// The steady motion about which forces are linearised; `None` if all are linear.
     #[doc(hidden)]
     pub steady: Option<Steady>,
     /// The motion that repeats, about which the equations are linearised where they change along the motion.
     pub orbit: Option<Orbit>,
+    /// Whether propagators are integrated, because a law follows a curve.
+    pub(crate) is_integrated: bool,
 }
 
 /// How a small disturbance develops.
@@ -96,13 +108,13 @@ impl Verdict {
 }
 
 impl Floquet {
-    /// The multipliers of `scene` in steady rotation at the speeds of its start.
+    /// The multipliers of `scene` in steady rotation at the speeds of its start. `watch` is called many times meanwhile; it may unwind.
     ///
     /// # Errors
     /// If the modes of a cell cannot be computed, the stiffnesses have no common period, nothing vibrates, or the multipliers overflow.
-    pub(crate) fn of(scene: &Scene, system: &System) -> Result<Floquet, FloquetError> {
+    pub(crate) fn of(scene: &Scene, system: &System, watch: &dyn Fn()) -> Result<Floquet, FloquetError> {
         if let Some(about) = system.steady().filter(|about| about.motion == Motion::Place) {
-            return orbit::of(scene, system, about);
+            return orbit::of(scene, system, about, watch);
         }
         let courses = steady::acting(scene, system)?;
         let means: Vec<f64> = courses.iter().map(SteadyLaw::mean).collect();
@@ -116,10 +128,12 @@ impl Floquet {
         let split = Split::of(system, &stretches)?;
         let size = 2 * split.elastic;
         let mut monodromy = DMatrix::<f64>::identity(size, size);
+        let is_stepped = courses.iter().all(|course| course.curves.is_empty());
         for stretch in &stretches {
+            watch();
             let over = match system.steady() {
-                None => split.reduced(&system.propagator(&stretch.levels, stretch.time)?, omega),
-                Some(_) => about::propagator(system, &courses, stretch, &split, omega)?,
+                None if is_stepped => split.reduced(&system.propagator(&stretch.levels, stretch.time)?, omega),
+                _ => about::propagator(system, &courses, stretch, &split, omega, watch)?,
             };
             monodromy = over * monodromy;
         }
@@ -141,10 +155,25 @@ impl Floquet {
         }
         multipliers.sort_by(|a, b| b.norm().total_cmp(&a.norm()));
         let verdict = if size == 2 { of_one(monodromy.trace(), monodromy.determinant()) } else { of_all(&multipliers) };
-        let mesh = courses.iter().find(|c| c.steps).map_or(0.0, SteadyLaw::frequency);
+        // Two multipliers follow from the trace and the determinant without cancellation.
+        let rounding = if size == 2 { 0.0 } else { analysis::MULTIPLIER_ROUNDING * monodromy.amax() };
+        let unresolved = leave_out(&mut multipliers, rounding);
+        let mesh = courses.iter().find(|c| c.varies).map_or(0.0, SteadyLaw::mesh_frequency);
         let natural = omega / std::f64::consts::TAU;
         let steady = system.steady().cloned();
-        Ok(Floquet { period, multipliers, rigid: split.rigid, verdict, natural, mesh, steady, orbit: None })
+        Ok(Floquet {
+            period,
+            multipliers,
+            unresolved,
+            rounding,
+            rigid: split.rigid,
+            verdict,
+            natural,
+            mesh,
+            steady,
+            orbit: None,
+            is_integrated: !is_stepped,
+        })
     }
 
     /// Why the motion meets both flanks of a mesh, in words; `None` if it meets one. Linearised friction is that of one flank, so that the
@@ -153,10 +182,17 @@ impl Floquet {
         self.steady.as_ref()?.both_flanks.as_deref()
     }
 
-    /// Exponential growth of a disturbance per period: ln of the largest absolute value of a multiplier; negative if it decays.
+    /// Exponential growth of a disturbance per period: ln of the largest absolute value of a multiplier; negative if it decays. An upper
+    /// bound if no multiplier is larger than its rounding error.
     pub fn growth(&self) -> f64 {
-        self.multipliers.first().map_or(f64::NEG_INFINITY, |z| z.norm().ln())
+        self.multipliers.first().map_or(self.rounding, |z| z.norm()).ln()
     }
+}
+
+/// Leaves out the multipliers, in descending order, that are smaller than their rounding error. Returns their number.
+fn leave_out(multipliers: &mut Vec<Complex<f64>>, rounding: f64) -> usize {
+    let resolved = multipliers.iter().take_while(|z| z.norm() > rounding).count();
+    multipliers.drain(resolved..).count()
 }
 
 /// The two eigenvalues of a 2 x 2 matrix from its trace and determinant, without cancellation.

@@ -10,6 +10,7 @@ pub(crate) mod from_teeth;
 pub mod modes;
 pub mod orders;
 pub mod rainflow;
+pub(crate) mod sampling;
 pub mod sound;
 pub mod spectrum;
 pub mod statistics;

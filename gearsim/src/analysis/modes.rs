@@ -228,7 +228,7 @@ pub(crate) const HARMONICS: usize = 8;
 /// The harmonics of the mesh frequencies within `NEAR_RESONANCE` of a damped natural frequency, the nearest first.
 pub(crate) fn meetings(courses: &[SteadyLaw], cell: &CellModes) -> Vec<Meeting> {
     let mut meetings = vec![];
-    for (law, course) in courses.iter().enumerate().filter(|(_, course)| course.steps) {
+    for (law, course) in courses.iter().enumerate().filter(|(_, course)| course.varies) {
         for (mode, vibration) in cell.modes.iter().enumerate().filter(|(_, v)| v.damped > 0.0) {
             for harmonic in 1..=HARMONICS {
                 let ratio = harmonic as f64 * course.mesh_frequency() / vibration.damped;

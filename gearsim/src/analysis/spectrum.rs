@@ -50,13 +50,7 @@ impl Spectrum {
 
     /// The frequency above which less than a fraction `share` of the power lies \[Hz\].
     pub fn highest(&self, share: f64) -> f64 {
-        let mut left = share * self.density.iter().sum::<f64>();
-        let above = self.density.iter().rev().take_while(|p| {
-            left -= **p;
-            left > 0.0
-        });
-        let above = above.count();
-        self.frequency.iter().rev().nth(above).copied().unwrap_or(0.0)
+        highest(&self.frequency, self.density.iter().copied(), share)
     }
 
     /// Power [unit^2] between two frequencies \[Hz\], both included.
@@ -95,6 +89,12 @@ pub enum SpectrumError {
     NotTurning {
         /// The output that is its speed.
         shaft: String,
+    },
+    /// A shaft that turns too little for a spectrum over orders.
+    #[error("the shaft makes {turned:.2} of a revolution, and orders need a whole one; let the run last longer")]
+    NoRevolution {
+        /// What it turns \[revolutions\].
+        turned: f64,
     },
     /// Samples that are not evenly spaced.
     #[error("samples are not evenly spaced: {step} s instead of {expected} s at t = {t} s")]
@@ -177,6 +177,17 @@ pub fn welch(x: &[f64], rate: f64, segment: usize) -> Result<Spectrum, SpectrumE
 /// The frequencies \[Hz\] of the spectra of segments of this length, of samples at a `rate` \[1/s\].
 pub fn frequencies(rate: f64, segment: usize) -> Vec<f64> {
     (0..segment / 2 + 1).map(|m| m as f64 * rate / segment as f64).collect()
+}
+
+/// The place above which less than a fraction `share` of the power lies; 0 if there are none.
+pub(super) fn highest(places: &[f64], power: impl DoubleEndedIterator<Item = f64> + Clone, share: f64) -> f64 {
+    let mut left = share * power.clone().sum::<f64>();
+    let above = power.rev().take_while(|p| {
+        left -= *p;
+        left > 0.0
+    });
+    let above = above.count();
+    places.iter().rev().nth(above).copied().unwrap_or(0.0)
 }
 
 /// The periodic Hann window of length `n`.

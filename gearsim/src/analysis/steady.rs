@@ -25,8 +25,8 @@ pub struct SteadyLaw {
     pub start: f64,
     /// Speed of the phase [unit of the phase/s].
     pub speed: f64,
-    /// Whether it steps in the scene's equations; else it is constant at its mid value.
-    pub steps: bool,
+    /// Whether it varies with its phase in the scene's equations; else it is constant at its mid value.
+    pub varies: bool,
     /// The curve of each level; empty if the law is constant in each.
     pub curves: Vec<Curve>,
 }
@@ -42,17 +42,43 @@ impl SteadyLaw {
         self.speed.abs() / self.period
     }
 
-    /// Whether it steps and its phase moves.
+    /// Whether it varies and its phase moves.
     pub fn turns(&self) -> bool {
-        self.steps && self.speed != 0.0
+        self.varies && self.speed != 0.0
+    }
+
+    /// The index of its cell at the time `t` [s], and the phase there.
+    fn cell(&self, t: f64) -> (usize, f64) {
+        let phase = (self.start + self.speed * t).rem_euclid(self.period);
+        (self.levels.iter().position(|(_, end)| phase < *end).unwrap_or(self.levels.len() - 1), phase)
+    }
+
+    /// The level of its cell at the time `t` [s]; of a curve the mean in the cell [SI unit of the law].
+    pub fn level(&self, t: f64) -> f64 {
+        self.levels[self.cell(t).0].0
     }
 
     /// Its value at the time `t` [s] [SI unit of the law].
     pub fn at(&self, t: f64) -> f64 {
-        let phase = (self.start + self.speed * t).rem_euclid(self.period);
-        let here = self.levels.iter().position(|(_, end)| phase < *end).unwrap_or(self.levels.len() - 1);
+        let (here, phase) = self.cell(t);
         let begin = if here == 0 { 0.0 } else { self.levels[here - 1].1 };
         self.curves.get(here).map_or(self.levels[here].0, |curve| curve.at(phase - begin)[0])
+    }
+
+    /// Its smallest and its largest value [SI unit of the law].
+    pub fn extremes(&self) -> (f64, f64) {
+        let mut begin = 0.0;
+        let cells = self.levels.iter().enumerate().map(|(i, &(value, end))| {
+            let width = end - begin;
+            begin = end;
+            self.curves.get(i).map_or((value, value), |curve| curve.extremes(width))
+        });
+        cells.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), (a, b)| (low.min(a), high.max(b)))
+    }
+
+    /// The highest harmonic of its curves; 0 if it has none.
+    pub fn highest_order(&self) -> f64 {
+        self.curves.iter().map(Curve::highest_order).fold(0.0, f64::max)
     }
 
     /// Its mean over a period [SI unit of the law].
@@ -112,7 +138,7 @@ pub fn acting(scene: &Scene, system: &System) -> Result<Vec<SteadyLaw>, Refusal>
     }
     let mut all = all_courses(scene, system)?;
     for (course, _) in all.iter_mut().zip(scene.present()).filter(|(_, (law, _))| law.role == Role::Error) {
-        *course = SteadyLaw { levels: vec![(0.0, course.period)], steps: false, curves: vec![], ..course.clone() };
+        *course = SteadyLaw { levels: vec![(0.0, course.period)], varies: false, curves: vec![], ..course.clone() };
     }
     Ok(all)
 }
@@ -125,7 +151,7 @@ pub fn all_courses(scene: &Scene, system: &System) -> Result<Vec<SteadyLaw>, Ref
     let (begin, speeds) = (system.start(scene)?, speeds(scene, system));
     let course = |(i, (law, given)): (usize, (&'static Law, &Profile))| {
         let phase = scene.model.coordinates.iter().position(|c| c.name == law.phase).unwrap_or(0);
-        let steps = system.switching(i) != Switching::Never && given.steps.len() > 1;
+        let varies = system.switching(i) != Switching::Never && (given.steps.len() > 1 || !given.steps_only());
         let period = law.period * f64::from(given.pitches);
         let mut end = 0.0;
         let mut levels: Vec<(f64, f64)> = given
@@ -136,14 +162,23 @@ pub fn all_courses(scene: &Scene, system: &System) -> Result<Vec<SteadyLaw>, Ref
                 (step.value, end)
             })
             .collect();
-        if !steps {
+        if !varies {
             levels = vec![(given.mid(), period)];
         } else if let Some(last) = levels.last_mut() {
             last.1 = period;
         }
         let start = (begin[phase] - given.origin).rem_euclid(period);
-        let curves = if steps { given.curves.clone() } else { vec![] };
-        SteadyLaw { name: law.name, levels, period, pitches: given.pitches, start, speed: speeds[phase], steps, curves }
+        let curves = if varies { given.curves.clone() } else { vec![] };
+        SteadyLaw {
+            name: law.name,
+            levels,
+            period,
+            pitches: given.pitches,
+            start,
+            speed: speeds[phase],
+            varies,
+            curves,
+        }
     };
     Ok(scene.present().enumerate().map(course).collect())
 }

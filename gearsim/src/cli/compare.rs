@@ -111,7 +111,7 @@ fn write(
     }
     let before = folder.files().len();
     let runs: Vec<_> = members.iter().map(ComparedRun::to_draw).collect();
-    for warning in files::plots(folder, scene, &runs)? {
+    for warning in files::plots(folder, &runs)? {
         terminal::warn(&warning);
     }
     let entries = members.iter().zip(&summaries);

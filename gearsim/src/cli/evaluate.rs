@@ -29,7 +29,11 @@ pub(super) fn text(evaluated: &Evaluated, scene: &Scene, summary: &Summary, widt
         let meshes = scene.model.laws.iter().filter(|law| lines.lines.iter().any(|line| line.mesh == law.name));
         for output in meshes.filter_map(|law| force(scene.model, law.name)).take(MESHES) {
             let line = |(line, amplitude): (Line, f64)| {
-                format!("{} at {} Hz ({})", in_words(amplitude, output.unit), short(line.frequency), words(&line))
+                let place = match lines.varying.contains(&line.mesh) {
+                    true => format!("order {} of {}", short(line.order), lines.shaft.name),
+                    false => format!("{} Hz", short(line.frequency)),
+                };
+                format!("{} at {place} ({})", in_words(amplitude, output.unit), words(&line))
             };
             let all: Vec<String> = lines.largest(output, PRINTED).into_iter().map(line).collect();
             if !all.is_empty() {

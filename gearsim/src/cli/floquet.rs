@@ -60,7 +60,7 @@ pub(super) struct FloquetCommand {
 }
 
 /// Version of the format of `floquet.json`.
-const VERSION: u32 = 2;
+const VERSION: u32 = 3;
 
 /// The content of `floquet.json`: the results for the scene itself, without --vary.
 #[derive(Serialize)]
@@ -69,12 +69,17 @@ struct Report<'a> {
     model: &'a str,
     /// Common period of all stiffnesses [s].
     period: f64,
-    /// Frequency of the first mesh that steps [Hz].
+    /// Frequency of the first mesh whose stiffness varies [Hz].
     mesh_frequency: f64,
     /// Lowest natural frequency at the mean stiffness [Hz].
     natural_frequency: f64,
-    /// Real and imaginary parts of the Floquet multipliers, the largest first, without those of rigid motions.
+    /// Real and imaginary parts of the Floquet multipliers, the largest first, without those of rigid motions and those smaller than the
+    /// rounding error.
     multipliers: Vec<[f64; 2]>,
+    /// Number of multipliers smaller than the rounding error.
+    unresolved_multipliers: usize,
+    /// Rounding error of a multiplier.
+    rounding_error: f64,
     /// Number of rigid motions.
     rigid_motions: usize,
     /// What the analysis leaves out because it is linear.
@@ -86,7 +91,7 @@ struct Report<'a> {
     #[serde(skip_serializing_if = "Option::is_none")]
     orbit: Option<Repeats<'a>>,
     verdict: &'static str,
-    /// Natural logarithm of the largest absolute value of a multiplier.
+    /// Natural logarithm of the largest absolute value of a multiplier; that of the rounding error, an upper bound, if all are smaller.
     growth_per_period: f64,
     /// Names of the other files in the same folder.
     files: Vec<String>,
@@ -144,6 +149,8 @@ impl Verb for FloquetCommand {
             mesh_frequency: floquet.mesh,
             natural_frequency: floquet.natural,
             multipliers: floquet.multipliers.iter().map(|z| [z.re, z.im]).collect(),
+            unresolved_multipliers: floquet.unresolved,
+            rounding_error: floquet.rounding,
             rigid_motions: floquet.rigid,
             left_out: scene.left_out_if_linear(),
             linearised: Linearised::of(&scene, floquet.steady.as_ref()),
@@ -244,6 +251,7 @@ fn table(chart: &Chart) -> Result<Table, OutputError> {
 fn method(floquet: &Floquet) -> &'static str {
     match floquet.orbit {
         Some(_) => "variational equations along the motion that repeats, with saltation matrices",
+        None if floquet.is_integrated => "product of propagators, integrated where a law follows a curve",
         None => "product of exact cell propagators",
     }
 }
@@ -265,9 +273,12 @@ fn describe(f: &Floquet) -> String {
         true => short(z.re),
         false => format!("{} {} {}i", short(z.re), if z.im < 0.0 { "-" } else { "+" }, short(z.im.abs())),
     };
-    let factor = short(f.growth().exp());
+    let (factor, is_bound) = (short(f.growth().exp()), f.multipliers.is_empty());
+    let below = |less: &'static str| if is_bound { less } else { "" };
     let verdict = match f.verdict {
-        Verdict::Stable => format!("stable: a disturbance decays to {factor} times its size in a period"),
+        Verdict::Stable => {
+            format!("stable: a disturbance decays to {}{factor} times its size in a period", below("less than "))
+        }
         Verdict::Neutral => "neutral: there is no damping, and a disturbance keeps its size".into(),
         Verdict::Border => {
             "on the border of stability: two multipliers coincide on the unit circle (for a single vibration, trace = +-2), so \
@@ -283,7 +294,8 @@ fn describe(f: &Floquet) -> String {
         }
     };
     let mut text = format!("{verdict}\n");
-    text += &format!("period {} s, growth rate {} 1/s\n", short(f.period), short(f.growth() / f.period));
+    let rate = short(f.growth() / f.period);
+    text += &format!("period {} s, growth rate {}{rate} 1/s\n", short(f.period), below("below "));
     let ratio = f.mesh / f.natural;
     let mesh = format!(
         "mesh frequency {} Hz, {} times the lowest natural frequency {} Hz at the mean stiffness\n",
@@ -292,9 +304,10 @@ fn describe(f: &Floquet) -> String {
         short(f.natural)
     );
     text += &if f.mesh > 0.0 { mesh } else { format!("lowest natural frequency {} Hz\n", short(f.natural)) };
-    let all: Vec<String> = f.multipliers.iter().take(12).map(z).collect();
-    let more = if f.multipliers.len() > 12 { ", ..." } else { "" };
-    text += &format!("multipliers {}{more}\n", all.join(", "));
+    let mut all: Vec<String> = f.multipliers.iter().take(12).map(z).collect();
+    all.extend((f.multipliers.len() > 12).then(|| "...".into()));
+    all.extend((f.unresolved > 0).then(|| format!("{} smaller than {}", f.unresolved, short(f.rounding))));
+    text += &format!("multipliers {}\n", all.join(", "));
     if let Some(Orbit { reference, turn, drift, gap, speed, .. }) = &f.orbit {
         text += &format!(
             "about the motion that repeats after {reference} has moved on by {} (to {} of the rotation); its speed changes by {} % in a \

@@ -89,7 +89,7 @@ pub(super) fn all() -> String {
             continue;
         }
         text += &format!("  coordinates  {}\n", names(model.coordinates.iter().map(|c| c.name).collect()));
-        text += &format!("  effects      {}\n\n", names(Effects(u64::MAX).names(model)));
+        text += &format!("  effects      {}\n\n", names(Effects::all(model).names(model)));
     }
     text + "`gearsim models NAME` shows what a scene of a model can set, and its equations.\n"
 }

@@ -219,7 +219,7 @@ impl Modes {
             masses: parts.masses.iter().map(|mass| mass.name).collect(),
             chosen: cell(chosen),
             cells: cells.iter().map(cell).collect(),
-            mesh_frequencies: courses.iter().map(|c| c.steps.then(|| c.mesh_frequency())).collect(),
+            mesh_frequencies: courses.iter().map(|c| c.varies.then(|| c.mesh_frequency())).collect(),
             meetings: modes::meetings(courses, chosen).iter().map(meeting).collect(),
             natural_frequencies_over_a_turn: turn.map(|turn| &turn.natural[..]),
             left_out: scene.left_out_if_linear(),

@@ -6,7 +6,7 @@ use clap::Parser;
 
 use super::failure::Failure;
 use super::printing::Quiet;
-use super::{Verb, terminal};
+use super::{Verb, known, terminal};
 use crate::output::staging::Staging;
 use crate::output::{OutputError, WholeFiles};
 
@@ -56,6 +56,14 @@ const FILES: &[(&str, &str)] = &[
 
 /// Names that cannot be those of a crate beside its parts, or that Rust reserves.
 const TAKEN: &[&str] = &["energies", "gearsim", "test", "core", "std", "alloc", "proc-macro"];
+
+/// Words of Rust, which cannot be names of modules (The Rust Reference, "Keywords").
+const KEYWORDS: &[&str] = &[
+    "abstract", "as", "async", "await", "become", "box", "break", "const", "continue", "crate", "do", "dyn", "else",
+    "enum", "extern", "false", "final", "fn", "for", "gen", "if", "impl", "in", "let", "loop", "macro", "match", "mod",
+    "move", "mut", "override", "priv", "pub", "ref", "return", "self", "static", "struct", "super", "trait", "true",
+    "try", "type", "typeof", "unsafe", "unsized", "use", "virtual", "where", "while", "yield",
+];
 
 impl Verb for New {
     fn run(self) -> Result<(), Failure> {
@@ -116,7 +124,23 @@ fn name(folder: &Path) -> Result<String, Failure> {
     let name = folder.file_name().and_then(|name| name.to_str()).unwrap_or_default();
     let plain = |c: char| c.is_ascii_lowercase() || c.is_ascii_digit() || c == '-';
     let parts = name.split('-').all(|part| part.starts_with(|c: char| c.is_ascii_lowercase()));
-    if name.chars().all(plain) && parts && name.len() <= 60 && !TAKEN.contains(&name) {
+    if KEYWORDS.contains(&name) || TAKEN.contains(&name) {
+        let what = format!("`{name}` is reserved, and cannot be the name of the crate");
+        return Err(Failure::Impossible { what, help: "take another name: my-axle".into() });
+    }
+    // The crate's model has the name of the crate.
+    if known::models().iter().any(|entry| entry.model.name == name.replace('-', "_")) {
+        let what = format!("`{name}` is a model of gearsim, and the crate's own model would hide it");
+        return Err(Failure::Impossible { what, help: "take another name: my-axle".into() });
+    }
+    if name.is_empty() {
+        let what = format!("{} names no new folder", folder.display());
+        return Err(Failure::Impossible {
+            what,
+            help: "give the folder that is to be created: gearsim new my-axle".into(),
+        });
+    }
+    if name.chars().all(plain) && parts && name.len() <= 60 {
         return Ok(name.into());
     }
     Err(Failure::Impossible {

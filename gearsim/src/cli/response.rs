@@ -100,7 +100,7 @@ impl Verb for ResponseCommand {
             overrides.push(format!("output.record={:?}", self.output));
         }
         let vary = vec![self.over.clone()];
-        let request = Request { vary, overrides, from: settle, ..Request::default() };
+        let request = Request { vary, overrides, from: Some(settle), ..Request::default() };
         let sweep = Sweep::load(&self.scene, known::models(), &request)?;
         let path = self.out.clone().unwrap_or_else(|| Path::new("out").join(format!("{}_response", sweep.scene())));
         OutputFolder::probe(&path)?;
@@ -162,7 +162,8 @@ impl ResponseCommand {
         };
         for (i, output) in response.outputs.iter().enumerate() {
             for (way, upward) in [("up", true), ("down", false)] {
-                let points = response.points.iter().filter(|point| point.upward == upward);
+                let points =
+                    response.points.iter().filter(|point| point.upward == upward && point.status == Status::Done);
                 let values = points.filter_map(|point| Some((value(point.observed[i].as_ref()?), point.value)));
                 if let Some((value, at)) = values.max_by(|a, b| a.0.total_cmp(&b.0)) {
                     let (value, at) = (in_words(value, output.unit), number::short(scale * at));
@@ -193,14 +194,14 @@ fn measured(response: &Response) -> String {
     }
 }
 
-/// A failure if a point was not run to its end.
+/// A failure if a point was not run to its end, or not at its speed.
 fn failure(response: &Response, folder: &Path) -> Result<(), Failure> {
     let wrong: Vec<_> = response.points.iter().filter(|point| point.status != Status::Done).collect();
     match wrong.first() {
         None => Ok(()),
         Some(first) => Err(Failure::Points {
             what: format!(
-                "{} of {} points of the response have no result; the first is {} = {} {}: {}",
+                "{} of {} points of the response have no valid result; the first is {} = {} {}: {}",
                 wrong.len(),
                 response.points.len(),
                 response.key,

@@ -16,7 +16,8 @@ use crate::output::OutputFolder;
     after_help = "\
 Writes summary.json, trajectory.parquet (with --csv also trajectory.csv), lines.csv with the
 amplitudes at mesh orders and their sidebands, and plots as SVG and PNG. Rows with moment =
-\"sample\" are evenly spaced; at each event there are two more rows of the same time.
+\"sample\" are evenly spaced, except a last one at the end of the run; at each event there are two
+more rows of the same time.
 
 Examples:
   gearsim run models/scenes/oh2005/energy_300rpm.toml
@@ -32,7 +33,8 @@ pub(super) struct Run {
     /// Also write the trajectory as CSV
     #[arg(long)]
     csv: bool,
-    /// Also write a recorded signal as sound, sound_NAME.wav; may be repeated
+    /// Write a recorded signal as sound, sound_NAME.wav; may be repeated. These replace
+    /// output.sound of the scene
     #[arg(long, value_name = "NAME")]
     sound: Vec<String>,
     /// Play sounds so many times as slowly; frequencies are divided by it

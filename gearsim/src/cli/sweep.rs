@@ -52,12 +52,14 @@ pub(super) struct SweepCommand {
     #[arg(long, value_name = "GROUPS", value_delimiter = ',', default_value = "events,state,digits,energy,extremes")]
     record: Vec<String>,
     /// Time from which on extremes and spectra are computed, e.g. after the initial transient
-    #[arg(long, value_name = "TIME", default_value = "0 s")]
-    from: String,
+    /// [default: output.from of the scene]
+    #[arg(long, value_name = "TIME")]
+    from: Option<String>,
     #[command(flatten)]
     evaluation: Evaluation,
     /// Runs only shard I of N of the points; `gearsim merge` joins the shards. auto: that of
-    /// this task in a job array of Slurm; auto/N: in one of Kubernetes
+    /// this task in a job array of Slurm whose tasks are submitted together; auto/N: in one of
+    /// N tasks, from 1 to N of Slurm or indexed by Kubernetes
     #[arg(long, value_name = "I/N", default_value_t = Shard::WHOLE)]
     shard: Shard,
     /// Number of threads, at most 1024 [default: one per core]
@@ -114,10 +116,13 @@ Examples:
 
 impl Verb for SweepCommand {
     fn run(self) -> Result<(), Failure> {
-        let from = crate::scene::quantity::parse_time(&self.from).map_err(|why| Failure::Impossible {
-            what: format!("--from \"{}\" is not a time: {why}", self.from),
-            help: "write for example --from \"0.1 s\"".into(),
-        })?;
+        let time = |from: &String| {
+            crate::scene::quantity::parse_time(from).map_err(|why| Failure::Impossible {
+                what: format!("--from \"{from}\" is not a time: {why}"),
+                help: "write for example --from \"0.1 s\"".into(),
+            })
+        };
+        let from = self.from.as_ref().map(time).transpose()?;
         let request = Request {
             vary: self.vary.clone(),
             overrides: self.overrides.clone(),

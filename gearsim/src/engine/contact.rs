@@ -65,7 +65,7 @@ pub struct Contact {
     pub watches: Vec<Watch>,
     /// Those of `switches` whose held rates have friction laws as factors, which vary while the phase moves.
     turning: Vec<(usize, usize)>,
-    /// The switches whose deflections cannot move, because of their own hold or of other holds.
+    /// The switches that nothing can move: their own hold, or the holds of others, keep the rate that decides whether they are held.
     pub locked: Vec<usize>,
 }
 

@@ -57,6 +57,17 @@ impl LawState {
     /// # Errors
     /// If a phase is too large for its place in the pitch to be known, or an inertia overflows.
     pub fn begin(equations: &dyn Equations, scene: &Scene, state: &mut State) -> Result<Vec<LawState>, Refusal> {
+        let q = state.q.clone();
+        let mut laws = LawState::moving(equations, scene, state)?;
+        laws.iter_mut().for_each(|law| law.freeze(&q, &state.q_dot));
+        Ok(laws)
+    }
+
+    /// The same with phases that follow their coordinates, also where the scene freezes them.
+    ///
+    /// # Errors
+    /// Those of [`LawState::begin`].
+    pub fn moving(equations: &dyn Equations, scene: &Scene, state: &mut State) -> Result<Vec<LawState>, Refusal> {
         let model = scene.model;
         let absolute = state.q.clone();
         let mut laws: Vec<LawState> = vec![];
@@ -85,26 +96,35 @@ impl LawState {
                 state.q[phase] = rest;
                 state.turns[phase] = pitches;
             }
-            let frozen = (switching == Switching::ByTime).then_some(Frozen { speed, origin: rest });
             let surface = Surface::new(equations, i, &state.q);
             if !surface.compliance.is_finite() || surface.direction.iter().any(|x| !x.is_finite()) {
                 let definite = equations.mass(&state.q).cholesky().is_some();
                 return Err(if definite { Refusal::Overflow } else { Refusal::Mass });
             }
             // Laws on one coordinate may have their boundaries at different places.
-            let ahead = match (frozen, turns) {
-                (Some(_), _) | (None, true) => 0,
-                (None, false) if turn > 0.0 => {
+            let ahead = match turns {
+                true => 0,
+                false if turn > 0.0 => {
                     let (ahead, here) = pitch.locate_from(state.turns[phase], state.q[phase], speed);
                     cell = here;
                     ahead
                 }
-                (None, false) => pitches,
+                false => pitches,
             };
             let is_error = law.role == Role::Error;
-            laws.push(LawState { switching, pitch, surface, phase, is_error, turns, turn, frozen, cell, ahead });
+            laws.push(LawState { switching, pitch, surface, phase, is_error, turns, turn, frozen: None, cell, ahead });
         }
         Ok(laws)
+    }
+
+    /// Freezes the phase at the coordinates `q` (n, with whole turns) if the scene freezes phases: from there it moves in proportion to the time,
+    /// with its speed among `q_dot`.
+    pub fn freeze(&mut self, q: &[f64], q_dot: &[f64]) {
+        if self.switching == Switching::ByTime {
+            let speed = q_dot[self.phase];
+            let (_, origin, cell) = self.pitch.locate(q[self.phase], speed);
+            (self.frozen, self.cell, self.ahead) = (Some(Frozen { speed, origin }), cell, 0);
+        }
     }
 
     /// Its value in the present cell if it is constant there, else its mean over the cell.

@@ -171,8 +171,10 @@ impl<'a> Recorder<'a> {
         row.t.push(t);
         row.moment.push(moment);
         let q = state.unwrapped(&self.pitch);
-        self.equations.write_outputs(&self.outputs, &q, &state.q_dot, k, &known, &mut self.values);
-        row.outputs.iter_mut().zip(&self.values).for_each(|((_, column), value)| column.push(*value));
+        if !self.outputs.is_empty() {
+            self.equations.write_outputs(&self.outputs, &q, &state.q_dot, k, &known, &mut self.values);
+            row.outputs.iter_mut().zip(&self.values).for_each(|((_, column), value)| column.push(*value));
+        }
         for (i, x) in q.iter().enumerate() {
             row.q[i].push(*x);
             row.q_dot[i].push(state.q_dot[i]);

@@ -1,14 +1,16 @@
 //! The state at t = 0 from the start that a scene states.
 
 mod equilibrium;
+mod rigid;
 
-use crate::engine::equations::Equations;
+use crate::engine::equations::{Equations, Exit};
 use crate::engine::error::Refusal;
 use crate::engine::law::{self, LawState};
 use crate::engine::record::State;
 use crate::engine::switch::{self, Switch};
 use crate::engine::vector::Vector;
 use crate::scene::Scene;
+use crate::tolerance::events::RELEASE;
 
 use equilibrium::{Equilibrium, Settled, courses};
 
@@ -48,7 +50,7 @@ pub fn rigid_speeds(equations: &dyn Equations, scene: &Scene) -> Vector {
 /// The state at the start.
 ///
 /// The speeds are those given, otherwise those of the rigid motions ([`rigid_speeds`]). Coordinates with the value `static` are where the
-/// generalised forces on them vanish; the other coordinates and the speeds have the given values, and each law is in the cell of
+/// generalised forces on them vanish, less those that accelerate rigid motions; the other coordinates and the speeds have the given values, and each law is in the cell of
 /// its phase. Switches are in the modes that this state admits: flanks are in contact where the forces press them together. If there are several equilibria, it is
 /// the one found from the stated value, or from zero.
 ///
@@ -71,7 +73,7 @@ pub fn begin(equations: &dyn Equations, scene: &Scene) -> Result<Initial, Refusa
     } else {
         let balance = Equilibrium { equations, scene, free: &free, q_dot };
         let settle = |switches: &[Switch]| balance.from(&guess, switches);
-        let mut settled = in_modes(equations, scene, &mut switches, settle)?;
+        let mut settled = in_modes(equations, scene, &mut switches, (&guess, &balance.q_dot), settle)?;
         let found = balance.others(&settled, &guess, &switches);
         others = balance.describe(&settled, &found);
         if !settled.stable
@@ -98,34 +100,61 @@ pub fn begin(equations: &dyn Equations, scene: &Scene) -> Result<Initial, Refusa
     Ok(Initial { state, laws, switches, others })
 }
 
-/// Finds the modes of the switches at an equilibrium. `settle` gives the equilibrium for given modes. A switch whose guards are violated
-/// there is tried in its next mode.
+/// Finds the modes of the switches at an equilibrium. `settle` gives the equilibrium for given modes. A switch whose deflection moves at the
+/// speeds `q_dot` slides; another one whose guards are violated there, or whose hold would have to resist more than it can, is tried in its next mode.
 fn in_modes(
     equations: &dyn Equations,
     scene: &Scene,
     switches: &mut [Switch],
+    (guess, q_dot): (&Vector, &Vector),
     mut settle: impl FnMut(&[Switch]) -> Result<Settled, Refusal>,
 ) -> Result<Settled, Refusal> {
-    switches.iter_mut().for_each(|switch| switch.mode = switch.rests().next().unwrap_or(0));
-    let most: usize = switches.iter().map(|switch| switch.rests().count()).sum();
+    let mut state = State::new(guess.clone(), q_dot.clone());
+    let laws = LawState::moving(equations, scene, &mut state)?;
+    let [k, ..] = courses(scene, &state, &laws);
+    for switch in &mut *switches {
+        let slides = sliding(switch, equations, (&state.q, q_dot), &k);
+        switch.mode = slides.or_else(|| switch.rests().next()).unwrap_or(0);
+    }
+    let most: usize = switches.iter().map(|switch| switch.rests().count() + switch.modes()).sum();
     // After all modes the last result is used.
     for _ in 0..most {
         let settled = settle(switches)?;
         let [mut k, ..] = courses(scene, &settled.state, &settled.laws);
         switches.iter().for_each(|switch| switch.write(&mut k));
         let at_rest = Vector::zeros(settled.state.q.len());
-        let next = switches.iter_mut().find_map(|switch| {
+        let next = switches.iter_mut().enumerate().find_map(|(i, switch)| {
+            let reaction = settled.reactions.iter().find(|(of, _)| *of == i).map(|(_, r)| *r);
             let exits = switch.exits(equations, &settled.state.q, &k);
-            let guards = exits.iter().map(|exit| &exit.guard).filter(|guard| guard.on_reaction == 0.0);
-            let violated =
-                guards.into_iter().any(|guard| guard.value(&settled.state.q, &at_rest, &k) < -guard.rounding(&k));
-            let next = switch.rests().find(|mode| *mode > switch.mode).filter(|_| violated)?;
+            let violated = exits.iter().find(|Exit { guard, .. }| {
+                let resisted = match (guard.on_reaction == 0.0, reaction) {
+                    (true, _) => 0.0,
+                    (false, Some(r)) => guard.on_reaction * r,
+                    (false, None) => return false,
+                };
+                let rounding = guard.rounding(&k) + RELEASE * resisted.abs();
+                guard.value(&settled.state.q, &at_rest, &k) + resisted < -rounding
+            })?;
+            // A switch that slides, or whose hold breaks, goes where its guard leads. One that rests is tried in its next mode of rest.
+            let next = match violated.guard.on_reaction != 0.0 || !switch.here().rests {
+                true => Some(violated.beyond),
+                false => switch.rests().find(|mode| *mode > switch.mode),
+            }?;
             Some((switch, next))
         });
         let Some((switch, next)) = next else { return Ok(settled) };
         switch.mode = next;
     }
     settle(switches)
+}
+
+/// The mode in which a switch that can hold its rate slides at the speeds `q_dot`; `None` if it does not.
+fn sliding(switch: &Switch, equations: &dyn Equations, (q, q_dot): (&[f64], &[f64]), k: &[f64]) -> Option<usize> {
+    (0..switch.modes()).find(|mode| {
+        let (there, k) = switch.in_mode(*mode, k);
+        let rate = there.before_hold(*mode, equations, q, &k).filter(|_| !there.here().held);
+        rate.is_some_and(|rate| rate.dot(q_dot) > switch::rest(equations, (q, q_dot), &rate))
+    })
 }
 
 /// Whether the coordinates `q` with the speeds `q_dot` admit a mode of a switch: every guard of the coordinates alone is positive or about

@@ -171,11 +171,24 @@ impl Switch {
     /// when the reaction exceeds its bound.
     pub fn held(&self, equations: &dyn Equations, q: &[f64], k: &[f64]) -> Vector {
         let prevented = self.exits(equations, q, k).into_iter().find(|exit| exit.guard.on_reaction < 0.0);
-        let back = prevented.and_then(|exit| {
-            let exits = equations.exits(self.index, exit.beyond, q, k);
-            exits.into_iter().find(|back| self.modes.0[back.beyond].held)
-        });
-        back.map_or_else(|| self.normal.clone(), |back| back.guard.on_speed)
+        let back = prevented.and_then(|exit| self.before_hold(exit.beyond, equations, q, k));
+        back.unwrap_or_else(|| self.normal.clone())
+    }
+
+    /// The gradient of the rate whose zero leads from `mode` to a mode that holds; `None` where no exit does.
+    pub fn before_hold(&self, mode: usize, equations: &dyn Equations, q: &[f64], k: &[f64]) -> Option<Vector> {
+        let exits = equations.exits(self.index, mode, q, k);
+        let exit = exits.into_iter().find(|exit| self.modes.0[exit.beyond].held)?;
+        Some(exit.guard.on_speed)
+    }
+
+    /// The gradient of the rate that its present mode holds, or whose zero leads to a mode that holds; of its deflection where there is none.
+    pub fn gradient(&self, equations: &dyn Equations, q: &[f64], k: &[f64]) -> Vector {
+        if self.here().held {
+            return self.held(equations, q, k);
+        }
+        let rate = self.before_hold(self.mode, equations, q, k).filter(|rate| rate.amax() > 0.0);
+        rate.unwrap_or_else(|| self.normal.clone())
     }
 
     /// How fast the factors of the held rate change along the motion `q`, `q_dot`, times the speeds: N'ᵀq'. `k_dot` are the rates of the law values,

@@ -30,16 +30,18 @@ use crate::train::{Part, Train};
 pub struct Elements(pub &'static [(&'static Model, Functions)]);
 
 impl Elements {
-    /// The bits of an element's effects.
-    fn effects(part: &Part, scene: &Scene) -> Effects {
-        Effects(part.effects.iter().enumerate().map(|(i, &of)| u64::from(scene.effects.contains(of)) << i).sum())
+    /// The effects of a part's element.
+    fn effects(&self, part: &Part, scene: &Scene) -> Effects {
+        let is_named = |of: &Option<usize>| of.is_some_and(|of| scene.effects.contains(of));
+        let named = part.effects.iter().enumerate().filter(|(_, of)| is_named(of)).map(|(i, _)| i);
+        Effects::numbered(self.0[part.element].0, named)
     }
 }
 
 impl Source for Elements {
     fn equations(&self, scene: &Scene, parameters: &[f64], mids: &[f64]) -> Option<Box<dyn Equations>> {
         let train = scene.train.as_ref()?;
-        if !scene.model.admits(scene.effects.0) {
+        if !scene.effects.agree(scene.model) {
             return None;
         }
         let geometry = Geometry::<f64>::of(train, parameters);
@@ -48,9 +50,9 @@ impl Source for Elements {
             let own: Vec<f64> = part.parameters.iter().map(given).collect();
             let of_laws: Vec<f64> = part.values[..part.laws].iter().map(|&i| mids[i]).collect();
             let (model, functions) = &self.0[part.element];
-            let effects = Elements::effects(part, scene);
-            let equations = (functions.equations)(effects.0, &own, &of_laws)?;
-            Some(Placed::new(part.clone(), effects, model, equations, rows))
+            let effects = self.effects(part, scene);
+            let equations = (functions.equations)(&effects, &own, &of_laws)?;
+            Some(Placed::new(part.clone(), &effects, model, equations, rows))
         };
         let parts: Option<Vec<Placed>> = train.parts.iter().zip(&geometry.rows).map(part).collect();
         let needs = |part: &Part, output: usize| self.0[part.element].0.outputs[output].known;

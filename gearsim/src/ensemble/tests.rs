@@ -25,7 +25,7 @@ type Prepared = (Scene, Box<dyn Equations>);
 
 fn prepare(overrides: &[String]) -> Prepared {
     let scene = Scene::parse("ensemble", "a test", SCENE, overrides, &[&GearPair::MODEL]).unwrap();
-    let equations = GearPair::equations(scene.effects.0, &scene.parameters, &[scene.laws[0].mid()]).unwrap();
+    let equations = GearPair::equations(&scene.effects, &scene.parameters, &[scene.laws[0].mid()]).unwrap();
     (scene, equations)
 }
 

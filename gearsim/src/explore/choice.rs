@@ -69,7 +69,7 @@ impl Choice {
         let Some(chosen) = &self.effects else { return };
         let names = |names: &[String]| Effects::from_names(names.iter().map(String::as_str), scene.model);
         match names(chosen) {
-            Some(set) if names(&text.names("effects")) == Some(set) => {}
+            Some(set) if names(&text.names("effects")).as_ref() == Some(&set) => {}
             Some(set) => text.set_names("effects", &set.names(scene.model)),
             None => text.set_names("effects", &chosen.iter().map(String::as_str).collect::<Vec<_>>()),
         }

@@ -57,7 +57,8 @@ pub(super) struct SolverFields {
 pub(super) fn offered(scene: &Scene, text: &Text) -> Vec<Leaf> {
     let names = text.names("effects");
     let effects = Effects::from_names(names.iter().map(String::as_str), scene.model);
-    let active = |with: Option<&str>| with.is_none_or(|e| effects.is_some_and(|effects| effects.has(e, scene.model)));
+    let active =
+        |with: Option<&str>| with.is_none_or(|e| effects.as_ref().is_some_and(|effects| effects.has(e, scene.model)));
     let leaf = |table: &str, name: &str, number: f64, unit: &str| Leaf {
         path: vec![table.into(), name.into()],
         number,
@@ -168,7 +169,17 @@ fn usual(scene: &Scene, leaf: &Leaf, parameter: Option<&Parameter>) -> f64 {
     let unit = parameter.map(|p| p.unit).or(coordinate.map(|c| c.unit)).or(motion.map(|m| m.unit)).unwrap_or("1");
     let all = Range { low: f64::NEG_INFINITY, high: f64::INFINITY, low_included: false, high_included: false };
     let doc = parameter.map_or("", |p| p.doc);
-    let like = Parameter { name: "", unit, default: None, with: None, varies: Varies::Never, range: all, doc };
+    let like = Parameter {
+        name: "",
+        unit,
+        default: None,
+        with: None,
+        gear_data: None,
+        varies: Varies::Never,
+        range: all,
+        above: None,
+        doc,
+    };
     let text = usual_value(&like);
     let size = split(text.trim_matches('"')).map_or(1.0, |(number, unit)| si(number, unit));
     size / si(1.0, &leaf.unit)
@@ -177,7 +188,7 @@ fn usual(scene: &Scene, leaf: &Leaf, parameter: Option<&Parameter>) -> f64 {
 /// The check boxes of a text.
 pub(super) fn effects(scene: &Scene, text: &Text) -> Vec<EffectBox> {
     let names = text.names("effects");
-    let set = Effects::from_names(names.iter().map(String::as_str), scene.model).unwrap_or(Effects(0));
+    let set = Effects::from_names(names.iter().map(String::as_str), scene.model).unwrap_or(Effects::none(scene.model));
     let effects = scene.model.effects.iter().enumerate();
     effects.map(|(i, effect)| EffectBox { name: effect.name, doc: effect.doc, on: set.contains(i) }).collect()
 }

@@ -198,10 +198,10 @@ fn mistakes_name_their_controls_and_leave_the_controls() {
 fn effects_bring_the_values_that_they_need() {
     for name in ["oh2005/energy_300rpm", "gear_pair_teeth", "two_stage", "planetary_3", "chain_5"] {
         let explorer = explorer(name);
-        let (model, present) = (explorer.scene.model, explorer.scene.effects);
+        let (model, present) = (explorer.scene.model, &explorer.scene.effects);
         for (i, effect) in model.effects.iter().enumerate() {
-            let with = crate::scene::Effects(present.0 | 1 << i);
-            if !model.admits(with.0) {
+            let with = present.clone().with(i);
+            if !with.agree(model) {
                 continue;
             }
             let text = explorer.saved(&choice(json!({ "effects": with.names(model) })));

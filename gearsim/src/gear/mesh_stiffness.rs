@@ -43,7 +43,7 @@ const INTERVALS: usize = 64;
 /// The mesh stiffness of `gears` over a phase of the given period, times `scale`, which is 1 for a law in N/m.
 ///
 /// # Errors
-/// If the gears do not mesh or are outside the range of the method, or for curves of spur gears with [`StiffnessMethod::Iso6336`].
+/// Those of [`of_section`].
 pub fn stiffness(
     gears: &Gears,
     method: StiffnessMethod,
@@ -51,6 +51,21 @@ pub fn stiffness(
     period: f64,
     scale: f64,
 ) -> Result<Profile, GearError> {
+    of_section(gears, method, shape, period, scale).map(|(law, window)| law.averaged(window))
+}
+
+/// The law of which [`stiffness`] is the mean over a window, and the width of this window [unit of the phase]: along the face of helical gears
+/// each transverse section has this law at a phase of its own. The window of spur gears is zero.
+///
+/// # Errors
+/// If the gears do not mesh or are outside the range of the method, or for curves of spur gears with [`StiffnessMethod::Iso6336`].
+pub fn of_section(
+    gears: &Gears,
+    method: StiffnessMethod,
+    shape: CellShape,
+    period: f64,
+    scale: f64,
+) -> Result<(Profile, f64), GearError> {
     match method {
         StiffnessMethod::Iso6336(_) if shape == CellShape::Curves && gears.helix_angle == 0.0 => {
             let what = "ISO 6336-1 gives one stiffness for each number of pairs, and no curves between the steps";
@@ -63,7 +78,7 @@ pub fn stiffness(
                 .into_iter()
                 .map(|cell| Step { value: iso.pairs(cell.pairs) * width, width: cell.width(&contact, method, period) });
             let section = from_pitch_point(Profile::stepping(cells.collect()), &contact, period);
-            Ok(section.averaged(contact.overlap * period))
+            Ok((section, contact.overlap * period))
         }
         StiffnessMethod::Energy => {
             let pair = ToothPair::of(gears)?;
@@ -77,7 +92,7 @@ pub fn stiffness(
                     Profile::stepping(curves.into_iter().map(step).collect())
                 }
             };
-            Ok(from_pitch_point(stiffness, &pair.contact, period).averaged(pair.contact.overlap * period))
+            Ok((from_pitch_point(stiffness, &pair.contact, period), pair.contact.overlap * period))
         }
     }
 }

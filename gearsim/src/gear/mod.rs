@@ -28,7 +28,7 @@ pub use contact::Contact;
 pub use friction::FrictionLaw;
 pub use internal_dynamics::InternalDynamics;
 pub use iso6336::{Iso6336, LINE_LOADS};
-pub use mesh_stiffness::{CellShape, StiffnessMethod};
+pub use mesh_stiffness::{CellShape, StiffnessMethod, of_section};
 #[cfg(feature = "html")]
 pub use outline::Outlines;
 pub use pair::{GearError, Gears, Material};

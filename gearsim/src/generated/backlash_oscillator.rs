@@ -27,11 +27,12 @@ equations! {
         ns_motor "rad/s" required with induction_motor, open 0.0 to inf, "synchronous speed of the rotor";
         Tp_motor "N*m" required with traction_motor, open 0.0 to inf, "peak torque of the rotor, up to its base speed";
         Pp_motor "W" required with traction_motor, open 0.0 to inf, "peak power of the rotor, above its base speed Pp/Tp";
-        d_motor "1" default 1.0, open -inf to inf, "demand on the rotor: 1 drives with its peak torque or power, -1 brakes with them";
-        round_motor "1" default 0.01, open 0.0 to inf,
+        d_motor "1" default 1.0 with traction_motor, open -inf to inf,
+            "demand on the rotor: 1 drives with its peak torque or power, -1 brakes with them";
+        round_motor "1" default 0.01 with traction_motor, open 0.0 to inf,
             "rounding of the corner of the torque of the rotor at its base speed, relative to that";
         cf_load "N*m*s^2/rad^2" required with fan_load, from 0.0 to inf, "fan torque of the rotor divided by the square of its speed";
-        w0_load "rad/s" default 0.01, open 0.0 to inf,
+        w0_load "rad/s" default 0.01 with fan_load, open 0.0 to inf,
             "speed of the rotor below which the fan torque is linear instead of quadratic in the speed";
     }
     laws {

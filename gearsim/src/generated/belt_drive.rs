@@ -24,11 +24,11 @@ equations! {
         I_t "kg*m^2" required, open 0.0 to inf, "moment of inertia of the tensioner arm";
         k_p "N/m" required, open 0.0 to inf, "stiffness of the pulling span";
         k_s "N/m" required, open 0.0 to inf, "stiffness of the slack span";
-        k_t "N*m/rad" required, from 0.0 to inf, "torsional stiffness of the spring of the tensioner arm";
+        k_t "N*m/rad" support required, from 0.0 to inf, "torsional stiffness of the spring of the tensioner arm";
         hi_t "rad" required with end_stop_t, open -inf to inf, "place of the upper stop of the tensioner arm";
         lo_t "rad" required with end_stop_t, open -inf to inf, "place of the lower stop of the tensioner arm";
         ks_t "N*m/rad" required with end_stop_t, open 0.0 to inf, "stiffness of the stops of the tensioner arm";
-        cs_t "N*m*s/rad" default 0.0, from 0.0 to inf, "damping of the stops of the tensioner arm";
+        cs_t "N*m*s/rad" default 0.0 with end_stop_t, from 0.0 to inf, "damping of the stops of the tensioner arm";
         T_crank "N*m" required with torques, open -inf to inf, "driving torque of the crankshaft";
         c_crank "N*m*s/rad" required with speed_governor, open 0.0 to inf,
             "gain of the governor of the crankshaft: torque per difference of set point and speed";
@@ -40,12 +40,13 @@ equations! {
         ns_crank "rad/s" required with induction_motor, open 0.0 to inf, "synchronous speed of the crankshaft";
         Tp_crank "N*m" required with traction_motor, open 0.0 to inf, "peak torque of the crankshaft, up to its base speed";
         Pp_crank "W" required with traction_motor, open 0.0 to inf, "peak power of the crankshaft, above its base speed Pp/Tp";
-        d_crank "1" default 1.0, open -inf to inf, "demand on the crankshaft: 1 drives with its peak torque or power, -1 brakes with them";
-        round_crank "1" default 0.01, open 0.0 to inf,
+        d_crank "1" default 1.0 with traction_motor, open -inf to inf,
+            "demand on the crankshaft: 1 drives with its peak torque or power, -1 brakes with them";
+        round_crank "1" default 0.01 with traction_motor, open 0.0 to inf,
             "rounding of the corner of the torque of the crankshaft at its base speed, relative to that";
         T_load "N*m" required with torques, open -inf to inf, "load torque of the accessory, against its rotation";
         cf_load "N*m*s^2/rad^2" required with fan_load, from 0.0 to inf, "fan torque of the accessory divided by the square of its speed";
-        w0_load "rad/s" default 0.01, open 0.0 to inf,
+        w0_load "rad/s" default 0.01 with fan_load, open 0.0 to inf,
             "speed of the accessory below which the fan torque is linear instead of quadratic in the speed";
         alpha_M "1/s" default 0.0, from 0.0 to inf, "damping in proportion to inertia";
         beta_K "s" default 0.0, from 0.0 to inf, "damping in proportion to stiffness";

@@ -15,19 +15,19 @@ equations! {
         s "m" start static, "motion of gear 1 relative to gear 2 along the line of action";
     }
     parameters {
-        N1 "1" required, open 0.0 to inf, "number of teeth of gear 1";
-        N2 "1" required, open 0.0 to inf, "number of teeth of gear 2";
-        r1 "m" required, open 0.0 to inf, "base radius of gear 1";
+        N1 "1" teeth required, open 0.0 to inf, "number of teeth of gear 1";
+        N2 "1" teeth required, open 0.0 to inf, "number of teeth of gear 2";
+        r1 "m" base_radius required, open 0.0 to inf, "base radius of gear 1";
         I1 "kg*m^2" required, open 0.0 to inf, "moment of inertia of the driving gear";
         I2 "kg*m^2" required, open 0.0 to inf, "moment of inertia of the driven gear";
         beta "rad" required, from 0.0 to inf, "angle between the shafts of the universal joint, less than a quarter turn";
         I_o "kg*m^2" required, open 0.0 to inf, "moment of inertia behind the joint";
-        alpha "rad" default 0.3490658503988659, open 0.0 to inf, "working pressure angle, for friction";
+        alpha "rad" pressure_angle default 0.3490658503988659, open 0.0 to inf, "working pressure angle, for friction";
         b12 "m" required with backlash_12, open 0.0 to inf, "backlash of the mesh: no contact within b/2 to either side";
         mu12 "1" required with sliding_friction_12, from 0.0 to inf, "coefficient of friction of the mesh";
-        w_mix12 "rad/s" default 0.1, open 0.0 to inf,
+        w_mix12 "rad/s" default 0.1 with sliding_friction_12, open 0.0 to inf,
             "rolling speed omega1 + omega2 of the mesh below which friction decreases to zero (mixed film)";
-        mu_rise12 "1" default 0.0, from 0.0 to inf,
+        mu_rise12 "1" default 0.0 with flank_stiction_12, from 0.0 to inf,
             "excess of the static coefficient of friction of the mesh over that of sliding, relative to that";
         T_motor "N*m" required with torques, open -inf to inf, "driving torque of the driving gear";
         c_motor "N*m*s/rad" required with speed_governor, open 0.0 to inf,
@@ -40,13 +40,13 @@ equations! {
         ns_motor "rad/s" required with induction_motor, open 0.0 to inf, "synchronous speed of the driving gear";
         Tp_motor "N*m" required with traction_motor, open 0.0 to inf, "peak torque of the driving gear, up to its base speed";
         Pp_motor "W" required with traction_motor, open 0.0 to inf, "peak power of the driving gear, above its base speed Pp/Tp";
-        d_motor "1" default 1.0, open -inf to inf,
+        d_motor "1" default 1.0 with traction_motor, open -inf to inf,
             "demand on the driving gear: 1 drives with its peak torque or power, -1 brakes with them";
-        round_motor "1" default 0.01, open 0.0 to inf,
+        round_motor "1" default 0.01 with traction_motor, open 0.0 to inf,
             "rounding of the corner of the torque of the driving gear at its base speed, relative to that";
         T_load "N*m" required with torques, open -inf to inf, "load torque behind the joint, against its rotation";
         cf_fan "N*m*s^2/rad^2" required with fan_load, from 0.0 to inf, "fan torque of the driven gear divided by the square of its speed";
-        w0_fan "rad/s" default 0.01, open 0.0 to inf,
+        w0_fan "rad/s" default 0.01 with fan_load, open 0.0 to inf,
             "speed of the driven gear below which the fan torque is linear instead of quadratic in the speed";
         alpha_M "1/s" default 0.0, from 0.0 to inf, "damping in proportion to inertia";
         beta_K "s" default 0.0, from 0.0 to inf, "damping in proportion to stiffness";
@@ -135,6 +135,7 @@ equations! {
             flank_stiction_12 => mu12*k12*slide_dir12*touch12*(tiny12.powi(2) + over12.powi(2)).sqrt()
                 - mu12*k12*touch12*psi12_dot*(tiny12.powi(2) + over12.powi(2)).sqrt()/(w_mix12.powi(2) + psi12_dot.powi(2)).sqrt();
         }
+        F_tau12 { sliding_friction_12 => F_mu12*over12/(tiny12.powi(2) + over12.powi(2)).sqrt(); }
         T_induction_motor {
             induction_motor => 2.0*Tb_motor*sb_motor*(1.0 - theta_motor_dot/ns_motor)
                 /(sb_motor.powi(2) + (1.0 - theta_motor_dot/ns_motor).powi(2));
@@ -167,6 +168,11 @@ equations! {
             flank_stiction_12 => mu12*slide_dir12*touch12*(tiny12.powi(2) + over12.powi(2)).sqrt()
                 - mu12*touch12*psi12_dot*(tiny12.powi(2) + over12.powi(2)).sqrt()/(w_mix12.powi(2) + psi12_dot.powi(2)).sqrt();
         }
+        F_tau12_by_over12 {
+            sliding_friction_12 => F_mu12/(tiny12.powi(2) + over12.powi(2)).sqrt()
+                - F_mu12*over12.powi(2)/(tiny12.powi(2) + over12.powi(2)).powf(3.0/2.0);
+        }
+        F_tau12_by_F_mu12 { sliding_friction_12 => over12/(tiny12.powi(2) + over12.powi(2)).sqrt(); }
         T_induction_motor_by_theta_motor_dot {
             induction_motor => 4.0*Tb_motor*sb_motor*(1.0 - theta_motor_dot/ns_motor).powi(2)
                 /(ns_motor*(sb_motor.powi(2) + (1.0 - theta_motor_dot/ns_motor).powi(2)).powi(2))
@@ -264,25 +270,41 @@ equations! {
             }
             stuck_coast (0.0) holds rests counts "stuck" {
                 unless stuck { over12 { _ => -1.0; } }
-                until forward {
+                until forward_coast {
                     over12 { _ => -mu12*mu_rise12*k12*touch12 - mu12*k12*touch12; }
                     reaction { _ => -1.0; }
                 }
-                until backward {
+                until backward_coast {
                     over12 { _ => -mu12*mu_rise12*k12*touch12 - mu12*k12*touch12; }
                     reaction { _ => 1.0; }
                 }
             }
             forward (1.0) {
+                until forward_coast { over12 { _ => 1.0; } }
                 until stuck {
                     psi12_dot { _ => arm12; }
                     tau12_dot { _ => side12; }
                 }
             }
             backward (-1.0) {
+                until backward_coast { over12 { _ => 1.0; } }
                 until stuck {
                     psi12_dot { _ => -arm12; }
                     tau12_dot { _ => -side12; }
+                }
+            }
+            forward_coast (1.0) {
+                until forward { over12 { _ => -1.0; } }
+                until stuck_coast {
+                    psi12_dot { _ => arm12; }
+                    tau12_dot { _ => -side12; }
+                }
+            }
+            backward_coast (-1.0) {
+                until backward { over12 { _ => -1.0; } }
+                until stuck_coast {
+                    psi12_dot { _ => -arm12; }
+                    tau12_dot { _ => side12; }
                 }
             }
         }
@@ -302,7 +324,7 @@ equations! {
     }
     torques {
         slide12 "friction of the mesh, through the sliding of the flanks at the pitch point" {}
-        power { sliding_friction_12 => -side12*F_mu12*tau12_dot; }
+        power { sliding_friction_12 => -side12*F_tau12*tau12_dot; }
         roll12 "friction of the mesh, through the rolling of the gears" {}
         power { sliding_friction_12 => -arm12*F_mu12*psi12_dot; }
         motor "driving torque of the driving gear" { torques => T_motor*(s/(2.0*h*N1) + theta/N1); }
@@ -374,7 +396,7 @@ equations! {
             _ => I_o*dratio*ratio*s_dot.powi(2)/(8.0*h.powi(3)*N2.powi(3)) - k12*touch12*over12
                 - I_o*dratio*ratio*s_dot*theta_dot/(2.0*h.powi(2)*N2.powi(3)) + I_o*dratio*ratio*theta_dot.powi(2)/(2.0*h*N2.powi(3));
             backlash_12 => -k12*clip12*touch12*over12;
-            sliding_friction_12 => arm12*F_mu12/(2.0*h*N2) - tan_a*side12*F_mu12 - arm12*F_mu12/(2.0*h*N1);
+            sliding_friction_12 => arm12*F_mu12/(2.0*h*N2) - tan_a*side12*F_tau12 - arm12*F_mu12/(2.0*h*N1);
             torques => (T_motor/(h*N1) + T_load*ratio/(h*N2))/2.0;
             speed_governor => (c_motor*n_motor/(h*N1) - c_motor*theta_motor_dot/(h*N1))/2.0;
             dc_motor => (Ts_motor/(h*N1) - Ts_motor*theta_motor_dot/(h*N1*n0_motor))/2.0;
@@ -424,12 +446,13 @@ equations! {
         theta theta_fan_dot { fan_load => T_fan_fan_by_theta_fan_dot/N2; }
         s theta {
             transmission_error_12_and_backlash_12_and_moving_phase => k12*de12*clip12*touch12;
-            transmission_error_12_and_sliding_friction_12_and_moving_phase => tan_a*de12*side12*F_mu12_by_over12
-                + de12*arm12*F_mu12_by_over12/(2.0*h*N1) - de12*arm12*F_mu12_by_over12/(2.0*h*N2);
+            transmission_error_12_and_sliding_friction_12_and_moving_phase => tan_a*de12*side12*F_mu12_by_over12*F_tau12_by_F_mu12
+                + tan_a*de12*side12*F_tau12_by_over12 + de12*arm12*F_mu12_by_over12/(2.0*h*N1) - de12*arm12*F_mu12_by_over12/(2.0*h*N2);
             transmission_error_12_and_moving_phase => k12*de12*touch12;
             backlash_12_and_moving_phase => -dk12*clip12*touch12*over12;
-            sliding_friction_12_and_moving_phase => darm12*F_mu12/(2.0*h*N2) - tan_a*dk12*side12*F_mu12_by_k12 - tan_a*dside12*F_mu12
-                - darm12*F_mu12/(2.0*h*N1) - dk12*arm12*F_mu12_by_k12/(2.0*h*N1) + dk12*arm12*F_mu12_by_k12/(2.0*h*N2);
+            sliding_friction_12_and_moving_phase => darm12*F_mu12/(2.0*h*N2) - tan_a*dk12*side12*F_mu12_by_k12*F_tau12_by_F_mu12
+                - tan_a*dside12*F_tau12 - darm12*F_mu12/(2.0*h*N1) - dk12*arm12*F_mu12_by_k12/(2.0*h*N1)
+                + dk12*arm12*F_mu12_by_k12/(2.0*h*N2);
             moving_phase => -dk12*touch12*over12;
         }
         s theta_dot {
@@ -450,11 +473,12 @@ equations! {
         s over12 {
             _ => -k12*touch12;
             backlash_12 => -k12*clip12*touch12;
-            sliding_friction_12 => arm12*F_mu12_by_over12/(2.0*h*N2) - tan_a*side12*F_mu12_by_over12 - arm12*F_mu12_by_over12/(2.0*h*N1);
+            sliding_friction_12 => arm12*F_mu12_by_over12/(2.0*h*N2) - tan_a*side12*F_mu12_by_over12*F_tau12_by_F_mu12
+                - tan_a*side12*F_tau12_by_over12 - arm12*F_mu12_by_over12/(2.0*h*N1);
         }
         s over12_dot { damping => -beta_K*k12_mid*damp12; }
         s psi12_dot {
-            sliding_friction_12 => arm12*F_mu12_by_psi12_dot/(2.0*h*N2) - tan_a*side12*F_mu12_by_psi12_dot
+            sliding_friction_12 => arm12*F_mu12_by_psi12_dot/(2.0*h*N2) - tan_a*side12*F_mu12_by_psi12_dot*F_tau12_by_F_mu12
                 - arm12*F_mu12_by_psi12_dot/(2.0*h*N1);
         }
         s theta_motor_dot {
@@ -501,7 +525,7 @@ equations! {
     }
     nonlinear "M(theta, s) in the kinetic energy";
     nonlinear_with {
-        sliding_friction_12 "-side12*F_mu12 in the torque `slide12`";
+        sliding_friction_12 "-side12*F_tau12 in the torque `slide12`";
         sliding_friction_12 "-arm12*F_mu12 in the torque `roll12`";
         induction_motor "T_induction_motor in the torque `induction`";
         traction_motor "T_traction_motor in the torque `traction`";
@@ -594,8 +618,9 @@ equations! {
 // - V is the same on both sides of the exits of psi12: no impulse there
 // - every damper takes energy or none: each term of D has a power q'.dD/dq' that is never negative
 // - the friction `roll12` takes energy or none: its power is never positive
-// - the friction `slide12` takes with `roll12` energy or none where psi12_dot and arm12 psi12_dot + side12 tau12_dot have one sign: where
-//   flanks slide as rolling makes them
+// - the friction `slide12` is the force of `roll12` times at most 1, along its sign or against it
+// - the friction `slide12` takes with `roll12` energy or none where psi12_dot and arm12 psi12_dot + side12 tau12_dot have one sign, on the
+//   coast flank with -side12: where flanks slide as rolling makes them
 // - the friction `slide12` takes with `roll12` energy or none in every mode of psi12, in scenes with flank_stiction_12: from the guards
 //   that hold in the mode
 // - every deflection equals the linear form by which the equations differentiate it
@@ -607,6 +632,6 @@ equations! {
 // | output | sums | products, quotients | functions, roots |
 // | --- | --- | --- | --- |
 // | constants (once a scene) | 0 | 3 | 2 |
-// | named forces | 21 | 63 | 8 |
+// | named forces | 22 | 67 | 9 |
 // | force | 21 | 176 | 0 |
 // | energy steps, all laws | 1 | 11 | 0 |

@@ -29,12 +29,13 @@ equations! {
         ns_motor "rad/s" required with induction_motor, open 0.0 to inf, "synchronous speed of the first disc";
         Tp_motor "N*m" required with traction_motor, open 0.0 to inf, "peak torque of the first disc, up to its base speed";
         Pp_motor "W" required with traction_motor, open 0.0 to inf, "peak power of the first disc, above its base speed Pp/Tp";
-        d_motor "1" default 1.0, open -inf to inf, "demand on the first disc: 1 drives with its peak torque or power, -1 brakes with them";
-        round_motor "1" default 0.01, open 0.0 to inf,
+        d_motor "1" default 1.0 with traction_motor, open -inf to inf,
+            "demand on the first disc: 1 drives with its peak torque or power, -1 brakes with them";
+        round_motor "1" default 0.01 with traction_motor, open 0.0 to inf,
             "rounding of the corner of the torque of the first disc at its base speed, relative to that";
         T_load "N*m" required with torques, open -inf to inf, "load torque of the last disc, against its rotation";
         cf_load "N*m*s^2/rad^2" required with fan_load, from 0.0 to inf, "fan torque of the last disc divided by the square of its speed";
-        w0_load "rad/s" default 0.01, open 0.0 to inf,
+        w0_load "rad/s" default 0.01 with fan_load, open 0.0 to inf,
             "speed of the last disc below which the fan torque is linear instead of quadratic in the speed";
         alpha_M "1/s" default 0.0, from 0.0 to inf, "damping in proportion to inertia";
         beta_K "s" default 0.0, from 0.0 to inf, "damping in proportion to stiffness";

@@ -19,12 +19,12 @@ equations! {
         psi "rad" start static, "twist of the half shaft";
     }
     parameters {
-        N1 "1" required, open 0.0 to inf, "number of teeth of gear 1";
-        N2 "1" required, open 0.0 to inf, "number of teeth of gear 2";
-        r1 "m" required, open 0.0 to inf, "base radius of gear 1";
-        N3 "1" required, open 0.0 to inf, "number of teeth of gear 3";
-        N4 "1" required, open 0.0 to inf, "number of teeth of gear 4";
-        r3 "m" required, open 0.0 to inf, "base radius of gear 3";
+        N1 "1" teeth required, open 0.0 to inf, "number of teeth of gear 1";
+        N2 "1" teeth required, open 0.0 to inf, "number of teeth of gear 2";
+        r1 "m" base_radius required, open 0.0 to inf, "base radius of gear 1";
+        N3 "1" teeth required, open 0.0 to inf, "number of teeth of gear 3";
+        N4 "1" teeth required, open 0.0 to inf, "number of teeth of gear 4";
+        r3 "m" base_radius required, open 0.0 to inf, "base radius of gear 3";
         I_m "kg*m^2" required, open 0.0 to inf, "moment of inertia of the motor";
         I1 "kg*m^2" required, open 0.0 to inf, "moment of inertia of the gear 1";
         I2 "kg*m^2" required, open 0.0 to inf, "moment of inertia of the gear 2";
@@ -33,21 +33,22 @@ equations! {
         I_w "kg*m^2" required, open 0.0 to inf, "moment of inertia of the wheel and vehicle";
         Tmax "N*m" required with overrunning_clutch, open 0.0 to inf,
             "capacity of the clutch between motor and gear 1: the largest torque that it transmits";
-        Tdrag "N*m" default 0.0, from 0.0 to inf, "drag torque of the clutch between motor and gear 1 while it overruns";
+        Tdrag "N*m" default 0.0 with overrunning_clutch, from 0.0 to inf,
+            "drag torque of the clutch between motor and gear 1 while it overruns";
         k_c "N*m/rad" required, from 0.0 to inf, "torsional stiffness of the intermediate shaft";
         k_h "N*m/rad" required, from 0.0 to inf, "torsional stiffness of the half shaft";
-        alpha "rad" default 0.3490658503988659, open 0.0 to inf, "working pressure angle, for friction";
+        alpha "rad" pressure_angle default 0.3490658503988659, open 0.0 to inf, "working pressure angle, for friction";
         b12 "m" required with backlash_12, open 0.0 to inf, "backlash of the mesh of gears 1 and 2: no contact within b/2 to either side";
         mu12 "1" required with sliding_friction_12, from 0.0 to inf, "coefficient of friction of the mesh of gears 1 and 2";
-        w_mix12 "rad/s" default 0.1, open 0.0 to inf,
+        w_mix12 "rad/s" default 0.1 with sliding_friction_12, open 0.0 to inf,
             "rolling speed omega1 + omega2 of the mesh of gears 1 and 2 below which friction decreases to zero (mixed film)";
-        mu_rise12 "1" default 0.0, from 0.0 to inf,
+        mu_rise12 "1" default 0.0 with flank_stiction_12, from 0.0 to inf,
             "excess of the static coefficient of friction of the mesh of gears 1 and 2 over that of sliding, relative to that";
         b34 "m" required with backlash_34, open 0.0 to inf, "backlash of the mesh of gears 3 and 4: no contact within b/2 to either side";
         mu34 "1" required with sliding_friction_34, from 0.0 to inf, "coefficient of friction of the mesh of gears 3 and 4";
-        w_mix34 "rad/s" default 0.1, open 0.0 to inf,
+        w_mix34 "rad/s" default 0.1 with sliding_friction_34, open 0.0 to inf,
             "rolling speed omega1 + omega2 of the mesh of gears 3 and 4 below which friction decreases to zero (mixed film)";
-        mu_rise34 "1" default 0.0, from 0.0 to inf,
+        mu_rise34 "1" default 0.0 with flank_stiction_34, from 0.0 to inf,
             "excess of the static coefficient of friction of the mesh of gears 3 and 4 over that of sliding, relative to that";
         T_motor "N*m" required with torques, open -inf to inf, "driving torque of the motor";
         c_motor "N*m*s/rad" required with speed_governor, open 0.0 to inf,
@@ -60,16 +61,17 @@ equations! {
         ns_motor "rad/s" required with induction_motor, open 0.0 to inf, "synchronous speed of the motor";
         Tp_motor "N*m" required with traction_motor, open 0.0 to inf, "peak torque of the motor, up to its base speed";
         Pp_motor "W" required with traction_motor, open 0.0 to inf, "peak power of the motor, above its base speed Pp/Tp";
-        d_motor "1" default 1.0, open -inf to inf, "demand on the motor: 1 drives with its peak torque or power, -1 brakes with them";
-        round_motor "1" default 0.01, open 0.0 to inf,
+        d_motor "1" default 1.0 with traction_motor, open -inf to inf,
+            "demand on the motor: 1 drives with its peak torque or power, -1 brakes with them";
+        round_motor "1" default 0.01 with traction_motor, open 0.0 to inf,
             "rounding of the corner of the torque of the motor at its base speed, relative to that";
         T_load "N*m" required with torques, open -inf to inf, "load torque of the wheel, by slope and air, against its rotation";
         cf_load "N*m*s^2/rad^2" required with fan_load, from 0.0 to inf,
             "fan torque of the wheel, by slope and air divided by the square of its speed";
-        w0_load "rad/s" default 0.01, open 0.0 to inf,
+        w0_load "rad/s" default 0.01 with fan_load, open 0.0 to inf,
             "speed of the wheel, by slope and air below which the fan torque is linear instead of quadratic in the speed";
         Tc_w "N*m" required with dry_friction_w, from 0.0 to inf, "Coulomb friction of the rolling wheel: constant, against the motion";
-        rise_w "1" default 0.0, from 0.0 to inf,
+        rise_w "1" default 0.0 with dry_friction_w, from 0.0 to inf,
             "excess of the breakaway torque of the rolling wheel over its Coulomb friction, relative to that";
         c_w "N*m*s/rad" required with viscous_friction_w, from 0.0 to inf, "viscous friction of the wheel: torque per speed";
         alpha_M "1/s" default 0.0, from 0.0 to inf, "damping in proportion to inertia";
@@ -180,12 +182,14 @@ equations! {
             flank_stiction_12 => mu12*k12*slide_dir12*touch12*(tiny12.powi(2) + over12.powi(2)).sqrt()
                 - mu12*k12*touch12*psi12_dot*(tiny12.powi(2) + over12.powi(2)).sqrt()/(w_mix12.powi(2) + psi12_dot.powi(2)).sqrt();
         }
+        F_tau12 { sliding_friction_12 => F_mu12*over12/(tiny12.powi(2) + over12.powi(2)).sqrt(); }
         F_mu34 {
             sliding_friction_34 => mu34*k34*touch34*psi34_dot*(tiny34.powi(2) + over34.powi(2)).sqrt()
                 /(w_mix34.powi(2) + psi34_dot.powi(2)).sqrt();
             flank_stiction_34 => mu34*k34*slide_dir34*touch34*(tiny34.powi(2) + over34.powi(2)).sqrt()
                 - mu34*k34*touch34*psi34_dot*(tiny34.powi(2) + over34.powi(2)).sqrt()/(w_mix34.powi(2) + psi34_dot.powi(2)).sqrt();
         }
+        F_tau34 { sliding_friction_34 => F_mu34*over34/(tiny34.powi(2) + over34.powi(2)).sqrt(); }
         T_induction_motor {
             induction_motor => 2.0*Tb_motor*sb_motor*(1.0 - theta_motor_dot/ns_motor)
                 /(sb_motor.powi(2) + (1.0 - theta_motor_dot/ns_motor).powi(2));
@@ -218,6 +222,11 @@ equations! {
             flank_stiction_12 => mu12*slide_dir12*touch12*(tiny12.powi(2) + over12.powi(2)).sqrt()
                 - mu12*touch12*psi12_dot*(tiny12.powi(2) + over12.powi(2)).sqrt()/(w_mix12.powi(2) + psi12_dot.powi(2)).sqrt();
         }
+        F_tau12_by_over12 {
+            sliding_friction_12 => F_mu12/(tiny12.powi(2) + over12.powi(2)).sqrt()
+                - F_mu12*over12.powi(2)/(tiny12.powi(2) + over12.powi(2)).powf(3.0/2.0);
+        }
+        F_tau12_by_F_mu12 { sliding_friction_12 => over12/(tiny12.powi(2) + over12.powi(2)).sqrt(); }
         F_mu34_by_over34 {
             sliding_friction_34 => mu34*k34*touch34*over34*psi34_dot
                 /((tiny34.powi(2) + over34.powi(2)).sqrt()*(w_mix34.powi(2) + psi34_dot.powi(2)).sqrt());
@@ -238,6 +247,11 @@ equations! {
             flank_stiction_34 => mu34*slide_dir34*touch34*(tiny34.powi(2) + over34.powi(2)).sqrt()
                 - mu34*touch34*psi34_dot*(tiny34.powi(2) + over34.powi(2)).sqrt()/(w_mix34.powi(2) + psi34_dot.powi(2)).sqrt();
         }
+        F_tau34_by_over34 {
+            sliding_friction_34 => F_mu34/(tiny34.powi(2) + over34.powi(2)).sqrt()
+                - F_mu34*over34.powi(2)/(tiny34.powi(2) + over34.powi(2)).powf(3.0/2.0);
+        }
+        F_tau34_by_F_mu34 { sliding_friction_34 => over34/(tiny34.powi(2) + over34.powi(2)).sqrt(); }
         T_induction_motor_by_theta_motor_dot {
             induction_motor => 4.0*Tb_motor*sb_motor*(1.0 - theta_motor_dot/ns_motor).powi(2)
                 /(ns_motor*(sb_motor.powi(2) + (1.0 - theta_motor_dot/ns_motor).powi(2)).powi(2))
@@ -350,25 +364,41 @@ equations! {
             }
             stuck_coast (0.0) holds rests counts "stuck" {
                 unless stuck { over12 { _ => -1.0; } }
-                until forward {
+                until forward_coast {
                     over12 { _ => -mu12*mu_rise12*k12*touch12 - mu12*k12*touch12; }
                     reaction { _ => -1.0; }
                 }
-                until backward {
+                until backward_coast {
                     over12 { _ => -mu12*mu_rise12*k12*touch12 - mu12*k12*touch12; }
                     reaction { _ => 1.0; }
                 }
             }
             forward (1.0) {
+                until forward_coast { over12 { _ => 1.0; } }
                 until stuck {
                     psi12_dot { _ => arm12; }
                     tau12_dot { _ => side12; }
                 }
             }
             backward (-1.0) {
+                until backward_coast { over12 { _ => 1.0; } }
                 until stuck {
                     psi12_dot { _ => -arm12; }
                     tau12_dot { _ => -side12; }
+                }
+            }
+            forward_coast (1.0) {
+                until forward { over12 { _ => -1.0; } }
+                until stuck_coast {
+                    psi12_dot { _ => arm12; }
+                    tau12_dot { _ => -side12; }
+                }
+            }
+            backward_coast (-1.0) {
+                until backward { over12 { _ => -1.0; } }
+                until stuck_coast {
+                    psi12_dot { _ => -arm12; }
+                    tau12_dot { _ => side12; }
                 }
             }
         }
@@ -449,25 +479,41 @@ equations! {
             }
             stuck_coast (0.0) holds rests counts "stuck" {
                 unless stuck { over34 { _ => -1.0; } }
-                until forward {
+                until forward_coast {
                     over34 { _ => -mu34*mu_rise34*k34*touch34 - mu34*k34*touch34; }
                     reaction { _ => -1.0; }
                 }
-                until backward {
+                until backward_coast {
                     over34 { _ => -mu34*mu_rise34*k34*touch34 - mu34*k34*touch34; }
                     reaction { _ => 1.0; }
                 }
             }
             forward (1.0) {
+                until forward_coast { over34 { _ => 1.0; } }
                 until stuck {
                     psi34_dot { _ => arm34; }
                     tau34_dot { _ => side34; }
                 }
             }
             backward (-1.0) {
+                until backward_coast { over34 { _ => 1.0; } }
                 until stuck {
                     psi34_dot { _ => -arm34; }
                     tau34_dot { _ => -side34; }
+                }
+            }
+            forward_coast (1.0) {
+                until forward { over34 { _ => -1.0; } }
+                until stuck_coast {
+                    psi34_dot { _ => arm34; }
+                    tau34_dot { _ => -side34; }
+                }
+            }
+            backward_coast (-1.0) {
+                until backward { over34 { _ => -1.0; } }
+                until stuck_coast {
+                    psi34_dot { _ => -arm34; }
+                    tau34_dot { _ => side34; }
                 }
             }
         }
@@ -507,11 +553,11 @@ equations! {
     }
     torques {
         slide12 "friction of the mesh of gears 1 and 2, through the sliding of the flanks at the pitch point" {}
-        power { sliding_friction_12 => -side12*F_mu12*tau12_dot; }
+        power { sliding_friction_12 => -side12*F_tau12*tau12_dot; }
         roll12 "friction of the mesh of gears 1 and 2, through the rolling of the gears" {}
         power { sliding_friction_12 => -arm12*F_mu12*psi12_dot; }
         slide34 "friction of the mesh of gears 3 and 4, through the sliding of the flanks at the pitch point" {}
-        power { sliding_friction_34 => -side34*F_mu34*tau34_dot; }
+        power { sliding_friction_34 => -side34*F_tau34*tau34_dot; }
         roll34 "friction of the mesh of gears 3 and 4, through the rolling of the gears" {}
         power { sliding_friction_34 => -arm34*F_mu34*psi34_dot; }
         motor "driving torque of the motor" { torques => T_motor*theta_m; }
@@ -570,7 +616,7 @@ equations! {
             _ => k_c*twist_c/(2.0*h1*N2) - k12*touch12*over12;
             overrunning_clutch => (Tdrag*drags/(h1*N1) + Tmax*slips/(h1*N1))/2.0;
             backlash_12 => -k12*clip12*touch12*over12;
-            sliding_friction_12 => arm12*F_mu12/(2.0*h1*N2) - tan_a*side12*F_mu12 - arm12*F_mu12/(2.0*h1*N1);
+            sliding_friction_12 => arm12*F_mu12/(2.0*h1*N2) - tan_a*side12*F_tau12 - arm12*F_mu12/(2.0*h1*N1);
             damping => I2*alpha_M*theta1_dot/(2.0*h1*N2.powi(2)) - beta_K*k12_mid*damp12*over12_dot
                 - I1*alpha_M*s1_dot/(4.0*h1.powi(2)*N1.powi(2)) - I2*alpha_M*s1_dot/(4.0*h1.powi(2)*N2.powi(2))
                 - I1*alpha_M*theta1_dot/(2.0*h1*N1.powi(2)) + beta_K*k_c*twist_c_dot/(2.0*h1*N2);
@@ -591,7 +637,7 @@ equations! {
         s2 {
             _ => k_c*twist_c/(2.0*h2*N3) - k34*touch34*over34;
             backlash_34 => -k34*clip34*touch34*over34;
-            sliding_friction_34 => arm34*F_mu34/(2.0*h2*N4) - tan_a*side34*F_mu34 - arm34*F_mu34/(2.0*h2*N3);
+            sliding_friction_34 => arm34*F_mu34/(2.0*h2*N4) - tan_a*side34*F_tau34 - arm34*F_mu34/(2.0*h2*N3);
             torques => T_load/(2.0*h2*N4);
             fan_load => -T_fan_load/(2.0*h2*N4);
             dry_friction_w => Tc_w*dir_w/(2.0*h2*N4);
@@ -638,12 +684,13 @@ equations! {
         theta1 psi12_dot { sliding_friction_12 => -arm12*F_mu12_by_psi12_dot/N1 - arm12*F_mu12_by_psi12_dot/N2; }
         s1 theta1 {
             transmission_error_12_and_backlash_12_and_moving_phase => k12*de12*clip12*touch12;
-            transmission_error_12_and_sliding_friction_12_and_moving_phase => tan_a*de12*side12*F_mu12_by_over12
-                + de12*arm12*F_mu12_by_over12/(2.0*h1*N1) - de12*arm12*F_mu12_by_over12/(2.0*h1*N2);
+            transmission_error_12_and_sliding_friction_12_and_moving_phase => tan_a*de12*side12*F_mu12_by_over12*F_tau12_by_F_mu12
+                + tan_a*de12*side12*F_tau12_by_over12 + de12*arm12*F_mu12_by_over12/(2.0*h1*N1) - de12*arm12*F_mu12_by_over12/(2.0*h1*N2);
             transmission_error_12_and_moving_phase => k12*de12*touch12;
             backlash_12_and_moving_phase => -dk12*clip12*touch12*over12;
-            sliding_friction_12_and_moving_phase => darm12*F_mu12/(2.0*h1*N2) - tan_a*dk12*side12*F_mu12_by_k12 - tan_a*dside12*F_mu12
-                - darm12*F_mu12/(2.0*h1*N1) - dk12*arm12*F_mu12_by_k12/(2.0*h1*N1) + dk12*arm12*F_mu12_by_k12/(2.0*h1*N2);
+            sliding_friction_12_and_moving_phase => darm12*F_mu12/(2.0*h1*N2) - tan_a*dk12*side12*F_mu12_by_k12*F_tau12_by_F_mu12
+                - tan_a*dside12*F_tau12 - darm12*F_mu12/(2.0*h1*N1) - dk12*arm12*F_mu12_by_k12/(2.0*h1*N1)
+                + dk12*arm12*F_mu12_by_k12/(2.0*h1*N2);
             moving_phase => -dk12*touch12*over12;
         }
         s1 theta1_dot { damping => (I2*alpha_M/(h1*N2.powi(2)) - I1*alpha_M/(h1*N1.powi(2)))/2.0; }
@@ -652,12 +699,13 @@ equations! {
         s1 over12 {
             _ => -k12*touch12;
             backlash_12 => -k12*clip12*touch12;
-            sliding_friction_12 => arm12*F_mu12_by_over12/(2.0*h1*N2) - tan_a*side12*F_mu12_by_over12 - arm12*F_mu12_by_over12/(2.0*h1*N1);
+            sliding_friction_12 => arm12*F_mu12_by_over12/(2.0*h1*N2) - tan_a*side12*F_mu12_by_over12*F_tau12_by_F_mu12
+                - tan_a*side12*F_tau12_by_over12 - arm12*F_mu12_by_over12/(2.0*h1*N1);
         }
         s1 twist_c_dot { damping => beta_K*k_c/(2.0*h1*N2); }
         s1 over12_dot { damping => -beta_K*k12_mid*damp12; }
         s1 psi12_dot {
-            sliding_friction_12 => arm12*F_mu12_by_psi12_dot/(2.0*h1*N2) - tan_a*side12*F_mu12_by_psi12_dot
+            sliding_friction_12 => arm12*F_mu12_by_psi12_dot/(2.0*h1*N2) - tan_a*side12*F_mu12_by_psi12_dot*F_tau12_by_F_mu12
                 - arm12*F_mu12_by_psi12_dot/(2.0*h1*N1);
         }
         theta2 theta2 {
@@ -691,12 +739,13 @@ equations! {
         theta2 theta_load_dot { fan_load => T_fan_load_by_theta_load_dot/N4; }
         s2 theta2 {
             transmission_error_34_and_backlash_34_and_moving_phase => k34*de34*clip34*touch34;
-            transmission_error_34_and_sliding_friction_34_and_moving_phase => tan_a*de34*side34*F_mu34_by_over34
-                + de34*arm34*F_mu34_by_over34/(2.0*h2*N3) - de34*arm34*F_mu34_by_over34/(2.0*h2*N4);
+            transmission_error_34_and_sliding_friction_34_and_moving_phase => tan_a*de34*side34*F_mu34_by_over34*F_tau34_by_F_mu34
+                + tan_a*de34*side34*F_tau34_by_over34 + de34*arm34*F_mu34_by_over34/(2.0*h2*N3) - de34*arm34*F_mu34_by_over34/(2.0*h2*N4);
             transmission_error_34_and_moving_phase => k34*de34*touch34;
             backlash_34_and_moving_phase => -dk34*clip34*touch34*over34;
-            sliding_friction_34_and_moving_phase => darm34*F_mu34/(2.0*h2*N4) - tan_a*dk34*side34*F_mu34_by_k34 - tan_a*dside34*F_mu34
-                - darm34*F_mu34/(2.0*h2*N3) - dk34*arm34*F_mu34_by_k34/(2.0*h2*N3) + dk34*arm34*F_mu34_by_k34/(2.0*h2*N4);
+            sliding_friction_34_and_moving_phase => darm34*F_mu34/(2.0*h2*N4) - tan_a*dk34*side34*F_mu34_by_k34*F_tau34_by_F_mu34
+                - tan_a*dside34*F_tau34 - darm34*F_mu34/(2.0*h2*N3) - dk34*arm34*F_mu34_by_k34/(2.0*h2*N3)
+                + dk34*arm34*F_mu34_by_k34/(2.0*h2*N4);
             moving_phase => -dk34*touch34*over34;
         }
         s2 theta2_dot {
@@ -715,12 +764,13 @@ equations! {
         s2 over34 {
             _ => -k34*touch34;
             backlash_34 => -k34*clip34*touch34;
-            sliding_friction_34 => arm34*F_mu34_by_over34/(2.0*h2*N4) - tan_a*side34*F_mu34_by_over34 - arm34*F_mu34_by_over34/(2.0*h2*N3);
+            sliding_friction_34 => arm34*F_mu34_by_over34/(2.0*h2*N4) - tan_a*side34*F_mu34_by_over34*F_tau34_by_F_mu34
+                - tan_a*side34*F_tau34_by_over34 - arm34*F_mu34_by_over34/(2.0*h2*N3);
         }
         s2 twist_c_dot { damping => beta_K*k_c/(2.0*h2*N3); }
         s2 over34_dot { damping => -beta_K*k34_mid*damp34; }
         s2 psi34_dot {
-            sliding_friction_34 => arm34*F_mu34_by_psi34_dot/(2.0*h2*N4) - tan_a*side34*F_mu34_by_psi34_dot
+            sliding_friction_34 => arm34*F_mu34_by_psi34_dot/(2.0*h2*N4) - tan_a*side34*F_mu34_by_psi34_dot*F_tau34_by_F_mu34
                 - arm34*F_mu34_by_psi34_dot/(2.0*h2*N3);
         }
         s2 theta_load_dot { fan_load => -T_fan_load_by_theta_load_dot/(2.0*h2*N4); }
@@ -814,9 +864,9 @@ equations! {
         }
     }
     nonlinear_with {
-        sliding_friction_12 "-side12*F_mu12 in the torque `slide12`";
+        sliding_friction_12 "-side12*F_tau12 in the torque `slide12`";
         sliding_friction_12 "-arm12*F_mu12 in the torque `roll12`";
-        sliding_friction_34 "-side34*F_mu34 in the torque `slide34`";
+        sliding_friction_34 "-side34*F_tau34 in the torque `slide34`";
         sliding_friction_34 "-arm34*F_mu34 in the torque `roll34`";
         induction_motor "T_induction_motor in the torque `induction`";
         traction_motor "T_traction_motor in the torque `traction`";
@@ -1003,12 +1053,14 @@ equations! {
 // - every damper takes energy or none: each term of D has a power q'.dD/dq' that is never negative
 // - the friction `roll12` takes energy or none: its power is never positive
 // - the friction `roll34` takes energy or none: its power is never positive
-// - the friction `slide12` takes with `roll12` energy or none where psi12_dot and arm12 psi12_dot + side12 tau12_dot have one sign: where
-//   flanks slide as rolling makes them
+// - the friction `slide12` is the force of `roll12` times at most 1, along its sign or against it
+// - the friction `slide12` takes with `roll12` energy or none where psi12_dot and arm12 psi12_dot + side12 tau12_dot have one sign, on the
+//   coast flank with -side12: where flanks slide as rolling makes them
 // - the friction `slide12` takes with `roll12` energy or none in every mode of psi12, in scenes with flank_stiction_12: from the guards
 //   that hold in the mode
-// - the friction `slide34` takes with `roll34` energy or none where psi34_dot and arm34 psi34_dot + side34 tau34_dot have one sign: where
-//   flanks slide as rolling makes them
+// - the friction `slide34` is the force of `roll34` times at most 1, along its sign or against it
+// - the friction `slide34` takes with `roll34` energy or none where psi34_dot and arm34 psi34_dot + side34 tau34_dot have one sign, on the
+//   coast flank with -side34: where flanks slide as rolling makes them
 // - the friction `slide34` takes with `roll34` energy or none in every mode of psi34, in scenes with flank_stiction_34: from the guards
 //   that hold in the mode
 // - every deflection equals the linear form by which the equations differentiate it
@@ -1020,6 +1072,6 @@ equations! {
 // | output | sums | products, quotients | functions, roots |
 // | --- | --- | --- | --- |
 // | constants (once a scene) | 0 | 4 | 2 |
-// | named forces | 27 | 87 | 13 |
+// | named forces | 29 | 95 | 15 |
 // | force | 46 | 289 | 0 |
 // | energy steps, all laws | 2 | 22 | 0 |

@@ -14,7 +14,7 @@ equations! {
     parameters {
         J_theta "kg*m^2" required, open 0.0 to inf, "test inertia, 0 in trains";
         Tmax_x "N*m" required with overrunning_clutch_x, open 0.0 to inf, "capacity of the clutch {}: the largest torque that it transmits";
-        Tdrag_x "N*m" default 0.0, from 0.0 to inf, "drag torque of the clutch {} while it overruns";
+        Tdrag_x "N*m" default 0.0 with overrunning_clutch_x, from 0.0 to inf, "drag torque of the clutch {} while it overruns";
     }
     laws {
     }

@@ -14,7 +14,7 @@ equations! {
     parameters {
         J_theta "kg*m^2" required, open 0.0 to inf, "test inertia, 0 in trains";
         Tc_x "N*m" required with dry_friction_x, from 0.0 to inf, "Coulomb friction of the bearing {}: constant, against the motion";
-        rise_x "1" default 0.0, from 0.0 to inf,
+        rise_x "1" default 0.0 with dry_friction_x, from 0.0 to inf,
             "excess of the breakaway torque of the bearing {} over its Coulomb friction, relative to that";
     }
     laws {

@@ -14,7 +14,7 @@ equations! {
     parameters {
         J_theta "kg*m^2" required, open 0.0 to inf, "test inertia, 0 in trains";
         cf_x "N*m*s^2/rad^2" required with fan_load, from 0.0 to inf, "fan torque of the drive {} divided by the square of its speed";
-        w0_x "rad/s" default 0.01, open 0.0 to inf,
+        w0_x "rad/s" default 0.01 with fan_load, open 0.0 to inf,
             "speed of the drive {} below which the fan torque is linear instead of quadratic in the speed";
     }
     laws {

@@ -17,6 +17,8 @@ equations! {
     parameters {
         J_phase "kg*m^2" required, open 0.0 to inf, "test inertia, 0 in trains";
         J_s "kg" required, open 0.0 to inf, "test inertia, 0 in trains";
+        c_x "N*s/m" required with viscous_friction_x, from 0.0 to inf,
+            "viscous damping of the mesh {} along the line of action: force per speed";
         b_x "m" required with backlash_x, open 0.0 to inf, "backlash of the mesh {}: no contact within b/2 to either side";
         beta_K "s" default 0.0, from 0.0 to inf, "damping in proportion to stiffness";
     }
@@ -28,6 +30,7 @@ equations! {
     motions {
     }
     effects {
+        viscous_friction_x of viscous_friction "friction proportional to speed";
         stiffness_step
             "the mesh stiffness steps as tooth pairs enter and leave, conserving energy by jump terms; else it has its mid value";
         rigid_kinematics requires(stiffness_step) excludes(frozen_phase)
@@ -53,7 +56,10 @@ equations! {
         backlash_x_and_moving_phase = backlash_x, stiffness_step, !frozen_phase;
     }
 
-    deflections { overx = s - edgex - e_x; }
+    deflections {
+        beside_x = s;
+        overx = s - edgex - e_x;
+    }
     switches {
         overx "m" (touchx 1.0, edgex 0.0, dampx 1.0, clipx 0.0) with backlash_x, "play of the mesh {}" {
             upper (1.0, b_x/2.0, 1.0, 0.0) rests counts "flanks met" {
@@ -122,7 +128,10 @@ equations! {
     energies {
         kinetic { _ => (J_phase*phase_dot.powi(2) + J_s*s_dot.powi(2))/2.0; }
         potential { _ => k_x*touchx*overx.powi(2)/2.0; }
-        dissipation { damping => beta_K*k_x_mid*dampx*overx_dot.powi(2)/2.0; }
+        dissipation {
+            viscous_friction_x => c_x*beside_x_dot.powi(2)/2.0;
+            damping => beta_K*k_x_mid*dampx*overx_dot.powi(2)/2.0;
+        }
     }
     torques {
     }
@@ -143,6 +152,7 @@ equations! {
         }
         s {
             _ => -k_x*touchx*overx;
+            viscous_friction_x => -c_x*beside_x_dot;
             backlash_x => -k_x*clipx*touchx*overx;
             damping => -beta_K*k_x_mid*dampx*overx_dot;
         }
@@ -166,6 +176,7 @@ equations! {
             _ => -k_x*touchx;
             backlash_x => -k_x*clipx*touchx;
         }
+        s beside_x_dot { viscous_friction_x => -c_x; }
         s overx_dot { damping => -beta_K*k_x_mid*dampx; }
     }
     cell {
@@ -175,7 +186,10 @@ equations! {
                 backlash_x => k_x*clipx*touchx;
             }
         }
-        damping { overx overx { damping => beta_K*k_x_mid*dampx; } }
+        damping {
+            beside_x beside_x { viscous_friction_x => c_x; }
+            overx overx { damping => beta_K*k_x_mid*dampx; }
+        }
         load {
             overx {
                 _ => k_x*touchx*edgex + k_x*touchx*e_x;
@@ -199,12 +213,14 @@ equations! {
         }
         mesh_force_x "N", "force of the mesh {} along the line of action, damper included: positive if it presses the drive flanks" {
             _ => k_x*touchx*overx;
+            viscous_friction_x => c_x*beside_x_dot;
             backlash_x => k_x*clipx*touchx*overx;
             damping => beta_K*k_x_mid*dampx*overx_dot;
         }
         mesh_deflection_x "m", "deflection of the mesh {} along the line of action, backlash not taken off" { _ => s - e_x; }
         dte_x "m", "dynamic transmission error of the mesh {} along the line of action: positive if the driving gear is ahead" { _ => s; }
         mesh_loss_x "W", "power that the damper of the mesh {} takes" {
+            viscous_friction_x => c_x*beside_x_dot.powi(2);
             backlash_x => k_x*clipx*touchx*overx*overx_dot;
             damping => beta_K*k_x_mid*dampx*overx_dot.powi(2);
         }
@@ -237,6 +253,6 @@ equations! {
 //
 // | output | sums | products, quotients | functions, roots |
 // | --- | --- | --- | --- |
-// | force | 0 | 15 | 0 |
-// | acceleration | 0 | 20 | 0 |
+// | force | 0 | 16 | 0 |
+// | acceleration | 0 | 22 | 0 |
 // | energy steps, all laws | 1 | 11 | 0 |

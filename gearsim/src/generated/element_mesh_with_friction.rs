@@ -19,12 +19,14 @@ equations! {
         J_phase "kg*m^2" required, open 0.0 to inf, "test inertia, 0 in trains";
         J_s "kg" required, open 0.0 to inf, "test inertia, 0 in trains";
         J_psi "kg*m^2" required, open 0.0 to inf, "test inertia, 0 in trains";
+        c_x "N*s/m" required with viscous_friction_x, from 0.0 to inf,
+            "viscous damping of the mesh {} along the line of action: force per speed";
         b_x "m" required with backlash_x, open 0.0 to inf, "backlash of the mesh {}: no contact within b/2 to either side";
-        alpha "rad" default 0.3490658503988659, open 0.0 to inf, "working pressure angle, for friction";
+        alpha "rad" pressure_angle default 0.3490658503988659, open 0.0 to inf, "working pressure angle, for friction";
         mu_x "1" required with sliding_friction_x, from 0.0 to inf, "coefficient of friction of the mesh {}";
-        w_mix_x "rad/s" default 0.1, open 0.0 to inf,
+        w_mix_x "rad/s" default 0.1 with sliding_friction_x, open 0.0 to inf,
             "rolling speed omega1 + omega2 of the mesh {} below which friction decreases to zero (mixed film)";
-        mu_rise_x "1" default 0.0, from 0.0 to inf,
+        mu_rise_x "1" default 0.0 with flank_stiction_x, from 0.0 to inf,
             "excess of the static coefficient of friction of the mesh {} over that of sliding, relative to that";
         beta_K "s" default 0.0, from 0.0 to inf, "damping in proportion to stiffness";
     }
@@ -40,6 +42,7 @@ equations! {
     motions {
     }
     effects {
+        viscous_friction_x of viscous_friction "friction proportional to speed";
         stiffness_step
             "the mesh stiffness steps as tooth pairs enter and leave, conserving energy by jump terms; else it has its mid value";
         rigid_kinematics requires(stiffness_step) excludes(frozen_phase)
@@ -77,6 +80,7 @@ equations! {
         tiny_x = 1.0/1000000000000.0;
     }
     deflections {
+        beside_x = s;
         overx = s - edgex - e_x;
         tau_x = tan_a*s;
         psi_x = psi;
@@ -88,6 +92,7 @@ equations! {
             flank_stiction_x => mu_x*k_x*slide_dir_x*touchx*(tiny_x.powi(2) + overx.powi(2)).sqrt()
                 - mu_x*k_x*touchx*psi_x_dot*(tiny_x.powi(2) + overx.powi(2)).sqrt()/(w_mix_x.powi(2) + psi_x_dot.powi(2)).sqrt();
         }
+        F_tau_x { sliding_friction_x => F_mu_x*overx/(tiny_x.powi(2) + overx.powi(2)).sqrt(); }
     }
     partials {
         F_mu_x_by_overx {
@@ -110,6 +115,11 @@ equations! {
             flank_stiction_x => mu_x*slide_dir_x*touchx*(tiny_x.powi(2) + overx.powi(2)).sqrt()
                 - mu_x*touchx*psi_x_dot*(tiny_x.powi(2) + overx.powi(2)).sqrt()/(w_mix_x.powi(2) + psi_x_dot.powi(2)).sqrt();
         }
+        F_tau_x_by_overx {
+            sliding_friction_x => F_mu_x/(tiny_x.powi(2) + overx.powi(2)).sqrt()
+                - F_mu_x*overx.powi(2)/(tiny_x.powi(2) + overx.powi(2)).powf(3.0/2.0);
+        }
+        F_tau_x_by_F_mu_x { sliding_friction_x => overx/(tiny_x.powi(2) + overx.powi(2)).sqrt(); }
     }
     switches {
         overx "m" (touchx 1.0, edgex 0.0, dampx 1.0, clipx 0.0) with backlash_x, "play of the mesh {}" {
@@ -189,25 +199,41 @@ equations! {
             }
             stuck_coast (0.0) holds rests counts "stuck" {
                 unless stuck { overx { _ => -1.0; } }
-                until forward {
+                until forward_coast {
                     overx { _ => -mu_rise_x*mu_x*k_x*touchx - mu_x*k_x*touchx; }
                     reaction { _ => -1.0; }
                 }
-                until backward {
+                until backward_coast {
                     overx { _ => -mu_rise_x*mu_x*k_x*touchx - mu_x*k_x*touchx; }
                     reaction { _ => 1.0; }
                 }
             }
             forward (1.0) {
+                until forward_coast { overx { _ => 1.0; } }
                 until stuck {
                     psi_x_dot { _ => arm_x; }
                     tau_x_dot { _ => side_x; }
                 }
             }
             backward (-1.0) {
+                until backward_coast { overx { _ => 1.0; } }
                 until stuck {
                     psi_x_dot { _ => -arm_x; }
                     tau_x_dot { _ => -side_x; }
+                }
+            }
+            forward_coast (1.0) {
+                until forward { overx { _ => -1.0; } }
+                until stuck_coast {
+                    psi_x_dot { _ => arm_x; }
+                    tau_x_dot { _ => -side_x; }
+                }
+            }
+            backward_coast (-1.0) {
+                until backward { overx { _ => -1.0; } }
+                until stuck_coast {
+                    psi_x_dot { _ => -arm_x; }
+                    tau_x_dot { _ => side_x; }
                 }
             }
         }
@@ -215,11 +241,14 @@ equations! {
     energies {
         kinetic { _ => (J_phase*phase_dot.powi(2) + J_psi*psi_dot.powi(2) + J_s*s_dot.powi(2))/2.0; }
         potential { _ => k_x*touchx*overx.powi(2)/2.0; }
-        dissipation { damping => beta_K*k_x_mid*dampx*overx_dot.powi(2)/2.0; }
+        dissipation {
+            viscous_friction_x => c_x*beside_x_dot.powi(2)/2.0;
+            damping => beta_K*k_x_mid*dampx*overx_dot.powi(2)/2.0;
+        }
     }
     torques {
         slide_x "friction of the mesh {}, through the sliding of the flanks at the pitch point" {}
-        power { sliding_friction_x => -side_x*F_mu_x*tau_x_dot; }
+        power { sliding_friction_x => -side_x*F_tau_x*tau_x_dot; }
         roll_x "friction of the mesh {}, through the rolling of the gears" {}
         power { sliding_friction_x => -arm_x*F_mu_x*psi_x_dot; }
     }
@@ -237,8 +266,9 @@ equations! {
         }
         s {
             _ => -k_x*touchx*overx;
+            viscous_friction_x => -c_x*beside_x_dot;
             backlash_x => -k_x*clipx*touchx*overx;
-            sliding_friction_x => -tan_a*side_x*F_mu_x;
+            sliding_friction_x => -tan_a*side_x*F_tau_x;
             damping => -beta_K*k_x_mid*dampx*overx_dot;
         }
         psi { sliding_friction_x => -arm_x*F_mu_x; }
@@ -254,19 +284,21 @@ equations! {
         }
         s phase {
             transmission_error_x_and_backlash_x_and_moving_phase => k_x*de_x*clipx*touchx;
-            transmission_error_x_and_sliding_friction_x_and_moving_phase => tan_a*de_x*side_x*F_mu_x_by_overx;
+            transmission_error_x_and_sliding_friction_x_and_moving_phase => tan_a*de_x*side_x*F_mu_x_by_overx*F_tau_x_by_F_mu_x
+                + tan_a*de_x*side_x*F_tau_x_by_overx;
             transmission_error_x_and_moving_phase => k_x*de_x*touchx;
             backlash_x_and_moving_phase => -dk_x*clipx*touchx*overx;
-            sliding_friction_x_and_moving_phase => -tan_a*dk_x*side_x*F_mu_x_by_k_x - tan_a*dside_x*F_mu_x;
+            sliding_friction_x_and_moving_phase => -tan_a*dk_x*side_x*F_mu_x_by_k_x*F_tau_x_by_F_mu_x - tan_a*dside_x*F_tau_x;
             moving_phase => -dk_x*touchx*overx;
         }
         s overx {
             _ => -k_x*touchx;
             backlash_x => -k_x*clipx*touchx;
-            sliding_friction_x => -tan_a*side_x*F_mu_x_by_overx;
+            sliding_friction_x => -tan_a*side_x*F_mu_x_by_overx*F_tau_x_by_F_mu_x - tan_a*side_x*F_tau_x_by_overx;
         }
+        s beside_x_dot { viscous_friction_x => -c_x; }
         s overx_dot { damping => -beta_K*k_x_mid*dampx; }
-        s psi_x_dot { sliding_friction_x => -tan_a*side_x*F_mu_x_by_psi_x_dot; }
+        s psi_x_dot { sliding_friction_x => -tan_a*side_x*F_mu_x_by_psi_x_dot*F_tau_x_by_F_mu_x; }
         psi phase {
             transmission_error_x_and_sliding_friction_x_and_moving_phase => de_x*arm_x*F_mu_x_by_overx;
             sliding_friction_x_and_moving_phase => -darm_x*F_mu_x - dk_x*arm_x*F_mu_x_by_k_x;
@@ -281,7 +313,10 @@ equations! {
                 backlash_x => k_x*clipx*touchx;
             }
         }
-        damping { overx overx { damping => beta_K*k_x_mid*dampx; } }
+        damping {
+            beside_x beside_x { viscous_friction_x => c_x; }
+            overx overx { damping => beta_K*k_x_mid*dampx; }
+        }
         load {
             overx {
                 _ => k_x*touchx*edgex + k_x*touchx*e_x;
@@ -290,7 +325,7 @@ equations! {
         }
     }
     nonlinear_with {
-        sliding_friction_x "-side_x*F_mu_x in the torque `slide_x`";
+        sliding_friction_x "-side_x*F_tau_x in the torque `slide_x`";
         sliding_friction_x "-arm_x*F_mu_x in the torque `roll_x`";
     }
     jump k_x { step { _ => dk_x*touchx*overx.powi(2)/2.0; } }
@@ -303,12 +338,14 @@ equations! {
         }
         mesh_force_x "N", "force of the mesh {} along the line of action, damper included: positive if it presses the drive flanks" {
             _ => k_x*touchx*overx;
+            viscous_friction_x => c_x*beside_x_dot;
             backlash_x => k_x*clipx*touchx*overx;
             damping => beta_K*k_x_mid*dampx*overx_dot;
         }
         mesh_deflection_x "m", "deflection of the mesh {} along the line of action, backlash not taken off" { _ => s - e_x; }
         dte_x "m", "dynamic transmission error of the mesh {} along the line of action: positive if the driving gear is ahead" { _ => s; }
         mesh_loss_x "W", "power that the damper of the mesh {} takes" {
+            viscous_friction_x => c_x*beside_x_dot.powi(2);
             backlash_x => k_x*clipx*touchx*overx*overx_dot;
             damping => beta_K*k_x_mid*dampx*overx_dot.powi(2);
         }
@@ -343,8 +380,9 @@ equations! {
 // - V is the same on both sides of the exits of psi_x: no impulse there
 // - every damper takes energy or none: each term of D has a power q'.dD/dq' that is never negative
 // - the friction `roll_x` takes energy or none: its power is never positive
-// - the friction `slide_x` takes with `roll_x` energy or none where psi_x_dot and arm_x psi_x_dot + side_x tau_x_dot have one sign: where
-//   flanks slide as rolling makes them
+// - the friction `slide_x` is the force of `roll_x` times at most 1, along its sign or against it
+// - the friction `slide_x` takes with `roll_x` energy or none where psi_x_dot and arm_x psi_x_dot + side_x tau_x_dot have one sign, on the
+//   coast flank with -side_x: where flanks slide as rolling makes them
 // - the friction `slide_x` takes with `roll_x` energy or none in every mode of psi_x, in scenes with flank_stiction_x: from the guards that
 //   hold in the mode
 // - every deflection equals the linear form by which the equations differentiate it
@@ -356,6 +394,6 @@ equations! {
 // | output | sums | products, quotients | functions, roots |
 // | --- | --- | --- | --- |
 // | constants (once a scene) | 0 | 1 | 2 |
-// | named forces | 6 | 24 | 5 |
-// | force | 0 | 18 | 0 |
+// | named forces | 7 | 28 | 6 |
+// | force | 0 | 19 | 0 |
 // | energy steps, all laws | 1 | 11 | 0 |

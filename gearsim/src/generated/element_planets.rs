@@ -14,10 +14,10 @@ equations! {
     parameters {
         np_x "1" required, open 0.0 to inf, "number of planets of {}";
         mp_x "kg" required, open 0.0 to inf, "mass of a planet of {}";
-        Zs_x "1" required, open 0.0 to inf, "number of teeth of the sun of {}";
-        Zr_x "1" required, open 0.0 to inf, "number of teeth of the ring of {}";
-        rs_x "m" required, open 0.0 to inf, "base radius of the sun of {}";
-        alpha_x "rad" default 0.3490658503988659, open 0.0 to inf, "working pressure angle of {}";
+        Zs_x "1" teeth required, open 0.0 to inf, "number of teeth of the sun of {}";
+        Zr_x "1" teeth required, open 0.0 to inf, "number of teeth of the ring of {}";
+        rs_x "m" base_radius required, open 0.0 to inf, "base radius of the sun of {}";
+        alpha_x "rad" pressure_angle default 0.3490658503988659, open 0.0 to inf, "working pressure angle of {}";
         alpha_M "1/s" default 0.0, from 0.0 to inf, "damping in proportion to inertia";
     }
     laws {

@@ -14,13 +14,17 @@ equations! {
     parameters {
         J_theta "kg*m^2" required, open 0.0 to inf, "test inertia, 0 in trains";
         k_x "N*m/rad" required, from 0.0 to inf, "torsional stiffness of the support {}";
+        c_x "N*m*s/rad" required with viscous_friction_x, from 0.0 to inf, "torsional damping of the support {}: torque per speed";
         beta_K "s" default 0.0, from 0.0 to inf, "damping in proportion to stiffness";
     }
     laws {
     }
     motions {
     }
-    effects { damping "Rayleigh damping, C = alpha_M M + beta_K K at the mid stiffness"; }
+    effects {
+        viscous_friction_x of viscous_friction "friction proportional to speed";
+        damping "Rayleigh damping, C = alpha_M M + beta_K K at the mid stiffness";
+    }
     conditions {
     }
 
@@ -28,7 +32,10 @@ equations! {
     energies {
         kinetic { _ => J_theta*theta_dot.powi(2)/2.0; }
         potential { _ => k_x*twist_x.powi(2)/2.0; }
-        dissipation { damping => beta_K*k_x*twist_x_dot.powi(2)/2.0; }
+        dissipation {
+            viscous_friction_x => c_x*twist_x_dot.powi(2)/2.0;
+            damping => beta_K*k_x*twist_x_dot.powi(2)/2.0;
+        }
     }
     torques {
     }
@@ -39,16 +46,25 @@ equations! {
     force {
         theta {
             _ => -k_x*twist_x;
+            viscous_friction_x => -c_x*twist_x_dot;
             damping => -beta_K*k_x*twist_x_dot;
         }
     }
     jacobian {
         theta twist_x { _ => -k_x; }
-        theta twist_x_dot { damping => -beta_K*k_x; }
+        theta twist_x_dot {
+            viscous_friction_x => -c_x;
+            damping => -beta_K*k_x;
+        }
     }
     cell {
         stiffness { twist_x twist_x { _ => k_x; } }
-        damping { twist_x twist_x { damping => beta_K*k_x; } }
+        damping {
+            twist_x twist_x {
+                viscous_friction_x => c_x;
+                damping => beta_K*k_x;
+            }
+        }
         load {
         }
     }
@@ -56,9 +72,13 @@ equations! {
         shaft_twist_x "rad", "twist of the support {}" { _ => twist_x; }
         shaft_torque_x "N*m", "torque in the support {}, damper included" {
             _ => k_x*twist_x;
+            viscous_friction_x => c_x*twist_x_dot;
             damping => beta_K*k_x*twist_x_dot;
         }
-        shaft_loss_x "W", "power that the damper of the support {} takes" { damping => beta_K*k_x*twist_x_dot.powi(2); }
+        shaft_loss_x "W", "power that the damper of the support {} takes" {
+            viscous_friction_x => c_x*twist_x_dot.powi(2);
+            damping => beta_K*k_x*twist_x_dot.powi(2);
+        }
     }
 
     text "text/element_support.txt";
@@ -80,5 +100,5 @@ equations! {
 //
 // | output | sums | products, quotients | functions, roots |
 // | --- | --- | --- | --- |
-// | force | 0 | 3 | 0 |
-// | acceleration | 0 | 5 | 0 |
+// | force | 0 | 4 | 0 |
+// | acceleration | 0 | 7 | 0 |

@@ -15,8 +15,9 @@ equations! {
         J_theta "kg*m^2" required, open 0.0 to inf, "test inertia, 0 in trains";
         Tp_x "N*m" required with traction_motor, open 0.0 to inf, "peak torque of the drive {}, up to its base speed";
         Pp_x "W" required with traction_motor, open 0.0 to inf, "peak power of the drive {}, above its base speed Pp/Tp";
-        d_x "1" default 1.0, open -inf to inf, "demand on the drive {}: 1 drives with its peak torque or power, -1 brakes with them";
-        round_x "1" default 0.01, open 0.0 to inf,
+        d_x "1" default 1.0 with traction_motor, open -inf to inf,
+            "demand on the drive {}: 1 drives with its peak torque or power, -1 brakes with them";
+        round_x "1" default 0.01 with traction_motor, open 0.0 to inf,
             "rounding of the corner of the torque of the drive {} at its base speed, relative to that";
     }
     laws {

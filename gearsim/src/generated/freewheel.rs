@@ -18,10 +18,10 @@ equations! {
         I1 "kg*m^2" required, open 0.0 to inf, "moment of inertia of the motor";
         I2 "kg*m^2" required, open 0.0 to inf, "moment of inertia of the driven rotor";
         Tmax "N*m" required with overrunning_clutch, open 0.0 to inf, "capacity of the clutch: the largest torque that it transmits";
-        Tdrag "N*m" default 0.0, from 0.0 to inf, "drag torque of the clutch while it overruns";
+        Tdrag "N*m" default 0.0 with overrunning_clutch, from 0.0 to inf, "drag torque of the clutch while it overruns";
         Tc2 "N*m" required with dry_friction_2, from 0.0 to inf,
             "Coulomb friction of the bearings of the driven rotor: constant, against the motion";
-        rise2 "1" default 0.0, from 0.0 to inf,
+        rise2 "1" default 0.0 with dry_friction_2, from 0.0 to inf,
             "excess of the breakaway torque of the bearings of the driven rotor over its Coulomb friction, relative to that";
         c2 "N*m*s/rad" required with viscous_friction_2, from 0.0 to inf, "viscous friction of the driven rotor: torque per speed";
         T_motor "N*m" required with torques, open -inf to inf, "driving torque of the motor";
@@ -35,13 +35,14 @@ equations! {
         ns_motor "rad/s" required with induction_motor, open 0.0 to inf, "synchronous speed of the motor";
         Tp_motor "N*m" required with traction_motor, open 0.0 to inf, "peak torque of the motor, up to its base speed";
         Pp_motor "W" required with traction_motor, open 0.0 to inf, "peak power of the motor, above its base speed Pp/Tp";
-        d_motor "1" default 1.0, open -inf to inf, "demand on the motor: 1 drives with its peak torque or power, -1 brakes with them";
-        round_motor "1" default 0.01, open 0.0 to inf,
+        d_motor "1" default 1.0 with traction_motor, open -inf to inf,
+            "demand on the motor: 1 drives with its peak torque or power, -1 brakes with them";
+        round_motor "1" default 0.01 with traction_motor, open 0.0 to inf,
             "rounding of the corner of the torque of the motor at its base speed, relative to that";
         T_load "N*m" required with torques, open -inf to inf, "load torque of the driven rotor, against its rotation";
         cf_load "N*m*s^2/rad^2" required with fan_load, from 0.0 to inf,
             "fan torque of the driven rotor divided by the square of its speed";
-        w0_load "rad/s" default 0.01, open 0.0 to inf,
+        w0_load "rad/s" default 0.01 with fan_load, open 0.0 to inf,
             "speed of the driven rotor below which the fan torque is linear instead of quadratic in the speed";
     }
     laws {

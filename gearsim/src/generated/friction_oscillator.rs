@@ -15,11 +15,12 @@ equations! {
         I "kg*m^2" required, open 0.0 to inf, "moment of inertia of the rotor";
         k "N*m/rad" required, from 0.0 to inf, "torsional stiffness of the spring";
         Tc "N*m" required with dry_friction, from 0.0 to inf, "Coulomb friction of the bearing: constant, against the motion";
-        rise "1" default 0.0, from 0.0 to inf, "excess of the breakaway torque of the bearing over its Coulomb friction, relative to that";
+        rise "1" default 0.0 with dry_friction, from 0.0 to inf,
+            "excess of the breakaway torque of the bearing over its Coulomb friction, relative to that";
         hi "rad" required with end_stop, open -inf to inf, "place of the upper stop of the rotor";
         lo "rad" required with end_stop, open -inf to inf, "place of the lower stop of the rotor";
         ks "N*m/rad" required with end_stop, open 0.0 to inf, "stiffness of the stops of the rotor";
-        cs "N*m*s/rad" default 0.0, from 0.0 to inf, "damping of the stops of the rotor";
+        cs "N*m*s/rad" default 0.0 with end_stop, from 0.0 to inf, "damping of the stops of the rotor";
         T_motor "N*m" required with torques, open -inf to inf, "driving torque of the rotor";
         c_motor "N*m*s/rad" required with speed_governor, open 0.0 to inf,
             "gain of the governor of the rotor: torque per difference of set point and speed";
@@ -31,11 +32,12 @@ equations! {
         ns_motor "rad/s" required with induction_motor, open 0.0 to inf, "synchronous speed of the rotor";
         Tp_motor "N*m" required with traction_motor, open 0.0 to inf, "peak torque of the rotor, up to its base speed";
         Pp_motor "W" required with traction_motor, open 0.0 to inf, "peak power of the rotor, above its base speed Pp/Tp";
-        d_motor "1" default 1.0, open -inf to inf, "demand on the rotor: 1 drives with its peak torque or power, -1 brakes with them";
-        round_motor "1" default 0.01, open 0.0 to inf,
+        d_motor "1" default 1.0 with traction_motor, open -inf to inf,
+            "demand on the rotor: 1 drives with its peak torque or power, -1 brakes with them";
+        round_motor "1" default 0.01 with traction_motor, open 0.0 to inf,
             "rounding of the corner of the torque of the rotor at its base speed, relative to that";
         cf_load "N*m*s^2/rad^2" required with fan_load, from 0.0 to inf, "fan torque of the rotor divided by the square of its speed";
-        w0_load "rad/s" default 0.01, open 0.0 to inf,
+        w0_load "rad/s" default 0.01 with fan_load, open 0.0 to inf,
             "speed of the rotor below which the fan torque is linear instead of quadratic in the speed";
     }
     laws {

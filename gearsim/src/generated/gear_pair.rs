@@ -15,19 +15,19 @@ equations! {
         phi "rad" start static, "relative deflection, (N1 theta1 - N2 theta2)/2";
     }
     parameters {
-        N1 "1" default 24.0, open 0.0 to inf, "number of teeth of the driving gear";
-        N2 "1" default 96.0, open 0.0 to inf, "number of teeth of the driven gear";
+        N1 "1" teeth default 24.0, open 0.0 to inf, "number of teeth of the driving gear";
+        N2 "1" teeth default 96.0, open 0.0 to inf, "number of teeth of the driven gear";
         I1 "kg*m^2" required, open 0.0 to inf, "moment of inertia of the driving gear";
         I2 "kg*m^2" required, open 0.0 to inf, "moment of inertia of the driven gear";
         zeta "1" default 0.0, from 0.0 to inf, "damping factor of phi at the mid stiffness";
         T0 "N*m" required, open -inf to inf, "torque per tooth: T0 N1 drives the driving gear, T0 N2 loads the driven gear";
         b "rad" required with backlash, open 0.0 to inf,
             "backlash of the mesh in phi, bt N1/(2 rb1) with bt along the line of action: no contact within b/2 to either side";
-        alpha "rad" default 0.3490658503988659, open 0.0 to inf, "working pressure angle, for friction";
+        alpha "rad" pressure_angle default 0.3490658503988659, open 0.0 to inf, "working pressure angle, for friction";
         mu "1" required with sliding_friction, from 0.0 to inf, "coefficient of friction of the mesh";
-        w_mix "rad/s" default 0.1, open 0.0 to inf,
+        w_mix "rad/s" default 0.1 with sliding_friction, open 0.0 to inf,
             "rolling speed omega1 + omega2 of the mesh below which friction decreases to zero (mixed film)";
-        mu_rise "1" default 0.0, from 0.0 to inf,
+        mu_rise "1" default 0.0 with flank_stiction, from 0.0 to inf,
             "excess of the static coefficient of friction of the mesh over that of sliding, relative to that";
         c_motor "N*m*s/rad" required with speed_governor, open 0.0 to inf,
             "gain of the governor of the driving gear: torque per difference of set point and speed";
@@ -39,12 +39,12 @@ equations! {
         ns_motor "rad/s" required with induction_motor, open 0.0 to inf, "synchronous speed of the driving gear";
         Tp_motor "N*m" required with traction_motor, open 0.0 to inf, "peak torque of the driving gear, up to its base speed";
         Pp_motor "W" required with traction_motor, open 0.0 to inf, "peak power of the driving gear, above its base speed Pp/Tp";
-        d_motor "1" default 1.0, open -inf to inf,
+        d_motor "1" default 1.0 with traction_motor, open -inf to inf,
             "demand on the driving gear: 1 drives with its peak torque or power, -1 brakes with them";
-        round_motor "1" default 0.01, open 0.0 to inf,
+        round_motor "1" default 0.01 with traction_motor, open 0.0 to inf,
             "rounding of the corner of the torque of the driving gear at its base speed, relative to that";
         cf_load "N*m*s^2/rad^2" required with fan_load, from 0.0 to inf, "fan torque of the driven gear divided by the square of its speed";
-        w0_load "rad/s" default 0.01, open 0.0 to inf,
+        w0_load "rad/s" default 0.01 with fan_load, open 0.0 to inf,
             "speed of the driven gear below which the fan torque is linear instead of quadratic in the speed";
     }
     laws {
@@ -119,6 +119,7 @@ equations! {
             flank_stiction => mu*k*slide_dir*touch*(tiny.powi(2) + over.powi(2)).sqrt()
                 - mu*k*touch*psi_dot*(tiny.powi(2) + over.powi(2)).sqrt()/(w_mix.powi(2) + psi_dot.powi(2)).sqrt();
         }
+        F_tau { sliding_friction => F_mu*over/(tiny.powi(2) + over.powi(2)).sqrt(); }
         T_induction_motor {
             induction_motor => 2.0*Tb_motor*sb_motor*(1.0 - theta_motor_dot/ns_motor)
                 /(sb_motor.powi(2) + (1.0 - theta_motor_dot/ns_motor).powi(2));
@@ -148,6 +149,10 @@ equations! {
             flank_stiction => mu*slide_dir*touch*(tiny.powi(2) + over.powi(2)).sqrt()
                 - mu*touch*psi_dot*(tiny.powi(2) + over.powi(2)).sqrt()/(w_mix.powi(2) + psi_dot.powi(2)).sqrt();
         }
+        F_tau_by_over {
+            sliding_friction => F_mu/(tiny.powi(2) + over.powi(2)).sqrt() - F_mu*over.powi(2)/(tiny.powi(2) + over.powi(2)).powf(3.0/2.0);
+        }
+        F_tau_by_F_mu { sliding_friction => over/(tiny.powi(2) + over.powi(2)).sqrt(); }
         T_induction_motor_by_theta_motor_dot {
             induction_motor => 4.0*Tb_motor*sb_motor*(1.0 - theta_motor_dot/ns_motor).powi(2)
                 /(ns_motor*(sb_motor.powi(2) + (1.0 - theta_motor_dot/ns_motor).powi(2)).powi(2))
@@ -246,25 +251,41 @@ equations! {
             }
             stuck_coast (0.0) holds rests counts "stuck" {
                 unless stuck { over { _ => -1.0; } }
-                until forward {
+                until forward_coast {
                     over { _ => -mu*mu_rise*k*touch - mu*k*touch; }
                     reaction { _ => -1.0; }
                 }
-                until backward {
+                until backward_coast {
                     over { _ => -mu*mu_rise*k*touch - mu*k*touch; }
                     reaction { _ => 1.0; }
                 }
             }
             forward (1.0) {
+                until forward_coast { over { _ => 1.0; } }
                 until stuck {
                     psi_dot { _ => arm; }
                     tau_dot { _ => side; }
                 }
             }
             backward (-1.0) {
+                until backward_coast { over { _ => 1.0; } }
                 until stuck {
                     psi_dot { _ => -arm; }
                     tau_dot { _ => -side; }
+                }
+            }
+            forward_coast (1.0) {
+                until forward { over { _ => -1.0; } }
+                until stuck_coast {
+                    psi_dot { _ => arm; }
+                    tau_dot { _ => -side; }
+                }
+            }
+            backward_coast (-1.0) {
+                until backward { over { _ => -1.0; } }
+                until stuck_coast {
+                    psi_dot { _ => -arm; }
+                    tau_dot { _ => side; }
                 }
             }
         }
@@ -282,7 +303,7 @@ equations! {
         drive "torque T0 N1 on the driving gear" { torques => T0*(phi + theta); }
         load "torque -T0 N2 on the driven gear" { torques => -T0*(theta - phi); }
         slide "friction of the mesh, through the sliding of the flanks at the pitch point" {}
-        power { sliding_friction => -side*F_mu*tau_dot; }
+        power { sliding_friction => -side*F_tau*tau_dot; }
         roll "friction of the mesh, through the rolling of the gears" {}
         power { sliding_friction => -arm*F_mu*psi_dot; }
         governor "torque c n of the governor; its part -c omega is in D" { speed_governor => c_motor*n_motor*(phi/N1 + theta/N1); }
@@ -331,7 +352,7 @@ equations! {
             backlash => -2.0*k*clip*touch*over;
             damping => -2.0*C*damp*over_dot;
             torques => 2.0*T0;
-            sliding_friction => arm*F_mu/N2 - 2.0*tan_a*side*F_mu - arm*F_mu/N1;
+            sliding_friction => arm*F_mu/N2 - 2.0*tan_a*side*F_tau - arm*F_mu/N1;
             speed_governor => c_motor*n_motor/N1 - c_motor*theta_motor_dot/N1;
             dc_motor => Ts_motor/N1 - Ts_motor*theta_motor_dot/(N1*n0_motor);
             induction_motor => T_induction_motor/N1;
@@ -361,21 +382,22 @@ equations! {
         theta theta_load_dot { fan_load => T_fan_load_by_theta_load_dot/N2; }
         phi theta {
             transmission_error_and_backlash_and_moving_phase => 2.0*k*de*clip*touch;
-            transmission_error_and_sliding_friction_and_moving_phase => 2.0*tan_a*de*side*F_mu_by_over + de*arm*F_mu_by_over/N1
-                - de*arm*F_mu_by_over/N2;
+            transmission_error_and_sliding_friction_and_moving_phase => 2.0*tan_a*de*side*F_mu_by_over*F_tau_by_F_mu
+                + 2.0*tan_a*de*side*F_tau_by_over + de*arm*F_mu_by_over/N1 - de*arm*F_mu_by_over/N2;
             transmission_error_and_moving_phase => 2.0*k*de*touch;
             backlash_and_moving_phase => -2.0*dk*clip*touch*over;
-            sliding_friction_and_moving_phase => darm*F_mu/N2 - 2.0*tan_a*dk*side*F_mu_by_k - 2.0*tan_a*dside*F_mu - darm*F_mu/N1
-                - dk*arm*F_mu_by_k/N1 + dk*arm*F_mu_by_k/N2;
+            sliding_friction_and_moving_phase => darm*F_mu/N2 - 2.0*tan_a*dk*side*F_mu_by_k*F_tau_by_F_mu - 2.0*tan_a*dside*F_tau
+                - darm*F_mu/N1 - dk*arm*F_mu_by_k/N1 + dk*arm*F_mu_by_k/N2;
             moving_phase => -2.0*dk*touch*over;
         }
         phi over {
             _ => -2.0*k*touch;
             backlash => -2.0*k*clip*touch;
-            sliding_friction => arm*F_mu_by_over/N2 - 2.0*tan_a*side*F_mu_by_over - arm*F_mu_by_over/N1;
+            sliding_friction => arm*F_mu_by_over/N2 - 2.0*tan_a*side*F_mu_by_over*F_tau_by_F_mu - 2.0*tan_a*side*F_tau_by_over
+                - arm*F_mu_by_over/N1;
         }
         phi over_dot { damping => -2.0*C*damp; }
-        phi psi_dot { sliding_friction => arm*F_mu_by_psi_dot/N2 - 2.0*tan_a*side*F_mu_by_psi_dot - arm*F_mu_by_psi_dot/N1; }
+        phi psi_dot { sliding_friction => arm*F_mu_by_psi_dot/N2 - 2.0*tan_a*side*F_mu_by_psi_dot*F_tau_by_F_mu - arm*F_mu_by_psi_dot/N1; }
         phi theta_motor_dot {
             speed_governor => -c_motor/N1;
             dc_motor => -Ts_motor/(N1*n0_motor);
@@ -415,7 +437,7 @@ equations! {
         }
     }
     nonlinear_with {
-        sliding_friction "-side*F_mu in the torque `slide`";
+        sliding_friction "-side*F_tau in the torque `slide`";
         sliding_friction "-arm*F_mu in the torque `roll`";
         induction_motor "T_induction_motor in the torque `induction`";
         traction_motor "T_traction_motor in the torque `traction`";
@@ -512,8 +534,9 @@ equations! {
 // - V is the same on both sides of the exits of psi: no impulse there
 // - every damper takes energy or none: each term of D has a power q'.dD/dq' that is never negative
 // - the friction `roll` takes energy or none: its power is never positive
-// - the friction `slide` takes with `roll` energy or none where psi_dot and arm psi_dot + side tau_dot have one sign: where flanks slide as
-//   rolling makes them
+// - the friction `slide` is the force of `roll` times at most 1, along its sign or against it
+// - the friction `slide` takes with `roll` energy or none where psi_dot and arm psi_dot + side tau_dot have one sign, on the coast flank
+//   with -side: where flanks slide as rolling makes them
 // - the friction `slide` takes with `roll` energy or none in every mode of psi, in scenes with flank_stiction: from the guards that hold in
 //   the mode
 // - every deflection equals the linear form by which the equations differentiate it
@@ -524,7 +547,7 @@ equations! {
 // | output | sums | products, quotients | functions, roots |
 // | --- | --- | --- | --- |
 // | constants (once a scene) | 2 | 17 | 3 |
-// | named forces | 21 | 63 | 8 |
+// | named forces | 22 | 67 | 9 |
 // | force | 7 | 51 | 0 |
 // | acceleration | 26 | 178 | 0 |
 // | energy steps, all laws | 1 | 10 | 0 |

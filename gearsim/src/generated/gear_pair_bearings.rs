@@ -19,10 +19,10 @@ equations! {
         y2 "m" start static, "y of the centre of gear 2";
     }
     parameters {
-        N1 "1" required, open 0.0 to inf, "number of teeth of gear 1";
-        N2 "1" required, open 0.0 to inf, "number of teeth of gear 2";
-        r1 "m" required, open 0.0 to inf, "base radius of gear 1";
-        alpha "rad" default 0.3490658503988659, open 0.0 to inf, "pressure angle";
+        N1 "1" teeth required, open 0.0 to inf, "number of teeth of gear 1";
+        N2 "1" teeth required, open 0.0 to inf, "number of teeth of gear 2";
+        r1 "m" base_radius required, open 0.0 to inf, "base radius of gear 1";
+        alpha "rad" pressure_angle default 0.3490658503988659, open 0.0 to inf, "pressure angle";
         I1 "kg*m^2" required, open 0.0 to inf, "moment of inertia of the driving gear";
         m1 "kg" required, open 0.0 to inf, "mass of the driving gear";
         I2 "kg*m^2" required, open 0.0 to inf, "moment of inertia of the driven gear";
@@ -33,9 +33,9 @@ equations! {
         cb2 "N*s/m" required with viscous_friction_2, from 0.0 to inf, "radial damping of the bearing of gear 2: force per speed";
         b12 "m" required with backlash_12, open 0.0 to inf, "backlash of the mesh: no contact within b/2 to either side";
         mu12 "1" required with sliding_friction_12, from 0.0 to inf, "coefficient of friction of the mesh";
-        w_mix12 "rad/s" default 0.1, open 0.0 to inf,
+        w_mix12 "rad/s" default 0.1 with sliding_friction_12, open 0.0 to inf,
             "rolling speed omega1 + omega2 of the mesh below which friction decreases to zero (mixed film)";
-        mu_rise12 "1" default 0.0, from 0.0 to inf,
+        mu_rise12 "1" default 0.0 with flank_stiction_12, from 0.0 to inf,
             "excess of the static coefficient of friction of the mesh over that of sliding, relative to that";
         T_motor "N*m" required with torques, open -inf to inf, "driving torque of the driving gear";
         c_motor "N*m*s/rad" required with speed_governor, open 0.0 to inf,
@@ -48,13 +48,13 @@ equations! {
         ns_motor "rad/s" required with induction_motor, open 0.0 to inf, "synchronous speed of the driving gear";
         Tp_motor "N*m" required with traction_motor, open 0.0 to inf, "peak torque of the driving gear, up to its base speed";
         Pp_motor "W" required with traction_motor, open 0.0 to inf, "peak power of the driving gear, above its base speed Pp/Tp";
-        d_motor "1" default 1.0, open -inf to inf,
+        d_motor "1" default 1.0 with traction_motor, open -inf to inf,
             "demand on the driving gear: 1 drives with its peak torque or power, -1 brakes with them";
-        round_motor "1" default 0.01, open 0.0 to inf,
+        round_motor "1" default 0.01 with traction_motor, open 0.0 to inf,
             "rounding of the corner of the torque of the driving gear at its base speed, relative to that";
         T_load "N*m" required with torques, open -inf to inf, "load torque of the driven gear, against its rotation";
         cf_load "N*m*s^2/rad^2" required with fan_load, from 0.0 to inf, "fan torque of the driven gear divided by the square of its speed";
-        w0_load "rad/s" default 0.01, open 0.0 to inf,
+        w0_load "rad/s" default 0.01 with fan_load, open 0.0 to inf,
             "speed of the driven gear below which the fan torque is linear instead of quadratic in the speed";
         alpha_M "1/s" default 0.0, from 0.0 to inf, "damping in proportion to inertia";
         beta_K "s" default 0.0, from 0.0 to inf, "damping in proportion to stiffness";
@@ -323,23 +323,39 @@ equations! {
             }
             stuck_coast (0.0) holds rests counts "stuck" {
                 unless stuck { over12 { _ => -1.0; } }
-                until forward {
+                until forward_coast {
                     over12 { _ => -mu12*mu_rise12*k12*touch12 - mu12*k12*touch12; }
                     reaction { _ => -1.0; }
                 }
-                until backward {
+                until backward_coast {
                     over12 { _ => -mu12*mu_rise12*k12*touch12 - mu12*k12*touch12; }
                     reaction { _ => 1.0; }
                 }
             }
             forward (1.0) {
+                until forward_coast { over12 { _ => 1.0; } }
                 until stuck {
                     psi12_dot { _ => arm12; }
                     tau12_dot { _ => side12; }
                 }
             }
             backward (-1.0) {
+                until backward_coast { over12 { _ => 1.0; } }
                 until stuck {
+                    psi12_dot { _ => -arm12; }
+                    tau12_dot { _ => -side12; }
+                }
+            }
+            forward_coast (1.0) {
+                until forward { over12 { _ => -1.0; } }
+                until stuck_coast {
+                    psi12_dot { _ => arm12; }
+                    tau12_dot { _ => side12; }
+                }
+            }
+            backward_coast (-1.0) {
+                until backward { over12 { _ => -1.0; } }
+                until stuck_coast {
                     psi12_dot { _ => -arm12; }
                     tau12_dot { _ => -side12; }
                 }
@@ -1122,8 +1138,9 @@ equations! {
 // - V is the same on both sides of the exits of psi12: no impulse there
 // - every damper takes energy or none: each term of D has a power q'.dD/dq' that is never negative
 // - the friction `roll12` takes energy or none: its power is never positive
-// - the friction `slide12` takes with `roll12` energy or none where psi12_dot and arm12 psi12_dot + side12 tau12_dot have one sign: where
-//   flanks slide as rolling makes them
+// - the friction `slide12` is the force of `roll12` times at most 1, along its sign or against it
+// - the friction `slide12` takes with `roll12` energy or none where psi12_dot and arm12 psi12_dot + side12 tau12_dot have one sign, on the
+//   coast flank with -side12: where flanks slide as rolling makes them
 // - the friction `slide12` takes with `roll12` energy or none in every mode of psi12, in scenes with flank_stiction_12: from the guards
 //   that hold in the mode
 // - every deflection equals the linear form by which the equations differentiate it

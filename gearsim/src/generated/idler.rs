@@ -16,25 +16,25 @@ equations! {
         delta2 "m" start static, "deflection of the mesh of gears 2 and 3";
     }
     parameters {
-        N1 "1" required, open 0.0 to inf, "number of teeth of gear 1";
-        N2 "1" required, open 0.0 to inf, "number of teeth of gear 2";
-        N3 "1" required, open 0.0 to inf, "number of teeth of gear 3";
-        r2 "m" required, open 0.0 to inf, "base radius of the idler";
+        N1 "1" teeth required, open 0.0 to inf, "number of teeth of gear 1";
+        N2 "1" teeth required, open 0.0 to inf, "number of teeth of gear 2";
+        N3 "1" teeth required, open 0.0 to inf, "number of teeth of gear 3";
+        r2 "m" base_radius required, open 0.0 to inf, "base radius of the idler";
         I1 "kg*m^2" required, open 0.0 to inf, "moment of inertia of the driving gear";
         I2 "kg*m^2" required, open 0.0 to inf, "moment of inertia of the idler";
         I3 "kg*m^2" required, open 0.0 to inf, "moment of inertia of the driven gear";
         b12 "m" required with backlash_12, open 0.0 to inf, "backlash of the mesh of gears 1 and 2: no contact within b/2 to either side";
         b23 "m" required with backlash_23, open 0.0 to inf, "backlash of the mesh of gears 2 and 3: no contact within b/2 to either side";
-        alpha "rad" default 0.3490658503988659, open 0.0 to inf, "working pressure angle, for friction";
+        alpha "rad" pressure_angle default 0.3490658503988659, open 0.0 to inf, "working pressure angle, for friction";
         mu12 "1" required with sliding_friction_12, from 0.0 to inf, "coefficient of friction of the mesh of gears 1 and 2";
-        w_mix12 "rad/s" default 0.1, open 0.0 to inf,
+        w_mix12 "rad/s" default 0.1 with sliding_friction_12, open 0.0 to inf,
             "rolling speed omega1 + omega2 of the mesh of gears 1 and 2 below which friction decreases to zero (mixed film)";
-        mu_rise12 "1" default 0.0, from 0.0 to inf,
+        mu_rise12 "1" default 0.0 with flank_stiction_12, from 0.0 to inf,
             "excess of the static coefficient of friction of the mesh of gears 1 and 2 over that of sliding, relative to that";
         mu23 "1" required with sliding_friction_23, from 0.0 to inf, "coefficient of friction of the mesh of gears 2 and 3";
-        w_mix23 "rad/s" default 0.1, open 0.0 to inf,
+        w_mix23 "rad/s" default 0.1 with sliding_friction_23, open 0.0 to inf,
             "rolling speed omega1 + omega2 of the mesh of gears 2 and 3 below which friction decreases to zero (mixed film)";
-        mu_rise23 "1" default 0.0, from 0.0 to inf,
+        mu_rise23 "1" default 0.0 with flank_stiction_23, from 0.0 to inf,
             "excess of the static coefficient of friction of the mesh of gears 2 and 3 over that of sliding, relative to that";
         T_motor "N*m" required with torques, open -inf to inf, "driving torque of the driving gear";
         c_motor "N*m*s/rad" required with speed_governor, open 0.0 to inf,
@@ -47,13 +47,13 @@ equations! {
         ns_motor "rad/s" required with induction_motor, open 0.0 to inf, "synchronous speed of the driving gear";
         Tp_motor "N*m" required with traction_motor, open 0.0 to inf, "peak torque of the driving gear, up to its base speed";
         Pp_motor "W" required with traction_motor, open 0.0 to inf, "peak power of the driving gear, above its base speed Pp/Tp";
-        d_motor "1" default 1.0, open -inf to inf,
+        d_motor "1" default 1.0 with traction_motor, open -inf to inf,
             "demand on the driving gear: 1 drives with its peak torque or power, -1 brakes with them";
-        round_motor "1" default 0.01, open 0.0 to inf,
+        round_motor "1" default 0.01 with traction_motor, open 0.0 to inf,
             "rounding of the corner of the torque of the driving gear at its base speed, relative to that";
         T_load "N*m" required with torques, open -inf to inf, "load torque of the driven gear, against its rotation";
         cf_load "N*m*s^2/rad^2" required with fan_load, from 0.0 to inf, "fan torque of the driven gear divided by the square of its speed";
-        w0_load "rad/s" default 0.01, open 0.0 to inf,
+        w0_load "rad/s" default 0.01 with fan_load, open 0.0 to inf,
             "speed of the driven gear below which the fan torque is linear instead of quadratic in the speed";
         alpha_M "1/s" default 0.0, from 0.0 to inf, "damping in proportion to inertia";
         beta_K "s" default 0.0, from 0.0 to inf, "damping in proportion to stiffness";
@@ -154,12 +154,14 @@ equations! {
             flank_stiction_12 => mu12*k12*slide_dir12*touch12*(tiny12.powi(2) + over12.powi(2)).sqrt()
                 - mu12*k12*touch12*psi12_dot*(tiny12.powi(2) + over12.powi(2)).sqrt()/(w_mix12.powi(2) + psi12_dot.powi(2)).sqrt();
         }
+        F_tau12 { sliding_friction_12 => F_mu12*over12/(tiny12.powi(2) + over12.powi(2)).sqrt(); }
         F_mu23 {
             sliding_friction_23 => mu23*k23*touch23*psi23_dot*(tiny23.powi(2) + over23.powi(2)).sqrt()
                 /(w_mix23.powi(2) + psi23_dot.powi(2)).sqrt();
             flank_stiction_23 => mu23*k23*slide_dir23*touch23*(tiny23.powi(2) + over23.powi(2)).sqrt()
                 - mu23*k23*touch23*psi23_dot*(tiny23.powi(2) + over23.powi(2)).sqrt()/(w_mix23.powi(2) + psi23_dot.powi(2)).sqrt();
         }
+        F_tau23 { sliding_friction_23 => F_mu23*over23/(tiny23.powi(2) + over23.powi(2)).sqrt(); }
         T_induction_motor {
             induction_motor => 2.0*Tb_motor*sb_motor*(1.0 - theta_motor_dot/ns_motor)
                 /(sb_motor.powi(2) + (1.0 - theta_motor_dot/ns_motor).powi(2));
@@ -192,6 +194,11 @@ equations! {
             flank_stiction_12 => mu12*slide_dir12*touch12*(tiny12.powi(2) + over12.powi(2)).sqrt()
                 - mu12*touch12*psi12_dot*(tiny12.powi(2) + over12.powi(2)).sqrt()/(w_mix12.powi(2) + psi12_dot.powi(2)).sqrt();
         }
+        F_tau12_by_over12 {
+            sliding_friction_12 => F_mu12/(tiny12.powi(2) + over12.powi(2)).sqrt()
+                - F_mu12*over12.powi(2)/(tiny12.powi(2) + over12.powi(2)).powf(3.0/2.0);
+        }
+        F_tau12_by_F_mu12 { sliding_friction_12 => over12/(tiny12.powi(2) + over12.powi(2)).sqrt(); }
         F_mu23_by_over23 {
             sliding_friction_23 => mu23*k23*touch23*over23*psi23_dot
                 /((tiny23.powi(2) + over23.powi(2)).sqrt()*(w_mix23.powi(2) + psi23_dot.powi(2)).sqrt());
@@ -212,6 +219,11 @@ equations! {
             flank_stiction_23 => mu23*slide_dir23*touch23*(tiny23.powi(2) + over23.powi(2)).sqrt()
                 - mu23*touch23*psi23_dot*(tiny23.powi(2) + over23.powi(2)).sqrt()/(w_mix23.powi(2) + psi23_dot.powi(2)).sqrt();
         }
+        F_tau23_by_over23 {
+            sliding_friction_23 => F_mu23/(tiny23.powi(2) + over23.powi(2)).sqrt()
+                - F_mu23*over23.powi(2)/(tiny23.powi(2) + over23.powi(2)).powf(3.0/2.0);
+        }
+        F_tau23_by_F_mu23 { sliding_friction_23 => over23/(tiny23.powi(2) + over23.powi(2)).sqrt(); }
         T_induction_motor_by_theta_motor_dot {
             induction_motor => 4.0*Tb_motor*sb_motor*(1.0 - theta_motor_dot/ns_motor).powi(2)
                 /(ns_motor*(sb_motor.powi(2) + (1.0 - theta_motor_dot/ns_motor).powi(2)).powi(2))
@@ -372,25 +384,41 @@ equations! {
             }
             stuck_coast (0.0) holds rests counts "stuck" {
                 unless stuck { over12 { _ => -1.0; } }
-                until forward {
+                until forward_coast {
                     over12 { _ => -mu12*mu_rise12*k12*touch12 - mu12*k12*touch12; }
                     reaction { _ => -1.0; }
                 }
-                until backward {
+                until backward_coast {
                     over12 { _ => -mu12*mu_rise12*k12*touch12 - mu12*k12*touch12; }
                     reaction { _ => 1.0; }
                 }
             }
             forward (1.0) {
+                until forward_coast { over12 { _ => 1.0; } }
                 until stuck {
                     psi12_dot { _ => arm12; }
                     tau12_dot { _ => side12; }
                 }
             }
             backward (-1.0) {
+                until backward_coast { over12 { _ => 1.0; } }
                 until stuck {
                     psi12_dot { _ => -arm12; }
                     tau12_dot { _ => -side12; }
+                }
+            }
+            forward_coast (1.0) {
+                until forward { over12 { _ => -1.0; } }
+                until stuck_coast {
+                    psi12_dot { _ => arm12; }
+                    tau12_dot { _ => -side12; }
+                }
+            }
+            backward_coast (-1.0) {
+                until backward { over12 { _ => -1.0; } }
+                until stuck_coast {
+                    psi12_dot { _ => -arm12; }
+                    tau12_dot { _ => side12; }
                 }
             }
         }
@@ -408,25 +436,41 @@ equations! {
             }
             stuck_coast (0.0) holds rests counts "stuck" {
                 unless stuck { over23 { _ => -1.0; } }
-                until forward {
+                until forward_coast {
                     over23 { _ => -mu23*mu_rise23*k23*touch23 - mu23*k23*touch23; }
                     reaction { _ => -1.0; }
                 }
-                until backward {
+                until backward_coast {
                     over23 { _ => -mu23*mu_rise23*k23*touch23 - mu23*k23*touch23; }
                     reaction { _ => 1.0; }
                 }
             }
             forward (1.0) {
+                until forward_coast { over23 { _ => 1.0; } }
                 until stuck {
                     psi23_dot { _ => arm23; }
                     tau23_dot { _ => side23; }
                 }
             }
             backward (-1.0) {
+                until backward_coast { over23 { _ => 1.0; } }
                 until stuck {
                     psi23_dot { _ => -arm23; }
                     tau23_dot { _ => -side23; }
+                }
+            }
+            forward_coast (1.0) {
+                until forward { over23 { _ => -1.0; } }
+                until stuck_coast {
+                    psi23_dot { _ => arm23; }
+                    tau23_dot { _ => -side23; }
+                }
+            }
+            backward_coast (-1.0) {
+                until backward { over23 { _ => -1.0; } }
+                until stuck_coast {
+                    psi23_dot { _ => -arm23; }
+                    tau23_dot { _ => side23; }
                 }
             }
         }
@@ -447,11 +491,11 @@ equations! {
     }
     torques {
         slide12 "friction of the mesh of gears 1 and 2, through the sliding of the flanks at the pitch point" {}
-        power { sliding_friction_12 => -side12*F_mu12*tau12_dot; }
+        power { sliding_friction_12 => -side12*F_tau12*tau12_dot; }
         roll12 "friction of the mesh of gears 1 and 2, through the rolling of the gears" {}
         power { sliding_friction_12 => -arm12*F_mu12*psi12_dot; }
         slide23 "friction of the mesh of gears 2 and 3, through the sliding of the flanks at the pitch point" {}
-        power { sliding_friction_23 => -side23*F_mu23*tau23_dot; }
+        power { sliding_friction_23 => -side23*F_tau23*tau23_dot; }
         roll23 "friction of the mesh of gears 2 and 3, through the rolling of the gears" {}
         power { sliding_friction_23 => -arm23*F_mu23*psi23_dot; }
         motor "driving torque of the driving gear" { torques => T_motor*(delta1/(h*N1) + theta/N1); }
@@ -504,7 +548,7 @@ equations! {
         delta1 {
             _ => -k12*touch12*over12;
             backlash_12 => -k12*clip12*touch12*over12;
-            sliding_friction_12 => -tan_a*side12*F_mu12 - arm12*F_mu12/(h*N1);
+            sliding_friction_12 => -tan_a*side12*F_tau12 - arm12*F_mu12/(h*N1);
             torques => T_motor/(h*N1);
             speed_governor => c_motor*n_motor/(h*N1) - c_motor*theta_motor_dot/(h*N1);
             dc_motor => Ts_motor/(h*N1) - Ts_motor*theta_motor_dot/(h*N1*n0_motor);
@@ -516,7 +560,7 @@ equations! {
         delta2 {
             _ => -k23*touch23*over23;
             backlash_23 => -k23*clip23*touch23*over23;
-            sliding_friction_23 => arm23*F_mu23/(h*N3) - tan_a*side23*F_mu23;
+            sliding_friction_23 => arm23*F_mu23/(h*N3) - tan_a*side23*F_tau23;
             torques => T_load/(h*N3);
             fan_load => -T_fan_load/(h*N3);
             damping => I3*alpha_M*theta_dot/(h*N3.powi(2)) - beta_K*k23_mid*damp23*over23_dot
@@ -561,12 +605,12 @@ equations! {
         theta theta_load_dot { fan_load => T_fan_load_by_theta_load_dot/N3; }
         delta1 theta {
             transmission_error_12_and_backlash_12_and_moving_phase => k12*de12*clip12*touch12;
-            transmission_error_12_and_sliding_friction_12_and_moving_phase => tan_a*de12*side12*F_mu12_by_over12
-                + de12*arm12*F_mu12_by_over12/(h*N1);
+            transmission_error_12_and_sliding_friction_12_and_moving_phase => tan_a*de12*side12*F_mu12_by_over12*F_tau12_by_F_mu12
+                + tan_a*de12*side12*F_tau12_by_over12 + de12*arm12*F_mu12_by_over12/(h*N1);
             transmission_error_12_and_moving_phase => k12*de12*touch12;
             backlash_12_and_moving_phase => -dk12*clip12*touch12*over12;
-            sliding_friction_12_and_moving_phase => -tan_a*dk12*side12*F_mu12_by_k12 - tan_a*dside12*F_mu12 - darm12*F_mu12/(h*N1)
-                - dk12*arm12*F_mu12_by_k12/(h*N1);
+            sliding_friction_12_and_moving_phase => -tan_a*dk12*side12*F_mu12_by_k12*F_tau12_by_F_mu12 - tan_a*dside12*F_tau12
+                - darm12*F_mu12/(h*N1) - dk12*arm12*F_mu12_by_k12/(h*N1);
             moving_phase => -dk12*touch12*over12;
         }
         delta1 theta_dot { damping => -I1*alpha_M/(h*N1.powi(2)); }
@@ -574,10 +618,11 @@ equations! {
         delta1 over12 {
             _ => -k12*touch12;
             backlash_12 => -k12*clip12*touch12;
-            sliding_friction_12 => -tan_a*side12*F_mu12_by_over12 - arm12*F_mu12_by_over12/(h*N1);
+            sliding_friction_12 => -tan_a*side12*F_mu12_by_over12*F_tau12_by_F_mu12 - tan_a*side12*F_tau12_by_over12
+                - arm12*F_mu12_by_over12/(h*N1);
         }
         delta1 over12_dot { damping => -beta_K*k12_mid*damp12; }
-        delta1 psi12_dot { sliding_friction_12 => -tan_a*side12*F_mu12_by_psi12_dot - arm12*F_mu12_by_psi12_dot/(h*N1); }
+        delta1 psi12_dot { sliding_friction_12 => -tan_a*side12*F_mu12_by_psi12_dot*F_tau12_by_F_mu12 - arm12*F_mu12_by_psi12_dot/(h*N1); }
         delta1 theta_motor_dot {
             speed_governor => -c_motor/(h*N1);
             dc_motor => -Ts_motor/(h*N1*n0_motor);
@@ -586,12 +631,12 @@ equations! {
         }
         delta2 theta {
             transmission_error_23_and_backlash_23_and_moving_phase => k23*de23*clip23*touch23;
-            transmission_error_23_and_sliding_friction_23_and_moving_phase => tan_a*de23*side23*F_mu23_by_over23
-                - de23*arm23*F_mu23_by_over23/(h*N3);
+            transmission_error_23_and_sliding_friction_23_and_moving_phase => tan_a*de23*side23*F_mu23_by_over23*F_tau23_by_F_mu23
+                + tan_a*de23*side23*F_tau23_by_over23 - de23*arm23*F_mu23_by_over23/(h*N3);
             transmission_error_23_and_moving_phase => k23*de23*touch23;
             backlash_23_and_moving_phase => -dk23*clip23*touch23*over23;
-            sliding_friction_23_and_moving_phase => darm23*F_mu23/(h*N3) - tan_a*dk23*side23*F_mu23_by_k23 - tan_a*dside23*F_mu23
-                + dk23*arm23*F_mu23_by_k23/(h*N3);
+            sliding_friction_23_and_moving_phase => darm23*F_mu23/(h*N3) - tan_a*dk23*side23*F_mu23_by_k23*F_tau23_by_F_mu23
+                - tan_a*dside23*F_tau23 + dk23*arm23*F_mu23_by_k23/(h*N3);
             moving_phase => -dk23*touch23*over23;
         }
         delta2 theta_dot { damping => I3*alpha_M/(h*N3.powi(2)); }
@@ -599,10 +644,11 @@ equations! {
         delta2 over23 {
             _ => -k23*touch23;
             backlash_23 => -k23*clip23*touch23;
-            sliding_friction_23 => arm23*F_mu23_by_over23/(h*N3) - tan_a*side23*F_mu23_by_over23;
+            sliding_friction_23 => arm23*F_mu23_by_over23/(h*N3) - tan_a*side23*F_mu23_by_over23*F_tau23_by_F_mu23
+                - tan_a*side23*F_tau23_by_over23;
         }
         delta2 over23_dot { damping => -beta_K*k23_mid*damp23; }
-        delta2 psi23_dot { sliding_friction_23 => arm23*F_mu23_by_psi23_dot/(h*N3) - tan_a*side23*F_mu23_by_psi23_dot; }
+        delta2 psi23_dot { sliding_friction_23 => arm23*F_mu23_by_psi23_dot/(h*N3) - tan_a*side23*F_mu23_by_psi23_dot*F_tau23_by_F_mu23; }
         delta2 theta_load_dot { fan_load => -T_fan_load_by_theta_load_dot/(h*N3); }
     }
     cell {
@@ -652,9 +698,9 @@ equations! {
         }
     }
     nonlinear_with {
-        sliding_friction_12 "-side12*F_mu12 in the torque `slide12`";
+        sliding_friction_12 "-side12*F_tau12 in the torque `slide12`";
         sliding_friction_12 "-arm12*F_mu12 in the torque `roll12`";
-        sliding_friction_23 "-side23*F_mu23 in the torque `slide23`";
+        sliding_friction_23 "-side23*F_tau23 in the torque `slide23`";
         sliding_friction_23 "-arm23*F_mu23 in the torque `roll23`";
         induction_motor "T_induction_motor in the torque `induction`";
         traction_motor "T_traction_motor in the torque `traction`";
@@ -796,12 +842,14 @@ equations! {
 // - every damper takes energy or none: each term of D has a power q'.dD/dq' that is never negative
 // - the friction `roll12` takes energy or none: its power is never positive
 // - the friction `roll23` takes energy or none: its power is never positive
-// - the friction `slide12` takes with `roll12` energy or none where psi12_dot and arm12 psi12_dot + side12 tau12_dot have one sign: where
-//   flanks slide as rolling makes them
+// - the friction `slide12` is the force of `roll12` times at most 1, along its sign or against it
+// - the friction `slide12` takes with `roll12` energy or none where psi12_dot and arm12 psi12_dot + side12 tau12_dot have one sign, on the
+//   coast flank with -side12: where flanks slide as rolling makes them
 // - the friction `slide12` takes with `roll12` energy or none in every mode of psi12, in scenes with flank_stiction_12: from the guards
 //   that hold in the mode
-// - the friction `slide23` takes with `roll23` energy or none where psi23_dot and arm23 psi23_dot + side23 tau23_dot have one sign: where
-//   flanks slide as rolling makes them
+// - the friction `slide23` is the force of `roll23` times at most 1, along its sign or against it
+// - the friction `slide23` takes with `roll23` energy or none where psi23_dot and arm23 psi23_dot + side23 tau23_dot have one sign, on the
+//   coast flank with -side23: where flanks slide as rolling makes them
 // - the friction `slide23` takes with `roll23` energy or none in every mode of psi23, in scenes with flank_stiction_23: from the guards
 //   that hold in the mode
 // - every deflection equals the linear form by which the equations differentiate it
@@ -813,6 +861,6 @@ equations! {
 // | output | sums | products, quotients | functions, roots |
 // | --- | --- | --- | --- |
 // | constants (once a scene) | 0 | 3 | 2 |
-// | named forces | 27 | 87 | 13 |
+// | named forces | 29 | 95 | 15 |
 // | force | 18 | 127 | 0 |
 // | energy steps, all laws | 2 | 22 | 0 |

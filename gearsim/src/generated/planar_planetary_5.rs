@@ -37,10 +37,10 @@ equations! {
         u5 "m" start static, "rotation of planet 5 in excess of rigid rolling, times its base radius";
     }
     parameters {
-        Z_s "1" required, open 0.0 to inf, "number of teeth of the sun";
-        Z_r "1" required, open 0.0 to inf, "number of teeth of the ring";
-        r_s "m" required, open 0.0 to inf, "base radius of the sun";
-        alpha "rad" default 0.3490658503988659, open 0.0 to inf, "pressure angle";
+        Z_s "1" teeth required, open 0.0 to inf, "number of teeth of the sun";
+        Z_r "1" teeth required, open 0.0 to inf, "number of teeth of the ring";
+        r_s "m" base_radius required, open 0.0 to inf, "base radius of the sun";
+        alpha "rad" pressure_angle default 0.3490658503988659, open 0.0 to inf, "pressure angle";
         I_s "kg*m^2" required, open 0.0 to inf, "moment of inertia of the sun";
         m_s "kg" required, open 0.0 to inf, "mass of the sun";
         kb_s "N/m" required, from 0.0 to inf, "radial stiffness of the bearing of the sun";
@@ -53,9 +53,9 @@ equations! {
         m_r "kg" required, open 0.0 to inf, "mass of the ring";
         kb_r "N/m" required, from 0.0 to inf, "radial stiffness of the bearing of the ring";
         cb_r "N*s/m" required with viscous_friction_r, from 0.0 to inf, "radial damping of the bearing of the ring: force per speed";
-        k_r "N*m/rad" required, from 0.0 to inf, "torsional stiffness of the ring's torsional support";
-        k_s "N*m/rad" required with torsional_support_s, from 0.0 to inf, "torsional stiffness of the sun's torsional support";
-        k_c "N*m/rad" required with torsional_support_c, from 0.0 to inf, "torsional stiffness of the carrier's torsional support";
+        k_r "N*m/rad" support required, from 0.0 to inf, "torsional stiffness of the ring's torsional support";
+        k_s "N*m/rad" support required with torsional_support_s, from 0.0 to inf, "torsional stiffness of the sun's torsional support";
+        k_c "N*m/rad" support required with torsional_support_c, from 0.0 to inf, "torsional stiffness of the carrier's torsional support";
         m_p "kg" required, open 0.0 to inf, "mass of a planet";
         I_p "kg*m^2" required, open 0.0 to inf, "moment of inertia of a planet";
         kb_p "N/m" required, from 0.0 to inf, "radial stiffness of a planet's bearing";
@@ -63,76 +63,76 @@ equations! {
         b_s1 "m" required with backlash_s1, open 0.0 to inf,
             "backlash of the mesh of sun and planet 1: no contact within b/2 to either side";
         mu_s1 "1" required with sliding_friction_s1, from 0.0 to inf, "coefficient of friction of the mesh of sun and planet 1";
-        w_mix_s1 "rad/s" default 0.1, open 0.0 to inf,
+        w_mix_s1 "rad/s" default 0.1 with sliding_friction_s1, open 0.0 to inf,
             "rolling speed omega1 + omega2 of the mesh of sun and planet 1 below which friction decreases to zero (mixed film)";
-        mu_rise_s1 "1" default 0.0, from 0.0 to inf,
+        mu_rise_s1 "1" default 0.0 with flank_stiction_s1, from 0.0 to inf,
             "excess of the static coefficient of friction of the mesh of sun and planet 1 over that of sliding, relative to that";
         b_r1 "m" required with backlash_r1, open 0.0 to inf,
             "backlash of the mesh of ring and planet 1: no contact within b/2 to either side";
         mu_r1 "1" required with sliding_friction_r1, from 0.0 to inf, "coefficient of friction of the mesh of ring and planet 1";
-        w_mix_r1 "rad/s" default 0.1, open 0.0 to inf,
+        w_mix_r1 "rad/s" default 0.1 with sliding_friction_r1, open 0.0 to inf,
             "rolling speed omega1 + omega2 of the mesh of ring and planet 1 below which friction decreases to zero (mixed film)";
-        mu_rise_r1 "1" default 0.0, from 0.0 to inf,
+        mu_rise_r1 "1" default 0.0 with flank_stiction_r1, from 0.0 to inf,
             "excess of the static coefficient of friction of the mesh of ring and planet 1 over that of sliding, relative to that";
         psi2 "rad" default 1.2566370614359172, open -inf to inf, "angular position of planet 2";
         b_s2 "m" required with backlash_s2, open 0.0 to inf,
             "backlash of the mesh of sun and planet 2: no contact within b/2 to either side";
         mu_s2 "1" required with sliding_friction_s2, from 0.0 to inf, "coefficient of friction of the mesh of sun and planet 2";
-        w_mix_s2 "rad/s" default 0.1, open 0.0 to inf,
+        w_mix_s2 "rad/s" default 0.1 with sliding_friction_s2, open 0.0 to inf,
             "rolling speed omega1 + omega2 of the mesh of sun and planet 2 below which friction decreases to zero (mixed film)";
-        mu_rise_s2 "1" default 0.0, from 0.0 to inf,
+        mu_rise_s2 "1" default 0.0 with flank_stiction_s2, from 0.0 to inf,
             "excess of the static coefficient of friction of the mesh of sun and planet 2 over that of sliding, relative to that";
         b_r2 "m" required with backlash_r2, open 0.0 to inf,
             "backlash of the mesh of ring and planet 2: no contact within b/2 to either side";
         mu_r2 "1" required with sliding_friction_r2, from 0.0 to inf, "coefficient of friction of the mesh of ring and planet 2";
-        w_mix_r2 "rad/s" default 0.1, open 0.0 to inf,
+        w_mix_r2 "rad/s" default 0.1 with sliding_friction_r2, open 0.0 to inf,
             "rolling speed omega1 + omega2 of the mesh of ring and planet 2 below which friction decreases to zero (mixed film)";
-        mu_rise_r2 "1" default 0.0, from 0.0 to inf,
+        mu_rise_r2 "1" default 0.0 with flank_stiction_r2, from 0.0 to inf,
             "excess of the static coefficient of friction of the mesh of ring and planet 2 over that of sliding, relative to that";
         psi3 "rad" default 2.5132741228718345, open -inf to inf, "angular position of planet 3";
         b_s3 "m" required with backlash_s3, open 0.0 to inf,
             "backlash of the mesh of sun and planet 3: no contact within b/2 to either side";
         mu_s3 "1" required with sliding_friction_s3, from 0.0 to inf, "coefficient of friction of the mesh of sun and planet 3";
-        w_mix_s3 "rad/s" default 0.1, open 0.0 to inf,
+        w_mix_s3 "rad/s" default 0.1 with sliding_friction_s3, open 0.0 to inf,
             "rolling speed omega1 + omega2 of the mesh of sun and planet 3 below which friction decreases to zero (mixed film)";
-        mu_rise_s3 "1" default 0.0, from 0.0 to inf,
+        mu_rise_s3 "1" default 0.0 with flank_stiction_s3, from 0.0 to inf,
             "excess of the static coefficient of friction of the mesh of sun and planet 3 over that of sliding, relative to that";
         b_r3 "m" required with backlash_r3, open 0.0 to inf,
             "backlash of the mesh of ring and planet 3: no contact within b/2 to either side";
         mu_r3 "1" required with sliding_friction_r3, from 0.0 to inf, "coefficient of friction of the mesh of ring and planet 3";
-        w_mix_r3 "rad/s" default 0.1, open 0.0 to inf,
+        w_mix_r3 "rad/s" default 0.1 with sliding_friction_r3, open 0.0 to inf,
             "rolling speed omega1 + omega2 of the mesh of ring and planet 3 below which friction decreases to zero (mixed film)";
-        mu_rise_r3 "1" default 0.0, from 0.0 to inf,
+        mu_rise_r3 "1" default 0.0 with flank_stiction_r3, from 0.0 to inf,
             "excess of the static coefficient of friction of the mesh of ring and planet 3 over that of sliding, relative to that";
         psi4 "rad" default 3.7699111843077517, open -inf to inf, "angular position of planet 4";
         b_s4 "m" required with backlash_s4, open 0.0 to inf,
             "backlash of the mesh of sun and planet 4: no contact within b/2 to either side";
         mu_s4 "1" required with sliding_friction_s4, from 0.0 to inf, "coefficient of friction of the mesh of sun and planet 4";
-        w_mix_s4 "rad/s" default 0.1, open 0.0 to inf,
+        w_mix_s4 "rad/s" default 0.1 with sliding_friction_s4, open 0.0 to inf,
             "rolling speed omega1 + omega2 of the mesh of sun and planet 4 below which friction decreases to zero (mixed film)";
-        mu_rise_s4 "1" default 0.0, from 0.0 to inf,
+        mu_rise_s4 "1" default 0.0 with flank_stiction_s4, from 0.0 to inf,
             "excess of the static coefficient of friction of the mesh of sun and planet 4 over that of sliding, relative to that";
         b_r4 "m" required with backlash_r4, open 0.0 to inf,
             "backlash of the mesh of ring and planet 4: no contact within b/2 to either side";
         mu_r4 "1" required with sliding_friction_r4, from 0.0 to inf, "coefficient of friction of the mesh of ring and planet 4";
-        w_mix_r4 "rad/s" default 0.1, open 0.0 to inf,
+        w_mix_r4 "rad/s" default 0.1 with sliding_friction_r4, open 0.0 to inf,
             "rolling speed omega1 + omega2 of the mesh of ring and planet 4 below which friction decreases to zero (mixed film)";
-        mu_rise_r4 "1" default 0.0, from 0.0 to inf,
+        mu_rise_r4 "1" default 0.0 with flank_stiction_r4, from 0.0 to inf,
             "excess of the static coefficient of friction of the mesh of ring and planet 4 over that of sliding, relative to that";
         psi5 "rad" default 5.026548245743669, open -inf to inf, "angular position of planet 5";
         b_s5 "m" required with backlash_s5, open 0.0 to inf,
             "backlash of the mesh of sun and planet 5: no contact within b/2 to either side";
         mu_s5 "1" required with sliding_friction_s5, from 0.0 to inf, "coefficient of friction of the mesh of sun and planet 5";
-        w_mix_s5 "rad/s" default 0.1, open 0.0 to inf,
+        w_mix_s5 "rad/s" default 0.1 with sliding_friction_s5, open 0.0 to inf,
             "rolling speed omega1 + omega2 of the mesh of sun and planet 5 below which friction decreases to zero (mixed film)";
-        mu_rise_s5 "1" default 0.0, from 0.0 to inf,
+        mu_rise_s5 "1" default 0.0 with flank_stiction_s5, from 0.0 to inf,
             "excess of the static coefficient of friction of the mesh of sun and planet 5 over that of sliding, relative to that";
         b_r5 "m" required with backlash_r5, open 0.0 to inf,
             "backlash of the mesh of ring and planet 5: no contact within b/2 to either side";
         mu_r5 "1" required with sliding_friction_r5, from 0.0 to inf, "coefficient of friction of the mesh of ring and planet 5";
-        w_mix_r5 "rad/s" default 0.1, open 0.0 to inf,
+        w_mix_r5 "rad/s" default 0.1 with sliding_friction_r5, open 0.0 to inf,
             "rolling speed omega1 + omega2 of the mesh of ring and planet 5 below which friction decreases to zero (mixed film)";
-        mu_rise_r5 "1" default 0.0, from 0.0 to inf,
+        mu_rise_r5 "1" default 0.0 with flank_stiction_r5, from 0.0 to inf,
             "excess of the static coefficient of friction of the mesh of ring and planet 5 over that of sliding, relative to that";
         cb_p "N*s/m" required with viscous_friction_p, from 0.0 to inf, "radial damping of the bearing of a planet: force per speed";
         T_motor "N*m" required with torques, open -inf to inf, "driving torque of the sun";
@@ -146,12 +146,13 @@ equations! {
         ns_motor "rad/s" required with induction_motor, open 0.0 to inf, "synchronous speed of the sun";
         Tp_motor "N*m" required with traction_motor, open 0.0 to inf, "peak torque of the sun, up to its base speed";
         Pp_motor "W" required with traction_motor, open 0.0 to inf, "peak power of the sun, above its base speed Pp/Tp";
-        d_motor "1" default 1.0, open -inf to inf, "demand on the sun: 1 drives with its peak torque or power, -1 brakes with them";
-        round_motor "1" default 0.01, open 0.0 to inf,
+        d_motor "1" default 1.0 with traction_motor, open -inf to inf,
+            "demand on the sun: 1 drives with its peak torque or power, -1 brakes with them";
+        round_motor "1" default 0.01 with traction_motor, open 0.0 to inf,
             "rounding of the corner of the torque of the sun at its base speed, relative to that";
         T_load "N*m" required with torques, open -inf to inf, "load torque of the carrier, against its rotation";
         cf_load "N*m*s^2/rad^2" required with fan_load, from 0.0 to inf, "fan torque of the carrier divided by the square of its speed";
-        w0_load "rad/s" default 0.01, open 0.0 to inf,
+        w0_load "rad/s" default 0.01 with fan_load, open 0.0 to inf,
             "speed of the carrier below which the fan torque is linear instead of quadratic in the speed";
         alpha_M "1/s" default 0.0, from 0.0 to inf, "damping in proportion to inertia";
         beta_K "s" default 0.0, from 0.0 to inf, "damping in proportion to stiffness";
@@ -912,23 +913,39 @@ equations! {
             }
             stuck_coast (0.0) holds rests counts "stuck" {
                 unless stuck { overs1 { _ => -1.0; } }
-                until forward {
+                until forward_coast {
                     overs1 { _ => -mu_rise_s1*mu_s1*k_s1*touchs1 - mu_s1*k_s1*touchs1; }
                     reaction { _ => -1.0; }
                 }
-                until backward {
+                until backward_coast {
                     overs1 { _ => -mu_rise_s1*mu_s1*k_s1*touchs1 - mu_s1*k_s1*touchs1; }
                     reaction { _ => 1.0; }
                 }
             }
             forward (1.0) {
+                until forward_coast { overs1 { _ => 1.0; } }
                 until stuck {
                     psi_s1_dot { _ => arm_s1; }
                     tau_s1_dot { _ => side_s1; }
                 }
             }
             backward (-1.0) {
+                until backward_coast { overs1 { _ => 1.0; } }
                 until stuck {
+                    psi_s1_dot { _ => -arm_s1; }
+                    tau_s1_dot { _ => -side_s1; }
+                }
+            }
+            forward_coast (1.0) {
+                until forward { overs1 { _ => -1.0; } }
+                until stuck_coast {
+                    psi_s1_dot { _ => arm_s1; }
+                    tau_s1_dot { _ => side_s1; }
+                }
+            }
+            backward_coast (-1.0) {
+                until backward { overs1 { _ => -1.0; } }
+                until stuck_coast {
                     psi_s1_dot { _ => -arm_s1; }
                     tau_s1_dot { _ => -side_s1; }
                 }
@@ -1011,23 +1028,39 @@ equations! {
             }
             stuck_coast (0.0) holds rests counts "stuck" {
                 unless stuck { overr1 { _ => -1.0; } }
-                until forward {
+                until forward_coast {
                     overr1 { _ => -mu_r1*mu_rise_r1*k_r1*touchr1 - mu_r1*k_r1*touchr1; }
                     reaction { _ => -1.0; }
                 }
-                until backward {
+                until backward_coast {
                     overr1 { _ => -mu_r1*mu_rise_r1*k_r1*touchr1 - mu_r1*k_r1*touchr1; }
                     reaction { _ => 1.0; }
                 }
             }
             forward (1.0) {
+                until forward_coast { overr1 { _ => 1.0; } }
                 until stuck {
                     psi_r1_dot { _ => arm_r1; }
                     tau_r1_dot { _ => side_r1; }
                 }
             }
             backward (-1.0) {
+                until backward_coast { overr1 { _ => 1.0; } }
                 until stuck {
+                    psi_r1_dot { _ => -arm_r1; }
+                    tau_r1_dot { _ => -side_r1; }
+                }
+            }
+            forward_coast (1.0) {
+                until forward { overr1 { _ => -1.0; } }
+                until stuck_coast {
+                    psi_r1_dot { _ => arm_r1; }
+                    tau_r1_dot { _ => side_r1; }
+                }
+            }
+            backward_coast (-1.0) {
+                until backward { overr1 { _ => -1.0; } }
+                until stuck_coast {
                     psi_r1_dot { _ => -arm_r1; }
                     tau_r1_dot { _ => -side_r1; }
                 }
@@ -1110,23 +1143,39 @@ equations! {
             }
             stuck_coast (0.0) holds rests counts "stuck" {
                 unless stuck { overs2 { _ => -1.0; } }
-                until forward {
+                until forward_coast {
                     overs2 { _ => -mu_rise_s2*mu_s2*k_s2*touchs2 - mu_s2*k_s2*touchs2; }
                     reaction { _ => -1.0; }
                 }
-                until backward {
+                until backward_coast {
                     overs2 { _ => -mu_rise_s2*mu_s2*k_s2*touchs2 - mu_s2*k_s2*touchs2; }
                     reaction { _ => 1.0; }
                 }
             }
             forward (1.0) {
+                until forward_coast { overs2 { _ => 1.0; } }
                 until stuck {
                     psi_s2_dot { _ => arm_s2; }
                     tau_s2_dot { _ => side_s2; }
                 }
             }
             backward (-1.0) {
+                until backward_coast { overs2 { _ => 1.0; } }
                 until stuck {
+                    psi_s2_dot { _ => -arm_s2; }
+                    tau_s2_dot { _ => -side_s2; }
+                }
+            }
+            forward_coast (1.0) {
+                until forward { overs2 { _ => -1.0; } }
+                until stuck_coast {
+                    psi_s2_dot { _ => arm_s2; }
+                    tau_s2_dot { _ => side_s2; }
+                }
+            }
+            backward_coast (-1.0) {
+                until backward { overs2 { _ => -1.0; } }
+                until stuck_coast {
                     psi_s2_dot { _ => -arm_s2; }
                     tau_s2_dot { _ => -side_s2; }
                 }
@@ -1209,23 +1258,39 @@ equations! {
             }
             stuck_coast (0.0) holds rests counts "stuck" {
                 unless stuck { overr2 { _ => -1.0; } }
-                until forward {
+                until forward_coast {
                     overr2 { _ => -mu_r2*mu_rise_r2*k_r2*touchr2 - mu_r2*k_r2*touchr2; }
                     reaction { _ => -1.0; }
                 }
-                until backward {
+                until backward_coast {
                     overr2 { _ => -mu_r2*mu_rise_r2*k_r2*touchr2 - mu_r2*k_r2*touchr2; }
                     reaction { _ => 1.0; }
                 }
             }
             forward (1.0) {
+                until forward_coast { overr2 { _ => 1.0; } }
                 until stuck {
                     psi_r2_dot { _ => arm_r2; }
                     tau_r2_dot { _ => side_r2; }
                 }
             }
             backward (-1.0) {
+                until backward_coast { overr2 { _ => 1.0; } }
                 until stuck {
+                    psi_r2_dot { _ => -arm_r2; }
+                    tau_r2_dot { _ => -side_r2; }
+                }
+            }
+            forward_coast (1.0) {
+                until forward { overr2 { _ => -1.0; } }
+                until stuck_coast {
+                    psi_r2_dot { _ => arm_r2; }
+                    tau_r2_dot { _ => side_r2; }
+                }
+            }
+            backward_coast (-1.0) {
+                until backward { overr2 { _ => -1.0; } }
+                until stuck_coast {
                     psi_r2_dot { _ => -arm_r2; }
                     tau_r2_dot { _ => -side_r2; }
                 }
@@ -1308,23 +1373,39 @@ equations! {
             }
             stuck_coast (0.0) holds rests counts "stuck" {
                 unless stuck { overs3 { _ => -1.0; } }
-                until forward {
+                until forward_coast {
                     overs3 { _ => -mu_rise_s3*mu_s3*k_s3*touchs3 - mu_s3*k_s3*touchs3; }
                     reaction { _ => -1.0; }
                 }
-                until backward {
+                until backward_coast {
                     overs3 { _ => -mu_rise_s3*mu_s3*k_s3*touchs3 - mu_s3*k_s3*touchs3; }
                     reaction { _ => 1.0; }
                 }
             }
             forward (1.0) {
+                until forward_coast { overs3 { _ => 1.0; } }
                 until stuck {
                     psi_s3_dot { _ => arm_s3; }
                     tau_s3_dot { _ => side_s3; }
                 }
             }
             backward (-1.0) {
+                until backward_coast { overs3 { _ => 1.0; } }
                 until stuck {
+                    psi_s3_dot { _ => -arm_s3; }
+                    tau_s3_dot { _ => -side_s3; }
+                }
+            }
+            forward_coast (1.0) {
+                until forward { overs3 { _ => -1.0; } }
+                until stuck_coast {
+                    psi_s3_dot { _ => arm_s3; }
+                    tau_s3_dot { _ => side_s3; }
+                }
+            }
+            backward_coast (-1.0) {
+                until backward { overs3 { _ => -1.0; } }
+                until stuck_coast {
                     psi_s3_dot { _ => -arm_s3; }
                     tau_s3_dot { _ => -side_s3; }
                 }
@@ -1407,23 +1488,39 @@ equations! {
             }
             stuck_coast (0.0) holds rests counts "stuck" {
                 unless stuck { overr3 { _ => -1.0; } }
-                until forward {
+                until forward_coast {
                     overr3 { _ => -mu_r3*mu_rise_r3*k_r3*touchr3 - mu_r3*k_r3*touchr3; }
                     reaction { _ => -1.0; }
                 }
-                until backward {
+                until backward_coast {
                     overr3 { _ => -mu_r3*mu_rise_r3*k_r3*touchr3 - mu_r3*k_r3*touchr3; }
                     reaction { _ => 1.0; }
                 }
             }
             forward (1.0) {
+                until forward_coast { overr3 { _ => 1.0; } }
                 until stuck {
                     psi_r3_dot { _ => arm_r3; }
                     tau_r3_dot { _ => side_r3; }
                 }
             }
             backward (-1.0) {
+                until backward_coast { overr3 { _ => 1.0; } }
                 until stuck {
+                    psi_r3_dot { _ => -arm_r3; }
+                    tau_r3_dot { _ => -side_r3; }
+                }
+            }
+            forward_coast (1.0) {
+                until forward { overr3 { _ => -1.0; } }
+                until stuck_coast {
+                    psi_r3_dot { _ => arm_r3; }
+                    tau_r3_dot { _ => side_r3; }
+                }
+            }
+            backward_coast (-1.0) {
+                until backward { overr3 { _ => -1.0; } }
+                until stuck_coast {
                     psi_r3_dot { _ => -arm_r3; }
                     tau_r3_dot { _ => -side_r3; }
                 }
@@ -1506,23 +1603,39 @@ equations! {
             }
             stuck_coast (0.0) holds rests counts "stuck" {
                 unless stuck { overs4 { _ => -1.0; } }
-                until forward {
+                until forward_coast {
                     overs4 { _ => -mu_rise_s4*mu_s4*k_s4*touchs4 - mu_s4*k_s4*touchs4; }
                     reaction { _ => -1.0; }
                 }
-                until backward {
+                until backward_coast {
                     overs4 { _ => -mu_rise_s4*mu_s4*k_s4*touchs4 - mu_s4*k_s4*touchs4; }
                     reaction { _ => 1.0; }
                 }
             }
             forward (1.0) {
+                until forward_coast { overs4 { _ => 1.0; } }
                 until stuck {
                     psi_s4_dot { _ => arm_s4; }
                     tau_s4_dot { _ => side_s4; }
                 }
             }
             backward (-1.0) {
+                until backward_coast { overs4 { _ => 1.0; } }
                 until stuck {
+                    psi_s4_dot { _ => -arm_s4; }
+                    tau_s4_dot { _ => -side_s4; }
+                }
+            }
+            forward_coast (1.0) {
+                until forward { overs4 { _ => -1.0; } }
+                until stuck_coast {
+                    psi_s4_dot { _ => arm_s4; }
+                    tau_s4_dot { _ => side_s4; }
+                }
+            }
+            backward_coast (-1.0) {
+                until backward { overs4 { _ => -1.0; } }
+                until stuck_coast {
                     psi_s4_dot { _ => -arm_s4; }
                     tau_s4_dot { _ => -side_s4; }
                 }
@@ -1605,23 +1718,39 @@ equations! {
             }
             stuck_coast (0.0) holds rests counts "stuck" {
                 unless stuck { overr4 { _ => -1.0; } }
-                until forward {
+                until forward_coast {
                     overr4 { _ => -mu_r4*mu_rise_r4*k_r4*touchr4 - mu_r4*k_r4*touchr4; }
                     reaction { _ => -1.0; }
                 }
-                until backward {
+                until backward_coast {
                     overr4 { _ => -mu_r4*mu_rise_r4*k_r4*touchr4 - mu_r4*k_r4*touchr4; }
                     reaction { _ => 1.0; }
                 }
             }
             forward (1.0) {
+                until forward_coast { overr4 { _ => 1.0; } }
                 until stuck {
                     psi_r4_dot { _ => arm_r4; }
                     tau_r4_dot { _ => side_r4; }
                 }
             }
             backward (-1.0) {
+                until backward_coast { overr4 { _ => 1.0; } }
                 until stuck {
+                    psi_r4_dot { _ => -arm_r4; }
+                    tau_r4_dot { _ => -side_r4; }
+                }
+            }
+            forward_coast (1.0) {
+                until forward { overr4 { _ => -1.0; } }
+                until stuck_coast {
+                    psi_r4_dot { _ => arm_r4; }
+                    tau_r4_dot { _ => side_r4; }
+                }
+            }
+            backward_coast (-1.0) {
+                until backward { overr4 { _ => -1.0; } }
+                until stuck_coast {
                     psi_r4_dot { _ => -arm_r4; }
                     tau_r4_dot { _ => -side_r4; }
                 }
@@ -1704,23 +1833,39 @@ equations! {
             }
             stuck_coast (0.0) holds rests counts "stuck" {
                 unless stuck { overs5 { _ => -1.0; } }
-                until forward {
+                until forward_coast {
                     overs5 { _ => -mu_rise_s5*mu_s5*k_s5*touchs5 - mu_s5*k_s5*touchs5; }
                     reaction { _ => -1.0; }
                 }
-                until backward {
+                until backward_coast {
                     overs5 { _ => -mu_rise_s5*mu_s5*k_s5*touchs5 - mu_s5*k_s5*touchs5; }
                     reaction { _ => 1.0; }
                 }
             }
             forward (1.0) {
+                until forward_coast { overs5 { _ => 1.0; } }
                 until stuck {
                     psi_s5_dot { _ => arm_s5; }
                     tau_s5_dot { _ => side_s5; }
                 }
             }
             backward (-1.0) {
+                until backward_coast { overs5 { _ => 1.0; } }
                 until stuck {
+                    psi_s5_dot { _ => -arm_s5; }
+                    tau_s5_dot { _ => -side_s5; }
+                }
+            }
+            forward_coast (1.0) {
+                until forward { overs5 { _ => -1.0; } }
+                until stuck_coast {
+                    psi_s5_dot { _ => arm_s5; }
+                    tau_s5_dot { _ => side_s5; }
+                }
+            }
+            backward_coast (-1.0) {
+                until backward { overs5 { _ => -1.0; } }
+                until stuck_coast {
                     psi_s5_dot { _ => -arm_s5; }
                     tau_s5_dot { _ => -side_s5; }
                 }
@@ -1803,23 +1948,39 @@ equations! {
             }
             stuck_coast (0.0) holds rests counts "stuck" {
                 unless stuck { overr5 { _ => -1.0; } }
-                until forward {
+                until forward_coast {
                     overr5 { _ => -mu_r5*mu_rise_r5*k_r5*touchr5 - mu_r5*k_r5*touchr5; }
                     reaction { _ => -1.0; }
                 }
-                until backward {
+                until backward_coast {
                     overr5 { _ => -mu_r5*mu_rise_r5*k_r5*touchr5 - mu_r5*k_r5*touchr5; }
                     reaction { _ => 1.0; }
                 }
             }
             forward (1.0) {
+                until forward_coast { overr5 { _ => 1.0; } }
                 until stuck {
                     psi_r5_dot { _ => arm_r5; }
                     tau_r5_dot { _ => side_r5; }
                 }
             }
             backward (-1.0) {
+                until backward_coast { overr5 { _ => 1.0; } }
                 until stuck {
+                    psi_r5_dot { _ => -arm_r5; }
+                    tau_r5_dot { _ => -side_r5; }
+                }
+            }
+            forward_coast (1.0) {
+                until forward { overr5 { _ => -1.0; } }
+                until stuck_coast {
+                    psi_r5_dot { _ => arm_r5; }
+                    tau_r5_dot { _ => side_r5; }
+                }
+            }
+            backward_coast (-1.0) {
+                until backward { overr5 { _ => -1.0; } }
+                until stuck_coast {
                     psi_r5_dot { _ => -arm_r5; }
                     tau_r5_dot { _ => -side_r5; }
                 }
@@ -4520,44 +4681,54 @@ equations! {
 // - the friction `roll_r4` takes energy or none: its power is never positive
 // - the friction `roll_s5` takes energy or none: its power is never positive
 // - the friction `roll_r5` takes energy or none: its power is never positive
-// - the friction `slide_s1` takes with `roll_s1` energy or none where psi_s1_dot and arm_s1 psi_s1_dot + side_s1 tau_s1_dot have one sign:
-//   where flanks slide as rolling makes them
+// - the friction `slide_s1` is the force of `roll_s1` times at most 1, along its sign or against it
+// - the friction `slide_s1` takes with `roll_s1` energy or none where psi_s1_dot and arm_s1 psi_s1_dot + side_s1 tau_s1_dot have one sign,
+//   on the coast flank with -side_s1: where flanks slide as rolling makes them
 // - the friction `slide_s1` takes with `roll_s1` energy or none in every mode of psi_s1, in scenes with flank_stiction_s1: from the guards
 //   that hold in the mode
-// - the friction `slide_r1` takes with `roll_r1` energy or none where psi_r1_dot and arm_r1 psi_r1_dot + side_r1 tau_r1_dot have one sign:
-//   where flanks slide as rolling makes them
+// - the friction `slide_r1` is the force of `roll_r1` times at most 1, along its sign or against it
+// - the friction `slide_r1` takes with `roll_r1` energy or none where psi_r1_dot and arm_r1 psi_r1_dot + side_r1 tau_r1_dot have one sign,
+//   on the coast flank with -side_r1: where flanks slide as rolling makes them
 // - the friction `slide_r1` takes with `roll_r1` energy or none in every mode of psi_r1, in scenes with flank_stiction_r1: from the guards
 //   that hold in the mode
-// - the friction `slide_s2` takes with `roll_s2` energy or none where psi_s2_dot and arm_s2 psi_s2_dot + side_s2 tau_s2_dot have one sign:
-//   where flanks slide as rolling makes them
+// - the friction `slide_s2` is the force of `roll_s2` times at most 1, along its sign or against it
+// - the friction `slide_s2` takes with `roll_s2` energy or none where psi_s2_dot and arm_s2 psi_s2_dot + side_s2 tau_s2_dot have one sign,
+//   on the coast flank with -side_s2: where flanks slide as rolling makes them
 // - the friction `slide_s2` takes with `roll_s2` energy or none in every mode of psi_s2, in scenes with flank_stiction_s2: from the guards
 //   that hold in the mode
-// - the friction `slide_r2` takes with `roll_r2` energy or none where psi_r2_dot and arm_r2 psi_r2_dot + side_r2 tau_r2_dot have one sign:
-//   where flanks slide as rolling makes them
+// - the friction `slide_r2` is the force of `roll_r2` times at most 1, along its sign or against it
+// - the friction `slide_r2` takes with `roll_r2` energy or none where psi_r2_dot and arm_r2 psi_r2_dot + side_r2 tau_r2_dot have one sign,
+//   on the coast flank with -side_r2: where flanks slide as rolling makes them
 // - the friction `slide_r2` takes with `roll_r2` energy or none in every mode of psi_r2, in scenes with flank_stiction_r2: from the guards
 //   that hold in the mode
-// - the friction `slide_s3` takes with `roll_s3` energy or none where psi_s3_dot and arm_s3 psi_s3_dot + side_s3 tau_s3_dot have one sign:
-//   where flanks slide as rolling makes them
+// - the friction `slide_s3` is the force of `roll_s3` times at most 1, along its sign or against it
+// - the friction `slide_s3` takes with `roll_s3` energy or none where psi_s3_dot and arm_s3 psi_s3_dot + side_s3 tau_s3_dot have one sign,
+//   on the coast flank with -side_s3: where flanks slide as rolling makes them
 // - the friction `slide_s3` takes with `roll_s3` energy or none in every mode of psi_s3, in scenes with flank_stiction_s3: from the guards
 //   that hold in the mode
-// - the friction `slide_r3` takes with `roll_r3` energy or none where psi_r3_dot and arm_r3 psi_r3_dot + side_r3 tau_r3_dot have one sign:
-//   where flanks slide as rolling makes them
+// - the friction `slide_r3` is the force of `roll_r3` times at most 1, along its sign or against it
+// - the friction `slide_r3` takes with `roll_r3` energy or none where psi_r3_dot and arm_r3 psi_r3_dot + side_r3 tau_r3_dot have one sign,
+//   on the coast flank with -side_r3: where flanks slide as rolling makes them
 // - the friction `slide_r3` takes with `roll_r3` energy or none in every mode of psi_r3, in scenes with flank_stiction_r3: from the guards
 //   that hold in the mode
-// - the friction `slide_s4` takes with `roll_s4` energy or none where psi_s4_dot and arm_s4 psi_s4_dot + side_s4 tau_s4_dot have one sign:
-//   where flanks slide as rolling makes them
+// - the friction `slide_s4` is the force of `roll_s4` times at most 1, along its sign or against it
+// - the friction `slide_s4` takes with `roll_s4` energy or none where psi_s4_dot and arm_s4 psi_s4_dot + side_s4 tau_s4_dot have one sign,
+//   on the coast flank with -side_s4: where flanks slide as rolling makes them
 // - the friction `slide_s4` takes with `roll_s4` energy or none in every mode of psi_s4, in scenes with flank_stiction_s4: from the guards
 //   that hold in the mode
-// - the friction `slide_r4` takes with `roll_r4` energy or none where psi_r4_dot and arm_r4 psi_r4_dot + side_r4 tau_r4_dot have one sign:
-//   where flanks slide as rolling makes them
+// - the friction `slide_r4` is the force of `roll_r4` times at most 1, along its sign or against it
+// - the friction `slide_r4` takes with `roll_r4` energy or none where psi_r4_dot and arm_r4 psi_r4_dot + side_r4 tau_r4_dot have one sign,
+//   on the coast flank with -side_r4: where flanks slide as rolling makes them
 // - the friction `slide_r4` takes with `roll_r4` energy or none in every mode of psi_r4, in scenes with flank_stiction_r4: from the guards
 //   that hold in the mode
-// - the friction `slide_s5` takes with `roll_s5` energy or none where psi_s5_dot and arm_s5 psi_s5_dot + side_s5 tau_s5_dot have one sign:
-//   where flanks slide as rolling makes them
+// - the friction `slide_s5` is the force of `roll_s5` times at most 1, along its sign or against it
+// - the friction `slide_s5` takes with `roll_s5` energy or none where psi_s5_dot and arm_s5 psi_s5_dot + side_s5 tau_s5_dot have one sign,
+//   on the coast flank with -side_s5: where flanks slide as rolling makes them
 // - the friction `slide_s5` takes with `roll_s5` energy or none in every mode of psi_s5, in scenes with flank_stiction_s5: from the guards
 //   that hold in the mode
-// - the friction `slide_r5` takes with `roll_r5` energy or none where psi_r5_dot and arm_r5 psi_r5_dot + side_r5 tau_r5_dot have one sign:
-//   where flanks slide as rolling makes them
+// - the friction `slide_r5` is the force of `roll_r5` times at most 1, along its sign or against it
+// - the friction `slide_r5` takes with `roll_r5` energy or none where psi_r5_dot and arm_r5 psi_r5_dot + side_r5 tau_r5_dot have one sign,
+//   on the coast flank with -side_r5: where flanks slide as rolling makes them
 // - the friction `slide_r5` takes with `roll_r5` energy or none in every mode of psi_r5, in scenes with flank_stiction_r5: from the guards
 //   that hold in the mode
 // - every deflection equals the linear form by which the equations differentiate it

@@ -19,59 +19,59 @@ equations! {
         u3 "m" start static, "rotation of planet 3 in excess of rigid rolling, times its base radius";
     }
     parameters {
-        Z_s "1" required, open 0.0 to inf, "number of teeth of the sun";
-        Z_r "1" required, open 0.0 to inf, "number of teeth of the ring";
-        r_s "m" required, open 0.0 to inf, "base radius of the sun";
-        alpha "rad" default 0.3490658503988659, open 0.0 to inf, "pressure angle";
+        Z_s "1" teeth required, open 0.0 to inf, "number of teeth of the sun";
+        Z_r "1" teeth required, open 0.0 to inf, "number of teeth of the ring";
+        r_s "m" base_radius required, open 0.0 to inf, "base radius of the sun";
+        alpha "rad" pressure_angle default 0.3490658503988659, open 0.0 to inf, "pressure angle";
         I_s "kg*m^2" required, open 0.0 to inf, "moment of inertia of the sun";
         I_c "kg*m^2" required, open 0.0 to inf, "moment of inertia of the carrier without planets";
         I_r "kg*m^2" required, open 0.0 to inf, "moment of inertia of the ring";
-        k_r "N*m/rad" required, from 0.0 to inf, "torsional stiffness of the ring's torsional support";
-        k_s "N*m/rad" required with torsional_support_s, from 0.0 to inf, "torsional stiffness of the sun's torsional support";
-        k_c "N*m/rad" required with torsional_support_c, from 0.0 to inf, "torsional stiffness of the carrier's torsional support";
+        k_r "N*m/rad" support required, from 0.0 to inf, "torsional stiffness of the ring's torsional support";
+        k_s "N*m/rad" support required with torsional_support_s, from 0.0 to inf, "torsional stiffness of the sun's torsional support";
+        k_c "N*m/rad" support required with torsional_support_c, from 0.0 to inf, "torsional stiffness of the carrier's torsional support";
         m_p "kg" required, open 0.0 to inf, "mass of a planet";
         I_p "kg*m^2" required, open 0.0 to inf, "moment of inertia of a planet";
         b_s1 "m" required with backlash_s1, open 0.0 to inf,
             "backlash of the mesh of sun and planet 1: no contact within b/2 to either side";
         mu_s1 "1" required with sliding_friction_s1, from 0.0 to inf, "coefficient of friction of the mesh of sun and planet 1";
-        w_mix_s1 "rad/s" default 0.1, open 0.0 to inf,
+        w_mix_s1 "rad/s" default 0.1 with sliding_friction_s1, open 0.0 to inf,
             "rolling speed omega1 + omega2 of the mesh of sun and planet 1 below which friction decreases to zero (mixed film)";
-        mu_rise_s1 "1" default 0.0, from 0.0 to inf,
+        mu_rise_s1 "1" default 0.0 with flank_stiction_s1, from 0.0 to inf,
             "excess of the static coefficient of friction of the mesh of sun and planet 1 over that of sliding, relative to that";
         b_r1 "m" required with backlash_r1, open 0.0 to inf,
             "backlash of the mesh of ring and planet 1: no contact within b/2 to either side";
         mu_r1 "1" required with sliding_friction_r1, from 0.0 to inf, "coefficient of friction of the mesh of ring and planet 1";
-        w_mix_r1 "rad/s" default 0.1, open 0.0 to inf,
+        w_mix_r1 "rad/s" default 0.1 with sliding_friction_r1, open 0.0 to inf,
             "rolling speed omega1 + omega2 of the mesh of ring and planet 1 below which friction decreases to zero (mixed film)";
-        mu_rise_r1 "1" default 0.0, from 0.0 to inf,
+        mu_rise_r1 "1" default 0.0 with flank_stiction_r1, from 0.0 to inf,
             "excess of the static coefficient of friction of the mesh of ring and planet 1 over that of sliding, relative to that";
         b_s2 "m" required with backlash_s2, open 0.0 to inf,
             "backlash of the mesh of sun and planet 2: no contact within b/2 to either side";
         mu_s2 "1" required with sliding_friction_s2, from 0.0 to inf, "coefficient of friction of the mesh of sun and planet 2";
-        w_mix_s2 "rad/s" default 0.1, open 0.0 to inf,
+        w_mix_s2 "rad/s" default 0.1 with sliding_friction_s2, open 0.0 to inf,
             "rolling speed omega1 + omega2 of the mesh of sun and planet 2 below which friction decreases to zero (mixed film)";
-        mu_rise_s2 "1" default 0.0, from 0.0 to inf,
+        mu_rise_s2 "1" default 0.0 with flank_stiction_s2, from 0.0 to inf,
             "excess of the static coefficient of friction of the mesh of sun and planet 2 over that of sliding, relative to that";
         b_r2 "m" required with backlash_r2, open 0.0 to inf,
             "backlash of the mesh of ring and planet 2: no contact within b/2 to either side";
         mu_r2 "1" required with sliding_friction_r2, from 0.0 to inf, "coefficient of friction of the mesh of ring and planet 2";
-        w_mix_r2 "rad/s" default 0.1, open 0.0 to inf,
+        w_mix_r2 "rad/s" default 0.1 with sliding_friction_r2, open 0.0 to inf,
             "rolling speed omega1 + omega2 of the mesh of ring and planet 2 below which friction decreases to zero (mixed film)";
-        mu_rise_r2 "1" default 0.0, from 0.0 to inf,
+        mu_rise_r2 "1" default 0.0 with flank_stiction_r2, from 0.0 to inf,
             "excess of the static coefficient of friction of the mesh of ring and planet 2 over that of sliding, relative to that";
         b_s3 "m" required with backlash_s3, open 0.0 to inf,
             "backlash of the mesh of sun and planet 3: no contact within b/2 to either side";
         mu_s3 "1" required with sliding_friction_s3, from 0.0 to inf, "coefficient of friction of the mesh of sun and planet 3";
-        w_mix_s3 "rad/s" default 0.1, open 0.0 to inf,
+        w_mix_s3 "rad/s" default 0.1 with sliding_friction_s3, open 0.0 to inf,
             "rolling speed omega1 + omega2 of the mesh of sun and planet 3 below which friction decreases to zero (mixed film)";
-        mu_rise_s3 "1" default 0.0, from 0.0 to inf,
+        mu_rise_s3 "1" default 0.0 with flank_stiction_s3, from 0.0 to inf,
             "excess of the static coefficient of friction of the mesh of sun and planet 3 over that of sliding, relative to that";
         b_r3 "m" required with backlash_r3, open 0.0 to inf,
             "backlash of the mesh of ring and planet 3: no contact within b/2 to either side";
         mu_r3 "1" required with sliding_friction_r3, from 0.0 to inf, "coefficient of friction of the mesh of ring and planet 3";
-        w_mix_r3 "rad/s" default 0.1, open 0.0 to inf,
+        w_mix_r3 "rad/s" default 0.1 with sliding_friction_r3, open 0.0 to inf,
             "rolling speed omega1 + omega2 of the mesh of ring and planet 3 below which friction decreases to zero (mixed film)";
-        mu_rise_r3 "1" default 0.0, from 0.0 to inf,
+        mu_rise_r3 "1" default 0.0 with flank_stiction_r3, from 0.0 to inf,
             "excess of the static coefficient of friction of the mesh of ring and planet 3 over that of sliding, relative to that";
         T_motor "N*m" required with torques, open -inf to inf, "driving torque of the sun";
         c_motor "N*m*s/rad" required with speed_governor, open 0.0 to inf,
@@ -84,12 +84,13 @@ equations! {
         ns_motor "rad/s" required with induction_motor, open 0.0 to inf, "synchronous speed of the sun";
         Tp_motor "N*m" required with traction_motor, open 0.0 to inf, "peak torque of the sun, up to its base speed";
         Pp_motor "W" required with traction_motor, open 0.0 to inf, "peak power of the sun, above its base speed Pp/Tp";
-        d_motor "1" default 1.0, open -inf to inf, "demand on the sun: 1 drives with its peak torque or power, -1 brakes with them";
-        round_motor "1" default 0.01, open 0.0 to inf,
+        d_motor "1" default 1.0 with traction_motor, open -inf to inf,
+            "demand on the sun: 1 drives with its peak torque or power, -1 brakes with them";
+        round_motor "1" default 0.01 with traction_motor, open 0.0 to inf,
             "rounding of the corner of the torque of the sun at its base speed, relative to that";
         T_load "N*m" required with torques, open -inf to inf, "load torque of the carrier, against its rotation";
         cf_load "N*m*s^2/rad^2" required with fan_load, from 0.0 to inf, "fan torque of the carrier divided by the square of its speed";
-        w0_load "rad/s" default 0.01, open 0.0 to inf,
+        w0_load "rad/s" default 0.01 with fan_load, open 0.0 to inf,
             "speed of the carrier below which the fan torque is linear instead of quadratic in the speed";
         alpha_M "1/s" default 0.0, from 0.0 to inf, "damping in proportion to inertia";
         beta_K "s" default 0.0, from 0.0 to inf, "damping in proportion to stiffness";
@@ -308,36 +309,42 @@ equations! {
             flank_stiction_s1 => mu_s1*k_s1*slide_dir_s1*touchs1*(tiny_s1.powi(2) + overs1.powi(2)).sqrt()
                 - mu_s1*k_s1*touchs1*psi_s1_dot*(tiny_s1.powi(2) + overs1.powi(2)).sqrt()/(w_mix_s1.powi(2) + psi_s1_dot.powi(2)).sqrt();
         }
+        F_tau_s1 { sliding_friction_s1 => F_mu_s1*overs1/(tiny_s1.powi(2) + overs1.powi(2)).sqrt(); }
         F_mu_r1 {
             sliding_friction_r1 => mu_r1*k_r1*touchr1*psi_r1_dot*(tiny_r1.powi(2) + overr1.powi(2)).sqrt()
                 /(w_mix_r1.powi(2) + psi_r1_dot.powi(2)).sqrt();
             flank_stiction_r1 => mu_r1*k_r1*slide_dir_r1*touchr1*(tiny_r1.powi(2) + overr1.powi(2)).sqrt()
                 - mu_r1*k_r1*touchr1*psi_r1_dot*(tiny_r1.powi(2) + overr1.powi(2)).sqrt()/(w_mix_r1.powi(2) + psi_r1_dot.powi(2)).sqrt();
         }
+        F_tau_r1 { sliding_friction_r1 => F_mu_r1*overr1/(tiny_r1.powi(2) + overr1.powi(2)).sqrt(); }
         F_mu_s2 {
             sliding_friction_s2 => mu_s2*k_s2*touchs2*psi_s2_dot*(tiny_s2.powi(2) + overs2.powi(2)).sqrt()
                 /(w_mix_s2.powi(2) + psi_s2_dot.powi(2)).sqrt();
             flank_stiction_s2 => mu_s2*k_s2*slide_dir_s2*touchs2*(tiny_s2.powi(2) + overs2.powi(2)).sqrt()
                 - mu_s2*k_s2*touchs2*psi_s2_dot*(tiny_s2.powi(2) + overs2.powi(2)).sqrt()/(w_mix_s2.powi(2) + psi_s2_dot.powi(2)).sqrt();
         }
+        F_tau_s2 { sliding_friction_s2 => F_mu_s2*overs2/(tiny_s2.powi(2) + overs2.powi(2)).sqrt(); }
         F_mu_r2 {
             sliding_friction_r2 => mu_r2*k_r2*touchr2*psi_r2_dot*(tiny_r2.powi(2) + overr2.powi(2)).sqrt()
                 /(w_mix_r2.powi(2) + psi_r2_dot.powi(2)).sqrt();
             flank_stiction_r2 => mu_r2*k_r2*slide_dir_r2*touchr2*(tiny_r2.powi(2) + overr2.powi(2)).sqrt()
                 - mu_r2*k_r2*touchr2*psi_r2_dot*(tiny_r2.powi(2) + overr2.powi(2)).sqrt()/(w_mix_r2.powi(2) + psi_r2_dot.powi(2)).sqrt();
         }
+        F_tau_r2 { sliding_friction_r2 => F_mu_r2*overr2/(tiny_r2.powi(2) + overr2.powi(2)).sqrt(); }
         F_mu_s3 {
             sliding_friction_s3 => mu_s3*k_s3*touchs3*psi_s3_dot*(tiny_s3.powi(2) + overs3.powi(2)).sqrt()
                 /(w_mix_s3.powi(2) + psi_s3_dot.powi(2)).sqrt();
             flank_stiction_s3 => mu_s3*k_s3*slide_dir_s3*touchs3*(tiny_s3.powi(2) + overs3.powi(2)).sqrt()
                 - mu_s3*k_s3*touchs3*psi_s3_dot*(tiny_s3.powi(2) + overs3.powi(2)).sqrt()/(w_mix_s3.powi(2) + psi_s3_dot.powi(2)).sqrt();
         }
+        F_tau_s3 { sliding_friction_s3 => F_mu_s3*overs3/(tiny_s3.powi(2) + overs3.powi(2)).sqrt(); }
         F_mu_r3 {
             sliding_friction_r3 => mu_r3*k_r3*touchr3*psi_r3_dot*(tiny_r3.powi(2) + overr3.powi(2)).sqrt()
                 /(w_mix_r3.powi(2) + psi_r3_dot.powi(2)).sqrt();
             flank_stiction_r3 => mu_r3*k_r3*slide_dir_r3*touchr3*(tiny_r3.powi(2) + overr3.powi(2)).sqrt()
                 - mu_r3*k_r3*touchr3*psi_r3_dot*(tiny_r3.powi(2) + overr3.powi(2)).sqrt()/(w_mix_r3.powi(2) + psi_r3_dot.powi(2)).sqrt();
         }
+        F_tau_r3 { sliding_friction_r3 => F_mu_r3*overr3/(tiny_r3.powi(2) + overr3.powi(2)).sqrt(); }
         T_induction_motor {
             induction_motor => 2.0*Tb_motor*sb_motor*(1.0 - theta_motor_dot/ns_motor)
                 /(sb_motor.powi(2) + (1.0 - theta_motor_dot/ns_motor).powi(2));
@@ -372,6 +379,11 @@ equations! {
             flank_stiction_s1 => mu_s1*slide_dir_s1*touchs1*(tiny_s1.powi(2) + overs1.powi(2)).sqrt()
                 - mu_s1*touchs1*psi_s1_dot*(tiny_s1.powi(2) + overs1.powi(2)).sqrt()/(w_mix_s1.powi(2) + psi_s1_dot.powi(2)).sqrt();
         }
+        F_tau_s1_by_overs1 {
+            sliding_friction_s1 => F_mu_s1/(tiny_s1.powi(2) + overs1.powi(2)).sqrt()
+                - F_mu_s1*overs1.powi(2)/(tiny_s1.powi(2) + overs1.powi(2)).powf(3.0/2.0);
+        }
+        F_tau_s1_by_F_mu_s1 { sliding_friction_s1 => overs1/(tiny_s1.powi(2) + overs1.powi(2)).sqrt(); }
         F_mu_r1_by_overr1 {
             sliding_friction_r1 => mu_r1*k_r1*touchr1*overr1*psi_r1_dot
                 /((tiny_r1.powi(2) + overr1.powi(2)).sqrt()*(w_mix_r1.powi(2) + psi_r1_dot.powi(2)).sqrt());
@@ -394,6 +406,11 @@ equations! {
             flank_stiction_r1 => mu_r1*slide_dir_r1*touchr1*(tiny_r1.powi(2) + overr1.powi(2)).sqrt()
                 - mu_r1*touchr1*psi_r1_dot*(tiny_r1.powi(2) + overr1.powi(2)).sqrt()/(w_mix_r1.powi(2) + psi_r1_dot.powi(2)).sqrt();
         }
+        F_tau_r1_by_overr1 {
+            sliding_friction_r1 => F_mu_r1/(tiny_r1.powi(2) + overr1.powi(2)).sqrt()
+                - F_mu_r1*overr1.powi(2)/(tiny_r1.powi(2) + overr1.powi(2)).powf(3.0/2.0);
+        }
+        F_tau_r1_by_F_mu_r1 { sliding_friction_r1 => overr1/(tiny_r1.powi(2) + overr1.powi(2)).sqrt(); }
         F_mu_s2_by_overs2 {
             sliding_friction_s2 => mu_s2*k_s2*touchs2*overs2*psi_s2_dot
                 /((tiny_s2.powi(2) + overs2.powi(2)).sqrt()*(w_mix_s2.powi(2) + psi_s2_dot.powi(2)).sqrt());
@@ -416,6 +433,11 @@ equations! {
             flank_stiction_s2 => mu_s2*slide_dir_s2*touchs2*(tiny_s2.powi(2) + overs2.powi(2)).sqrt()
                 - mu_s2*touchs2*psi_s2_dot*(tiny_s2.powi(2) + overs2.powi(2)).sqrt()/(w_mix_s2.powi(2) + psi_s2_dot.powi(2)).sqrt();
         }
+        F_tau_s2_by_overs2 {
+            sliding_friction_s2 => F_mu_s2/(tiny_s2.powi(2) + overs2.powi(2)).sqrt()
+                - F_mu_s2*overs2.powi(2)/(tiny_s2.powi(2) + overs2.powi(2)).powf(3.0/2.0);
+        }
+        F_tau_s2_by_F_mu_s2 { sliding_friction_s2 => overs2/(tiny_s2.powi(2) + overs2.powi(2)).sqrt(); }
         F_mu_r2_by_overr2 {
             sliding_friction_r2 => mu_r2*k_r2*touchr2*overr2*psi_r2_dot
                 /((tiny_r2.powi(2) + overr2.powi(2)).sqrt()*(w_mix_r2.powi(2) + psi_r2_dot.powi(2)).sqrt());
@@ -438,6 +460,11 @@ equations! {
             flank_stiction_r2 => mu_r2*slide_dir_r2*touchr2*(tiny_r2.powi(2) + overr2.powi(2)).sqrt()
                 - mu_r2*touchr2*psi_r2_dot*(tiny_r2.powi(2) + overr2.powi(2)).sqrt()/(w_mix_r2.powi(2) + psi_r2_dot.powi(2)).sqrt();
         }
+        F_tau_r2_by_overr2 {
+            sliding_friction_r2 => F_mu_r2/(tiny_r2.powi(2) + overr2.powi(2)).sqrt()
+                - F_mu_r2*overr2.powi(2)/(tiny_r2.powi(2) + overr2.powi(2)).powf(3.0/2.0);
+        }
+        F_tau_r2_by_F_mu_r2 { sliding_friction_r2 => overr2/(tiny_r2.powi(2) + overr2.powi(2)).sqrt(); }
         F_mu_s3_by_overs3 {
             sliding_friction_s3 => mu_s3*k_s3*touchs3*overs3*psi_s3_dot
                 /((tiny_s3.powi(2) + overs3.powi(2)).sqrt()*(w_mix_s3.powi(2) + psi_s3_dot.powi(2)).sqrt());
@@ -460,6 +487,11 @@ equations! {
             flank_stiction_s3 => mu_s3*slide_dir_s3*touchs3*(tiny_s3.powi(2) + overs3.powi(2)).sqrt()
                 - mu_s3*touchs3*psi_s3_dot*(tiny_s3.powi(2) + overs3.powi(2)).sqrt()/(w_mix_s3.powi(2) + psi_s3_dot.powi(2)).sqrt();
         }
+        F_tau_s3_by_overs3 {
+            sliding_friction_s3 => F_mu_s3/(tiny_s3.powi(2) + overs3.powi(2)).sqrt()
+                - F_mu_s3*overs3.powi(2)/(tiny_s3.powi(2) + overs3.powi(2)).powf(3.0/2.0);
+        }
+        F_tau_s3_by_F_mu_s3 { sliding_friction_s3 => overs3/(tiny_s3.powi(2) + overs3.powi(2)).sqrt(); }
         F_mu_r3_by_overr3 {
             sliding_friction_r3 => mu_r3*k_r3*touchr3*overr3*psi_r3_dot
                 /((tiny_r3.powi(2) + overr3.powi(2)).sqrt()*(w_mix_r3.powi(2) + psi_r3_dot.powi(2)).sqrt());
@@ -482,6 +514,11 @@ equations! {
             flank_stiction_r3 => mu_r3*slide_dir_r3*touchr3*(tiny_r3.powi(2) + overr3.powi(2)).sqrt()
                 - mu_r3*touchr3*psi_r3_dot*(tiny_r3.powi(2) + overr3.powi(2)).sqrt()/(w_mix_r3.powi(2) + psi_r3_dot.powi(2)).sqrt();
         }
+        F_tau_r3_by_overr3 {
+            sliding_friction_r3 => F_mu_r3/(tiny_r3.powi(2) + overr3.powi(2)).sqrt()
+                - F_mu_r3*overr3.powi(2)/(tiny_r3.powi(2) + overr3.powi(2)).powf(3.0/2.0);
+        }
+        F_tau_r3_by_F_mu_r3 { sliding_friction_r3 => overr3/(tiny_r3.powi(2) + overr3.powi(2)).sqrt(); }
         T_induction_motor_by_theta_motor_dot {
             induction_motor => 4.0*Tb_motor*sb_motor*(1.0 - theta_motor_dot/ns_motor).powi(2)
                 /(ns_motor*(sb_motor.powi(2) + (1.0 - theta_motor_dot/ns_motor).powi(2)).powi(2))
@@ -579,25 +616,41 @@ equations! {
             }
             stuck_coast (0.0) holds rests counts "stuck" {
                 unless stuck { overs1 { _ => -1.0; } }
-                until forward {
+                until forward_coast {
                     overs1 { _ => -mu_rise_s1*mu_s1*k_s1*touchs1 - mu_s1*k_s1*touchs1; }
                     reaction { _ => -1.0; }
                 }
-                until backward {
+                until backward_coast {
                     overs1 { _ => -mu_rise_s1*mu_s1*k_s1*touchs1 - mu_s1*k_s1*touchs1; }
                     reaction { _ => 1.0; }
                 }
             }
             forward (1.0) {
+                until forward_coast { overs1 { _ => 1.0; } }
                 until stuck {
                     psi_s1_dot { _ => arm_s1; }
                     tau_s1_dot { _ => side_s1; }
                 }
             }
             backward (-1.0) {
+                until backward_coast { overs1 { _ => 1.0; } }
                 until stuck {
                     psi_s1_dot { _ => -arm_s1; }
                     tau_s1_dot { _ => -side_s1; }
+                }
+            }
+            forward_coast (1.0) {
+                until forward { overs1 { _ => -1.0; } }
+                until stuck_coast {
+                    psi_s1_dot { _ => arm_s1; }
+                    tau_s1_dot { _ => -side_s1; }
+                }
+            }
+            backward_coast (-1.0) {
+                until backward { overs1 { _ => -1.0; } }
+                until stuck_coast {
+                    psi_s1_dot { _ => -arm_s1; }
+                    tau_s1_dot { _ => side_s1; }
                 }
             }
         }
@@ -678,25 +731,41 @@ equations! {
             }
             stuck_coast (0.0) holds rests counts "stuck" {
                 unless stuck { overr1 { _ => -1.0; } }
-                until forward {
+                until forward_coast {
                     overr1 { _ => -mu_r1*mu_rise_r1*k_r1*touchr1 - mu_r1*k_r1*touchr1; }
                     reaction { _ => -1.0; }
                 }
-                until backward {
+                until backward_coast {
                     overr1 { _ => -mu_r1*mu_rise_r1*k_r1*touchr1 - mu_r1*k_r1*touchr1; }
                     reaction { _ => 1.0; }
                 }
             }
             forward (1.0) {
+                until forward_coast { overr1 { _ => 1.0; } }
                 until stuck {
                     psi_r1_dot { _ => arm_r1; }
                     tau_r1_dot { _ => side_r1; }
                 }
             }
             backward (-1.0) {
+                until backward_coast { overr1 { _ => 1.0; } }
                 until stuck {
                     psi_r1_dot { _ => -arm_r1; }
                     tau_r1_dot { _ => -side_r1; }
+                }
+            }
+            forward_coast (1.0) {
+                until forward { overr1 { _ => -1.0; } }
+                until stuck_coast {
+                    psi_r1_dot { _ => arm_r1; }
+                    tau_r1_dot { _ => -side_r1; }
+                }
+            }
+            backward_coast (-1.0) {
+                until backward { overr1 { _ => -1.0; } }
+                until stuck_coast {
+                    psi_r1_dot { _ => -arm_r1; }
+                    tau_r1_dot { _ => side_r1; }
                 }
             }
         }
@@ -777,25 +846,41 @@ equations! {
             }
             stuck_coast (0.0) holds rests counts "stuck" {
                 unless stuck { overs2 { _ => -1.0; } }
-                until forward {
+                until forward_coast {
                     overs2 { _ => -mu_rise_s2*mu_s2*k_s2*touchs2 - mu_s2*k_s2*touchs2; }
                     reaction { _ => -1.0; }
                 }
-                until backward {
+                until backward_coast {
                     overs2 { _ => -mu_rise_s2*mu_s2*k_s2*touchs2 - mu_s2*k_s2*touchs2; }
                     reaction { _ => 1.0; }
                 }
             }
             forward (1.0) {
+                until forward_coast { overs2 { _ => 1.0; } }
                 until stuck {
                     psi_s2_dot { _ => arm_s2; }
                     tau_s2_dot { _ => side_s2; }
                 }
             }
             backward (-1.0) {
+                until backward_coast { overs2 { _ => 1.0; } }
                 until stuck {
                     psi_s2_dot { _ => -arm_s2; }
                     tau_s2_dot { _ => -side_s2; }
+                }
+            }
+            forward_coast (1.0) {
+                until forward { overs2 { _ => -1.0; } }
+                until stuck_coast {
+                    psi_s2_dot { _ => arm_s2; }
+                    tau_s2_dot { _ => -side_s2; }
+                }
+            }
+            backward_coast (-1.0) {
+                until backward { overs2 { _ => -1.0; } }
+                until stuck_coast {
+                    psi_s2_dot { _ => -arm_s2; }
+                    tau_s2_dot { _ => side_s2; }
                 }
             }
         }
@@ -876,25 +961,41 @@ equations! {
             }
             stuck_coast (0.0) holds rests counts "stuck" {
                 unless stuck { overr2 { _ => -1.0; } }
-                until forward {
+                until forward_coast {
                     overr2 { _ => -mu_r2*mu_rise_r2*k_r2*touchr2 - mu_r2*k_r2*touchr2; }
                     reaction { _ => -1.0; }
                 }
-                until backward {
+                until backward_coast {
                     overr2 { _ => -mu_r2*mu_rise_r2*k_r2*touchr2 - mu_r2*k_r2*touchr2; }
                     reaction { _ => 1.0; }
                 }
             }
             forward (1.0) {
+                until forward_coast { overr2 { _ => 1.0; } }
                 until stuck {
                     psi_r2_dot { _ => arm_r2; }
                     tau_r2_dot { _ => side_r2; }
                 }
             }
             backward (-1.0) {
+                until backward_coast { overr2 { _ => 1.0; } }
                 until stuck {
                     psi_r2_dot { _ => -arm_r2; }
                     tau_r2_dot { _ => -side_r2; }
+                }
+            }
+            forward_coast (1.0) {
+                until forward { overr2 { _ => -1.0; } }
+                until stuck_coast {
+                    psi_r2_dot { _ => arm_r2; }
+                    tau_r2_dot { _ => -side_r2; }
+                }
+            }
+            backward_coast (-1.0) {
+                until backward { overr2 { _ => -1.0; } }
+                until stuck_coast {
+                    psi_r2_dot { _ => -arm_r2; }
+                    tau_r2_dot { _ => side_r2; }
                 }
             }
         }
@@ -975,25 +1076,41 @@ equations! {
             }
             stuck_coast (0.0) holds rests counts "stuck" {
                 unless stuck { overs3 { _ => -1.0; } }
-                until forward {
+                until forward_coast {
                     overs3 { _ => -mu_rise_s3*mu_s3*k_s3*touchs3 - mu_s3*k_s3*touchs3; }
                     reaction { _ => -1.0; }
                 }
-                until backward {
+                until backward_coast {
                     overs3 { _ => -mu_rise_s3*mu_s3*k_s3*touchs3 - mu_s3*k_s3*touchs3; }
                     reaction { _ => 1.0; }
                 }
             }
             forward (1.0) {
+                until forward_coast { overs3 { _ => 1.0; } }
                 until stuck {
                     psi_s3_dot { _ => arm_s3; }
                     tau_s3_dot { _ => side_s3; }
                 }
             }
             backward (-1.0) {
+                until backward_coast { overs3 { _ => 1.0; } }
                 until stuck {
                     psi_s3_dot { _ => -arm_s3; }
                     tau_s3_dot { _ => -side_s3; }
+                }
+            }
+            forward_coast (1.0) {
+                until forward { overs3 { _ => -1.0; } }
+                until stuck_coast {
+                    psi_s3_dot { _ => arm_s3; }
+                    tau_s3_dot { _ => -side_s3; }
+                }
+            }
+            backward_coast (-1.0) {
+                until backward { overs3 { _ => -1.0; } }
+                until stuck_coast {
+                    psi_s3_dot { _ => -arm_s3; }
+                    tau_s3_dot { _ => side_s3; }
                 }
             }
         }
@@ -1074,25 +1191,41 @@ equations! {
             }
             stuck_coast (0.0) holds rests counts "stuck" {
                 unless stuck { overr3 { _ => -1.0; } }
-                until forward {
+                until forward_coast {
                     overr3 { _ => -mu_r3*mu_rise_r3*k_r3*touchr3 - mu_r3*k_r3*touchr3; }
                     reaction { _ => -1.0; }
                 }
-                until backward {
+                until backward_coast {
                     overr3 { _ => -mu_r3*mu_rise_r3*k_r3*touchr3 - mu_r3*k_r3*touchr3; }
                     reaction { _ => 1.0; }
                 }
             }
             forward (1.0) {
+                until forward_coast { overr3 { _ => 1.0; } }
                 until stuck {
                     psi_r3_dot { _ => arm_r3; }
                     tau_r3_dot { _ => side_r3; }
                 }
             }
             backward (-1.0) {
+                until backward_coast { overr3 { _ => 1.0; } }
                 until stuck {
                     psi_r3_dot { _ => -arm_r3; }
                     tau_r3_dot { _ => -side_r3; }
+                }
+            }
+            forward_coast (1.0) {
+                until forward { overr3 { _ => -1.0; } }
+                until stuck_coast {
+                    psi_r3_dot { _ => arm_r3; }
+                    tau_r3_dot { _ => -side_r3; }
+                }
+            }
+            backward_coast (-1.0) {
+                until backward { overr3 { _ => -1.0; } }
+                until stuck_coast {
+                    psi_r3_dot { _ => -arm_r3; }
+                    tau_r3_dot { _ => side_r3; }
                 }
             }
         }
@@ -1130,27 +1263,27 @@ equations! {
     }
     torques {
         slide_s1 "friction of the mesh of sun and planet 1, through the sliding of the flanks at the pitch point" {}
-        power { sliding_friction_s1 => -side_s1*F_mu_s1*tau_s1_dot; }
+        power { sliding_friction_s1 => -side_s1*F_tau_s1*tau_s1_dot; }
         roll_s1 "friction of the mesh of sun and planet 1, through the rolling of the gears" {}
         power { sliding_friction_s1 => -arm_s1*F_mu_s1*psi_s1_dot; }
         slide_r1 "friction of the mesh of ring and planet 1, through the sliding of the flanks at the pitch point" {}
-        power { sliding_friction_r1 => -side_r1*F_mu_r1*tau_r1_dot; }
+        power { sliding_friction_r1 => -side_r1*F_tau_r1*tau_r1_dot; }
         roll_r1 "friction of the mesh of ring and planet 1, through the rolling of the gears" {}
         power { sliding_friction_r1 => -arm_r1*F_mu_r1*psi_r1_dot; }
         slide_s2 "friction of the mesh of sun and planet 2, through the sliding of the flanks at the pitch point" {}
-        power { sliding_friction_s2 => -side_s2*F_mu_s2*tau_s2_dot; }
+        power { sliding_friction_s2 => -side_s2*F_tau_s2*tau_s2_dot; }
         roll_s2 "friction of the mesh of sun and planet 2, through the rolling of the gears" {}
         power { sliding_friction_s2 => -arm_s2*F_mu_s2*psi_s2_dot; }
         slide_r2 "friction of the mesh of ring and planet 2, through the sliding of the flanks at the pitch point" {}
-        power { sliding_friction_r2 => -side_r2*F_mu_r2*tau_r2_dot; }
+        power { sliding_friction_r2 => -side_r2*F_tau_r2*tau_r2_dot; }
         roll_r2 "friction of the mesh of ring and planet 2, through the rolling of the gears" {}
         power { sliding_friction_r2 => -arm_r2*F_mu_r2*psi_r2_dot; }
         slide_s3 "friction of the mesh of sun and planet 3, through the sliding of the flanks at the pitch point" {}
-        power { sliding_friction_s3 => -side_s3*F_mu_s3*tau_s3_dot; }
+        power { sliding_friction_s3 => -side_s3*F_tau_s3*tau_s3_dot; }
         roll_s3 "friction of the mesh of sun and planet 3, through the rolling of the gears" {}
         power { sliding_friction_s3 => -arm_s3*F_mu_s3*psi_s3_dot; }
         slide_r3 "friction of the mesh of ring and planet 3, through the sliding of the flanks at the pitch point" {}
-        power { sliding_friction_r3 => -side_r3*F_mu_r3*tau_r3_dot; }
+        power { sliding_friction_r3 => -side_r3*F_tau_r3*tau_r3_dot; }
         roll_r3 "friction of the mesh of ring and planet 3, through the rolling of the gears" {}
         power { sliding_friction_r3 => -arm_r3*F_mu_r3*psi_r3_dot; }
         motor "driving torque of the sun" { torques => T_motor*(theta_c + theta*(1.0/Z_r + 1.0/Z_s)); }
@@ -1239,11 +1372,11 @@ equations! {
             torsional_support_c => -k_c*twist_c;
             torsional_support_c_and_damping => -beta_K*k_c*twist_c_dot;
             backlash_r1 => h*Z_r*k_r1*clipr1*touchr1*overr1;
-            sliding_friction_r1 => arm_r1*F_mu_r1 + h*sin_a*Z_r*side_r1*F_mu_r1/cos_a;
+            sliding_friction_r1 => arm_r1*F_mu_r1 + h*sin_a*Z_r*side_r1*F_tau_r1/cos_a;
             backlash_r2 => h*Z_r*k_r2*clipr2*touchr2*overr2;
-            sliding_friction_r2 => arm_r2*F_mu_r2 + h*sin_a*Z_r*side_r2*F_mu_r2/cos_a;
+            sliding_friction_r2 => arm_r2*F_mu_r2 + h*sin_a*Z_r*side_r2*F_tau_r2/cos_a;
             backlash_r3 => h*Z_r*k_r3*clipr3*touchr3*overr3;
-            sliding_friction_r3 => arm_r3*F_mu_r3 + h*sin_a*Z_r*side_r3*F_mu_r3/cos_a;
+            sliding_friction_r3 => arm_r3*F_mu_r3 + h*sin_a*Z_r*side_r3*F_tau_r3/cos_a;
             torques => T_motor - T_load;
             speed_governor => c_motor*n_motor - c_motor*theta_motor_dot;
             dc_motor => Ts_motor - Ts_motor*theta_motor_dot/n0_motor;
@@ -1259,38 +1392,38 @@ equations! {
         theta_r {
             _ => -h*Z_r*k_r1*touchr1*overr1 - h*Z_r*k_r2*touchr2*overr2 - h*Z_r*k_r3*touchr3*overr3 - k_r*twist_r;
             backlash_r1 => -h*Z_r*k_r1*clipr1*touchr1*overr1;
-            sliding_friction_r1 => -arm_r1*F_mu_r1 - h*sin_a*Z_r*side_r1*F_mu_r1/cos_a;
+            sliding_friction_r1 => -arm_r1*F_mu_r1 - h*sin_a*Z_r*side_r1*F_tau_r1/cos_a;
             backlash_r2 => -h*Z_r*k_r2*clipr2*touchr2*overr2;
-            sliding_friction_r2 => -arm_r2*F_mu_r2 - h*sin_a*Z_r*side_r2*F_mu_r2/cos_a;
+            sliding_friction_r2 => -arm_r2*F_mu_r2 - h*sin_a*Z_r*side_r2*F_tau_r2/cos_a;
             backlash_r3 => -h*Z_r*k_r3*clipr3*touchr3*overr3;
-            sliding_friction_r3 => -arm_r3*F_mu_r3 - h*sin_a*Z_r*side_r3*F_mu_r3/cos_a;
+            sliding_friction_r3 => -arm_r3*F_mu_r3 - h*sin_a*Z_r*side_r3*F_tau_r3/cos_a;
             damping => -h*Z_r*beta_K*k_r1_mid*dampr1*overr1_dot - h*Z_r*beta_K*k_r2_mid*dampr2*overr2_dot
                 - h*Z_r*beta_K*k_r3_mid*dampr3*overr3_dot - I_r*alpha_M*theta_r_dot - beta_K*k_r*twist_r_dot;
         }
         u1 {
             _ => k_r1*touchr1*overr1 - k_s1*touchs1*overs1;
             backlash_s1 => -k_s1*clips1*touchs1*overs1;
-            sliding_friction_s1 => arm_s1*F_mu_s1/r_p - sin_a*side_s1*F_mu_s1/cos_a;
+            sliding_friction_s1 => arm_s1*F_mu_s1/r_p - sin_a*side_s1*F_tau_s1/cos_a;
             backlash_r1 => k_r1*clipr1*touchr1*overr1;
-            sliding_friction_r1 => sin_a*side_r1*F_mu_r1/cos_a + arm_r1*F_mu_r1/r_p;
+            sliding_friction_r1 => sin_a*side_r1*F_tau_r1/cos_a + arm_r1*F_mu_r1/r_p;
             damping => h*I_p*alpha_M*theta_dot/r_p.powi(2) + beta_K*k_r1_mid*dampr1*overr1_dot - beta_K*k_s1_mid*damps1*overs1_dot
                 - I_p*alpha_M*u1_dot/r_p.powi(2) - I_p*alpha_M*theta_c_dot/r_p - I_p*alpha_M*theta_dot/(r_p*Z_r);
         }
         u2 {
             _ => k_r2*touchr2*overr2 - k_s2*touchs2*overs2;
             backlash_s2 => -k_s2*clips2*touchs2*overs2;
-            sliding_friction_s2 => arm_s2*F_mu_s2/r_p - sin_a*side_s2*F_mu_s2/cos_a;
+            sliding_friction_s2 => arm_s2*F_mu_s2/r_p - sin_a*side_s2*F_tau_s2/cos_a;
             backlash_r2 => k_r2*clipr2*touchr2*overr2;
-            sliding_friction_r2 => sin_a*side_r2*F_mu_r2/cos_a + arm_r2*F_mu_r2/r_p;
+            sliding_friction_r2 => sin_a*side_r2*F_tau_r2/cos_a + arm_r2*F_mu_r2/r_p;
             damping => h*I_p*alpha_M*theta_dot/r_p.powi(2) + beta_K*k_r2_mid*dampr2*overr2_dot - beta_K*k_s2_mid*damps2*overs2_dot
                 - I_p*alpha_M*u2_dot/r_p.powi(2) - I_p*alpha_M*theta_c_dot/r_p - I_p*alpha_M*theta_dot/(r_p*Z_r);
         }
         u3 {
             _ => k_r3*touchr3*overr3 - k_s3*touchs3*overs3;
             backlash_s3 => -k_s3*clips3*touchs3*overs3;
-            sliding_friction_s3 => arm_s3*F_mu_s3/r_p - sin_a*side_s3*F_mu_s3/cos_a;
+            sliding_friction_s3 => arm_s3*F_mu_s3/r_p - sin_a*side_s3*F_tau_s3/cos_a;
             backlash_r3 => k_r3*clipr3*touchr3*overr3;
-            sliding_friction_r3 => sin_a*side_r3*F_mu_r3/cos_a + arm_r3*F_mu_r3/r_p;
+            sliding_friction_r3 => sin_a*side_r3*F_tau_r3/cos_a + arm_r3*F_mu_r3/r_p;
             damping => h*I_p*alpha_M*theta_dot/r_p.powi(2) + beta_K*k_r3_mid*dampr3*overr3_dot - beta_K*k_s3_mid*damps3*overs3_dot
                 - I_p*alpha_M*u3_dot/r_p.powi(2) - I_p*alpha_M*theta_c_dot/r_p - I_p*alpha_M*theta_dot/(r_p*Z_r);
         }
@@ -1386,25 +1519,28 @@ equations! {
         theta_c theta {
             transmission_error_r1_and_backlash_r1_and_moving_phase => -h*Z_r*k_r1*de_r1*clipr1*touchr1;
             transmission_error_r1_and_sliding_friction_r1_and_moving_phase => -de_r1*arm_r1*F_mu_r1_by_overr1
-                - h*sin_a*Z_r*de_r1*side_r1*F_mu_r1_by_overr1/cos_a;
+                - h*sin_a*Z_r*de_r1*side_r1*F_mu_r1_by_overr1*F_tau_r1_by_F_mu_r1/cos_a
+                - h*sin_a*Z_r*de_r1*side_r1*F_tau_r1_by_overr1/cos_a;
             transmission_error_r1_and_moving_phase => -h*Z_r*k_r1*de_r1*touchr1;
             backlash_r1_and_moving_phase => h*Z_r*dk_r1*clipr1*touchr1*overr1;
             sliding_friction_r1_and_moving_phase => darm_r1*F_mu_r1 + dk_r1*arm_r1*F_mu_r1_by_k_r1
-                + h*sin_a*Z_r*dk_r1*side_r1*F_mu_r1_by_k_r1/cos_a + h*sin_a*Z_r*dside_r1*F_mu_r1/cos_a;
+                + h*sin_a*Z_r*dk_r1*side_r1*F_mu_r1_by_k_r1*F_tau_r1_by_F_mu_r1/cos_a + h*sin_a*Z_r*dside_r1*F_tau_r1/cos_a;
             transmission_error_r2_and_backlash_r2_and_moving_phase => -h*Z_r*k_r2*de_r2*clipr2*touchr2;
             transmission_error_r2_and_sliding_friction_r2_and_moving_phase => -de_r2*arm_r2*F_mu_r2_by_overr2
-                - h*sin_a*Z_r*de_r2*side_r2*F_mu_r2_by_overr2/cos_a;
+                - h*sin_a*Z_r*de_r2*side_r2*F_mu_r2_by_overr2*F_tau_r2_by_F_mu_r2/cos_a
+                - h*sin_a*Z_r*de_r2*side_r2*F_tau_r2_by_overr2/cos_a;
             transmission_error_r2_and_moving_phase => -h*Z_r*k_r2*de_r2*touchr2;
             backlash_r2_and_moving_phase => h*Z_r*dk_r2*clipr2*touchr2*overr2;
             sliding_friction_r2_and_moving_phase => darm_r2*F_mu_r2 + dk_r2*arm_r2*F_mu_r2_by_k_r2
-                + h*sin_a*Z_r*dk_r2*side_r2*F_mu_r2_by_k_r2/cos_a + h*sin_a*Z_r*dside_r2*F_mu_r2/cos_a;
+                + h*sin_a*Z_r*dk_r2*side_r2*F_mu_r2_by_k_r2*F_tau_r2_by_F_mu_r2/cos_a + h*sin_a*Z_r*dside_r2*F_tau_r2/cos_a;
             transmission_error_r3_and_backlash_r3_and_moving_phase => -h*Z_r*k_r3*de_r3*clipr3*touchr3;
             transmission_error_r3_and_sliding_friction_r3_and_moving_phase => -de_r3*arm_r3*F_mu_r3_by_overr3
-                - h*sin_a*Z_r*de_r3*side_r3*F_mu_r3_by_overr3/cos_a;
+                - h*sin_a*Z_r*de_r3*side_r3*F_mu_r3_by_overr3*F_tau_r3_by_F_mu_r3/cos_a
+                - h*sin_a*Z_r*de_r3*side_r3*F_tau_r3_by_overr3/cos_a;
             transmission_error_r3_and_moving_phase => -h*Z_r*k_r3*de_r3*touchr3;
             backlash_r3_and_moving_phase => h*Z_r*dk_r3*clipr3*touchr3*overr3;
             sliding_friction_r3_and_moving_phase => darm_r3*F_mu_r3 + dk_r3*arm_r3*F_mu_r3_by_k_r3
-                + h*sin_a*Z_r*dk_r3*side_r3*F_mu_r3_by_k_r3/cos_a + h*sin_a*Z_r*dside_r3*F_mu_r3/cos_a;
+                + h*sin_a*Z_r*dk_r3*side_r3*F_mu_r3_by_k_r3*F_tau_r3_by_F_mu_r3/cos_a + h*sin_a*Z_r*dside_r3*F_tau_r3/cos_a;
             moving_phase => h*Z_r*dk_r1*touchr1*overr1 + h*Z_r*dk_r2*touchr2*overr2 + h*Z_r*dk_r3*touchr3*overr3;
         }
         theta_c theta_dot {
@@ -1420,26 +1556,35 @@ equations! {
         theta_c overr1 {
             _ => h*Z_r*k_r1*touchr1;
             backlash_r1 => h*Z_r*k_r1*clipr1*touchr1;
-            sliding_friction_r1 => arm_r1*F_mu_r1_by_overr1 + h*sin_a*Z_r*side_r1*F_mu_r1_by_overr1/cos_a;
+            sliding_friction_r1 => arm_r1*F_mu_r1_by_overr1 + h*sin_a*Z_r*side_r1*F_mu_r1_by_overr1*F_tau_r1_by_F_mu_r1/cos_a
+                + h*sin_a*Z_r*side_r1*F_tau_r1_by_overr1/cos_a;
         }
         theta_c overr2 {
             _ => h*Z_r*k_r2*touchr2;
             backlash_r2 => h*Z_r*k_r2*clipr2*touchr2;
-            sliding_friction_r2 => arm_r2*F_mu_r2_by_overr2 + h*sin_a*Z_r*side_r2*F_mu_r2_by_overr2/cos_a;
+            sliding_friction_r2 => arm_r2*F_mu_r2_by_overr2 + h*sin_a*Z_r*side_r2*F_mu_r2_by_overr2*F_tau_r2_by_F_mu_r2/cos_a
+                + h*sin_a*Z_r*side_r2*F_tau_r2_by_overr2/cos_a;
         }
         theta_c overr3 {
             _ => h*Z_r*k_r3*touchr3;
             backlash_r3 => h*Z_r*k_r3*clipr3*touchr3;
-            sliding_friction_r3 => arm_r3*F_mu_r3_by_overr3 + h*sin_a*Z_r*side_r3*F_mu_r3_by_overr3/cos_a;
+            sliding_friction_r3 => arm_r3*F_mu_r3_by_overr3 + h*sin_a*Z_r*side_r3*F_mu_r3_by_overr3*F_tau_r3_by_F_mu_r3/cos_a
+                + h*sin_a*Z_r*side_r3*F_tau_r3_by_overr3/cos_a;
         }
         theta_c twist_s_dot { torsional_support_s_and_damping => -beta_K*k_s; }
         theta_c twist_c_dot { torsional_support_c_and_damping => -beta_K*k_c; }
         theta_c overr1_dot { damping => h*Z_r*beta_K*k_r1_mid*dampr1; }
-        theta_c psi_r1_dot { sliding_friction_r1 => arm_r1*F_mu_r1_by_psi_r1_dot + h*sin_a*Z_r*side_r1*F_mu_r1_by_psi_r1_dot/cos_a; }
+        theta_c psi_r1_dot {
+            sliding_friction_r1 => arm_r1*F_mu_r1_by_psi_r1_dot + h*sin_a*Z_r*side_r1*F_mu_r1_by_psi_r1_dot*F_tau_r1_by_F_mu_r1/cos_a;
+        }
         theta_c overr2_dot { damping => h*Z_r*beta_K*k_r2_mid*dampr2; }
-        theta_c psi_r2_dot { sliding_friction_r2 => arm_r2*F_mu_r2_by_psi_r2_dot + h*sin_a*Z_r*side_r2*F_mu_r2_by_psi_r2_dot/cos_a; }
+        theta_c psi_r2_dot {
+            sliding_friction_r2 => arm_r2*F_mu_r2_by_psi_r2_dot + h*sin_a*Z_r*side_r2*F_mu_r2_by_psi_r2_dot*F_tau_r2_by_F_mu_r2/cos_a;
+        }
         theta_c overr3_dot { damping => h*Z_r*beta_K*k_r3_mid*dampr3; }
-        theta_c psi_r3_dot { sliding_friction_r3 => arm_r3*F_mu_r3_by_psi_r3_dot + h*sin_a*Z_r*side_r3*F_mu_r3_by_psi_r3_dot/cos_a; }
+        theta_c psi_r3_dot {
+            sliding_friction_r3 => arm_r3*F_mu_r3_by_psi_r3_dot + h*sin_a*Z_r*side_r3*F_mu_r3_by_psi_r3_dot*F_tau_r3_by_F_mu_r3/cos_a;
+        }
         theta_c theta_motor_dot {
             speed_governor => -c_motor;
             dc_motor => -Ts_motor/n0_motor;
@@ -1450,25 +1595,28 @@ equations! {
         theta_r theta {
             transmission_error_r1_and_backlash_r1_and_moving_phase => h*Z_r*k_r1*de_r1*clipr1*touchr1;
             transmission_error_r1_and_sliding_friction_r1_and_moving_phase => de_r1*arm_r1*F_mu_r1_by_overr1
-                + h*sin_a*Z_r*de_r1*side_r1*F_mu_r1_by_overr1/cos_a;
+                + h*sin_a*Z_r*de_r1*side_r1*F_mu_r1_by_overr1*F_tau_r1_by_F_mu_r1/cos_a
+                + h*sin_a*Z_r*de_r1*side_r1*F_tau_r1_by_overr1/cos_a;
             transmission_error_r1_and_moving_phase => h*Z_r*k_r1*de_r1*touchr1;
             backlash_r1_and_moving_phase => -h*Z_r*dk_r1*clipr1*touchr1*overr1;
             sliding_friction_r1_and_moving_phase => -darm_r1*F_mu_r1 - dk_r1*arm_r1*F_mu_r1_by_k_r1
-                - h*sin_a*Z_r*dk_r1*side_r1*F_mu_r1_by_k_r1/cos_a - h*sin_a*Z_r*dside_r1*F_mu_r1/cos_a;
+                - h*sin_a*Z_r*dk_r1*side_r1*F_mu_r1_by_k_r1*F_tau_r1_by_F_mu_r1/cos_a - h*sin_a*Z_r*dside_r1*F_tau_r1/cos_a;
             transmission_error_r2_and_backlash_r2_and_moving_phase => h*Z_r*k_r2*de_r2*clipr2*touchr2;
             transmission_error_r2_and_sliding_friction_r2_and_moving_phase => de_r2*arm_r2*F_mu_r2_by_overr2
-                + h*sin_a*Z_r*de_r2*side_r2*F_mu_r2_by_overr2/cos_a;
+                + h*sin_a*Z_r*de_r2*side_r2*F_mu_r2_by_overr2*F_tau_r2_by_F_mu_r2/cos_a
+                + h*sin_a*Z_r*de_r2*side_r2*F_tau_r2_by_overr2/cos_a;
             transmission_error_r2_and_moving_phase => h*Z_r*k_r2*de_r2*touchr2;
             backlash_r2_and_moving_phase => -h*Z_r*dk_r2*clipr2*touchr2*overr2;
             sliding_friction_r2_and_moving_phase => -darm_r2*F_mu_r2 - dk_r2*arm_r2*F_mu_r2_by_k_r2
-                - h*sin_a*Z_r*dk_r2*side_r2*F_mu_r2_by_k_r2/cos_a - h*sin_a*Z_r*dside_r2*F_mu_r2/cos_a;
+                - h*sin_a*Z_r*dk_r2*side_r2*F_mu_r2_by_k_r2*F_tau_r2_by_F_mu_r2/cos_a - h*sin_a*Z_r*dside_r2*F_tau_r2/cos_a;
             transmission_error_r3_and_backlash_r3_and_moving_phase => h*Z_r*k_r3*de_r3*clipr3*touchr3;
             transmission_error_r3_and_sliding_friction_r3_and_moving_phase => de_r3*arm_r3*F_mu_r3_by_overr3
-                + h*sin_a*Z_r*de_r3*side_r3*F_mu_r3_by_overr3/cos_a;
+                + h*sin_a*Z_r*de_r3*side_r3*F_mu_r3_by_overr3*F_tau_r3_by_F_mu_r3/cos_a
+                + h*sin_a*Z_r*de_r3*side_r3*F_tau_r3_by_overr3/cos_a;
             transmission_error_r3_and_moving_phase => h*Z_r*k_r3*de_r3*touchr3;
             backlash_r3_and_moving_phase => -h*Z_r*dk_r3*clipr3*touchr3*overr3;
             sliding_friction_r3_and_moving_phase => -darm_r3*F_mu_r3 - dk_r3*arm_r3*F_mu_r3_by_k_r3
-                - h*sin_a*Z_r*dk_r3*side_r3*F_mu_r3_by_k_r3/cos_a - h*sin_a*Z_r*dside_r3*F_mu_r3/cos_a;
+                - h*sin_a*Z_r*dk_r3*side_r3*F_mu_r3_by_k_r3*F_tau_r3_by_F_mu_r3/cos_a - h*sin_a*Z_r*dside_r3*F_tau_r3/cos_a;
             moving_phase => -h*Z_r*dk_r1*touchr1*overr1 - h*Z_r*dk_r2*touchr2*overr2 - h*Z_r*dk_r3*touchr3*overr3;
         }
         theta_r theta_r_dot { damping => -I_r*alpha_M; }
@@ -1476,40 +1624,49 @@ equations! {
         theta_r overr1 {
             _ => -h*Z_r*k_r1*touchr1;
             backlash_r1 => -h*Z_r*k_r1*clipr1*touchr1;
-            sliding_friction_r1 => -arm_r1*F_mu_r1_by_overr1 - h*sin_a*Z_r*side_r1*F_mu_r1_by_overr1/cos_a;
+            sliding_friction_r1 => -arm_r1*F_mu_r1_by_overr1 - h*sin_a*Z_r*side_r1*F_mu_r1_by_overr1*F_tau_r1_by_F_mu_r1/cos_a
+                - h*sin_a*Z_r*side_r1*F_tau_r1_by_overr1/cos_a;
         }
         theta_r overr2 {
             _ => -h*Z_r*k_r2*touchr2;
             backlash_r2 => -h*Z_r*k_r2*clipr2*touchr2;
-            sliding_friction_r2 => -arm_r2*F_mu_r2_by_overr2 - h*sin_a*Z_r*side_r2*F_mu_r2_by_overr2/cos_a;
+            sliding_friction_r2 => -arm_r2*F_mu_r2_by_overr2 - h*sin_a*Z_r*side_r2*F_mu_r2_by_overr2*F_tau_r2_by_F_mu_r2/cos_a
+                - h*sin_a*Z_r*side_r2*F_tau_r2_by_overr2/cos_a;
         }
         theta_r overr3 {
             _ => -h*Z_r*k_r3*touchr3;
             backlash_r3 => -h*Z_r*k_r3*clipr3*touchr3;
-            sliding_friction_r3 => -arm_r3*F_mu_r3_by_overr3 - h*sin_a*Z_r*side_r3*F_mu_r3_by_overr3/cos_a;
+            sliding_friction_r3 => -arm_r3*F_mu_r3_by_overr3 - h*sin_a*Z_r*side_r3*F_mu_r3_by_overr3*F_tau_r3_by_F_mu_r3/cos_a
+                - h*sin_a*Z_r*side_r3*F_tau_r3_by_overr3/cos_a;
         }
         theta_r twist_r_dot { damping => -beta_K*k_r; }
         theta_r overr1_dot { damping => -h*Z_r*beta_K*k_r1_mid*dampr1; }
-        theta_r psi_r1_dot { sliding_friction_r1 => -arm_r1*F_mu_r1_by_psi_r1_dot - h*sin_a*Z_r*side_r1*F_mu_r1_by_psi_r1_dot/cos_a; }
+        theta_r psi_r1_dot {
+            sliding_friction_r1 => -arm_r1*F_mu_r1_by_psi_r1_dot - h*sin_a*Z_r*side_r1*F_mu_r1_by_psi_r1_dot*F_tau_r1_by_F_mu_r1/cos_a;
+        }
         theta_r overr2_dot { damping => -h*Z_r*beta_K*k_r2_mid*dampr2; }
-        theta_r psi_r2_dot { sliding_friction_r2 => -arm_r2*F_mu_r2_by_psi_r2_dot - h*sin_a*Z_r*side_r2*F_mu_r2_by_psi_r2_dot/cos_a; }
+        theta_r psi_r2_dot {
+            sliding_friction_r2 => -arm_r2*F_mu_r2_by_psi_r2_dot - h*sin_a*Z_r*side_r2*F_mu_r2_by_psi_r2_dot*F_tau_r2_by_F_mu_r2/cos_a;
+        }
         theta_r overr3_dot { damping => -h*Z_r*beta_K*k_r3_mid*dampr3; }
-        theta_r psi_r3_dot { sliding_friction_r3 => -arm_r3*F_mu_r3_by_psi_r3_dot - h*sin_a*Z_r*side_r3*F_mu_r3_by_psi_r3_dot/cos_a; }
+        theta_r psi_r3_dot {
+            sliding_friction_r3 => -arm_r3*F_mu_r3_by_psi_r3_dot - h*sin_a*Z_r*side_r3*F_mu_r3_by_psi_r3_dot*F_tau_r3_by_F_mu_r3/cos_a;
+        }
         u1 theta {
             transmission_error_s1_and_backlash_s1_and_moving_phase => k_s1*de_s1*clips1*touchs1;
-            transmission_error_s1_and_sliding_friction_s1_and_moving_phase => sin_a*de_s1*side_s1*F_mu_s1_by_overs1/cos_a
-                - de_s1*arm_s1*F_mu_s1_by_overs1/r_p;
+            transmission_error_s1_and_sliding_friction_s1_and_moving_phase => sin_a*de_s1*side_s1*F_mu_s1_by_overs1*F_tau_s1_by_F_mu_s1
+                /cos_a + sin_a*de_s1*side_s1*F_tau_s1_by_overs1/cos_a - de_s1*arm_s1*F_mu_s1_by_overs1/r_p;
             transmission_error_s1_and_moving_phase => k_s1*de_s1*touchs1;
             backlash_s1_and_moving_phase => -dk_s1*clips1*touchs1*overs1;
-            sliding_friction_s1_and_moving_phase => darm_s1*F_mu_s1/r_p - sin_a*dk_s1*side_s1*F_mu_s1_by_k_s1/cos_a
-                - sin_a*dside_s1*F_mu_s1/cos_a + dk_s1*arm_s1*F_mu_s1_by_k_s1/r_p;
+            sliding_friction_s1_and_moving_phase => darm_s1*F_mu_s1/r_p - sin_a*dk_s1*side_s1*F_mu_s1_by_k_s1*F_tau_s1_by_F_mu_s1/cos_a
+                - sin_a*dside_s1*F_tau_s1/cos_a + dk_s1*arm_s1*F_mu_s1_by_k_s1/r_p;
             transmission_error_r1_and_backlash_r1_and_moving_phase => -k_r1*de_r1*clipr1*touchr1;
-            transmission_error_r1_and_sliding_friction_r1_and_moving_phase => -sin_a*de_r1*side_r1*F_mu_r1_by_overr1/cos_a
-                - de_r1*arm_r1*F_mu_r1_by_overr1/r_p;
+            transmission_error_r1_and_sliding_friction_r1_and_moving_phase => -sin_a*de_r1*side_r1*F_mu_r1_by_overr1*F_tau_r1_by_F_mu_r1
+                /cos_a - sin_a*de_r1*side_r1*F_tau_r1_by_overr1/cos_a - de_r1*arm_r1*F_mu_r1_by_overr1/r_p;
             transmission_error_r1_and_moving_phase => -k_r1*de_r1*touchr1;
             backlash_r1_and_moving_phase => dk_r1*clipr1*touchr1*overr1;
-            sliding_friction_r1_and_moving_phase => sin_a*dk_r1*side_r1*F_mu_r1_by_k_r1/cos_a + sin_a*dside_r1*F_mu_r1/cos_a
-                + darm_r1*F_mu_r1/r_p + dk_r1*arm_r1*F_mu_r1_by_k_r1/r_p;
+            sliding_friction_r1_and_moving_phase => sin_a*dk_r1*side_r1*F_mu_r1_by_k_r1*F_tau_r1_by_F_mu_r1/cos_a
+                + sin_a*dside_r1*F_tau_r1/cos_a + darm_r1*F_mu_r1/r_p + dk_r1*arm_r1*F_mu_r1_by_k_r1/r_p;
             moving_phase => dk_r1*touchr1*overr1 - dk_s1*touchs1*overs1;
         }
         u1 theta_dot { damping => h*I_p*alpha_M/r_p.powi(2) - I_p*alpha_M/(r_p*Z_r); }
@@ -1518,32 +1675,38 @@ equations! {
         u1 overs1 {
             _ => -k_s1*touchs1;
             backlash_s1 => -k_s1*clips1*touchs1;
-            sliding_friction_s1 => arm_s1*F_mu_s1_by_overs1/r_p - sin_a*side_s1*F_mu_s1_by_overs1/cos_a;
+            sliding_friction_s1 => arm_s1*F_mu_s1_by_overs1/r_p - sin_a*side_s1*F_mu_s1_by_overs1*F_tau_s1_by_F_mu_s1/cos_a
+                - sin_a*side_s1*F_tau_s1_by_overs1/cos_a;
         }
         u1 overr1 {
             _ => k_r1*touchr1;
             backlash_r1 => k_r1*clipr1*touchr1;
-            sliding_friction_r1 => sin_a*side_r1*F_mu_r1_by_overr1/cos_a + arm_r1*F_mu_r1_by_overr1/r_p;
+            sliding_friction_r1 => sin_a*side_r1*F_mu_r1_by_overr1*F_tau_r1_by_F_mu_r1/cos_a + sin_a*side_r1*F_tau_r1_by_overr1/cos_a
+                + arm_r1*F_mu_r1_by_overr1/r_p;
         }
         u1 overs1_dot { damping => -beta_K*k_s1_mid*damps1; }
-        u1 psi_s1_dot { sliding_friction_s1 => arm_s1*F_mu_s1_by_psi_s1_dot/r_p - sin_a*side_s1*F_mu_s1_by_psi_s1_dot/cos_a; }
+        u1 psi_s1_dot {
+            sliding_friction_s1 => arm_s1*F_mu_s1_by_psi_s1_dot/r_p - sin_a*side_s1*F_mu_s1_by_psi_s1_dot*F_tau_s1_by_F_mu_s1/cos_a;
+        }
         u1 overr1_dot { damping => beta_K*k_r1_mid*dampr1; }
-        u1 psi_r1_dot { sliding_friction_r1 => sin_a*side_r1*F_mu_r1_by_psi_r1_dot/cos_a + arm_r1*F_mu_r1_by_psi_r1_dot/r_p; }
+        u1 psi_r1_dot {
+            sliding_friction_r1 => sin_a*side_r1*F_mu_r1_by_psi_r1_dot*F_tau_r1_by_F_mu_r1/cos_a + arm_r1*F_mu_r1_by_psi_r1_dot/r_p;
+        }
         u2 theta {
             transmission_error_s2_and_backlash_s2_and_moving_phase => k_s2*de_s2*clips2*touchs2;
-            transmission_error_s2_and_sliding_friction_s2_and_moving_phase => sin_a*de_s2*side_s2*F_mu_s2_by_overs2/cos_a
-                - de_s2*arm_s2*F_mu_s2_by_overs2/r_p;
+            transmission_error_s2_and_sliding_friction_s2_and_moving_phase => sin_a*de_s2*side_s2*F_mu_s2_by_overs2*F_tau_s2_by_F_mu_s2
+                /cos_a + sin_a*de_s2*side_s2*F_tau_s2_by_overs2/cos_a - de_s2*arm_s2*F_mu_s2_by_overs2/r_p;
             transmission_error_s2_and_moving_phase => k_s2*de_s2*touchs2;
             backlash_s2_and_moving_phase => -dk_s2*clips2*touchs2*overs2;
-            sliding_friction_s2_and_moving_phase => darm_s2*F_mu_s2/r_p - sin_a*dk_s2*side_s2*F_mu_s2_by_k_s2/cos_a
-                - sin_a*dside_s2*F_mu_s2/cos_a + dk_s2*arm_s2*F_mu_s2_by_k_s2/r_p;
+            sliding_friction_s2_and_moving_phase => darm_s2*F_mu_s2/r_p - sin_a*dk_s2*side_s2*F_mu_s2_by_k_s2*F_tau_s2_by_F_mu_s2/cos_a
+                - sin_a*dside_s2*F_tau_s2/cos_a + dk_s2*arm_s2*F_mu_s2_by_k_s2/r_p;
             transmission_error_r2_and_backlash_r2_and_moving_phase => -k_r2*de_r2*clipr2*touchr2;
-            transmission_error_r2_and_sliding_friction_r2_and_moving_phase => -sin_a*de_r2*side_r2*F_mu_r2_by_overr2/cos_a
-                - de_r2*arm_r2*F_mu_r2_by_overr2/r_p;
+            transmission_error_r2_and_sliding_friction_r2_and_moving_phase => -sin_a*de_r2*side_r2*F_mu_r2_by_overr2*F_tau_r2_by_F_mu_r2
+                /cos_a - sin_a*de_r2*side_r2*F_tau_r2_by_overr2/cos_a - de_r2*arm_r2*F_mu_r2_by_overr2/r_p;
             transmission_error_r2_and_moving_phase => -k_r2*de_r2*touchr2;
             backlash_r2_and_moving_phase => dk_r2*clipr2*touchr2*overr2;
-            sliding_friction_r2_and_moving_phase => sin_a*dk_r2*side_r2*F_mu_r2_by_k_r2/cos_a + sin_a*dside_r2*F_mu_r2/cos_a
-                + darm_r2*F_mu_r2/r_p + dk_r2*arm_r2*F_mu_r2_by_k_r2/r_p;
+            sliding_friction_r2_and_moving_phase => sin_a*dk_r2*side_r2*F_mu_r2_by_k_r2*F_tau_r2_by_F_mu_r2/cos_a
+                + sin_a*dside_r2*F_tau_r2/cos_a + darm_r2*F_mu_r2/r_p + dk_r2*arm_r2*F_mu_r2_by_k_r2/r_p;
             moving_phase => dk_r2*touchr2*overr2 - dk_s2*touchs2*overs2;
         }
         u2 theta_dot { damping => h*I_p*alpha_M/r_p.powi(2) - I_p*alpha_M/(r_p*Z_r); }
@@ -1552,32 +1715,38 @@ equations! {
         u2 overs2 {
             _ => -k_s2*touchs2;
             backlash_s2 => -k_s2*clips2*touchs2;
-            sliding_friction_s2 => arm_s2*F_mu_s2_by_overs2/r_p - sin_a*side_s2*F_mu_s2_by_overs2/cos_a;
+            sliding_friction_s2 => arm_s2*F_mu_s2_by_overs2/r_p - sin_a*side_s2*F_mu_s2_by_overs2*F_tau_s2_by_F_mu_s2/cos_a
+                - sin_a*side_s2*F_tau_s2_by_overs2/cos_a;
         }
         u2 overr2 {
             _ => k_r2*touchr2;
             backlash_r2 => k_r2*clipr2*touchr2;
-            sliding_friction_r2 => sin_a*side_r2*F_mu_r2_by_overr2/cos_a + arm_r2*F_mu_r2_by_overr2/r_p;
+            sliding_friction_r2 => sin_a*side_r2*F_mu_r2_by_overr2*F_tau_r2_by_F_mu_r2/cos_a + sin_a*side_r2*F_tau_r2_by_overr2/cos_a
+                + arm_r2*F_mu_r2_by_overr2/r_p;
         }
         u2 overs2_dot { damping => -beta_K*k_s2_mid*damps2; }
-        u2 psi_s2_dot { sliding_friction_s2 => arm_s2*F_mu_s2_by_psi_s2_dot/r_p - sin_a*side_s2*F_mu_s2_by_psi_s2_dot/cos_a; }
+        u2 psi_s2_dot {
+            sliding_friction_s2 => arm_s2*F_mu_s2_by_psi_s2_dot/r_p - sin_a*side_s2*F_mu_s2_by_psi_s2_dot*F_tau_s2_by_F_mu_s2/cos_a;
+        }
         u2 overr2_dot { damping => beta_K*k_r2_mid*dampr2; }
-        u2 psi_r2_dot { sliding_friction_r2 => sin_a*side_r2*F_mu_r2_by_psi_r2_dot/cos_a + arm_r2*F_mu_r2_by_psi_r2_dot/r_p; }
+        u2 psi_r2_dot {
+            sliding_friction_r2 => sin_a*side_r2*F_mu_r2_by_psi_r2_dot*F_tau_r2_by_F_mu_r2/cos_a + arm_r2*F_mu_r2_by_psi_r2_dot/r_p;
+        }
         u3 theta {
             transmission_error_s3_and_backlash_s3_and_moving_phase => k_s3*de_s3*clips3*touchs3;
-            transmission_error_s3_and_sliding_friction_s3_and_moving_phase => sin_a*de_s3*side_s3*F_mu_s3_by_overs3/cos_a
-                - de_s3*arm_s3*F_mu_s3_by_overs3/r_p;
+            transmission_error_s3_and_sliding_friction_s3_and_moving_phase => sin_a*de_s3*side_s3*F_mu_s3_by_overs3*F_tau_s3_by_F_mu_s3
+                /cos_a + sin_a*de_s3*side_s3*F_tau_s3_by_overs3/cos_a - de_s3*arm_s3*F_mu_s3_by_overs3/r_p;
             transmission_error_s3_and_moving_phase => k_s3*de_s3*touchs3;
             backlash_s3_and_moving_phase => -dk_s3*clips3*touchs3*overs3;
-            sliding_friction_s3_and_moving_phase => darm_s3*F_mu_s3/r_p - sin_a*dk_s3*side_s3*F_mu_s3_by_k_s3/cos_a
-                - sin_a*dside_s3*F_mu_s3/cos_a + dk_s3*arm_s3*F_mu_s3_by_k_s3/r_p;
+            sliding_friction_s3_and_moving_phase => darm_s3*F_mu_s3/r_p - sin_a*dk_s3*side_s3*F_mu_s3_by_k_s3*F_tau_s3_by_F_mu_s3/cos_a
+                - sin_a*dside_s3*F_tau_s3/cos_a + dk_s3*arm_s3*F_mu_s3_by_k_s3/r_p;
             transmission_error_r3_and_backlash_r3_and_moving_phase => -k_r3*de_r3*clipr3*touchr3;
-            transmission_error_r3_and_sliding_friction_r3_and_moving_phase => -sin_a*de_r3*side_r3*F_mu_r3_by_overr3/cos_a
-                - de_r3*arm_r3*F_mu_r3_by_overr3/r_p;
+            transmission_error_r3_and_sliding_friction_r3_and_moving_phase => -sin_a*de_r3*side_r3*F_mu_r3_by_overr3*F_tau_r3_by_F_mu_r3
+                /cos_a - sin_a*de_r3*side_r3*F_tau_r3_by_overr3/cos_a - de_r3*arm_r3*F_mu_r3_by_overr3/r_p;
             transmission_error_r3_and_moving_phase => -k_r3*de_r3*touchr3;
             backlash_r3_and_moving_phase => dk_r3*clipr3*touchr3*overr3;
-            sliding_friction_r3_and_moving_phase => sin_a*dk_r3*side_r3*F_mu_r3_by_k_r3/cos_a + sin_a*dside_r3*F_mu_r3/cos_a
-                + darm_r3*F_mu_r3/r_p + dk_r3*arm_r3*F_mu_r3_by_k_r3/r_p;
+            sliding_friction_r3_and_moving_phase => sin_a*dk_r3*side_r3*F_mu_r3_by_k_r3*F_tau_r3_by_F_mu_r3/cos_a
+                + sin_a*dside_r3*F_tau_r3/cos_a + darm_r3*F_mu_r3/r_p + dk_r3*arm_r3*F_mu_r3_by_k_r3/r_p;
             moving_phase => dk_r3*touchr3*overr3 - dk_s3*touchs3*overs3;
         }
         u3 theta_dot { damping => h*I_p*alpha_M/r_p.powi(2) - I_p*alpha_M/(r_p*Z_r); }
@@ -1586,17 +1755,23 @@ equations! {
         u3 overs3 {
             _ => -k_s3*touchs3;
             backlash_s3 => -k_s3*clips3*touchs3;
-            sliding_friction_s3 => arm_s3*F_mu_s3_by_overs3/r_p - sin_a*side_s3*F_mu_s3_by_overs3/cos_a;
+            sliding_friction_s3 => arm_s3*F_mu_s3_by_overs3/r_p - sin_a*side_s3*F_mu_s3_by_overs3*F_tau_s3_by_F_mu_s3/cos_a
+                - sin_a*side_s3*F_tau_s3_by_overs3/cos_a;
         }
         u3 overr3 {
             _ => k_r3*touchr3;
             backlash_r3 => k_r3*clipr3*touchr3;
-            sliding_friction_r3 => sin_a*side_r3*F_mu_r3_by_overr3/cos_a + arm_r3*F_mu_r3_by_overr3/r_p;
+            sliding_friction_r3 => sin_a*side_r3*F_mu_r3_by_overr3*F_tau_r3_by_F_mu_r3/cos_a + sin_a*side_r3*F_tau_r3_by_overr3/cos_a
+                + arm_r3*F_mu_r3_by_overr3/r_p;
         }
         u3 overs3_dot { damping => -beta_K*k_s3_mid*damps3; }
-        u3 psi_s3_dot { sliding_friction_s3 => arm_s3*F_mu_s3_by_psi_s3_dot/r_p - sin_a*side_s3*F_mu_s3_by_psi_s3_dot/cos_a; }
+        u3 psi_s3_dot {
+            sliding_friction_s3 => arm_s3*F_mu_s3_by_psi_s3_dot/r_p - sin_a*side_s3*F_mu_s3_by_psi_s3_dot*F_tau_s3_by_F_mu_s3/cos_a;
+        }
         u3 overr3_dot { damping => beta_K*k_r3_mid*dampr3; }
-        u3 psi_r3_dot { sliding_friction_r3 => sin_a*side_r3*F_mu_r3_by_psi_r3_dot/cos_a + arm_r3*F_mu_r3_by_psi_r3_dot/r_p; }
+        u3 psi_r3_dot {
+            sliding_friction_r3 => sin_a*side_r3*F_mu_r3_by_psi_r3_dot*F_tau_r3_by_F_mu_r3/cos_a + arm_r3*F_mu_r3_by_psi_r3_dot/r_p;
+        }
     }
     cell {
         stiffness {
@@ -1701,17 +1876,17 @@ equations! {
         }
     }
     nonlinear_with {
-        sliding_friction_s1 "-side_s1*F_mu_s1 in the torque `slide_s1`";
+        sliding_friction_s1 "-side_s1*F_tau_s1 in the torque `slide_s1`";
         sliding_friction_s1 "-arm_s1*F_mu_s1 in the torque `roll_s1`";
-        sliding_friction_r1 "-side_r1*F_mu_r1 in the torque `slide_r1`";
+        sliding_friction_r1 "-side_r1*F_tau_r1 in the torque `slide_r1`";
         sliding_friction_r1 "-arm_r1*F_mu_r1 in the torque `roll_r1`";
-        sliding_friction_s2 "-side_s2*F_mu_s2 in the torque `slide_s2`";
+        sliding_friction_s2 "-side_s2*F_tau_s2 in the torque `slide_s2`";
         sliding_friction_s2 "-arm_s2*F_mu_s2 in the torque `roll_s2`";
-        sliding_friction_r2 "-side_r2*F_mu_r2 in the torque `slide_r2`";
+        sliding_friction_r2 "-side_r2*F_tau_r2 in the torque `slide_r2`";
         sliding_friction_r2 "-arm_r2*F_mu_r2 in the torque `roll_r2`";
-        sliding_friction_s3 "-side_s3*F_mu_s3 in the torque `slide_s3`";
+        sliding_friction_s3 "-side_s3*F_tau_s3 in the torque `slide_s3`";
         sliding_friction_s3 "-arm_s3*F_mu_s3 in the torque `roll_s3`";
-        sliding_friction_r3 "-side_r3*F_mu_r3 in the torque `slide_r3`";
+        sliding_friction_r3 "-side_r3*F_tau_r3 in the torque `slide_r3`";
         sliding_friction_r3 "-arm_r3*F_mu_r3 in the torque `roll_r3`";
         induction_motor "T_induction_motor in the torque `induction`";
         traction_motor "T_traction_motor in the torque `traction`";
@@ -2069,28 +2244,34 @@ equations! {
 // - the friction `roll_r2` takes energy or none: its power is never positive
 // - the friction `roll_s3` takes energy or none: its power is never positive
 // - the friction `roll_r3` takes energy or none: its power is never positive
-// - the friction `slide_s1` takes with `roll_s1` energy or none where psi_s1_dot and arm_s1 psi_s1_dot + side_s1 tau_s1_dot have one sign:
-//   where flanks slide as rolling makes them
+// - the friction `slide_s1` is the force of `roll_s1` times at most 1, along its sign or against it
+// - the friction `slide_s1` takes with `roll_s1` energy or none where psi_s1_dot and arm_s1 psi_s1_dot + side_s1 tau_s1_dot have one sign,
+//   on the coast flank with -side_s1: where flanks slide as rolling makes them
 // - the friction `slide_s1` takes with `roll_s1` energy or none in every mode of psi_s1, in scenes with flank_stiction_s1: from the guards
 //   that hold in the mode
-// - the friction `slide_r1` takes with `roll_r1` energy or none where psi_r1_dot and arm_r1 psi_r1_dot + side_r1 tau_r1_dot have one sign:
-//   where flanks slide as rolling makes them
+// - the friction `slide_r1` is the force of `roll_r1` times at most 1, along its sign or against it
+// - the friction `slide_r1` takes with `roll_r1` energy or none where psi_r1_dot and arm_r1 psi_r1_dot + side_r1 tau_r1_dot have one sign,
+//   on the coast flank with -side_r1: where flanks slide as rolling makes them
 // - the friction `slide_r1` takes with `roll_r1` energy or none in every mode of psi_r1, in scenes with flank_stiction_r1: from the guards
 //   that hold in the mode
-// - the friction `slide_s2` takes with `roll_s2` energy or none where psi_s2_dot and arm_s2 psi_s2_dot + side_s2 tau_s2_dot have one sign:
-//   where flanks slide as rolling makes them
+// - the friction `slide_s2` is the force of `roll_s2` times at most 1, along its sign or against it
+// - the friction `slide_s2` takes with `roll_s2` energy or none where psi_s2_dot and arm_s2 psi_s2_dot + side_s2 tau_s2_dot have one sign,
+//   on the coast flank with -side_s2: where flanks slide as rolling makes them
 // - the friction `slide_s2` takes with `roll_s2` energy or none in every mode of psi_s2, in scenes with flank_stiction_s2: from the guards
 //   that hold in the mode
-// - the friction `slide_r2` takes with `roll_r2` energy or none where psi_r2_dot and arm_r2 psi_r2_dot + side_r2 tau_r2_dot have one sign:
-//   where flanks slide as rolling makes them
+// - the friction `slide_r2` is the force of `roll_r2` times at most 1, along its sign or against it
+// - the friction `slide_r2` takes with `roll_r2` energy or none where psi_r2_dot and arm_r2 psi_r2_dot + side_r2 tau_r2_dot have one sign,
+//   on the coast flank with -side_r2: where flanks slide as rolling makes them
 // - the friction `slide_r2` takes with `roll_r2` energy or none in every mode of psi_r2, in scenes with flank_stiction_r2: from the guards
 //   that hold in the mode
-// - the friction `slide_s3` takes with `roll_s3` energy or none where psi_s3_dot and arm_s3 psi_s3_dot + side_s3 tau_s3_dot have one sign:
-//   where flanks slide as rolling makes them
+// - the friction `slide_s3` is the force of `roll_s3` times at most 1, along its sign or against it
+// - the friction `slide_s3` takes with `roll_s3` energy or none where psi_s3_dot and arm_s3 psi_s3_dot + side_s3 tau_s3_dot have one sign,
+//   on the coast flank with -side_s3: where flanks slide as rolling makes them
 // - the friction `slide_s3` takes with `roll_s3` energy or none in every mode of psi_s3, in scenes with flank_stiction_s3: from the guards
 //   that hold in the mode
-// - the friction `slide_r3` takes with `roll_r3` energy or none where psi_r3_dot and arm_r3 psi_r3_dot + side_r3 tau_r3_dot have one sign:
-//   where flanks slide as rolling makes them
+// - the friction `slide_r3` is the force of `roll_r3` times at most 1, along its sign or against it
+// - the friction `slide_r3` takes with `roll_r3` energy or none where psi_r3_dot and arm_r3 psi_r3_dot + side_r3 tau_r3_dot have one sign,
+//   on the coast flank with -side_r3: where flanks slide as rolling makes them
 // - the friction `slide_r3` takes with `roll_r3` energy or none in every mode of psi_r3, in scenes with flank_stiction_r3: from the guards
 //   that hold in the mode
 // - every deflection equals the linear form by which the equations differentiate it
@@ -2105,6 +2286,6 @@ equations! {
 // | output | sums | products, quotients | functions, roots |
 // | --- | --- | --- | --- |
 // | constants (once a scene) | 4 | 14 | 2 |
-// | named forces | 51 | 183 | 33 |
+// | named forces | 57 | 207 | 39 |
 // | force | 93 | 492 | 0 |
 // | energy steps, all laws | 6 | 66 | 0 |

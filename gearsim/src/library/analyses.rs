@@ -39,8 +39,16 @@ impl Scene {
     /// # Errors
     /// If a cell has no modes, the stiffnesses have no common period, no motion repeats, nothing vibrates, or the multipliers overflow.
     pub fn floquet(&self) -> Result<Floquet, Error> {
+        self.floquet_watched(&|| {})
+    }
+
+    /// The same; `watch` is called many times meanwhile. It ends the analysis by unwinding.
+    ///
+    /// # Errors
+    /// As [`Scene::floquet`].
+    pub fn floquet_watched(&self, watch: &dyn Fn()) -> Result<Floquet, Error> {
         let system = self.entry()?.about_steady_motion(self).map_err(|refusal| self.refused(refusal))?;
-        Floquet::of(self, &system).map_err(|error| match error {
+        Floquet::of(self, &system, watch).map_err(|error| match error {
             FloquetError::Refused(refusal) => self.refused(refusal),
             cause => Error::Floquet { scene: self.name.clone(), cause },
         })

@@ -1,8 +1,9 @@
 //! What is evaluated of a run beside its statistics, as files: lines, load spectra and sounds.
 
-use crate::analysis::{rainflow, sound};
+use crate::analysis::{rainflow, sampling, sound};
 use crate::output::lines::Lines;
 use crate::output::summary::{Number, Sound};
+use crate::output::unit::in_words;
 use crate::output::{OutputError, OutputFolder, csv, load_spectrum, wav};
 use crate::run::Outcome;
 use crate::scene::Scene;
@@ -12,6 +13,14 @@ use crate::scene::Scene;
 pub(crate) fn write(folder: &mut OutputFolder, scene: &Scene, outcome: &Outcome) -> Result<Evaluated, OutputError> {
     let (run, asked) = (&outcome.trajectory, &scene.output);
     let mut done = Evaluated::default();
+    if let Some((coordinate, rate)) = sampling::too_far_apart(run, asked.from) {
+        done.warnings.push(format!(
+            "`{coordinate}` vibrates faster than samples at {} can show: spectra, lines, sounds and load cycles of them are \
+             wrong. Set a higher output.rate, for example \"{}\"",
+            in_words(rate, "Hz"),
+            in_words(10.0 * rate, "Hz")
+        ));
+    }
     match Lines::of(run, &asked.spectrum) {
         Ok(Some(lines)) => {
             folder.write("lines.csv", |sink| csv::write(&lines.table(&asked.spectrum)?, sink))?;

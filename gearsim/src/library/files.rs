@@ -37,12 +37,12 @@ pub(crate) fn trajectory(
     Ok(())
 }
 
-/// Writes the plots of `scene` as SVG and PNG. A plot that cannot be drawn does not end the command: the return value has a warning
+/// Writes the plots of `runs` as SVG and PNG. A plot that cannot be drawn does not end the command: the return value has a warning
 /// for each.
-pub(crate) fn plots(folder: &mut OutputFolder, scene: &Scene, runs: &[Run<'_>]) -> Result<Vec<String>, OutputError> {
+pub(crate) fn plots(folder: &mut OutputFolder, runs: &[Run<'_>]) -> Result<Vec<String>, OutputError> {
     let mut warnings = vec![];
-    for name in &scene.output.plots {
-        match draw(name, runs) {
+    for name in plot::chosen(runs) {
+        match draw(&name, runs) {
             Ok((svg, png)) => {
                 folder.write_bytes(&format!("{name}.svg"), svg.as_bytes())?;
                 folder.write_bytes(&format!("{name}.png"), &png)?;

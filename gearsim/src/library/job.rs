@@ -41,6 +41,11 @@ impl Job {
         self.sweep.points
     }
 
+    /// The axes, each as for the option `--vary`.
+    pub fn axes(&self) -> &[String] {
+        &self.manifest.vary
+    }
+
     /// Runs some points on `threads` threads, or on all cores. `watch` is told how many are finished, and ends the part by `Break`; the
     /// rows are then fewer.
     ///
@@ -103,11 +108,20 @@ impl Job {
 
     /// The rows of a table of all points.
     fn complete(&self, table: &Table) -> Result<folder::Rows, Error> {
-        let rows = row::read(table, &self.layout.columns).filter(|rows| rows.len() == self.points());
-        let rows = rows.ok_or_else(|| {
-            Error::impossible("this table is not that of all points of the sweep", "give the table of a finished sweep")
+        let not_of_this = |what: String| Error::impossible(what, "give the table that this sweep has returned");
+        let rows = row::read(table, &self.layout.columns).ok_or_else(|| {
+            let columns: Vec<&str> = self.layout.columns.iter().map(|(name, _)| name.as_str()).collect();
+            not_of_this(format!("this table is not that of the sweep, which has the columns {}", columns.join(", ")))
         })?;
-        Ok(rows.into_iter().map(|row| (row.point, row)).collect())
+        let rows: folder::Rows = rows.into_iter().map(|row| (row.point, row)).collect();
+        if table.rows() != self.points() || !rows.keys().copied().eq(0..self.points()) {
+            let what = format!("this table has {} points, not all {} of the sweep", rows.len(), self.points());
+            return Err(not_of_this(what));
+        }
+        match row::strange(table, &self.layout.plan) {
+            Some(key) => Err(not_of_this(format!("this table is that of another sweep: its values of `{key}` differ"))),
+            None => Ok(rows),
+        }
     }
 
     /// Rows as bytes, to be sent to the process that gathers them ([`Gathering::keep_packed`]): the file of a part, with a checksum.

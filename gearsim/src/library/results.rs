@@ -134,15 +134,7 @@ impl Results {
 
     /// The run as plots take it.
     pub(crate) fn drawn(&self) -> plot::Run<'_> {
-        let Results { scene, outcome } = self;
-        plot::Run {
-            label: &scene.name,
-            trajectory: &outcome.trajectory,
-            reference_frequency: outcome.reference_frequency,
-            scene: &scene.name,
-            asked: &scene.output,
-            none_from: outcome.digits.and_then(|digits| digits.none_from),
-        }
+        plot::Run::of(&self.scene, &self.outcome)
     }
 
     /// Writes the files of `gearsim run` to a folder, and returns their paths. An earlier result in the folder is replaced after the
@@ -211,7 +203,7 @@ impl Results {
     ) -> Result<Evaluated, Error> {
         let Results { scene, outcome } = self;
         files::trajectory(folder, "trajectory", csv, scene, outcome)?;
-        files::plots(folder, scene, &[self.drawn()])?.iter().for_each(|warning| warn(warning));
+        files::plots(folder, &[self.drawn()])?.iter().for_each(|warning| warn(warning));
         let evaluated = evaluate::write(folder, scene, outcome)?;
         evaluated.warnings.iter().for_each(|warning| warn(warning));
         Ok(evaluated)

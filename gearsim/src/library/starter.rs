@@ -27,7 +27,9 @@ const USUAL: &[(&str, &str)] = &[
 
 /// Values for parameters with a unit whose description has these words, before those of the unit alone.
 const BY_WORDS: &[(&str, &str, &str)] = &[
-    ("1", "number of teeth of the ring", "75"),
+    // Three, four, five or six equally spaced planets fit between them.
+    ("1", "number of teeth of the sun", "30"),
+    ("1", "number of teeth of the ring", "90"),
     ("1", "number of teeth", "25"),
     ("1", "number of pole pairs", "2"),
     ("rad", "backlash", "1e-3 rad"),

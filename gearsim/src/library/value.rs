@@ -15,13 +15,25 @@ pub enum Value {
 impl Value {
     /// The override of `key`, as for the option `--set`.
     pub(super) fn set(&self, key: &str, model: Option<&Model>) -> String {
+        format!("{key}={}", self.written(key, model))
+    }
+
+    /// The value of `key`, written as in a scene file. No digit of a number is lost.
+    fn written(&self, key: &str, model: Option<&Model>) -> String {
         match self {
-            Value::Text(text) => format!("{key}={text}"),
+            Value::Text(text) => text.clone(),
             Value::Number(number) => match model.and_then(|model| unit_of(key, model)) {
-                Some(unit) if !["", "1"].contains(&unit.as_str()) => format!("{key}={number:?} {unit}"),
-                _ => format!("{key}={number}"),
+                Some(unit) if !["", "1"].contains(&unit.as_str()) => format!("{number:?} {unit}"),
+                _ => number.to_string(),
             },
         }
+    }
+
+    /// The same as a value of the list of an axis. Commas and colons that belong to the value are put in quotes.
+    pub(super) fn listed(&self, key: &str, model: &Model) -> String {
+        let text = self.written(key, Some(model));
+        let is_bare = !text.trim_start().starts_with(['[', '{', '"', '\'']);
+        if is_bare && text.contains([',', ':']) { format!("{text:?}") } else { text }
     }
 }
 

@@ -2,7 +2,7 @@
 
 use std::ops::ControlFlow;
 
-use super::{Error, Job};
+use super::{Error, Job, Value};
 use crate::known;
 use crate::output::Table;
 use crate::scene::{Scene, Template};
@@ -11,7 +11,8 @@ use crate::sweep::{Design, Request, Sweep};
 
 impl Scene {
     /// Begins a sweep over an axis, written as for the option `--vary`: `start.speed=100 rpm:6000 rpm:200`,
-    /// `parameters.zeta=0.02,0.05`, `parameters.T0=uniform:1 N*m:9 N*m`.
+    /// `parameters.zeta=0.02,0.05`, `parameters.T0=uniform:1 N*m:9 N*m`. The axis wins over a value of its key that was set in code
+    /// ([`Scene::with`]).
     pub fn vary(&self, axis: &str) -> Variation {
         let request = Request {
             vary: vec![axis.into()],
@@ -20,6 +21,22 @@ impl Scene {
             ..Request::default()
         };
         Variation { scene: self.clone(), request, hold: Hold::Own }
+    }
+
+    /// The axis of a list of values, for [`Scene::vary`]: numbers \[SI\], and texts with units.
+    ///
+    /// ```
+    /// use gearsim::{Scene, Value};
+    ///
+    /// let scene = Scene::of_model("chain_2").set("parameters.I1", 0.5).set("parameters.I2", 0.25);
+    /// let scene = scene.set("parameters.k1", 1e4).set("run.t_end", "0.1 s").build()?;
+    /// let axis = scene.axis("parameters.k1", &[Value::from(0.1), Value::from("2 kN*m/rad")]);
+    /// assert_eq!(axis, "parameters.k1=0.1 N*m/rad,2 kN*m/rad");
+    /// # Ok::<(), gearsim::Error>(())
+    /// ```
+    pub fn axis(&self, key: &str, values: &[Value]) -> String {
+        let values: Vec<String> = values.iter().map(|value| value.listed(key, self.model)).collect();
+        format!("{key}={}", values.join(","))
     }
 }
 
@@ -47,7 +64,7 @@ impl Variation {
 
     /// Start of the time span over which extremes and means are taken \[s\]; without it, 0.
     pub fn from(mut self, t: f64) -> Self {
-        self.request.from = t;
+        self.request.from = Some(t);
         self
     }
 
@@ -108,5 +125,39 @@ impl Variation {
     fn sweep(&self) -> Result<Sweep, Error> {
         let template = Template::again(&self.scene, &self.request.overrides)?;
         Ok(Sweep::of(template, known::models(), &self.request)?)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::Scene;
+
+    fn struck() -> Scene {
+        let scene = Scene::of_model("chain_2").set("parameters.I1", 0.5).set("parameters.I2", 0.25);
+        let scene = scene.set("parameters.k1", "10 kN*m/rad").set("start.theta1_dot", 1.0).set("run.t_end", "10 ms");
+        scene.build().unwrap()
+    }
+
+    /// The values of an axis win over one that was set in code: the points are those of scenes in which they are set.
+    #[test]
+    fn an_axis_wins_over_a_value_that_was_set() {
+        let scene = struck().with("parameters.k1", "12 kN*m/rad").unwrap();
+        let table = scene.vary("parameters.k1=20 kN*m/rad,40 kN*m/rad").record(&["state"]).run().unwrap();
+        assert_eq!(table.numbers("parameters.k1").unwrap(), [2e4, 4e4]);
+        for (i, k) in [2e4, 4e4].into_iter().enumerate() {
+            let run = struck().with("parameters.k1", k).unwrap().run().unwrap();
+            let end = *run.trajectory().q_dot[0].last().unwrap();
+            assert!((table.numbers("theta1_dot").unwrap()[i] / end - 1.0).abs() < 1e-12);
+        }
+    }
+
+    #[test]
+    fn the_axis_of_a_response_wins_over_a_value_that_was_set() {
+        let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../models/scenes/response.toml");
+        let scene = Scene::load(path).unwrap().with("start.speed", "4000 rpm").unwrap();
+        let response = scene.vary("start.speed=5000 rpm,5100 rpm").from(0.05).response().unwrap();
+        let rpm = std::f64::consts::TAU / 60.0;
+        let expected = [5000.0, 5100.0, 5100.0, 5000.0].map(|speed| speed * rpm);
+        assert!(response.points.iter().zip(expected).all(|(point, value)| (point.value / value - 1.0).abs() < 1e-14));
     }
 }

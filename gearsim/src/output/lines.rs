@@ -1,4 +1,5 @@
-//! The table of lines, `lines.csv`: amplitudes of the recorded forces and transmission errors at mesh orders and their sidebands.
+//! The table of lines, `lines.csv`: amplitudes of the recorded forces and transmission errors at mesh orders and at those of their sidebands that
+//! are lines of their own.
 
 use std::borrow::Cow;
 
@@ -23,10 +24,14 @@ pub struct Lines {
     pub shaft: &'static Output,
     /// The lines.
     pub lines: Vec<Line>,
+    /// The meshes whose speeds vary, so that their lines have no one frequency.
+    pub varying: Vec<&'static str>,
     /// The outputs in the table.
     pub outputs: Vec<&'static Output>,
     /// Peak amplitudes (lines, outputs) [units of the outputs].
     pub amplitudes: Vec<Vec<f64>>,
+    /// Whether an output has a line (outputs, lines): a sideband is listed only where it is one.
+    pub has: Vec<Vec<bool>>,
 }
 
 impl Lines {
@@ -46,7 +51,15 @@ impl Lines {
         let turning = Turning::of(run, shaft.name, settings.from)?;
         let lines = lines(&turning, &meshes);
         let amplitudes = turning.amplitudes(&columns, &lines);
-        Ok(Some(Lines { shaft, lines, outputs, amplitudes }))
+        let has = columns.iter().map(|column| turning.has(column, &lines)).collect();
+        let varying = meshes.iter().filter(|mesh| !mesh.steady).map(|mesh| mesh.name).collect();
+        Ok(Some(Lines { shaft, lines, varying, outputs, amplitudes, has }))
+    }
+
+    /// The lines of the output number `o`, each with its peak amplitude.
+    fn of_output(&self, o: usize) -> impl Iterator<Item = (&Line, f64)> {
+        let all = self.lines.iter().zip(&self.amplitudes).zip(&self.has[o]);
+        all.filter(|(_, has)| **has).map(move |((line, amplitudes), _)| (line, amplitudes[o]))
     }
 
     /// The table, a row for each output and line. Errors: [`OutputError::Ragged`].
@@ -54,12 +67,11 @@ impl Lines {
         let (mut words, mut numbers) = ([(); 5].map(|()| vec![]), [(); 6].map(|()| vec![]));
         for (o, output) in self.outputs.iter().enumerate() {
             let (reference, value) = settings.reference(output.unit);
-            for (line, amplitudes) in self.lines.iter().zip(&self.amplitudes) {
+            for (line, amplitude) in self.of_output(o) {
                 let rotor = line.rotor.unwrap_or_default();
                 let texts = [output.name, output.unit, line.mesh, rotor].map(Cow::Borrowed);
                 let texts = texts.into_iter().chain([Cow::Owned(reference.clone())]);
                 words.iter_mut().zip(texts).for_each(|(column, text)| column.push(text));
-                let amplitude = amplitudes[o];
                 let level = 20.0 * (amplitude / value).log10();
                 let (harmonic, sideband) = (line.harmonic as f64, f64::from(line.sideband));
                 let row = [harmonic, sideband, line.order, line.frequency, amplitude, level];
@@ -87,7 +99,7 @@ impl Lines {
     /// only one, a multiple of a mesh order if there is one.
     pub fn largest(&self, output: &Output, most: usize) -> Vec<(Line, f64)> {
         let Some(o) = self.outputs.iter().position(|known| known.name == output.name) else { return vec![] };
-        let mut all: Vec<_> = self.lines.iter().zip(&self.amplitudes).map(|(line, a)| (*line, a[o])).collect();
+        let mut all: Vec<_> = self.of_output(o).map(|(line, amplitude)| (*line, amplitude)).collect();
         all.sort_by_key(|(line, _)| line.rotor.is_some());
         let mut apart: Vec<(Line, f64)> = vec![];
         for (line, amplitude) in all {

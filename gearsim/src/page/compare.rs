@@ -28,7 +28,7 @@ pub fn page(made: &Made<'_>, runs: &[Run<'_>], summaries: &[Summary]) -> Result<
         html.pairs(labels.iter().zip(summaries).map(method));
     });
     page.section("plots", "Plots", |html| {
-        for name in &made.scene.output.plots {
+        for name in &plot::chosen(runs) {
             match plot::find(name).and_then(|plot| (plot.draw)(runs)) {
                 Ok(drawn) => figure::fill(html, name, &drawn),
                 Err(error) => html.note(&format!("There is no plot {name}: {error}.")),

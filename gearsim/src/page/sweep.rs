@@ -74,8 +74,10 @@ fn scene(html: &mut Html, sweep: &Sweep<'_>) {
         Some(text) => html.code(&format!("{}.toml, as read", manifest.scene), text, true),
         None => html.paragraph("The folder of the sweep does not have the text of the scene."),
     }
-    if !manifest.overrides.is_empty() {
-        html.code("Values set at all points", &manifest.overrides.join("\n"), true);
+    let at_all = |set: &&String| !crate::sweep::is_varied(&manifest.vary, set);
+    let at_all: Vec<&str> = manifest.overrides.iter().filter(at_all).map(String::as_str).collect();
+    if !at_all.is_empty() {
+        html.code("Values set at all points", &at_all.join("\n"), true);
     }
     html.pairs([("model", model.name), ("title", model.title), ("source", model.source)]);
 }

@@ -1,12 +1,15 @@
 //! Campbell diagram: natural frequencies and harmonics of the mesh frequencies over the speed.
 
+use std::collections::BTreeSet;
+
 use super::{Axis, Figure, Marker, Note, Panel, Place, PlotError, Series, Style};
-use crate::analysis::modes::CellModes;
+use crate::analysis::modes::{CellModes, Meeting, meetings};
 use crate::analysis::steady::SteadyLaw;
 use crate::output::number::short;
 use crate::scene::Scene;
+use crate::tolerance::analysis::NEAR_RESONANCE;
 
-/// Number of harmonics drawn of each mesh frequency.
+/// Harmonics of each mesh frequency that are drawn at least; higher ones where they are near a mode at the scene's speed.
 const HARMONICS: usize = 4;
 /// Two lines of frequencies closer than this are one [relative].
 const SAME: f64 = 1e-6;
@@ -30,7 +33,15 @@ const POINTS: usize = 200;
 pub fn draw(scene: &Scene, courses: &[SteadyLaw], cell: &CellModes) -> Result<Figure, PlotError> {
     let nothing = |why: &str| PlotError::Nothing { plot: "campbell", why: why.into() };
     let meshes = meshes(courses);
-    let Some((first, _)) = meshes.first() else { return Err(nothing("no mesh of the scene turns and steps")) };
+    let meetings = meetings(courses, cell);
+    let harmonics = |frequency: f64| {
+        let of_mesh = |meeting: &&Meeting| is_same(courses[meeting.law].mesh_frequency(), frequency);
+        let listed = meetings.iter().filter(of_mesh).map(|meeting| meeting.harmonic);
+        (1..=HARMONICS).chain(listed).collect::<BTreeSet<usize>>()
+    };
+    let meshes: Vec<(String, f64, BTreeSet<usize>)> =
+        meshes.into_iter().map(|(name, frequency)| (name, frequency, harmonics(frequency))).collect();
+    let Some((first, ..)) = meshes.first() else { return Err(nothing("no mesh of the scene turns and steps")) };
     let modes: Vec<(usize, f64)> = cell.modes.iter().map(|m| m.damped).enumerate().filter(|(_, f)| *f > 0.0).collect();
     let frequencies = || modes.iter().map(|(_, f)| *f);
     let highest = frequencies().fold(0.0, f64::max);
@@ -46,23 +57,25 @@ pub fn draw(scene: &Scene, courses: &[SteadyLaw], cell: &CellModes) -> Result<Fi
         None => (format!("mesh frequency of {first}"), "Hz", meshes[0].1),
     };
     // Every mode is in the diagram, and each line of a mesh up to the lowest one.
-    let reach = meshes.iter().map(|(_, f)| lowest / f).fold(0.0, f64::max).min(4.0);
+    let reach = meshes.iter().map(|(_, f, _)| lowest / f).fold(0.0, f64::max).min(4.0);
     let longest = now * reach.max(1.5);
-    let top = 1.06 * highest.max(meshes.iter().map(|(_, f)| *f).fold(0.0, f64::max));
+    let top = 1.06 * highest.max(meshes.iter().map(|(_, f, _)| *f).fold(0.0, f64::max));
     let mut series = modes_drawn(&modes, longest, top);
-    for (n, (name, frequency)) in meshes.iter().enumerate() {
-        for harmonic in 1..=HARMONICS {
+    let notes = meshes.iter().map(|(.., harmonics)| harmonics.len()).sum::<usize>() <= MOST_NOTES;
+    for (n, (name, frequency, harmonics)) in meshes.iter().enumerate() {
+        for &harmonic in harmonics {
             let slope = harmonic as f64 * frequency / now;
             let order = slope * if unit == "rpm" { 60.0 } else { 1.0 };
-            let same =
-                meshes[..n].iter().any(|(_, other)| (1..=HARMONICS).any(|h| is_same(h as f64 * other / now, slope)));
-            if same {
+            let drawn = |(_, other, harmonics): &(String, f64, BTreeSet<usize>)| {
+                harmonics.iter().any(|h| is_same(*h as f64 * other / now, slope))
+            };
+            if meshes[..n].iter().any(drawn) {
                 continue;
             }
             let x: Vec<f64> = (0..=POINTS).map(|i| longest.min(top / slope) * i as f64 / POINTS as f64).collect();
             let y = x.iter().map(|x| slope * x).collect();
             let label = if harmonic == 1 {
-                format!("orders of {name}: 1 to {HARMONICS} × {}", short(order))
+                format!("orders of {name}: {} × {}", words(harmonics), short(order))
             } else {
                 String::new()
             };
@@ -71,7 +84,7 @@ pub fn draw(scene: &Scene, courses: &[SteadyLaw], cell: &CellModes) -> Result<Fi
             line.style.colour = COLOURS[n % COLOURS.len()];
             line.style = Style { dashes: &[], width: if harmonic == 1 { 1.5 } else { 0.9 }, ..line.style };
             let place = if top / slope < longest { Place::Above } else { Place::After };
-            if harmonic == 1 || meshes.len() * HARMONICS <= MOST_NOTES {
+            if harmonic == 1 || notes {
                 line.note = Note { text: short(order), place };
             }
             series.push(line);
@@ -79,12 +92,29 @@ pub fn draw(scene: &Scene, courses: &[SteadyLaw], cell: &CellModes) -> Result<Fi
     }
     let style = Style { colour: "#777777", dashes: &[7.0, 3.0], width: 1.3, marker: Marker::None };
     series.push(Series { style, ..Series::new(0, "speed of the scene", vec![now, now], vec![0.0, top]) });
+    series.extend(crossings(&meetings, cell, now));
     Ok(Figure {
         title: "Natural frequencies and mesh orders".into(),
         subtitle: Some(scene.name.clone()),
         x: Axis::linear(label, unit).between(0.0, NOTES.0 * longest),
         panels: vec![Panel { y: Axis::linear("frequency", "Hz").between(0.0, NOTES.1 * top), series }],
     })
+}
+
+/// Harmonics in words: `1 to 4, 7`.
+fn words(harmonics: &BTreeSet<usize>) -> String {
+    let higher = harmonics.iter().filter(|harmonic| **harmonic > HARMONICS).map(|harmonic| format!(", {harmonic}"));
+    format!("1 to {HARMONICS}{}", higher.collect::<String>())
+}
+
+/// The crossings near the speed `now` of the scene: where the harmonics that are near a mode there meet it.
+fn crossings(meetings: &[Meeting], cell: &CellModes, now: f64) -> Option<Series> {
+    let mut places: Vec<(f64, f64)> = meetings.iter().map(|m| (now / m.ratio, cell.modes[m.mode].damped)).collect();
+    places.sort_by(|a, b| a.0.total_cmp(&b.0));
+    let (x, y): (Vec<f64>, Vec<f64>) = places.into_iter().unzip();
+    let label = format!("modes within {:.0} % of a harmonic at this speed", 100.0 * NEAR_RESONANCE);
+    let style = Style { colour: "#d55e00", dashes: &[], width: 0.0, marker: Marker::Dot };
+    (!x.is_empty()).then(|| Series { style, ..Series::new(0, label, x, y) })
 }
 
 fn is_same(a: f64, b: f64) -> bool {
@@ -134,4 +164,30 @@ fn modes_drawn(modes: &[(usize, f64)], longest: f64, top: f64) -> Vec<Series> {
         }
     }
     series.into_iter().chain(names).collect()
+}
+
+/// Each harmonic that the text lists has its line, and its crossing a mark; of `wind_turbine` some are higher than the fourth.
+#[test]
+fn the_harmonics_that_are_listed_are_drawn_and_their_crossings_marked() {
+    let path = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../models/scenes/wind_turbine.toml");
+    let scene = Scene::load(&path).unwrap();
+    let entry = crate::known::of(&scene).unwrap();
+    let system = entry.about_steady_motion(&scene).unwrap();
+    let courses = crate::analysis::steady::courses(&scene, &system).unwrap();
+    let parts = crate::analysis::modes::Parts::of(&scene, entry, &system).unwrap();
+    let cell = crate::analysis::modes::of(&system, &scene.mid_stiffnesses(), &parts).unwrap();
+    let meetings = meetings(&courses, &cell);
+    assert!(meetings.iter().any(|meeting| meeting.harmonic > HARMONICS), "{meetings:?}");
+    let figure = draw(&scene, &courses, &cell).unwrap();
+    let series = &figure.panels[0].series;
+    let now = series.iter().find(|s| s.label == "speed of the scene").unwrap().x[0];
+    let marks = series.iter().find(|s| s.style.marker == Marker::Dot).unwrap();
+    assert_eq!(marks.x.len(), meetings.len());
+    for meeting in &meetings {
+        let slope = meeting.harmonic as f64 * courses[meeting.law].mesh_frequency() / now;
+        let line = |s: &Series| s.x.len() == POINTS + 1 && is_same(s.y[POINTS] / s.x[POINTS], slope);
+        assert!(series.iter().any(line), "{meeting:?}");
+        let y = cell.modes[meeting.mode].damped;
+        assert!(marks.x.iter().zip(&marks.y).any(|(x, at)| *at == y && (slope * x / y - 1.0).abs() < 1e-9));
+    }
 }

@@ -12,6 +12,8 @@ const POINTS: usize = 500;
 const HEIGHT: f64 = 0.2;
 /// The speed varies if it does so by this share of its largest value.
 const VARIES: f64 = 0.05;
+/// Amplitudes below this share of the largest do not extend the axis of frequencies or orders.
+const CONTENT: f64 = 0.02;
 
 /// A part of a run.
 pub(super) struct Part {
@@ -55,6 +57,12 @@ impl Subject {
         let signal = known.or_else(other).ok_or_else(|| nothing("the run recorded no force or error"))?;
         Ok(Subject { shaft, signal, meshes })
     }
+}
+
+/// The place up to which parts whose highest line is `peak` have something to show.
+pub(super) fn content(parts: &[Part], peak: f64) -> f64 {
+    let last = |part: &Part| part.amplitude.iter().rposition(|a| *a > CONTENT * peak).map_or(0.0, |i| part.place[i]);
+    parts.iter().map(last).fold(0.0, f64::max)
 }
 
 /// Lines of the mesh `orders` and their multiples over the speeds from the lowest to the highest \[rpm\]. `place` is where an order is at a

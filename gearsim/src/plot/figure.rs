@@ -34,6 +34,21 @@ impl Panel {
     }
 }
 
+/// Names curves of the same name in the legend of the first of `panels` that has them, of those that are `common` to them.
+pub(super) fn name_once(panels: &mut [Panel], common: impl Fn(&Series) -> bool) {
+    let mut named: Vec<String> = vec![];
+    for panel in panels {
+        let known = named.len();
+        for series in panel.series.iter_mut().filter(|series| common(series)) {
+            if named[..known].contains(&series.label) {
+                series.label.clear();
+            } else {
+                named.push(series.label.clone());
+            }
+        }
+    }
+}
+
 /// An axis.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Axis {

@@ -30,7 +30,7 @@ pub fn draw(chart: &Chart) -> Result<Figure, PlotError> {
     let blank = if refused { ", blank: stable or refused" } else { "" };
     Ok(Figure {
         title: "Stability of steady rotation".into(),
-        subtitle: Some(format!("{}; Floquet multipliers μ of the exact cells{blank}", chart.scene)),
+        subtitle: Some(format!("{}; Floquet multipliers μ{blank}", chart.scene)),
         x: Axis::linear(chart.x.label(), chart.x.unit.clone()).between(chart.x.low(), chart.x.high()),
         panels: vec![panel],
     })
@@ -43,10 +43,7 @@ pub fn heat(chart: &Chart) -> Option<HeatMap> {
     let growth = |spot: &Option<Spot>| spot.filter(|s| s.unstable).map_or(f64::NAN, |s| s.growth);
     Some(HeatMap {
         title: "Stability of steady rotation".into(),
-        subtitle: format!(
-            "{}; Floquet multipliers μ of the exact cells. Without a colour: stable or refused",
-            chart.scene
-        ),
+        subtitle: format!("{}; Floquet multipliers μ. Without a colour: stable or refused", chart.scene),
         x: Axis::linear(chart.x.label(), chart.x.unit.clone()),
         y: Axis::linear(y.label(), y.unit.clone()),
         colour: Axis::linear("growth per period ln|μ|", ""),

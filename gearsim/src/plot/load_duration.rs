@@ -1,6 +1,6 @@
 //! Load duration: a load over the share of time in which it is exceeded.
 
-use super::outputs::engineering;
+use super::outputs::scale;
 use super::{Axis, Figure, Panel, Plot, PlotError, Run, Series, first_run, scene_names};
 
 /// The entry in [`super::PLOTS`].
@@ -14,14 +14,13 @@ fn draw(runs: &[Run<'_>]) -> Result<Figure, PlotError> {
     let mut panels = vec![];
     for &name in &first.asked.rainflow {
         let mut series = vec![];
-        let mut shown = "";
+        let mut si = "";
         for (n, run) in runs.iter().enumerate() {
             let Some((unit, column)) = run.trajectory.signal(name) else { continue };
-            let (of_engineers, factor) = engineering(unit);
-            shown = of_engineers;
+            si = unit;
             let begin = run.trajectory.row_from(run.asked.from);
             let rows = run.trajectory.samples().filter(|row| *row >= begin);
-            let mut samples: Vec<f64> = rows.map(|row| factor * column[row]).collect();
+            let mut samples: Vec<f64> = rows.map(|row| column[row]).collect();
             samples.retain(|x| x.is_finite());
             samples.sort_by(|a, b| b.total_cmp(a));
             let last = samples.len().saturating_sub(1);
@@ -32,6 +31,7 @@ fn draw(runs: &[Run<'_>]) -> Result<Figure, PlotError> {
             let label = if runs.len() > 1 { run.label } else { name };
             series.push(Series::new(n, label, x, y));
         }
+        let shown = scale(&mut series, si);
         panels.push(Panel { y: Axis::linear(name, shown), series });
     }
     if panels.is_empty() {

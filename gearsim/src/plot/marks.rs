@@ -1,7 +1,8 @@
-//! Marks of the mesh lines in spectra: a vertical line at each multiple of a mesh frequency, a symbol at each sideband.
+//! Marks of the mesh lines in spectra: a vertical line at each multiple of a mesh frequency, a symbol at each sideband that is a line of its
+//! own, as in the table of lines.
 
 use super::{Marker, Note, Series, Style};
-use crate::analysis::orders::{APART, Mesh, SIDEBANDS};
+use crate::analysis::orders::{APART, Mesh, SIDEBANDS, in_lobe, stands_out};
 
 /// Multiples of a mesh frequency that are marked.
 pub(super) const HARMONICS: usize = 4;
@@ -16,10 +17,20 @@ const SYMBOLS: [(&str, Marker); 4] = [
 ];
 
 /// The marks of `meshes` in a panel with values between `low` and `high`, on the curve of a spectrum whose abscissa is a frequency over
-/// `unit` \[Hz\]. Only up to `end`.
-pub(super) fn marks(meshes: &[Mesh], unit: f64, end: f64, (low, high): (f64, f64), curve: &Series) -> Vec<Series> {
+/// `unit` \[Hz\] and has `closer` points in the width of a line. Only up to `end`.
+pub(super) fn marks(
+    meshes: &[Mesh],
+    (unit, end): (f64, f64),
+    (low, high): (f64, f64),
+    (curve, closer): (&Series, usize),
+) -> Vec<Series> {
     let step = curve.x.get(1).copied().unwrap_or(f64::INFINITY);
-    let mut all = vec![];
+    let line = step * closer as f64;
+    let shown = |x: f64| {
+        x > 0.0 && x <= end && !in_lobe(x * unit, meshes, line * unit) && stands_out(&curve.y, x / step, closer as f64)
+    };
+    // Rotors have the same symbols in all panels.
+    let (mut all, mut number) = (vec![], 0);
     for (m, mesh) in meshes.iter().enumerate() {
         let places: Vec<f64> =
             (1..=HARMONICS).map(|n| n as f64 * mesh.frequency / unit).filter(|x| *x <= end).collect();
@@ -31,17 +42,21 @@ pub(super) fn marks(meshes: &[Mesh], unit: f64, end: f64, (low, high): (f64, f64
             style: Style { colour, dashes, width: 0.9, marker: Marker::None },
             note: Note::default(),
         });
-        for (r, rotor) in mesh.rotors.iter().enumerate() {
+        for rotor in &mesh.rotors {
+            number += 1;
             let apart = rotor.frequency / unit;
-            if apart < APART * step {
+            if apart < APART * line {
                 continue;
             }
             let sidebands = (-SIDEBANDS..=SIDEBANDS).filter(|k| *k != 0);
             let around = |x: &f64| sidebands.clone().map(|k| x + f64::from(k) * apart).collect::<Vec<_>>();
-            let mut x: Vec<f64> = places.iter().flat_map(around).filter(|x| *x > 0.0 && *x <= end).collect();
+            let mut x: Vec<f64> = places.iter().flat_map(around).filter(|x| shown(*x)).collect();
+            if x.is_empty() {
+                continue;
+            }
             x.sort_by(f64::total_cmp);
             let y = x.iter().map(|x| value(curve, x / step)).collect();
-            let (colour, marker) = SYMBOLS[(all.len() + r) % SYMBOLS.len()];
+            let (colour, marker) = SYMBOLS[number % SYMBOLS.len()];
             let label = format!("sidebands ± {}", rotor.name);
             let style = Style { colour, dashes: &[], width: 0.0, marker };
             all.push(Series { label, x, y, style, note: Note::default() });

@@ -35,7 +35,8 @@ use heat::HeatMap;
 pub use picture::Picture;
 
 use crate::analysis::spectrum::SpectrumError;
-use crate::scene::Output;
+use crate::run::Outcome;
+use crate::scene::{Output, Scene};
 use crate::sweep::folder::Rows;
 use crate::sweep::manifest::Layout;
 use crate::trajectory::Trajectory;
@@ -121,6 +122,20 @@ pub(crate) struct Run<'a> {
     pub none_from: Option<f64>,
 }
 
+impl<'a> Run<'a> {
+    /// A run of a scene.
+    pub fn of(scene: &'a Scene, outcome: &'a Outcome) -> Run<'a> {
+        Run {
+            label: &scene.name,
+            trajectory: &outcome.trajectory,
+            reference_frequency: outcome.reference_frequency,
+            scene: &scene.name,
+            asked: &scene.output,
+            none_from: outcome.digits.and_then(|digits| digits.none_from),
+        }
+    }
+}
+
 /// The time axis of `runs`. Panels are shaded from the earliest time at which one of the runs has no digits left.
 fn time_axis(runs: &[Run<'_>]) -> Axis {
     Axis::linear("time t", "s").shaded(runs.iter().filter_map(|run| run.none_from).reduce(f64::min))
@@ -171,6 +186,18 @@ pub enum PlotError {
         /// The cause.
         why: String,
     },
+}
+
+/// The names of the plots of `runs`. Where they are the default ones and the speed of a mesh varies, order cuts stand for the spectrum over
+/// frequency, in which its lines are smeared, if the run has enough revolutions for them.
+pub(crate) fn chosen(runs: &[Run<'_>]) -> Vec<String> {
+    let Some(first) = runs.first() else { return vec![] };
+    let mut plots = first.asked.plots.clone();
+    let cuts = order_cuts::PLOT.name.to_owned();
+    if first.asked.default_plots && runs.iter().all(order_cuts::suits) && !plots.contains(&cuts) {
+        plots.iter_mut().filter(|name| **name == spectrum::PLOT.name).for_each(|name| *name = cuts.clone());
+    }
+    plots
 }
 
 /// The plot called `name`. Errors: [`PlotError::Unknown`].

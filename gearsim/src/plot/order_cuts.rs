@@ -1,9 +1,9 @@
-//! Order cuts of a run-up: the amplitudes of mesh orders over the speed of the first shaft.
+//! Order cuts of a run-up: the amplitudes at mesh orders, within the bandwidth of the window, over the speed of the first shaft.
 
 use super::orders::{of, turnings};
-use super::outputs::{engineering, of_unit};
+use super::outputs::{engineering, of_unit, scale};
 use super::{Axis, Figure, Panel, Plot, PlotError, Run, Series, first_run, scene_names};
-use crate::analysis::orders::{Mesh, SHAFT, Turning, cuts, meshes, reference_shaft};
+use crate::analysis::orders::{BANDWIDTH, Mesh, SHAFT, Turning, cuts, meshes, reference_shaft};
 use crate::model::Output;
 use crate::output::number::short;
 
@@ -18,6 +18,19 @@ const HARMONICS: [f64; 3] = [1.0, 2.0, 3.0];
 const WINDOW: usize = 4;
 /// Windows that a curve needs at least.
 const LEAST: usize = 4;
+/// Revolutions from which on a run-up has order cuts by default.
+const ENOUGH: usize = 10;
+
+/// Whether order cuts tell more of a run than its spectrum: the speed of a mesh varies, and the shaft makes enough revolutions.
+pub(super) fn suits(run: &Run<'_>) -> bool {
+    let (trajectory, asked) = (run.trajectory, &run.asked.spectrum);
+    let enough = |shaft: &Output| {
+        Turning::of(trajectory, shaft.name, asked.from).is_ok_and(|turning| turning.revolutions() >= ENOUGH)
+    };
+    let drawn = UNITS.iter().any(|unit| !of_unit(trajectory, unit).is_empty());
+    let varies = || meshes(trajectory, asked.from).iter().any(|mesh| !mesh.steady);
+    drawn && varies() && reference_shaft(trajectory, asked.shaft).is_some_and(enough)
+}
 
 fn draw(runs: &[Run<'_>]) -> Result<Figure, PlotError> {
     let first = first_run(PLOT.name, runs)?.trajectory;
@@ -32,13 +45,18 @@ fn draw(runs: &[Run<'_>]) -> Result<Figure, PlotError> {
         for (run, turning) in runs.iter().zip(&turning) {
             curves(run, (shaft, turning), output, runs.len() > 1, &mut series)?;
         }
-        panels.push(Panel { y: Axis::linear(output.name, engineering(unit).0), series });
+        let shown = scale(&mut series, unit);
+        panels.push(Panel { y: Axis::linear(output.name, shown), series });
     }
     if panels.is_empty() {
         return Err(nothing("the run recorded no transmission error or force"));
     }
     panels.iter_mut().skip(1).for_each(Panel::unnamed);
-    let subtitle = format!("{}; windows of {WINDOW} revolutions, Hann, peak amplitudes", scene_names(runs));
+    let subtitle = format!(
+        "{}; windows of {WINDOW} revolutions, Hann, peak amplitudes; bandwidth {} orders (−3 dB)",
+        scene_names(runs),
+        short(BANDWIDTH / WINDOW as f64)
+    );
     let x = Axis::linear(shaft.name, engineering(SHAFT).0);
     Ok(Figure { title: "Order cuts".into(), subtitle: Some(subtitle), x, panels })
 }
@@ -63,9 +81,9 @@ fn curves(
         let why = format!("the run has {} revolutions of {}, and needs ten", turning.revolutions(), shaft.name);
         return Err(PlotError::Nothing { plot: PLOT.name, why });
     }
-    let ((_, to_rpm), (_, factor)) = (engineering(SHAFT), engineering(output.unit));
+    let (_, to_rpm) = engineering(SHAFT);
     for (i, (label, _)) in wanted.into_iter().enumerate() {
-        let mut points: Vec<_> = cuts.iter().map(|cut| (to_rpm * cut.speed, factor * cut.amplitude[i])).collect();
+        let mut points: Vec<_> = cuts.iter().map(|cut| (to_rpm * cut.speed, cut.amplitude[i])).collect();
         points.sort_by(|a, b| a.0.total_cmp(&b.0));
         let (x, y) = points.into_iter().unzip();
         series.push(Series::new(series.len(), label, x, y));

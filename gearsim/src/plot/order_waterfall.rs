@@ -1,9 +1,10 @@
 //! Waterfall of a run-up over orders: order spectra of windows of whole revolutions, each drawn at the speed of the first shaft there. Orders
 //! are vertical, natural frequencies are hyperbolas. At constant speed the windows are drawn at their times.
 
-use super::cascade::{Part, Subject, lines, panel};
-use super::orders::{LONGEST, of, turnings};
-use super::outputs::engineering;
+use super::cascade::{Part, Subject, content, lines, panel};
+use super::orders::{of, turnings};
+use super::outputs::sized;
+use super::spectrum::reach;
 use super::{Axis, Figure, Plot, PlotError, Run, first_run, scene_names};
 use crate::analysis::orders::{Window, windows};
 
@@ -23,8 +24,7 @@ fn draw(runs: &[Run<'_>]) -> Result<Figure, PlotError> {
     let turning = turnings(runs, shaft)?;
     let orders: Vec<(&str, f64)> =
         meshes.iter().map(|mesh| (mesh.name, mesh.frequency / turning[0].frequency())).collect();
-    let (unit, factor) = engineering(si);
-    let highest = orders.iter().map(|(_, order)| LONGEST * order).fold(0.0, f64::max);
+    let highest = orders.iter().map(|(_, order)| *order).fold(0.0, f64::max);
     let (mut all, mut end) = (vec![], 0.0_f64);
     for (run, turning) in runs.iter().zip(&turning) {
         let Some((_, column)) = run.trajectory.signal(signal) else { continue };
@@ -36,12 +36,15 @@ fn draw(runs: &[Run<'_>]) -> Result<Figure, PlotError> {
         let each = windows.len().div_ceil(MOST);
         let parts: Vec<Part> = windows.into_iter().step_by(each).map(part).collect();
         let longest = parts.iter().filter_map(|part| part.place.last().copied()).fold(0.0, f64::max);
-        end = end.max(if highest > 0.0 { longest.min(highest) } else { longest });
         let peak = parts.iter().flat_map(|part| &part.amplitude).copied().fold(0.0, f64::max);
-        all.push((run, parts, factor * peak));
+        end = end.max(reach([content(&parts, peak)].into_iter(), highest, longest));
+        all.push((run, parts, peak));
     }
+    let (unit, factor) = sized(si, all.iter().map(|(.., peak)| *peak).fold(0.0, f64::max));
     let panels = all.into_iter().map(|(run, parts, peak)| {
-        panel(&parts, (run.label, runs.len() > 1), (end, peak, unit), &|range| lines(&orders, range, |order, _| order))
+        panel(&parts, (run.label, runs.len() > 1), (end, factor * peak, unit), &|range| {
+            lines(&orders, range, |order, _| order)
+        })
     });
     let subtitle = format!(
         "{}; {}, windows of {WINDOW} revolutions, Hann, peak amplitudes; speed of {}",

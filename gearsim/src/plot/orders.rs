@@ -1,9 +1,11 @@
 //! Order spectra of the recorded transmission errors and forces, over orders of a shaft: peak amplitudes.
 
+use super::figure::name_once;
 use super::marks::marks;
-use super::outputs::{engineering, of_unit};
+use super::outputs::{of_unit, sized};
+use super::spectrum::reach;
 use super::{Axis, Figure, Panel, Plot, PlotError, Run, Series, first_run, scene_names};
-use crate::analysis::orders::{Turning, meshes, reference_shaft};
+use crate::analysis::orders::{CLOSER, Orders, Turning, meshes, reference_shaft};
 use crate::analysis::spectrum::SpectrumError;
 use crate::model::Output;
 use crate::output::number::short;
@@ -13,8 +15,9 @@ pub const PLOT: Plot = Plot { name: "orders", draw };
 
 /// The units of the outputs that are drawn; the first output of each.
 const UNITS: [&str; 4] = ["m", "rad", "N", "N*m"];
-/// The axis ends at this multiple of the highest mesh order.
-pub(crate) const LONGEST: f64 = 4.5;
+/// The axis reaches so far that less than this fraction of the power lies beyond it. Forces step where stiffnesses do, and their lines fall
+/// slowly.
+pub(crate) const CONTENT: f64 = 1e-2;
 /// The axis of amplitudes begins at this part of the highest line.
 pub(crate) const DECADES: f64 = 1e-6;
 
@@ -35,37 +38,36 @@ fn draw(runs: &[Run<'_>]) -> Result<Figure, PlotError> {
     let nothing = |why: String| PlotError::Nothing { plot: PLOT.name, why };
     let shaft = reference_shaft(first, runs[0].asked.spectrum.shaft)
         .ok_or_else(|| nothing("the run recorded no speed of a rotor".into()))?;
-    let mut panels = vec![];
     let turning = turnings(runs, shaft)?;
     let from = runs[0].asked.spectrum.from;
     let meshes = meshes(first, from);
     let highest = meshes.iter().map(|mesh| mesh.frequency).fold(0.0, f64::max) / turning[0].frequency();
-    let (mut end, mut revolutions) = (f64::INFINITY, 0);
-    for unit in UNITS {
-        let Some(output) = of_unit(first, unit).first().copied() else { continue };
-        let (shown, factor) = engineering(unit);
+    let spectra = spectra(runs, &turning)?;
+    let all = || spectra.iter().flat_map(|(_, all)| all.iter().flatten());
+    let longest = all().filter_map(|orders| orders.order.last().copied()).fold(f64::INFINITY, f64::min);
+    let end = reach(all().map(|orders| orders.highest(CONTENT)), highest, longest);
+    let revolutions = all().last().map_or(0, |orders| orders.revolutions);
+    let mut panels = vec![];
+    for (output, all) in spectra {
         let (mut series, mut peak) = (vec![], 0.0_f64);
-        for (n, (run, turning)) in runs.iter().zip(&turning).enumerate() {
-            let Some(column) = run.trajectory.output(output.name) else { continue };
-            let orders = turning.orders(column).map_err(of(run, output.name))?;
-            let longest = orders.order.last().copied().unwrap_or(0.0);
-            end = end.min(if highest > 0.0 { longest.min(LONGEST * highest) } else { longest });
-            revolutions = orders.revolutions;
-            let y: Vec<f64> = orders.amplitude.iter().map(|a| a * factor).collect();
-            peak = y.iter().skip(1).copied().fold(peak, f64::max);
+        for (n, (run, orders)) in runs.iter().zip(all).enumerate() {
+            let Some(orders) = orders else { continue };
+            peak = orders.amplitude.iter().skip(1).copied().fold(peak, f64::max);
             let label = if runs.len() > 1 { run.label } else { "" };
-            series.push(Series::new(n, label, orders.order, y));
+            series.push(Series::new(n, label, orders.order, orders.amplitude));
         }
+        let (shown, factor) = sized(output.unit, peak);
+        series.iter_mut().flat_map(|series| &mut series.y).for_each(|y| *y *= factor);
+        peak *= factor;
         let range = (DECADES * peak, 2.0 * peak);
         let y = Axis::log10(output.name, shown).between(range.0, range.1);
         if peak > 0.0 {
-            let marks = marks(&meshes, turning[0].frequency(), end, range, &series[0]);
+            let marks = marks(&meshes, (turning[0].frequency(), end), range, (&series[0], CLOSER));
             let (lines, symbols): (Vec<_>, Vec<_>) = marks.into_iter().partition(|mark| mark.style.width > 0.0);
             panels.push(Panel { y, series: lines.into_iter().chain(series).chain(symbols).collect() });
         }
     }
-    // The legend of the first panel holds for all.
-    panels.iter_mut().skip(1).for_each(Panel::unnamed);
+    name_once(&mut panels, |_| true);
     let orders = meshes.iter().map(|mesh| format!("{} {}", mesh.name, short(mesh.frequency / turning[0].frequency())));
     let orders = orders.collect::<Vec<_>>().join(", ");
     if panels.is_empty() {
@@ -78,4 +80,48 @@ fn draw(runs: &[Run<'_>]) -> Result<Figure, PlotError> {
     );
     let x = Axis::linear(format!("order of {}", shaft.name), "").between(0.0, end);
     Ok(Figure { title: "Orders".into(), subtitle: Some(subtitle), x, panels })
+}
+
+/// The first output of each unit, with its spectrum in each run that recorded it.
+type Spectra = Vec<(&'static Output, Vec<Option<Orders>>)>;
+
+fn spectra(runs: &[Run<'_>], turning: &[Turning]) -> Result<Spectra, PlotError> {
+    let mut all = vec![];
+    for output in UNITS.iter().filter_map(|unit| of_unit(runs[0].trajectory, unit).first().copied()) {
+        let orders = runs.iter().zip(turning).map(|(run, turning)| {
+            let column = run.trajectory.output(output.name);
+            column.map(|column| turning.orders(column).map_err(of(run, output.name))).transpose()
+        });
+        all.push((output, orders.collect::<Result<Vec<_>, _>>()?));
+    }
+    Ok(all)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::plot::tests::{geared, run};
+
+    /// The axis reaches beyond the line at 12 times the mesh order, which has most of the power; without it to 4.5 times.
+    #[test]
+    fn the_axis_reaches_as_far_as_the_content() {
+        for (multiple, amplitude, end) in [(12.0, 2.0, 12.0 * 23.0 * 1.1), (12.0, 0.01, 4.5 * 23.0)] {
+            let recorded = geared(&[(1.0, 1.0), (multiple, amplitude)]);
+            let (_, found) = draw(&[run("exact", &recorded)]).unwrap().x.range.unwrap();
+            assert!((found / end - 1.0).abs() < 0.02, "{found} {end}");
+        }
+    }
+
+    /// Of a rotor that makes 20 turns only the sideband that is a line of its own is marked: not places where there is nothing, and not the
+    /// skirt of a larger line beside a place.
+    #[test]
+    fn only_sidebands_that_are_lines_are_marked() {
+        let lines = [(1.0, 1.0), (1.0 + 1.0 / 23.0, 0.1), (2.0 - 1.0 / 23.0 + 0.0022, 0.5)];
+        let recorded = geared(&lines);
+        let figure = draw(&[run("exact", &recorded)]).unwrap();
+        let marked: Vec<f64> =
+            figure.panels[0].series.iter().filter(|s| s.style.width == 0.0).flat_map(|s| s.x.clone()).collect();
+        assert!(marked.iter().any(|x| (x - 24.0).abs() < 1e-6), "{marked:?}");
+        assert!(!marked.iter().any(|x| (x - 45.0).abs() < 1e-6), "{marked:?}");
+    }
 }

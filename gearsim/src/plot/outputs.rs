@@ -29,6 +29,25 @@ pub fn engineering(unit: &'static str) -> (&'static str, f64) {
     UNITS.iter().find(|known| known.0 == unit).map_or((unit, 1.0), |known| (known.2, known.3))
 }
 
+/// Forces and torques from this size on are in kN or MN \[N\], \[N m\].
+const LARGE: f64 = 1e4;
+
+/// The same for values up to `largest`: powers are in W, kW or MW, large forces and torques in kN or MN.
+pub(super) fn sized(unit: &'static str, largest: f64) -> (&'static str, f64) {
+    match unit {
+        "W" => readable(unit, largest),
+        "N" | "N*m" if largest >= LARGE => readable(unit, largest),
+        _ => engineering(unit),
+    }
+}
+
+/// Brings curves in the SI unit `unit` to the unit that suits their size, and returns it.
+pub(super) fn scale(series: &mut [Series], unit: &'static str) -> &'static str {
+    let (shown, factor) = sized(unit, largest(series));
+    series.iter_mut().flat_map(|series| &mut series.y).for_each(|y| *y *= factor);
+    shown
+}
+
 /// The recorded outputs with the SI unit `unit`: those of meshes first, components of forces last.
 pub(super) fn of_unit(run: &Trajectory, unit: &str) -> Vec<&'static Output> {
     let mut all: Vec<&'static Output> = run.outputs.iter().map(|(output, _)| *output).collect();
@@ -52,7 +71,7 @@ fn draw(runs: &[Run<'_>]) -> Result<Figure, PlotError> {
     let first = first_run(PLOT.name, runs)?.trajectory;
     let mut left_out = 0;
     let mut panels = vec![];
-    for (unit, quantity, shown, factor) in UNITS {
+    for (unit, quantity, ..) in UNITS {
         let mut of_unit = of_unit(first, unit);
         of_unit.retain(|output| output.is_power() == (quantity == POWER) && runs.iter().any(|run| acts(run, output)));
         // Several runs are compared by the first output of each unit.
@@ -66,9 +85,7 @@ fn draw(runs: &[Run<'_>]) -> Result<Figure, PlotError> {
                 series.push(Series::new(series.len(), label, run.trajectory.t.clone(), column.to_vec()));
             }
         }
-        // Powers range from watts to megawatts.
-        let (shown, factor) = if unit == "W" { readable(unit, largest(&series)) } else { (shown, factor) };
-        series.iter_mut().flat_map(|s| &mut s.y).for_each(|y| *y *= factor);
+        let shown = scale(&mut series, unit);
         // Angles, such as twists, only where no length tells as much.
         let told = unit == "rad" && first.outputs.iter().any(|(output, _)| output.unit == "m");
         if !series.is_empty() && !told {
@@ -91,4 +108,14 @@ fn draw(runs: &[Run<'_>]) -> Result<Figure, PlotError> {
         subtitle += &format!("; {left_out} more in the table of results");
     }
     Ok(Figure { title: "Outputs".into(), subtitle: Some(subtitle), x: time_axis(runs), panels })
+}
+
+#[test]
+fn large_forces_and_torques_are_in_kn_or_mn() {
+    let cases = [("N", 9.9e3, "N"), ("N", 1e4, "kN"), ("N*m", 2e6, "MN*m"), ("W", 3e3, "kW"), ("m", 1e-5, "um")];
+    for (unit, largest, shown) in cases {
+        assert_eq!(sized(unit, largest).0, shown, "{largest} {unit}");
+    }
+    let mut series = [Series::new(0, "force", vec![0.0, 1.0], vec![-2e5, 1e5])];
+    assert_eq!((scale(&mut series, "N"), &series[0].y[..]), ("kN", &[-200.0, 100.0][..]));
 }

@@ -1,33 +1,32 @@
 //! Response curves: a measure of each output over the varied value, upward and downward.
 
-use super::outputs::engineering;
+use super::outputs::{self, engineering};
 use super::{Axis, Figure, Panel, Series};
 use crate::sweep::response::{MEASURES, Response};
+use crate::sweep::row::Status;
 
 /// The figure of a response; `measure` is the name of one of [`MEASURES`].
 pub fn figure(scene: &str, response: &Response, measure: &str) -> Figure {
     let value = MEASURES.iter().find(|(name, _)| *name == measure).map_or(MEASURES[1].1, |(_, value)| *value);
-    let shown = |unit: &'static str| engineering(unit);
     let (unit, scale) = match response.unit.as_str() {
-        "rad/s" => shown("rad/s"),
+        "rad/s" => engineering("rad/s"),
         other => (other, 1.0),
     };
     let panels = response.outputs.iter().enumerate().map(|(i, output)| {
-        let (name, factor) = shown(output.unit);
         let way = |n: usize, label: &str, upward: bool| {
-            let points = response.points.iter().filter(|point| point.upward == upward);
-            let mut points: Vec<(f64, f64)> = points
-                .map(|point| (scale * point.value, point.observed[i].as_ref().map_or(f64::NAN, |s| factor * value(s))))
-                .collect();
+            let points = response.points.iter().filter(|point| point.upward == upward && point.status == Status::Done);
+            let mut points: Vec<(f64, f64)> =
+                points.map(|point| (scale * point.value, point.observed[i].as_ref().map_or(f64::NAN, value))).collect();
             points.sort_by(|a, b| a.0.total_cmp(&b.0));
             let (x, y) = points.into_iter().unzip();
             Series::new(n, label, x, y)
         };
         let both = response.points.iter().any(|point| !point.upward);
         let series = [("upward", true), ("downward", false)].into_iter().filter(|(_, upward)| *upward || both);
-        let series = series.enumerate().map(|(n, (label, upward))| way(n, label, upward)).collect();
+        let mut series = series.enumerate().map(|(n, (label, upward))| way(n, label, upward)).collect::<Vec<_>>();
+        let shown = outputs::scale(&mut series, output.unit);
         let words = measure.replace('_', " ");
-        Panel { y: Axis::linear(format!("{} {words}", output.name), name), series }
+        Panel { y: Axis::linear(format!("{} {words}", output.name), shown), series }
     });
     Figure {
         title: "Response".into(),

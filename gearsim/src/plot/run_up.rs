@@ -3,8 +3,8 @@
 
 use std::f64::consts::TAU;
 
-use super::cascade::{Part, Subject, lines, panel};
-use super::outputs::engineering;
+use super::cascade::{Part, Subject, content, lines, panel};
+use super::outputs::sized;
 use super::{Axis, Figure, Plot, PlotError, Run, first_run, scene_names};
 use crate::analysis::spectrum::{SpectrumError, uniform_samples, welch};
 
@@ -15,8 +15,6 @@ pub const PLOT: Plot = Plot { name: "run_up", draw };
 const PARTS: usize = 30;
 /// Least samples of a part.
 const LEAST: usize = 64;
-/// Amplitudes below this share of the largest do not extend the frequency axis.
-const CONTENT: f64 = 0.02;
 
 fn draw(runs: &[Run<'_>]) -> Result<Figure, PlotError> {
     let first = first_run(PLOT.name, runs)?;
@@ -32,18 +30,17 @@ fn draw(runs: &[Run<'_>]) -> Result<Figure, PlotError> {
         };
         let parts = parts(run, column, speed).map_err(failed)?;
         let peak = parts.iter().flat_map(|part| &part.amplitude).copied().fold(0.0, f64::max);
-        let content =
-            |part: &Part| part.amplitude.iter().rposition(|a| *a > CONTENT * peak).map_or(0.0, |i| part.place[i]);
-        end = parts.iter().map(content).fold(end, f64::max);
-        unit = engineering(si).0;
-        panels.push((run, parts, peak * engineering(si).1));
+        end = end.max(content(&parts, peak));
+        unit = si;
+        panels.push((run, parts, peak));
     }
+    let (unit, factor) = sized(unit, panels.iter().map(|(.., peak)| *peak).fold(0.0, f64::max));
     let longest = panels.iter().flat_map(|(_, parts, _)| parts).filter_map(|part| part.place.last().copied());
     end = (1.1 * end).min(longest.fold(0.0, f64::max));
     let orders: Vec<(&str, f64)> =
         meshes.iter().map(|mesh| (mesh.name, mesh_order(run, shaft.name, mesh.frequency))).collect();
     let panels = panels.into_iter().map(|(run, parts, peak)| {
-        panel(&parts, (run.label, runs.len() > 1), (end, peak, unit), &|range| {
+        panel(&parts, (run.label, runs.len() > 1), (end, factor * peak, unit), &|range| {
             lines(&orders, range, |order, rpm| order * rpm / 60.0)
         })
     });

@@ -7,6 +7,7 @@ mod scale;
 
 use std::f64::consts::TAU;
 
+use super::figure::name_once;
 use super::marks::marks;
 use super::outputs::of_unit;
 use super::{Axis, Figure, Panel, Plot, PlotError, Run, Series, first_run, rotates, scene_names};
@@ -20,10 +21,10 @@ pub const PLOT: Plot = Plot { name: "spectrum", draw };
 
 /// End of the frequency axis in units of wd, as in Oh, Grosh and Barber (2005), Fig. 4.
 const LONGEST: f64 = 5.0;
-/// End of the frequency axis in multiples of the highest mesh frequency.
+/// Least end of the axis of frequencies or orders in multiples of the highest mesh frequency or order.
 const MESHES: f64 = 4.5;
-/// The axis in Hz reaches so far that less than this fraction of the power lies beyond it.
-const CONTENT: f64 = 1e-3;
+/// The axis reaches so far that less than this fraction of the power lies beyond it.
+pub(crate) const CONTENT: f64 = 1e-3;
 /// Most forces of meshes if the scene does not choose.
 const FORCES: usize = 2;
 /// Most panels if the scene does not choose.
@@ -53,7 +54,7 @@ fn draw(runs: &[Run<'_>]) -> Result<Figure, PlotError> {
     let segments = spectra[0].1[0].segments;
     let mut panels = vec![];
     for (name, all) in spectra {
-        let shown = Shown::of(first, name);
+        let shown = Shown::of(first, name, &all);
         let mut series = vec![];
         for (n, (spectrum, run)) in all.into_iter().zip(runs).enumerate() {
             let label = if runs.len() > 1 { run.label.to_owned() } else { shown.doc.to_owned() };
@@ -62,16 +63,13 @@ fn draw(runs: &[Run<'_>]) -> Result<Figure, PlotError> {
             series.push(Series::new(n, label, frequency, y));
         }
         let (y, range) = shown.axis(&series, end);
-        let marks = marks(&steady, units[0], end, range, &series[0]);
+        let marks = marks(&steady, (units[0], end), range, (&series[0], 1));
         // Behind the curves.
         let (lines, symbols): (Vec<_>, Vec<_>) = marks.into_iter().partition(|mark| mark.style.width > 0.0);
         panels.push(Panel { y, series: lines.into_iter().chain(series).chain(symbols).collect() });
     }
-    // The legend of the first panel holds for all, but for the signal itself.
-    for panel in panels.iter_mut().skip(1) {
-        let own = panel.series.iter_mut().filter(|s| runs.len() > 1 || s.style.width < 1.0);
-        own.for_each(|series| series.label.clear());
-    }
+    // All but the signal itself are in all panels.
+    name_once(&mut panels, |series| runs.len() > 1 || series.style.width < 1.0);
     let averaged = if segments == 1 { "one segment".into() } else { format!("mean of {segments} segments") };
     let subtitle = format!("{}; {}, Hann window, {averaged}", scene_names(runs), scale::words(&first.asked.spectrum));
     Ok(Figure { title: scale::title(&first.asked.spectrum).into(), subtitle: Some(subtitle), x, panels })
@@ -111,14 +109,17 @@ fn abscissa<'a>(
             let end = LONGEST.max(MESHES * mesh / units[0]).min(longest / units[0]);
             (Axis::linear("frequency ω/ω_{d}", "").between(0.0, end), units)
         }
-        _ => (Axis::linear("frequency f", "Hz").between(0.0, reach(all, mesh)), vec![1.0; runs.len()]),
+        _ => {
+            let end = reach(all.map(|s| s.highest(CONTENT)), mesh, longest);
+            (Axis::linear("frequency f", "Hz").between(0.0, end), vec![1.0; runs.len()])
+        }
     }
 }
 
-/// The frequency up to which spectra and the first multiples of the mesh frequency `mesh` have something to show \[Hz\].
-pub(crate) fn reach<'a>(all: impl Iterator<Item = &'a Spectrum> + Clone, mesh: f64) -> f64 {
-    let longest = all.clone().filter_map(|s| s.frequency.last().copied()).fold(0.0, f64::max);
-    let content = all.map(|s| 1.1 * s.highest(CONTENT)).fold(0.0, f64::max);
+/// The end of an axis of frequencies or orders: beyond the `highest` content of each spectrum, and beyond the first multiples of the
+/// highest mesh frequency or order `mesh`, up to the `longest` that there is.
+pub(crate) fn reach(highest: impl Iterator<Item = f64>, mesh: f64, longest: f64) -> f64 {
+    let content = highest.map(|x| 1.1 * x).fold(0.0, f64::max);
     content.max(MESHES * mesh).min(longest)
 }
 

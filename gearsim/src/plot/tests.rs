@@ -1,16 +1,21 @@
 //! Tests of the plots: the texts in them, their size, and errors on bad data.
 
+use std::f64::consts::TAU;
+
 use super::*;
+use crate::model::{Law, Model, Role};
 use crate::output::fixture::{MODEL, REFERENCE, oscillator};
 use crate::scene::Spectrum;
 use crate::sweep::row::{Row, Status};
 use crate::sweep::spectra::NamedSpectrum;
 use crate::sweep::{Manifest, Request, Sweep};
+use crate::trajectory::Moment;
 
 static ASKED: std::sync::LazyLock<Output> = std::sync::LazyLock::new(|| Output {
     rate: 2e4,
     events: true,
     plots: vec![],
+    default_plots: false,
     record: vec![],
     spectrum: Spectrum::DEFAULT,
     rainflow: vec!["dte"],
@@ -22,6 +27,37 @@ static ASKED: std::sync::LazyLock<Output> = std::sync::LazyLock::new(|| Output {
 
 pub(super) fn run<'a>(label: &'a str, trajectory: &'a Trajectory) -> Run<'a> {
     Run { label, trajectory, reference_frequency: Some(REFERENCE), scene: "two_steps", asked: &ASKED, none_from: None }
+}
+
+/// A mesh of 23 teeth on a rotor that makes 20 turns, whose transmission error has lines: each a multiple of the mesh order, and its amplitude.
+pub(super) fn geared(lines: &[(f64, f64)]) -> Trajectory {
+    static LAWS: [Law; 1] = [Law {
+        name: "k",
+        unit: "N/m",
+        phase: "theta",
+        period: TAU,
+        rolling: true,
+        held: &[],
+        with: None,
+        role: Role::Stiffness,
+        doc: "",
+    }];
+    static GEARED: Model = Model { laws: &LAWS, ..MODEL };
+    let n = 40_001;
+    let mut run = Trajectory::new(&GEARED, &[0, 1], &[0, 1]);
+    run.t = (0..n).map(|i| i as f64 / 20e3).collect();
+    run.moment = vec![Moment::Sample; n];
+    let phase = |t: &f64| TAU * 230.0 * t;
+    run.q = vec![run.t.iter().map(phase).collect(), vec![0.0; n]];
+    run.q_dot = vec![vec![TAU * 230.0; n], vec![0.0; n]];
+    run.outputs[0].1 = vec![TAU * 10.0; n];
+    let error = |t: &f64| lines.iter().map(|(m, a)| a * (m * phase(t)).sin()).sum();
+    run.outputs[1].1 = run.t.iter().map(error).collect();
+    for column in [&mut run.kinetic, &mut run.strain, &mut run.work, &mut run.dissipated, &mut run.residual] {
+        *column = vec![0.0; n];
+    }
+    run.torque_work.iter_mut().for_each(|(_, column)| *column = vec![0.0; n]);
+    run
 }
 
 #[test]
@@ -258,4 +294,20 @@ fn sweep_of(vary: &[&str], samples: Option<usize>) -> Manifest {
         ..Request::default()
     };
     Manifest::new(&Sweep::load(&scene, crate::generated::MODELS, &request).unwrap(), &request, None)
+}
+
+/// A run-up has order cuts in place of a spectrum by default, a run at constant speed a spectrum; plots that a scene names stay.
+#[test]
+fn a_run_up_has_order_cuts_by_default() {
+    let named = Output { plots: vec!["orders".into(), "spectrum".into()], ..ASKED.clone() };
+    let asked = Output { default_plots: true, ..named.clone() };
+    let steady = geared(&[(1.0, 1.0)]);
+    let mut up = steady.clone();
+    up.q[0] = up.t.iter().map(|t| TAU * 230.0 * t * (0.5 + 0.25 * t)).collect();
+    up.q_dot[0] = up.t.iter().map(|t| TAU * 230.0 * (0.5 + 0.5 * t)).collect();
+    up.outputs[0].1 = up.t.iter().map(|t| TAU * 10.0 * (0.5 + 0.5 * t)).collect();
+    let chosen = |trajectory, asked| chosen(&[Run { asked, ..run("exact", trajectory) }]);
+    assert_eq!(chosen(&up, &asked), ["orders", "order_cuts"]);
+    assert_eq!(chosen(&steady, &asked), ["orders", "spectrum"]);
+    assert_eq!(chosen(&up, &named), ["orders", "spectrum"]);
 }

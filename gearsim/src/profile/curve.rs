@@ -42,15 +42,30 @@ impl Curve {
         }
     }
 
+    /// The curve times `factor`.
+    pub fn times(&self, factor: f64) -> Curve {
+        match self {
+            Curve::Cubic(coefficients) => Curve::Cubic(coefficients.map(|c| c * factor)),
+            Curve::Fourier { mean, harmonics, period } => {
+                let harmonics = harmonics.iter().map(|(n, a, phase)| (*n, a * factor, *phase)).collect();
+                Curve::Fourier { mean: mean * factor, harmonics, period: *period }
+            }
+        }
+    }
+
+    /// The highest harmonic; 0 for a cubic.
+    pub fn highest_order(&self) -> f64 {
+        match self {
+            Curve::Cubic(_) => 0.0,
+            Curve::Fourier { harmonics, .. } => harmonics.iter().fold(0.0f64, |m, h| m.max(h.0)),
+        }
+    }
+
     /// Smallest and largest value for 0 <= x <= `width`.
     pub fn extremes(&self, width: f64) -> (f64, f64) {
         // The grid has 64 intervals per wave, so that an interval has at most one extremum of any practical curve. Newton's
         // method on dk/dx = 0 locates it to rounding error.
-        let order = match self {
-            Curve::Cubic(_) => 1.0,
-            Curve::Fourier { harmonics, .. } => harmonics.iter().fold(1.0f64, |m, h| m.max(h.0)),
-        };
-        let grid = (64.0 * order) as usize;
+        let grid = (64.0 * self.highest_order().max(1.0)) as usize;
         let place = |i: usize| width * i as f64 / grid as f64;
         let mut values = vec![self.at(0.0)[0], self.at(width)[0]];
         for i in 0..grid {

@@ -4,7 +4,7 @@ use super::document::{Entry, Node, Place};
 use super::keys::{Key, Kind, REQUIRED, key};
 use super::mistake::{Report, did_you_mean};
 use super::per_radius::{OfModel, Radii};
-use super::{Scene, effects, field, gear_data, keys, laws, output, parameters, solver, start, train};
+use super::{Scene, assembly, effects, field, gear_data, keys, laws, meshes, output, parameters, solver, start, train};
 use crate::model::Model;
 
 /// Keys of the top level of a scene; those of `model = "train"` has [`train::KEYS`] too.
@@ -34,36 +34,33 @@ pub(super) fn scene(root: &Node, end: &Place, models: &[&'static Model], report:
     let mut absent = Vec::new();
     let about = keys::get(entries, "about").and_then(|node| field::text("about", node, report));
     let model = keys::get(entries, "model").and_then(|node| read_model(node, models, report));
-    let mut listed = None;
-    let (model, train, radii): (_, _, Option<Box<dyn Radii>>) = match model {
-        Some(bare) if !bare.elements.is_empty() => {
-            let entries = listed.insert(entries.to_vec());
-            let (model, train, radii) = train::read(bare, entries, [&root.place, end], report)?;
-            (Some(model), Some(train), Some(Box::new(radii)))
-        }
-        derived => (derived, None, None),
+    let mut entries = entries.to_vec();
+    let listed = match model {
+        Some(bare) if !bare.elements.is_empty() => Some(train::read(bare, &mut entries, [&root.place, end], report)?),
+        _ => None,
     };
-    let entries = listed.as_deref().unwrap_or(entries);
+    let model = listed.as_ref().map(|listed| listed.model).or(model);
+    let of_train = listed.as_ref().map(|listed| &listed.meshes);
+    if let Some(model) = model {
+        meshes::infer_rings(&mut entries, model, of_train);
+    }
+    let entries = &entries[..];
     stray_keys(entries, model, report);
     let of_model = model.map(|model| {
         let effects = keys::get(entries, "effects");
         let effects = effects.and_then(|node| effects::read(node, model, report));
+        let of_model = OfModel(model);
+        let radii: &dyn Radii = listed.as_ref().map_or(&of_model, |listed| &listed.radii);
         (
-            effects,
-            parameters::read(
-                entries,
-                (model, radii.as_deref().unwrap_or(&OfModel(model))),
-                effects,
-                &mut absent,
-                report,
-            ),
-            laws::read(entries, model, effects, &mut absent, report),
+            effects.clone(),
+            parameters::read(entries, (model, radii), effects.as_ref(), &mut absent, report),
+            laws::read(entries, model, effects.as_ref(), &mut absent, report),
             laws::gears(entries, model),
             start::read(entries, model, report),
         )
     });
     let (t_end, solver) = output::read_run(entries, &mut absent, report);
-    let effects = of_model.as_ref().and_then(|of_model| of_model.0);
+    let effects = of_model.as_ref().and_then(|of_model| of_model.0.as_ref());
     let output = output::read(entries, (model, effects), t_end, report);
     // Analyses without a run do not need `[run]`, and a run refuses a scene without it. Report it here only together with other mistakes.
     if !report.is_empty() || absent.iter().any(|(name, _)| *name != output::RUN) {
@@ -76,7 +73,7 @@ pub(super) fn scene(root: &Node, end: &Place, models: &[&'static Model], report:
         name: String::new(),
         about: about.unwrap_or_default().to_string(),
         model: model?,
-        train,
+        train: listed.as_ref().map(|listed| listed.train.clone()),
         effects: effects?,
         parameters: parameters.values,
         time_histories: parameters.varying,
@@ -93,7 +90,8 @@ pub(super) fn scene(root: &Node, end: &Place, models: &[&'static Model], report:
         conversions: parameters.conversions,
         warnings: vec![],
     };
-    gear_data::check(&scene, entries, report);
+    assembly::check(&scene, report);
+    gear_data::check(&scene, entries, of_train, report);
     Some(scene)
 }
 

@@ -2,9 +2,13 @@
 //!
 //! Each of n tooth pairs in contact has the stiffness k/n. The pair of the damaged tooth loses the part `loss` of this: once in `of`
 //! pitches, from where it enters contact until it leaves. Compare Z. Chen, Y. Shao, Eng. Fail. Anal. 18 (2011), where the loss follows from
-//! the length of a crack.
+//! the length of a crack. Where both teeth of a pair are damaged, their flexibilities add: with the losses a and b, 1/k of the pair becomes
+//! (1 + a/(1 - a) + b/(1 - b))/k, so that a pair never loses more than its stiffness.
+//!
+//! The numbers of pairs follow from the teeth of the law; along the face of helical gears each transverse section has a law of its own. A law that is given by steps alone has one pair at its low level, and two at its
+//! high one.
 
-use super::document::{Node, Place};
+use super::document::{Entry, Node, Place, Value};
 use super::keys::{Key, Kind, REQUIRED, key};
 use super::mistake::Report;
 use super::{field, keys};
@@ -15,13 +19,22 @@ use crate::tolerance::scene::{DAMAGED_CELLS, TEETH};
 /// The key.
 pub(super) const DAMAGE: &str = "damage";
 /// The key in the table of a law.
-pub(super) const KEYS: &[Key] =
-    &[key(DAMAGE, Kind::List(&Kind::Table(&[TOOTH])), "none", "cracked or spalled teeth, whose pairs carry less")];
+pub(super) const KEYS: &[Key] = &[key(
+    DAMAGE,
+    Kind::List(&Kind::Table(&[TOOTH])),
+    "none",
+    "cracked or spalled teeth, whose pairs carry less; steps without teeth are of one pair and two",
+)];
 /// Keys of a damaged tooth.
 const TOOTH: &[Key] = &[
     key("tooth", Kind::Number, REQUIRED, "which tooth, counted from 1 in the order in which they enter contact"),
     key("of", Kind::Number, REQUIRED, "number of teeth of its gear"),
-    key("loss", Kind::Number, REQUIRED, "lost part of the stiffness of its pair, from 0 to 1"),
+    key(
+        "loss",
+        Kind::Number,
+        REQUIRED,
+        "lost part of the stiffness of its pair, 0 to 1; flexibilities of two damaged teeth add",
+    ),
 ];
 /// What to write.
 const EXAMPLE: &str = "[{ tooth = 1, of = 24, loss = 0.3 }]";
@@ -36,8 +49,8 @@ struct Damage {
     loss: f64,
 }
 
-/// Puts the damaged teeth that `node` lists into a law of one pitch.
-pub(super) fn read(law: &Law, node: &Node, healthy: Profile, report: &mut Report) -> Option<Profile> {
+/// Puts the damaged teeth that `node` lists into a law of one pitch, with the smallest number of `pairs` in contact.
+pub(super) fn read(law: &Law, node: &Node, healthy: Profile, pairs: usize, report: &mut Report) -> Option<Profile> {
     let path = format!("laws.{}.{DAMAGE}", law.name);
     let items = field::array(&path, node, EXAMPLE, report)?;
     let damages: Vec<_> =
@@ -46,7 +59,22 @@ pub(super) fn read(law: &Law, node: &Node, healthy: Profile, report: &mut Report
     if damages.is_empty() {
         return Some(healthy);
     }
-    damaged(&healthy, &damages).map_err(|(message, help)| refuse(&path, &node.place, message, help, report)).ok()
+    damaged(&healthy, &damages, pairs).map_err(|(message, help)| refuse(&path, &node.place, message, help, report)).ok()
+}
+
+/// Refuses damaged teeth in a law over several pitches.
+pub(super) fn refuse_pitches(law: &Law, node: &Node, report: &mut Report) -> Option<Profile> {
+    let message = "a law over several pitches has the damage that its steps have";
+    refuse(&format!("laws.{}.{DAMAGE}", law.name), &node.place, message, "leave out damage or pitches", report);
+    None
+}
+
+/// Refuses damaged teeth in a law that is a series or a table.
+pub(super) fn refuse_curve(law: &Law, node: &Node, report: &mut Report) -> Option<Profile> {
+    let message = "a series or a table does not say where tooth pairs enter contact";
+    let help = "give steps, with ramp for smooth ones, or teeth";
+    refuse(&format!("laws.{}.{DAMAGE}", law.name), &node.place, message, help, report);
+    None
 }
 
 fn refuse(path: &str, place: &Place, message: &str, help: &str, report: &mut Report) {
@@ -89,11 +117,23 @@ fn tooth(path: &str, node: &Node, report: &mut Report) -> Option<Damage> {
     Some(Damage { tooth: tooth? as usize - 1, of: of? as usize, loss: loss? })
 }
 
-/// The law over as many pitches as it takes until the damaged teeth of all gears are at the same place again.
-fn damaged(healthy: &Profile, damages: &[Damage]) -> Result<Profile, (&'static str, &'static str)> {
-    if !healthy.steps_only() {
-        return Err(("only a law of steps can have damaged teeth", "give steps, or teeth with course = \"levels\""));
+/// Checks that damaged teeth are those of a gear of the mesh, whose numbers of teeth are `teeth`.
+pub(super) fn check(law: &Law, entries: &[Entry], teeth: [f64; 2], report: &mut Report) {
+    let Some(Value::Array(items)) = keys::get(entries, DAMAGE).map(|node| &node.value) else { return };
+    for (i, item) in items.iter().enumerate() {
+        let Value::Table(tooth) = &item.value else { continue };
+        let of =
+            keys::get(tooth, "of").and_then(|node| Some((field::quantity("", node, "1", &mut Report::new())?, node)));
+        let Some((of, node)) = of.filter(|(of, _)| !teeth.contains(of)) else { continue };
+        let path = format!("laws.{}.{DAMAGE}.{i}.of", law.name);
+        let what = format!("`{path}` is {of}, but the gears of this mesh have {} and {} teeth", teeth[0], teeth[1]);
+        report.add(&node.place, what, "no gear of this mesh", "give the number of teeth of the damaged gear");
     }
+}
+
+/// The law over as many pitches as it takes until the damaged teeth of all gears are at the same place again. At least `pairs` pairs are in
+/// contact, and one more where the law is higher.
+fn damaged(healthy: &Profile, damages: &[Damage], pairs: usize) -> Result<Profile, (&'static str, &'static str)> {
     let n = healthy.steps.len();
     let more: Vec<bool> = healthy.steps.iter().map(|step| step.value > healthy.mid()).collect();
     let rises: Vec<usize> = (0..n).filter(|&i| more[i] && !more[(i + n - 1) % n]).collect();
@@ -106,21 +146,28 @@ fn damaged(healthy: &Profile, damages: &[Damage]) -> Result<Profile, (&'static s
     let pitches = pitches.filter(|pitches| pitches * n <= DAMAGED_CELLS);
     let pitches =
         pitches.ok_or(("the damaged teeth meet again only after too many pitches", "damage teeth of one gear only"))?;
-    // The contact of a pair lasts from the rise to the fall in the next pitch.
+    // The contact of a pair lasts from a rise through as many falls as there are pairs at least.
     let single = (0..n).filter(|&i| !more[i]).count();
-    let of_contact = n + (n - single);
+    let of_contact = pairs * n + (n - single);
     let mut steps: Vec<Step> = (0..pitches).flat_map(|_| healthy.steps.iter().copied()).collect();
-    for damage in damages {
-        for first in (damage.tooth..pitches).step_by(damage.of) {
-            for i in 0..of_contact {
-                let cell = first * n + rise + i;
-                let pairs = if more[cell % n] { 2.0 } else { 1.0 };
-                steps[cell % (pitches * n)].value -= damage.loss * healthy.steps[cell % n].value / pairs;
-            }
+    for pair in 0..pitches {
+        let teeth = damages.iter().filter(|damage| pair % damage.of == damage.tooth);
+        let loss = teeth.fold(0.0, |loss, damage| together(loss, damage.loss));
+        for cell in (0..of_contact).map(|i| pair * n + rise + i) {
+            let pairs = pairs + usize::from(more[cell % n]);
+            steps[cell % (pitches * n)].value -= loss * healthy.steps[cell % n].value / pairs as f64;
         }
     }
     steps.iter_mut().for_each(|step| step.value = step.value.max(0.0));
-    Ok(Profile::stepping(steps).with_origin(healthy.origin).with_pitches(pitches as u32))
+    // A curve keeps its shape.
+    let part = |i: usize| steps[i].value / healthy.steps[i % n].value;
+    let curves = (0..steps.len()).filter_map(|i| Some(healthy.curves.get(i % n)?.times(part(i)))).collect();
+    Ok(Profile { steps, curves, origin: healthy.origin, pitches: pitches as u32 })
+}
+
+/// The lost part of the stiffness of a pair with two damaged teeth, which would lose the parts `a` and `b` alone.
+fn together(a: f64, b: f64) -> f64 {
+    if a.max(b) < 1.0 { (a + b - 2.0 * a * b) / (1.0 - a * b) } else { 1.0 }
 }
 
 fn gcd(a: usize, b: usize) -> usize {
@@ -130,13 +177,14 @@ fn gcd(a: usize, b: usize) -> usize {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::profile::Curve;
 
     fn pair() -> Profile {
         Profile::stepping(vec![Step { value: 10.0, width: 0.25 }, Step { value: 20.0, width: 0.75 }])
     }
 
     fn values(damages: &[Damage]) -> Vec<f64> {
-        damaged(&pair(), damages).unwrap().steps.iter().map(|step| step.value).collect()
+        damaged(&pair(), damages, 1).unwrap().steps.iter().map(|step| step.value).collect()
     }
 
     #[test]
@@ -155,12 +203,47 @@ mod tests {
     fn teeth_of_both_gears_repeat_after_the_common_multiple() {
         let law = values(&[Damage { tooth: 0, of: 2, loss: 0.2 }, Damage { tooth: 0, of: 3, loss: 0.1 }]);
         assert_eq!(law.len(), 12);
-        assert_eq!([law[1], law[3], law[5], law[7]], [20.0 - 2.0 - 1.0, 17.0, 18.0, 17.0]);
+        // Both teeth of the first pair are damaged: 1/k becomes (1 + 1/4 + 1/9)/k.
+        let both = 10.0 - 10.0 / (1.0 + 0.25 + 1.0 / 9.0);
+        assert!((law[1] - (20.0 - both)).abs() < 1e-14 && (law[3] - (20.0 - both)).abs() < 1e-14, "{law:?}");
+        assert_eq!([law[5], law[7]], [18.0, 17.0]);
+    }
+
+    #[test]
+    fn a_pair_of_two_damaged_teeth_keeps_a_part_of_its_stiffness() {
+        assert_eq!(
+            [together(0.0, 0.3), together(0.3, 0.0), together(1.0, 0.3), together(1.0, 1.0)],
+            [0.3, 0.3, 1.0, 1.0]
+        );
+        assert!((together(0.6, 0.6) - 0.75).abs() < 1e-15);
+        let law = values(&[Damage { tooth: 0, of: 3, loss: 0.6 }, Damage { tooth: 0, of: 3, loss: 0.6 }]);
+        // Of the pair 1/4 remains; two other pairs are whole.
+        let apart = law.iter().zip([10.0, 12.5, 2.5, 12.5, 10.0, 20.0]).map(|(a, b)| (a - b).abs());
+        assert!(apart.into_iter().all(|apart| apart < 1e-14), "{law:?}");
+    }
+
+    /// With a contact ratio of 2.25 a pair is in contact for two pitches and a quarter: one of three, one of two, of three, of two, of three.
+    #[test]
+    fn a_pair_of_three_loses_a_third() {
+        let law = Profile::stepping(vec![Step { value: 20.0, width: 0.75 }, Step { value: 30.0, width: 0.25 }]);
+        let law = damaged(&law, &[Damage { tooth: 0, of: 4, loss: 1.0 }], 2).unwrap();
+        let values: Vec<_> = law.steps.iter().map(|step| step.value).collect();
+        assert_eq!(values, [20.0, 20.0, 10.0, 20.0, 10.0, 20.0, 20.0, 30.0]);
+    }
+
+    /// Curves keep their shape: a cell of two pairs of which one is lost has half of its curve.
+    #[test]
+    fn curves_of_a_damaged_pair_are_scaled() {
+        let curve = |value| Curve::Cubic([value, 0.1 * value, 0.0, 0.0]);
+        let law = Profile::curved(vec![(curve(10.0), 0.25), (curve(20.0), 0.75)]);
+        let law = damaged(&law, &[Damage { tooth: 0, of: 2, loss: 1.0 }], 1).unwrap();
+        assert_eq!(law.curves, [10.0, 10.0, 0.0, 10.0].map(curve));
+        assert!((law.steps[1].value - 0.5 * curve(20.0).mean(0.75)).abs() < 1e-15);
     }
 
     #[test]
     fn a_constant_law_is_refused() {
         let constant = Profile::stepping(vec![Step { value: 1.0, width: 1.0 }]);
-        assert!(damaged(&constant, &[Damage { tooth: 0, of: 2, loss: 0.2 }]).is_err());
+        assert!(damaged(&constant, &[Damage { tooth: 0, of: 2, loss: 0.2 }], 1).is_err());
     }
 }

@@ -1,5 +1,10 @@
 //! Effect sets: conversion from and to names, and checks of combinations.
 
+use std::collections::HashSet;
+
+use fixedbitset::FixedBitSet;
+use indexmap::IndexSet;
+
 use super::Effects;
 use super::document::Node;
 use super::field;
@@ -7,66 +12,98 @@ use super::mistake::{Report, list};
 use crate::model::{Effect, Law, Model, Torque};
 
 impl Effects {
+    /// The effects of a model with these numbers. Panics if the model has no such effect.
+    pub fn numbered(model: &Model, numbers: impl IntoIterator<Item = usize>) -> Effects {
+        numbers.into_iter().fold(Effects(FixedBitSet::with_capacity(model.effects.len())), Effects::with)
+    }
+
+    /// No effect.
+    pub fn none(model: &Model) -> Effects {
+        Effects::numbered(model, [])
+    }
+
+    /// All effects of the model.
+    pub fn all(model: &Model) -> Effects {
+        Effects::numbered(model, 0..model.effects.len())
+    }
+
+    /// The set with effect `i` of the model too.
+    pub fn with(mut self, i: usize) -> Effects {
+        self.0.insert(i);
+        self
+    }
+
+    /// The set without effect `i` of the model.
+    pub fn without(mut self, i: usize) -> Effects {
+        self.0.remove(i);
+        self
+    }
+
+    /// The indices of the effect `name`, or of the effect of that name at each part.
+    pub fn numbers(name: &str, model: &Model) -> Vec<usize> {
+        let all = model.effects.iter().enumerate().filter(|(_, effect)| effect.name == name || effect.of == Some(name));
+        all.map(|(i, _)| i).collect()
+    }
+
     /// Whether effect `i` of the model is in the set.
-    pub fn contains(self, i: usize) -> bool {
-        i < u64::BITS as usize && self.0 >> i & 1 == 1
+    pub fn contains(&self, i: usize) -> bool {
+        self.0.contains(i)
+    }
+
+    /// Whether no effect of the set excludes another one, or needs one that is missing.
+    pub fn agree(&self, model: &Model) -> bool {
+        self.contradictions(model).is_empty()
     }
 
     /// The effects of the set, in the model's order.
-    fn of(self, model: &Model) -> impl Iterator<Item = &'static Effect> + use<> {
-        model.effects.iter().enumerate().filter(move |(i, _)| self.contains(*i)).map(|(_, effect)| effect)
+    fn of(&self, model: &Model) -> impl Iterator<Item = &'static Effect> {
+        self.0.ones().map(move |i| &model.effects[i])
     }
 
     /// Whether the set has the effect `name`, or that of one of its parts.
-    pub fn has(self, name: &str, model: &Model) -> bool {
+    pub fn has(&self, name: &str, model: &Model) -> bool {
         self.of(model).any(|effect| effect.name == name || effect.of == Some(name))
     }
 
     /// Whether a term that needs the effect `with` is active; a term without effect always is.
-    pub fn activate(self, with: Option<&str>, model: &Model) -> bool {
+    pub fn activate(&self, with: Option<&str>, model: &Model) -> bool {
         with.is_none_or(|effect| self.has(effect, model))
     }
 
     /// The external torques of a model that scenes with these effects have, by their numbers.
-    pub fn torques(self, model: &Model) -> Vec<usize> {
+    pub fn torques(&self, model: &Model) -> Vec<usize> {
         let has = |torque: &Torque| torque.with.iter().all(|effect| self.has(effect, model));
         (0..model.torques.len()).filter(|&i| has(&model.torques[i])).collect()
     }
 
     /// The names of the effects, in the model's order. If all parts have an effect, its name stands for them.
-    pub fn names(self, model: &Model) -> Vec<&'static str> {
-        let of_all = |name: &str| {
-            model.effects.iter().filter(|e| e.of == Some(name)).all(|e| self.of(model).any(|o| o.name == e.name))
-        };
-        let mut names: Vec<&'static str> = vec![];
-        for effect in self.of(model) {
-            let name = effect.of.filter(|of| of_all(of)).unwrap_or(effect.name);
-            if !names.contains(&name) {
-                names.push(name);
-            }
-        }
-        names
+    pub fn names(&self, model: &Model) -> Vec<&'static str> {
+        let absent = model.effects.iter().enumerate().filter(|(i, _)| !self.contains(*i));
+        let not_all: HashSet<&str> = absent.filter_map(|(_, effect)| effect.of).collect();
+        let name = |effect: &'static Effect| effect.of.filter(|of| !not_all.contains(of)).unwrap_or(effect.name);
+        self.of(model).map(name).collect::<IndexSet<_>>().into_iter().collect()
     }
 
     /// Whether the phase of a law rolls in scenes with these effects: nothing else depends on its whole pitches.
-    pub fn rolls(self, law: &Law, model: &Model) -> bool {
+    pub fn rolls(&self, law: &Law, model: &Model) -> bool {
         law.rolling && !law.held.iter().any(|effect| self.has(effect, model))
     }
 
     /// Whether a coordinate of a model rotates without end in scenes with these effects. It does if it is the phase of a law that rolls.
-    pub fn turns(self, coordinate: &str, model: &Model) -> bool {
+    pub fn turns(&self, coordinate: &str, model: &Model) -> bool {
         model.laws.iter().any(|law| law.phase == coordinate && self.rolls(law, model))
     }
 
     /// The terms that make cells of `model` nonlinear with these effects, as text; empty if cells are linear.
-    pub fn nonlinear(self, model: &Model) -> String {
-        let with = model.nonlinear_with.iter().filter(|(effect, _)| self.has(effect, model));
+    pub fn nonlinear(&self, model: &Model) -> String {
+        let all = |effects: &[&str]| effects.iter().all(|effect| self.has(effect, model));
+        let with = model.nonlinear_with.iter().filter(|(effects, _)| all(effects));
         let all = std::iter::once(model.nonlinear).filter(|terms| !terms.is_empty()).chain(with.map(|(_, term)| *term));
         all.collect::<Vec<_>>().join("; ")
     }
 
     /// The effects of the set that exclude one another or need a missing one, as text; empty if there are none.
-    pub fn contradictions(self, model: &Model) -> String {
+    pub fn contradictions(&self, model: &Model) -> String {
         let of = |effect: &Effect| {
             let excluded = effect.excludes.iter().filter(|other| self.has(other, model));
             let lacking = effect.requires.iter().filter(|other| !self.has(other, model));
@@ -78,19 +115,11 @@ impl Effects {
 
     /// The set of the effects with these names, those of all parts for an effect of parts; `None` if the model lacks one of them.
     pub fn from_names<'a>(names: impl IntoIterator<Item = &'a str>, model: &Model) -> Option<Effects> {
-        let mut named = names.into_iter().map(|name| named(name, model));
-        named.try_fold(Effects(0), |set, named| (!named.is_empty()).then(|| named.into_iter().fold(set, Effects::with)))
+        let mut named = names.into_iter().map(|name| Effects::numbers(name, model));
+        named.try_fold(Effects::none(model), |set, named| {
+            (!named.is_empty()).then(|| named.into_iter().fold(set, Effects::with))
+        })
     }
-
-    fn with(self, i: usize) -> Effects {
-        Effects(self.0 | 1u64.checked_shl(i as u32).unwrap_or(0))
-    }
-}
-
-/// The indices of the effect `name`, or of the effect of that name at each part.
-fn named(name: &str, model: &Model) -> Vec<usize> {
-    let all = model.effects.iter().enumerate().filter(|(_, effect)| effect.name == name || effect.of == Some(name));
-    all.map(|(i, _)| i).collect()
 }
 
 /// The names that a scene may use: of effects, and of effects of parts for all parts.
@@ -109,9 +138,11 @@ pub(super) fn read(node: &Node, model: &Model, report: &mut Report) -> Option<Ef
     let names = field::names("effects", node, "effect", &allowed, report)?;
     let mut chosen: Vec<usize> = vec![];
     for name in names {
-        chosen.extend(named(allowed[name], model).into_iter().filter(|i| !chosen.contains(i)).collect::<Vec<_>>());
+        chosen.extend(
+            Effects::numbers(allowed[name], model).into_iter().filter(|i| !chosen.contains(i)).collect::<Vec<_>>(),
+        );
     }
-    let set = chosen.iter().copied().fold(Effects(0), Effects::with);
+    let set = Effects::numbered(model, chosen.iter().copied());
     for (n, &i) in chosen.iter().enumerate() {
         let effect = &model.effects[i];
         let name = effect.name;

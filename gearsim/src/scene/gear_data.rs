@@ -1,29 +1,30 @@
 //! The data of gears in a scene, checked against one another: parameters that are numbers of teeth, base radii and pressure angles, and
 //! the teeth from which laws are computed.
 //!
-//! The description of a parameter states what it is. The name of a law states its mesh: `k12` of gears 1 and 2, `k_s1` of sun and planet,
-//! `k_r1` of planet and ring, `k` of a model with two gears. Impossible values are refused, and rare ones give a warning.
+//! The model states what a parameter is ([`GearData`]). A law is compared with its mesh ([`super::meshes`]). Impossible values are refused,
+//! and rare ones give a warning.
 
 use super::document::{Entry, Node, Value};
+use super::meshes::{self, Mesh};
 use super::mistake::Report;
 use super::teeth::TeethReader;
-use super::{Scene, field, keys};
+use super::train::Meshes;
+use super::{Scene, damage, field, keys};
 use crate::gear::Gears;
-use crate::model::{Model, Parameter};
+use crate::model::{GearData, Model, Parameter};
 use crate::tolerance::scene::{
     BASE_RADIUS, MODULES, PRESSURE_ANGLES, TEETH, USUAL_ANGLES, USUAL_MODULES, WORKING_ANGLE,
 };
 
-/// Checks the gears of `scene`, which was read from `entries`.
-pub(super) fn check(scene: &Scene, entries: &[Entry], report: &mut Report) {
+/// Checks the gears of `scene`, which was read from `entries`. `train` has the meshes of a train.
+pub(super) fn check(scene: &Scene, entries: &[Entry], train: Option<&Meshes>, report: &mut Report) {
     let checker = Checker { scene, parameters: table(entries, "parameters"), laws: table(entries, "laws") };
     for (parameter, x) in scene.model.parameters.iter().zip(&scene.parameters) {
-        if parameter.doc.starts_with("number of teeth") {
-            checker.number_of_teeth(parameter, *x, report);
-        } else if parameter.doc.starts_with("base radius") {
-            checker.base_radius(parameter, *x, report);
-        } else if is_angle(parameter) {
-            checker.pressure_angle(parameter, *x, report);
+        match parameter.gear_data {
+            Some(GearData::Teeth) => checker.number_of_teeth(parameter, *x, report),
+            Some(GearData::BaseRadius) => checker.base_radius(parameter, *x, report),
+            Some(GearData::PressureAngle) => checker.pressure_angle(parameter, *x, report),
+            Some(GearData::Support) | None => {}
         }
     }
     for law in scene.model.laws {
@@ -31,9 +32,15 @@ pub(super) fn check(scene: &Scene, entries: &[Entry], report: &mut Report) {
             && let Value::Table(of_law) = &node.value
         {
             let reader = TeethReader { law, entries: of_law, place: &node.place };
+            let mesh = meshes::of_law(law.name, scene.model, train, &|name| scene.parameter(name));
             // Mistakes in the teeth themselves were reported when the law was read.
-            if let (true, Some(gears)) = (reader.given(), reader.gears(&mut Report::new())) {
-                checker.teeth_of_law(&reader, &gears, report);
+            let gears = reader.given().then(|| reader.gears(&mut Report::new())).flatten();
+            if let (Some(gears), Some(mesh)) = (&gears, &mesh) {
+                checker.teeth_of_law(&reader, gears, mesh, report);
+            }
+            let of_mesh = || mesh.and_then(|mesh| mesh.teeth());
+            if let Some(teeth) = gears.map(|gears| gears.teeth).or_else(of_mesh) {
+                damage::check(law, of_law, teeth, report);
             }
         }
     }
@@ -47,7 +54,7 @@ fn table<'a>(entries: &'a [Entry], name: &str) -> &'a [Entry] {
 }
 
 fn is_angle(parameter: &Parameter) -> bool {
-    parameter.unit == "rad" && parameter.doc.contains("pressure angle")
+    parameter.gear_data == Some(GearData::PressureAngle)
 }
 
 struct Checker<'a> {
@@ -111,46 +118,60 @@ impl Checker<'_> {
         }
     }
 
-    /// Compares the teeth of a law with the parameters of its gears.
-    fn teeth_of_law(&self, reader: &TeethReader<'_>, gears: &Gears, report: &mut Report) {
-        let model = self.scene.model;
+    /// Compares the teeth of a law with its mesh.
+    fn teeth_of_law(&self, reader: &TeethReader<'_>, gears: &Gears, mesh: &Mesh, report: &mut Report) {
         let name = reader.law.name;
         if !USUAL_MODULES.contains(&gears.module) {
             report.warn(format!("`laws.{name}.module` is {:.4} mm, which is rare", 1e3 * gears.module));
         }
-        for (i, gear) in of_mesh(name).into_iter().enumerate() {
-            let Some((z, said)) = self.scene.teeth_of(&gear) else { continue };
-            if z != gears.teeth[i] {
+        if mesh.internal.is_some_and(|internal| internal != gears.internal) {
+            let of = mesh.title.as_ref().map_or(format!("`{name}`"), |title| format!("{title}, `{name}`,"));
+            let [said, is] = if gears.internal { ["true", "external"] } else { ["false", "of a ring gear"] };
+            let what = format!("`laws.{name}` has internal = {said}, but the mesh of {of} is {is}");
+            let help = "leave out `internal` in the law; in a train, `internal = true` in [meshes.NAME] makes its second gear a ring";
+            return report.add(reader.internal_at(), what, "another kind of mesh", help);
+        }
+        for (i, gear) in mesh.gears.iter().enumerate() {
+            let Some((z, said)) = &gear.teeth else { continue };
+            if *z != gears.teeth[i] {
                 let what = format!("`laws.{name}.teeth` has {} teeth for a gear with {said}", gears.teeth[i]);
                 let help = "give the teeth of the gears of this mesh, the driving gear first";
                 return report.add(reader.at(), what, "other gears", help);
             }
-            let radius =
-                model.parameters.iter().find(|p| p.doc.starts_with("base radius") && p.name == format!("r{gear}"));
-            let Some((parameter, r)) = radius.and_then(|p| Some((p, self.scene.parameter(p.name)?))) else { continue };
+            let Some((parameter, r)) = &gear.radius else { continue };
             let base = z * gears.base_radius_per_tooth();
             if (r / base - 1.0).abs() > BASE_RADIUS {
-                let place = self.node(parameter).map_or(reader.at(), |node| &node.place);
-                let what = format!(
-                    "`parameters.{}` is {r} m, but the base radius of the teeth of `laws.{name}` is {base:.6} m",
-                    parameter.name
-                );
+                let place = keys::get(self.parameters, parameter).map_or(reader.at(), |node| &node.place);
+                let stated = self.scene.parameter(parameter) == Some(*r);
+                let of = if stated {
+                    format!("`parameters.{parameter}`")
+                } else {
+                    format!("by `parameters.{parameter}` the base radius of the gear with {said}")
+                };
+                let what = format!("{of} is {r} m, but the base radius of the teeth of `laws.{name}` is {base:.6} m");
                 let help = "the base radius is module x teeth/2 x cos(pressure angle), both in the transverse plane if the gears are helical";
                 return report.add(place, what, "another gear", help);
             }
         }
-        self.working_angle(reader, gears, report);
+        let helix = gears.base_helix_angle();
+        if let Some(tangent) = mesh.tangent.filter(|tangent| (tangent - helix.tan()).abs() > BASE_RADIUS) {
+            let [of_mesh, of_law] = [tangent.atan(), helix].map(f64::to_degrees);
+            let what = format!(
+                "the teeth of `laws.{name}` have a base helix angle of {of_law:.2} deg, but those of {} one of {of_mesh:.2} deg",
+                mesh.title.as_deref().unwrap_or("the mesh")
+            );
+            return report.add(reader.at(), what, "another helix", "give both the same helix_angle");
+        }
+        self.working_angle(reader, gears, mesh, report);
     }
 
-    fn working_angle(&self, reader: &TeethReader<'_>, gears: &Gears, report: &mut Report) {
+    fn working_angle(&self, reader: &TeethReader<'_>, gears: &Gears, mesh: &Mesh, report: &mut Report) {
         let parameters = self.scene.model.parameters.iter().zip(&self.scene.parameters);
         let active = self.scene.effects.names(self.scene.model);
-        // A mesh may have an angle of its own; else it has that of the model.
-        let own = format!("alpha{}", part_of(reader.law.name));
-        let has_own = self.scene.model.parameters.iter().any(|p| p.name == own);
-        let mut angles = parameters.filter(|(p, _)| {
-            is_angle(p) && p.with.is_none_or(|effect| active.contains(&effect)) && (!has_own || p.name == own)
-        });
+        let is_own = |p: &Parameter| mesh.angle.as_ref().is_none_or(|own| p.name == own);
+        // An angle that the scene states is checked even if no effect uses it.
+        let used = |p: &Parameter| p.with.is_none_or(|effect| active.contains(&effect)) || self.node(p).is_some();
+        let mut angles = parameters.filter(|(p, _)| is_angle(p) && used(p) && is_own(p));
         let (Some((parameter, alpha)), Ok(contact)) = (angles.next(), gears.contact()) else { return };
         let (given, working) = (alpha.to_degrees(), contact.angle.to_degrees());
         let (name, law) = (parameter.name, reader.law.name);
@@ -170,6 +191,7 @@ impl Checker<'_> {
 
 impl Scene {
     /// Number of teeth of a gear by its suffix, and where it comes from; `_p` is a planet.
+    #[cfg(feature = "html")]
     pub(crate) fn teeth_of(&self, gear: &str) -> Option<(f64, String)> {
         teeth(gear, &|name| self.parameter(name))
     }
@@ -183,7 +205,7 @@ impl Scene {
 }
 
 /// Number of teeth of a gear by its suffix, and where it comes from; `_p` is a planet. `value` has the values of the parameters.
-fn teeth(gear: &str, value: &dyn Fn(&str) -> Option<f64>) -> Option<(f64, String)> {
+pub(super) fn teeth(gear: &str, value: &dyn Fn(&str) -> Option<f64>) -> Option<(f64, String)> {
     let of = |name: &str| value(name).filter(|x| x.is_finite());
     if gear == "_p" {
         let (sun, ring) = (of("Z_s")?, of("Z_r")?);
@@ -217,7 +239,7 @@ pub(super) fn radius(model: &Model, gear: &str, value: &dyn Fn(&str) -> Option<f
 }
 
 /// The suffix of the mesh of a law: `12` of `k12`, `_s1` of `k_s1`.
-fn part_of(law: &str) -> &str {
+pub(super) fn part_of(law: &str) -> &str {
     law.trim_start_matches(|c: char| c.is_alphabetic())
 }
 

@@ -1,4 +1,4 @@
-//! `[laws]`: mesh stiffnesses, transmission errors and friction laws over one pitch; transmission errors also over several pitches.
+//! `[laws]`: mesh stiffnesses, transmission errors and friction laws over one or several pitches.
 
 use super::document::{Entry, Node, Value};
 use super::keys::{Key, Kind, Named, REQUIRED, each, key};
@@ -18,13 +18,13 @@ pub(super) const PHASE: Kind = Kind::ValueIn("unit of the mesh phase");
 
 /// Laws that a scene may have.
 pub(super) const NAMED: &[Named] = &[
-    each("STIFFNESS", Kind::Table(STIFFNESS), REQUIRED, "a mesh stiffness over one pitch"),
+    each("STIFFNESS", Kind::Table(STIFFNESS), REQUIRED, "a mesh stiffness over one or more pitches"),
     each("ERROR", Kind::Table(ERROR), "required with its effect", "a transmission error over one or more pitches"),
     each(
         "FRICTION",
         Kind::Table(FRICTION),
         "required with its effect",
-        "side or arm of sliding friction over one pitch",
+        "side or arm of sliding friction over one or more pitches",
     ),
 ];
 
@@ -37,6 +37,12 @@ pub(super) const FRICTION: &[&[Key]] = &[KEYS, smooth::KEYS, teeth::GEARS, teeth
 /// Keys of all laws.
 const KEYS: &[Key] = &[
     key("steps", Kind::List(&Kind::Table(&[STEP])), "none", "levels over one pitch; a single level is a constant"),
+    key(
+        "pitches",
+        Kind::Number,
+        "1",
+        "number of pitches that steps, harmonics or table cover; teeth have one law a pitch",
+    ),
     key(
         "phase",
         mesh_phase::KIND,
@@ -55,7 +61,7 @@ const STEP: &[Key] = &[
 pub(super) fn read(
     entries: &[Entry],
     model: &Model,
-    effects: Option<Effects>,
+    effects: Option<&Effects>,
     absent: &mut Vec<(&str, String)>,
     report: &mut Report,
 ) -> Option<Vec<Profile>> {
@@ -143,16 +149,16 @@ impl<'a> LawReader<'a> {
         keys::known(entries, &format!("[{table}]"), allowed, report);
         // After a mistake in the number of pitches, reading goes on with 1, so that other mistakes are found too.
         let stated = transmission_error::pitches(self.law, entries, report);
-        let pitches = stated.unwrap_or(1);
+        let unshifted = self.unshifted(entries, node, stated.unwrap_or(1), report);
+        // A law with damaged teeth has a period of its own.
+        let pitches = unshifted.as_ref().map_or(1, |law| law.pitches) * stated.unwrap_or(1);
         let phase = match keys::get(entries, "phase") {
             None => Some(0.0),
             Some(node) if mesh_phase::wrong_type(&format!("{table}.phase"), node, report) => None,
             Some(node) => mesh_phase::read(self.law, self.phase_unit, pitches, node, report),
         };
-        let law = self.unshifted(entries, node, pitches, report)?;
-        // A law with damaged teeth has a period of its own.
-        let pitches = law.pitches * stated?;
-        let law = law.with_pitches(pitches);
+        stated?;
+        let law = unshifted?.with_pitches(pitches);
         let begins = law.origin - phase?;
         Some(law.with_origin(begins))
     }
@@ -162,23 +168,37 @@ impl<'a> LawReader<'a> {
         let table = format!("laws.{}", self.law.name);
         let length = self.law.period * f64::from(pitches);
         let smooth = SmoothLaw { law: self.law, phase_unit: self.phase_unit, length, entries, place: &node.place };
+        let damage = keys::get(entries, damage::DAMAGE).filter(|_| self.law.role == Role::Stiffness);
+        if let (Some(node), true) = (damage, pitches > 1) {
+            return damage::refuse_pitches(self.law, node, report);
+        }
         if let Some(read) = smooth.instead_of_steps(report) {
-            return read;
+            return match damage {
+                Some(node) => damage::refuse_curve(self.law, node, report),
+                None => read,
+            };
         }
         if let Some(node) = keys::get(entries, transmission_error::OF_TEETH) {
             return smooth.ramped(transmission_error::of_teeth(self.law, node, report)?, report);
         }
         let teeth = TeethReader { law: self.law, entries, place: &node.place };
+        if let (true, Some(node)) = (teeth.given(), keys::get(entries, "pitches")) {
+            let message = format!("`{table}` has both pitches and teeth");
+            let help = "leave out pitches: a law from teeth is the same in each pitch; see damage and pitch_errors";
+            report.add(&node.place, message, "one too many", help);
+            return None;
+        }
         if teeth.given() {
-            let read = match self.law.role {
-                Role::Stiffness => teeth.read(report),
-                Role::Error => None, // an error has no keys of teeth; `known` has reported them
-                Role::Side | Role::Arm => {
+            let read = match (self.law.role, damage) {
+                (Role::Stiffness, Some(node)) => self.damaged_teeth(&teeth, node, report),
+                (Role::Stiffness, None) => teeth.read(report),
+                (Role::Error, _) => None, // an error has no keys of teeth; `known` has reported them
+                (Role::Side | Role::Arm, _) => {
                     let law = teeth.friction_law(report)?;
                     law.map_err(|e| teeth.refused(teeth.at(), e, report)).ok()
                 }
             };
-            return smooth.ramped(self.damaged(entries, read?, report)?, report);
+            return smooth.ramped(read?, report);
         }
         let Some(steps) = keys::get(entries, "steps") else {
             let line = format!("steps = {}", self.steps());
@@ -186,15 +206,21 @@ impl<'a> LawReader<'a> {
             return None;
         };
         let stepping = self.stepping(steps, length, report)?;
-        smooth.ramped(self.damaged(entries, stepping, report)?, report)
+        let law = match damage {
+            // Steps do not state their pairs: one pair, and two at the higher level.
+            Some(node) => damage::read(self.law, node, stepping, 1, report)?,
+            None => stepping,
+        };
+        smooth.ramped(law, report)
     }
 
-    /// The law with the damaged teeth of the scene.
-    fn damaged(&self, entries: &[Entry], healthy: Profile, report: &mut Report) -> Option<Profile> {
-        match keys::get(entries, damage::DAMAGE) {
-            Some(node) => damage::read(self.law, node, healthy, report),
-            None => Some(healthy),
-        }
+    /// The stiffness of teeth of which some are damaged. Along the face of helical gears a damaged tooth meets each transverse section at its own
+    /// phase, so that the law of a section has the damage, and is then averaged.
+    fn damaged_teeth(&self, teeth: &TeethReader<'_>, node: &Node, report: &mut Report) -> Option<Profile> {
+        let (section, window) = teeth.of_section(report)?;
+        let contact = teeth.gears(&mut Report::new()).and_then(|gears| gears.contact().ok());
+        let pairs = contact.map_or(1, |contact| contact.pairs().0);
+        Some(damage::read(self.law, node, section, pairs, report)?.averaged(window))
     }
 
     fn stepping(&self, steps: &Node, length: f64, report: &mut Report) -> Option<Profile> {

@@ -9,6 +9,10 @@
 //! phase of k_sn = -Z_s psi_n/(2 pi)          k_rn:  +Z_r psi_n/(2 pi) - (Z_p - 1)/2        [pitches]
 //! ```
 //!
+//! A law over several pitches, such as that of a damaged tooth of the sun, keeps the whole pitches of the shift: the tooth passes the planets
+//! one after the other, in the direction in which the sun turns. A damaged tooth of the planets is met by each planet as its law says, so that
+//! the teeth of each planet count from the one that meets the tooth 1 of the sun; it meets the ring half a turn of the planet later.
+//!
 //! These are the paper's gamma_sn, gamma_rn and gamma_rs with the opposite sign, because the paper counts the delay of a mesh. The first
 //! two terms agree modulo 1 for a planet that fits between sun and ring, (Z_s + Z_r) psi_n = 2 pi times a whole number. The last term is
 //! the shift between the two meshes of one planet, whose teeth touch the sun with one flank and the ring with the other. It holds for
@@ -37,11 +41,12 @@ const PLANET: &[Key] = &[
     key("planet", Kind::Number, "1", "number of teeth of the planet, with ring"),
 ];
 
-/// Reads `phase` [unit of the law's phase coordinate], reduced to less than the period of `pitches` pitches.
+/// Reads `phase` [unit of the law's phase coordinate], reduced to less than the period of `pitches` pitches. Whole pitches count in a law
+/// over several pitches: they decide which tooth a planet meets.
 pub(super) fn read(law: &Law, unit: &str, pitches: u32, node: &Node, report: &mut Report) -> Option<f64> {
     let path = format!("laws.{}.phase", law.name);
     if let Value::Table(entries) = &node.value {
-        return Some(of_planet(&path, entries, node, report)? * law.period);
+        return Some(within(pitches, of_planet(&path, entries, node, report)?) * law.period);
     }
     let bare = match &node.value {
         Value::Number(_) => true,
@@ -94,13 +99,17 @@ fn of_planet(path: &str, entries: &[Entry], node: &Node, report: &mut Report) ->
         (Some(z), ..) => (z - 1.0) / 2.0,
         _ => 0.0,
     };
-    Some(whole_fraction((lead - between).fract()))
+    Some(lead - between)
 }
 
-/// Rounds `x` to a fraction with a denominator of at most [`PHASE_DENOMINATOR`] if one lies within [`PHASE_FRACTION`]; otherwise returns `x`.
-fn whole_fraction(x: f64) -> f64 {
-    let near = (1..=PHASE_DENOMINATOR).map(f64::from).find(|d| (x * d - (x * d).round()).abs() < PHASE_FRACTION * d);
-    near.map_or(x, |d| ((x * d).round() / d).fract())
+/// The shift `x` [pitches], reduced to less than `pitches`. Its fraction is rounded to one with a denominator of at most
+/// [`PHASE_DENOMINATOR`] if there is one within [`PHASE_FRACTION`].
+fn within(pitches: u32, x: f64) -> f64 {
+    let (whole, part) = (x.trunc(), x.fract());
+    let near = |d: &f64| (part * d - (part * d).round()).abs() < PHASE_FRACTION * d;
+    let part = (1..=PHASE_DENOMINATOR).map(f64::from).find(near).map_or(part, |d| (part * d).round() / d);
+    // A fraction may have been rounded to a whole pitch.
+    (whole + part.trunc()) % f64::from(pitches) + part.fract()
 }
 
 /// Reports a value of `phase` that is neither a number, a text nor a table; returns whether it did.
@@ -116,10 +125,20 @@ pub(super) fn wrong_type(path: &str, node: &Node, report: &mut Report) -> bool {
 #[test]
 fn phases_near_a_fraction_are_rounded_to_it() {
     for (z, degrees) in [(27.0, 120.0), (28.0, 120.0), (31.0, 72.0), (99.0, 240.0), (1000.0, 288.0f64)] {
-        let x = (z * degrees.to_radians() / TAU).fract();
-        let found = whole_fraction(x);
+        let x = z * degrees.to_radians() / TAU;
+        let found = within(1, x);
         let want = (z * degrees % 360.0) / 360.0;
         assert!((found - want).abs() < 1e-15, "{z} {degrees}: {found} {want}");
     }
-    assert_eq!(whole_fraction(0.123_456_789), 0.123_456_789);
+    assert_eq!(within(1, 0.123_456_789), 0.123_456_789);
+}
+
+#[test]
+fn whole_pitches_count_in_a_law_over_several_pitches() {
+    assert_eq!(within(27, -27.0 * 120f64.to_radians() / TAU), -9.0);
+    assert_eq!(within(27, -27.0 * 240f64.to_radians() / TAU), -18.0);
+    assert_eq!(within(27, -2.0 * 27.0 - 9.5), -9.5);
+    // A rounding error beside a whole pitch does not lose it.
+    assert_eq!([within(24, 9.0 - 1e-14), within(24, 9.0 + 1e-14), within(24, -9.0 + 1e-14)], [9.0, 9.0, -9.0]);
+    assert_eq!([within(9, 9.0 - 1e-14), within(1, 9.0 - 1e-14)], [0.0, 0.0]);
 }

@@ -29,6 +29,7 @@
 // Each reader has the keys that it reads as a constant beside it (`KEYS`, `keys`). It refuses others, and the reference and the JSON
 // schema are written from the same constants.
 
+mod assembly;
 mod check;
 mod damage;
 pub(crate) mod dimension;
@@ -41,6 +42,7 @@ mod key_unit;
 mod keys;
 mod laws;
 mod mesh_phase;
+mod meshes;
 pub(crate) mod mistake;
 mod output;
 mod overrides;
@@ -79,6 +81,8 @@ pub use time_history::TimeHistory;
 pub(crate) use train::in_place_of;
 
 use std::sync::Arc;
+
+use fixedbitset::FixedBitSet;
 
 use crate::model::{Law, Model, Start};
 use crate::train::Train;
@@ -178,9 +182,9 @@ impl Scene {
     }
 }
 
-/// A set of effects: bit `i` is `model.effects[i]`.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub struct Effects(pub u64);
+/// A set of effects of a model.
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
+pub struct Effects(FixedBitSet);
 
 /// The state at t = 0, as the scene states it.
 #[derive(Debug, Clone, PartialEq)]
@@ -202,6 +206,8 @@ pub struct Output {
     pub events: bool,
     /// Plots to draw, by name.
     pub plots: Vec<String>,
+    /// Whether they are the default ones, of which some are replaced where the speed varies during the run.
+    pub default_plots: bool,
     /// The outputs of the model that are recorded, by their numbers.
     pub record: Vec<usize>,
     /// Start of the time span of statistics, load spectra and transforms \[s\].

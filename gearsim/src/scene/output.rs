@@ -19,7 +19,7 @@ pub(super) const KEYS: &[Key] = &[
     key(
         "plots",
         Kind::List(&Kind::Choice(PLOTS)),
-        "those with data, without order_cuts, order_waterfall and run_up",
+        "those with data, without order_cuts, order_waterfall and run_up; order_cuts for spectrum in run-ups",
         "plots to draw",
     ),
     key("record", Kind::List(&Kind::Name("an output of the model")), "all", "outputs to record"),
@@ -74,7 +74,7 @@ fn read_end(given: &[Entry], run: &Node, report: &mut Report) -> Option<f64> {
 /// Reads `[output]`. The table and all its keys may be left out.
 pub(super) fn read(
     entries: &[Entry],
-    (model, effects): (Option<&'static Model>, Option<Effects>),
+    (model, effects): (Option<&'static Model>, Option<&Effects>),
     t_end: Option<f64>,
     report: &mut Report,
 ) -> Option<Output> {
@@ -130,7 +130,8 @@ pub(super) fn read(
     let plots = plots?.into_iter().map(|i| PLOTS[i].to_string()).collect();
     let (rate, events, csv, most_rows) = (rate?, events?, csv?, most_rows? as u64);
     let (record, from, spectrum, rainflow, sound) = (record?, from?, spectrum?, rainflow?, sound?);
-    Some(Output { rate, events, plots, record, from, spectrum, rainflow, sound, csv, most_rows })
+    let default_plots = keys::get(given, "plots").is_none();
+    Some(Output { rate, events, plots, default_plots, record, from, spectrum, rainflow, sound, csv, most_rows })
 }
 
 /// The default plots: the outputs, and their orders if the model has meshes; the motion if no outputs are recorded; load spectra if they
@@ -150,7 +151,7 @@ fn default_plots(model: Option<&Model>, record: Option<&[usize]>, counted: bool)
 }
 
 /// The outputs that scenes with these effects have, by their numbers.
-fn available(model: &Model, effects: Option<Effects>) -> Vec<usize> {
+fn available(model: &Model, effects: Option<&Effects>) -> Vec<usize> {
     let has = |output: &model::Output| effects.is_none_or(|effects| effects.activate(output.with, model));
     (0..model.outputs.len()).filter(|&i| has(&model.outputs[i])).collect()
 }
@@ -160,7 +161,7 @@ fn available(model: &Model, effects: Option<Effects>) -> Vec<usize> {
 fn read_record(
     node: &Node,
     model: Option<&Model>,
-    effects: Option<Effects>,
+    effects: Option<&Effects>,
     report: &mut Report,
 ) -> Option<Vec<usize>> {
     let model = model?;

@@ -31,7 +31,7 @@ pub(super) struct Given {
 pub(super) fn read(
     entries: &[Entry],
     (model, radii): (&Model, &dyn Radii),
-    effects: Option<Effects>,
+    effects: Option<&Effects>,
     absent: &mut Vec<(&str, String)>,
     report: &mut Report,
 ) -> Option<Given> {
@@ -82,7 +82,23 @@ pub(super) fn read(
         values[i] = x;
         conversions.push(says);
     }
-    Some(Given { values, varying, conversions })
+    let before = report.len();
+    ordered(given, model, &values, report);
+    (report.len() == before).then_some(Given { values, varying, conversions })
+}
+
+/// Checks the parameters that must exceed others.
+fn ordered(given: &[Entry], model: &Model, values: &[f64], report: &mut Report) {
+    for (parameter, greater) in model.parameters.iter().zip(values) {
+        let lesser = parameter.above.and_then(|name| model.parameters.iter().position(|p| p.name == name));
+        let Some(i) = lesser.filter(|&i| *greater <= values[i]) else { continue };
+        let (of, lesser) = (&model.parameters[i], values[i]);
+        let Some(node) = keys::get(given, parameter.name) else { continue };
+        let path = format!("parameters.{}", parameter.name);
+        let must = format!("must exceed `{}`, which is {lesser} {}", of.name, of.unit);
+        let what = format!("`{}` is the {}, `{}` the {}", parameter.name, parameter.doc, of.name, of.doc);
+        field::out_of_range(&path, node, &must, &what, report);
+    }
 }
 
 /// Reads a function of time and checks that its bounds are in the range of the parameter.

@@ -11,7 +11,7 @@ use super::mistake::Report;
 use super::quantity::Quantity;
 use super::unit::Unit;
 use super::{field, gear_data};
-use crate::model::{Model, Parameter};
+use crate::model::{GearData, Model, Parameter};
 
 /// Keys of a value with its radius.
 pub(super) const KEYS: &[Key] = &[
@@ -44,7 +44,7 @@ pub(super) struct OfModel<'a>(pub &'a Model);
 
 impl Radii for OfModel<'_> {
     fn radius(&self, parameter: &Parameter, value: &dyn Fn(&str) -> Option<f64>) -> Result<f64, String> {
-        let of_body = parameter.unit == UNITS[0].0 || parameter.doc.contains("torsional support");
+        let of_body = parameter.unit == UNITS[0].0 || parameter.gear_data == Some(GearData::Support);
         let gear = parameter.name.trim_start_matches(|c: char| c.is_alphabetic());
         let found = of_body.then(|| gear_data::radius(self.0, gear, value)).flatten();
         found.ok_or_else(|| format!("no gear with a base radius belongs to `{}`", parameter.name))

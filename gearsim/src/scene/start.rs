@@ -23,7 +23,15 @@ pub(super) fn read(entries: &[Entry], model: &Model, report: &mut Report) -> Opt
     let speeds: Vec<_> = places.iter().map(|name| format!("{name}_dot")).collect();
     let motions = model.motions.iter().map(|motion| motion.name);
     let allowed: Vec<_> = places.iter().copied().chain(speeds.iter().map(String::as_str)).chain(motions).collect();
-    keys::names_known(given, "[start]", &allowed, report);
+    let is_motion = |entry: &Entry| model.motions.is_empty() && entry.key.starts_with("speed");
+    let (motions, others): (Vec<Entry>, Vec<Entry>) = given.iter().cloned().partition(is_motion);
+    for entry in motions {
+        let message = format!("[start] has no `{}`: nothing in the model turns freely", entry.key);
+        let why = "springs to the ground, or loops of parts with different ratios, hold each rotor";
+        let help = format!("{why}; give speeds of coordinates\nallowed: {}", list(&allowed));
+        report.add(&entry.place, message, "a rigid motion", help);
+    }
+    keys::names_known(&others, "[start]", &allowed, report);
 
     // `Some(None)` for a key that is not given, `None` for a mistake.
     let mut speed = |name: &str, unit: &str| match keys::get(given, name) {

@@ -91,6 +91,19 @@ impl TeethReader<'_> {
 
     /// Reads a stiffness.
     pub(super) fn read(&self, report: &mut Report) -> Option<Profile> {
+        self.stiffness(gear::stiffness, report)
+    }
+
+    /// Reads the stiffness of a transverse section, and the width of the window over which helical gears average it [unit of the phase].
+    pub(super) fn of_section(&self, report: &mut Report) -> Option<(Profile, f64)> {
+        self.stiffness(gear::of_section, report)
+    }
+
+    fn stiffness<T>(
+        &self,
+        compute: fn(&Gears, StiffnessMethod, CellShape, f64, f64) -> Result<T, GearError>,
+        report: &mut Report,
+    ) -> Option<T> {
         let scale = self.scale(report);
         let (gears, method) = (self.gears(report), self.stiffness_method(report));
         let shape = match self.get("course") {
@@ -100,7 +113,7 @@ impl TeethReader<'_> {
         };
         let (gears, scale) = (gears?, scale?);
         let per = scale(&gears);
-        let law = gear::stiffness(&gears, method?, shape?, self.law.period, per);
+        let law = compute(&gears, method?, shape?, self.law.period, per);
         law.map_err(|e| self.refused(self.at(), e, report)).ok()
     }
 
@@ -268,6 +281,11 @@ impl TeethReader<'_> {
     /// The place of `teeth`.
     pub(super) fn at(&self) -> &Place {
         self.get("teeth").map_or(self.place, |node| &node.place)
+    }
+
+    /// The place of `internal`.
+    pub(super) fn internal_at(&self) -> &Place {
+        self.get("internal").map_or(self.at(), |node| &node.place)
     }
 
     /// Reports an error of the gear geometry or of the stiffness method.

@@ -144,7 +144,8 @@ impl Template {
                     true => Some(model),
                     // Mistakes are reported where the scene is read.
                     false => Some(
-                        train::read(model, &mut entries.clone(), [&self.root.place, &self.end], &mut self.report())?.0,
+                        train::read(model, &mut entries.clone(), [&self.root.place, &self.end], &mut self.report())?
+                            .model,
                     ),
                 }
             }

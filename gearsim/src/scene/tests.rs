@@ -9,4 +9,5 @@ mod quantities;
 mod scenes;
 mod spectrum;
 mod teeth;
+mod trains;
 mod transmission_error;

@@ -148,6 +148,12 @@ impl Sampler {
         }
     }
 
+    /// Whether a sample is independent of those before it: of the design `saltelli`, those of A and B.
+    pub fn is_independent(&self, sample: usize) -> bool {
+        let which = sample % (self.axes + 2);
+        self.design != Design::Saltelli || which == 0 || which == self.axes + 1
+    }
+
     /// Number `i` of a dimension of the Sobol' sequence, with its digits shifted at random.
     fn sequence(&self, i: usize, dimension: usize) -> f64 {
         let gray = i ^ (i >> 1);

@@ -68,9 +68,29 @@ fn standard(p: f64, (low, high): (f64, f64)) -> f64 {
     }
     let (below, above) = (lower(low), lower(-high));
     let within = lower(high) - below;
+    if within < f64::MIN_POSITIVE / f64::EPSILON {
+        return far(p, (low, high));
+    }
     let (p, q) = (below + p * within, above + (1.0 - p) * within);
     if p < 0.5 { inverse(p) } else { -inverse(q) }
 }
+
+/// The same so far below the mean that the distribution function has no digits left. There it is exp(-z²/2)/(-z sqrt(2 pi)) (1 + O(z⁻²)), and
+/// falls from the upper end in proportion to exp(-z²/2)/-z.
+fn far(p: f64, (low, high): (f64, f64)) -> f64 {
+    let log = |z: f64| -0.5 * z * z - (-z).ln();
+    // ln of the share of the values below the upper end that lie below z, by the share p between the ends.
+    let below = (log(low) - log(high)).exp();
+    let sought = (below + p * (1.0 - below)).ln() + log(high);
+    let mut z = high;
+    for _ in 0..NEWTON {
+        z = (z - (log(z) - sought) / (-z - 1.0 / z)).clamp(low, high);
+    }
+    z
+}
+
+/// Steps of Newton's method for a smooth function that is almost a parabola: four are enough.
+const NEWTON: usize = 8;
 
 /// The distribution function of the standard normal distribution: the probability that a random number is below `z`.
 fn lower(z: f64) -> f64 {
@@ -119,6 +139,20 @@ mod tests {
         for p in [0.001, 0.3, 0.5, 0.9, 0.9999] {
             // The inverse of the error function is right to some 1e-11.
             assert!((share(cut.quantile(p)) - p).abs() < 1e-10, "{p}");
+        }
+    }
+
+    /// Ends where the distribution function is zero in double precision. Beyond 50 deviations the excess is exponentially distributed with the
+    /// rate 50, up to terms of 1/50²: the median is at ln 2/50.
+    #[test]
+    fn quantiles_beyond_the_range_of_the_distribution_function_are_at_the_near_end() {
+        for sign in [1.0, -1.0] {
+            let ends = [sign * 50.0, sign * 60.0];
+            let within = Some((f64::min(ends[0], ends[1]), f64::max(ends[0], ends[1])));
+            let cut = Distribution::Normal { mean: 0.0, deviation: 1.0, within };
+            let excess = cut.quantile(0.5).abs() - 50.0;
+            assert!((excess * 50.0 / std::f64::consts::LN_2 - 1.0).abs() < 1e-3, "{excess}");
+            assert!(cut.quantile(0.01).abs() < 50.1 && cut.quantile(0.99).abs() < 50.1);
         }
     }
 

@@ -144,7 +144,7 @@ impl Manifest {
             samples: self.samples,
             design: self.design,
             seed: self.seed,
-            from: self.from.0,
+            from: Some(self.from.0),
             record: self.record.clone(),
             spectra: self.spectra,
         };

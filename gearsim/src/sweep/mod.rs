@@ -56,8 +56,8 @@ pub struct Request {
     pub design: Design,
     /// Seed of random axes.
     pub seed: u64,
-    /// Start of the time span over which extremes and spectra are computed [s].
-    pub from: f64,
+    /// Start of the time span over which extremes and spectra are computed [s]; `None`: `output.from` of the scene.
+    pub from: Option<f64>,
     /// Names of the groups of quantities to record.
     pub record: Vec<String>,
     /// Whether the spectra are stored.
@@ -117,15 +117,20 @@ impl Sweep {
     /// Reads the scene at `path`, whose model is one of `entries`, and checks it with the values of every axis.
     ///
     /// # Errors
-    /// All mistakes in the scene, the axes and the request. No point has run then.
+    /// All mistakes in the scene, the axes and the request. No point has run then. A key must not be both set and varied.
     pub fn load(path: &Path, entries: &[Entry], request: &Request) -> Result<Sweep, Error> {
-        Sweep::of(Template::load(path, &request.overrides)?, entries, request)
+        let sweep = Sweep::of(Template::load(path, &request.overrides)?, entries, request)?;
+        match request.overrides.iter().find(|set| is_varied(&request.vary, set)) {
+            Some(set) => impossible(format!("`{}` is both set and varied", key(set)), "remove its --set or its --vary"),
+            None => Ok(sweep),
+        }
     }
 
-    /// The sweep of a scene that is read, with the overrides of the request.
+    /// The sweep of a scene that is read, with the overrides of the request. If a key is both set and varied, the axis wins: a program
+    /// may have built the scene from set values.
     ///
     /// # Errors
-    /// Those of [`Sweep::load`].
+    /// Those of [`Sweep::load`], except that about a key.
     pub fn of(template: Template, entries: &[Entry], request: &Request) -> Result<Sweep, Error> {
         let models: Vec<_> = entries.iter().map(|entry| entry.model).collect();
         let model = template.model(&models);
@@ -146,7 +151,11 @@ impl Sweep {
             );
         };
         let groups = groups(&request.record)?;
-        let sweep = Sweep { template, entry, plan, groups, from: request.from, spectra: request.spectra, points };
+        let mut sweep = Sweep { template, entry, plan, groups, from: 0.0, spectra: request.spectra, points };
+        sweep.from = match request.from {
+            Some(from) => from,
+            None => sweep.first()?.output.from,
+        };
         sweep.check()?;
         Ok(sweep)
     }
@@ -181,8 +190,8 @@ impl Sweep {
         for trial in self.plan.trials() {
             let scene: Scene = self.template.scene(&trial, &[self.entry.model])?;
             if self.from >= scene.t_end {
-                let what = format!("--from is {} s, but the run ends at {} s", self.from, scene.t_end);
-                return impossible(what, "choose an earlier --from, or a later run.t_end");
+                let what = format!("the statistics begin at {} s, but the run ends at {} s", self.from, scene.t_end);
+                return impossible(what, "choose an earlier --from (--settle of a response), or a later run.t_end");
             }
         }
         Ok(())
@@ -199,15 +208,21 @@ pub(crate) fn axes(template: &Template, model: &Model, vary: &[String]) -> Resul
     if report.is_empty() { Ok(axes) } else { Err(report.into_mistakes(template.name())) }
 }
 
+/// Whether an axis has the key of the override `set`.
+pub(crate) fn is_varied(vary: &[String], set: &str) -> bool {
+    vary.iter().any(|axis| key(axis) == key(set))
+}
+
+/// The key of an override or of an axis.
+fn key(text: &str) -> &str {
+    text.split('=').next().unwrap_or_default().trim()
+}
+
 /// The points that `request` defines.
 fn plan(template: &Template, entry: Entry, request: &Request) -> Result<Plan, Error> {
     let axes = axes(template, entry.model, &request.vary)?;
     if axes.is_empty() {
         return impossible("nothing is varied", "give an axis: --vary parameters.T0=\"1 N*m:100 N*m:50\"");
-    }
-    let set = |key: &str| request.overrides.iter().any(|text| text.split('=').next().is_some_and(|k| k.trim() == key));
-    if let Some(axis) = axes.iter().find(|axis| set(&axis.key)) {
-        return impossible(format!("`{}` is both set and varied", axis.key), "remove its --set or its --vary");
     }
     let plan = Plan::new(axes, request.design, request.samples.unwrap_or(1), request.seed);
     let random = plan.sampler.axes;

@@ -16,6 +16,7 @@ use crate::output::table::Values;
 use crate::output::{OutputError, Table};
 use crate::run::Outcome;
 use crate::scene::{Scene, list};
+use crate::tolerance::analysis::SPEED_NOT_HELD;
 use crate::trajectory::Trajectory;
 
 pub use hold::Hold;
@@ -184,9 +185,15 @@ impl Sweep {
             }
             let speed = Speed::of(&scene, &*equations, motion, &run, &span);
             (point.speed, point.drift) = (speed.mean, speed.drift());
-            let Some(handle) = at.handle.filter(|_| runs < RUNS && wanted != 0.0 && !speed.is_held(wanted)) else {
+            let Some(handle) = at.handle.filter(|_| wanted != 0.0 && !speed.is_held(wanted)) else {
                 return Ok(Some(run));
             };
+            if runs == RUNS {
+                if (speed.mean / wanted - 1.0).abs() > SPEED_NOT_HELD {
+                    (point.status, point.reason) = (Status::Unheld, speed.unheld(wanted));
+                }
+                return Ok(Some(run));
+            }
             let [parameter, start] = handle.step(&speed, wanted);
             *more += parameter;
             shift += start;
@@ -194,10 +201,10 @@ impl Sweep {
         Ok(None)
     }
 
-    /// The scene with the varied value as an override. Its events are not recorded: extremes are those of the samples.
+    /// The scene with the varied value as an override. Its events are recorded, so that extremes and means have no error from steps.
     fn scene_at(&self, text: &str) -> Result<Scene, Error> {
         let mut scene = self.template.scene(&[text.to_owned()], &[self.entry.model])?;
-        scene.output.events = false;
+        scene.output.events = true;
         Ok(scene)
     }
 
@@ -246,7 +253,7 @@ impl Point {
 
     /// Takes the statistics of a run.
     fn observe(&mut self, run: &Trajectory, span: Span) {
-        let of = |(_, x): &(_, Vec<f64>)| Statistics::between(&run.t, x, span.begin);
+        let of = |(_, x): &(_, Vec<f64>)| Statistics::between(&run.t, x, &run.moment, span.begin);
         (self.observed, self.span) = (run.outputs.iter().map(of).collect(), Some(span));
     }
 }

@@ -21,12 +21,14 @@ pub enum Status {
     Stopped,
     /// It ran to its end, but its energy account does not close: the numbers are wrong.
     Refuted,
+    /// Of response curves only: it ran to its end, but at another speed than that of the point.
+    Unheld,
     /// It did not run: its values do not make a system that can be simulated.
     Refused,
 }
 
 impl Status {
-    /// All of them.
+    /// Those of the points of a sweep.
     pub const ALL: [Status; 4] = [Status::Done, Status::Stopped, Status::Refuted, Status::Refused];
 
     /// Its name in files.
@@ -35,6 +37,7 @@ impl Status {
             Status::Done => "done",
             Status::Stopped => "stopped",
             Status::Refuted => "refuted",
+            Status::Unheld => "speed not held",
             Status::Refused => "refused",
         }
     }
@@ -87,6 +90,19 @@ pub(super) fn push_values(table: &mut Table, axis: &Axis, unit: &str, values: Ve
 /// SI units of the columns of the varied keys.
 pub fn units(plan: &Plan, model: &crate::model::Model) -> Vec<String> {
     plan.axes.iter().map(|axis| unit_of(&axis.key, model).unwrap_or_default()).collect()
+}
+
+/// A varied key whose column in a table is not that of the plan; `None` if all are.
+pub fn strange<'a>(table: &Table, plan: &'a Plan) -> Option<&'a str> {
+    let points: Vec<usize> = table.numbers("point").unwrap_or_default().iter().map(|&point| point as usize).collect();
+    let values: Vec<Vec<String>> = points.iter().map(|&point| plan.values(point)).collect();
+    let is_that = |(i, axis): (usize, &Axis)| match axis.is_numeric() {
+        true => {
+            table.numbers(&axis.key).is_some_and(|x| values.iter().zip(x).all(|(value, x)| axis::si(&value[i]) == *x))
+        }
+        false => table.words(&axis.key).is_some_and(|x| values.iter().zip(x).all(|(value, x)| value[i] == *x)),
+    };
+    plan.axes.iter().enumerate().find(|axis| !is_that(*axis)).map(|(_, axis)| axis.key.as_str())
 }
 
 /// The rows of a table made by [`table`], without spectra; `None` if a column is missing.

@@ -35,15 +35,22 @@ impl FromStr for Shard {
     }
 }
 
-/// The shard of a task in a job array, from the variables that its scheduler sets. Kubernetes does not tell a task how many there are:
-/// then `text` does, `auto/8`.
+/// The shard of a task in a job array, from the variables that its scheduler sets. `text` is `auto`, or `auto/8` with the number of tasks:
+/// Kubernetes does not tell it. Slurm tells the numbers of the tasks that were submitted together: those of a task that is submitted again alone
+/// are its own, so that `auto/8` takes tasks from 1 to 8, and `auto` refuses an array of one task.
 fn of_job(text: &str, variable: &dyn Fn(&str) -> Option<String>) -> Result<Shard, String> {
     let number = |name: &str| variable(name).and_then(|value| value.parse::<usize>().ok());
     let stated = text.strip_prefix("auto/").map(|n| n.parse::<usize>().map_err(|_| format!("`{text}` is not auto/N")));
     let stated = stated.transpose()?;
     let (first, index, n) = match (number("SLURM_ARRAY_TASK_ID"), number("JOB_COMPLETION_INDEX")) {
+        (Some(index), _) if stated.is_some() => (1, index, stated),
         (Some(index), _) => {
-            (number("SLURM_ARRAY_TASK_MIN").unwrap_or(0), index, stated.or(number("SLURM_ARRAY_TASK_COUNT")))
+            let count = number("SLURM_ARRAY_TASK_COUNT");
+            if count == Some(1) {
+                let why = "the job array has one task, perhaps of a sweep of several that is submitted again";
+                return Err(format!("{why}: write auto/N with the number N of all tasks, or I/N"));
+            }
+            (number("SLURM_ARRAY_TASK_MIN").unwrap_or(0), index, count)
         }
         (None, Some(index)) => (0, index, stated),
         (None, None) => return Err("this is no task of a job array of Slurm or Kubernetes: write I/N, e.g. 2/8".into()),
@@ -51,7 +58,9 @@ fn of_job(text: &str, variable: &dyn Fn(&str) -> Option<String>) -> Result<Shard
     let Some(n) = n else { return Err("the number of tasks is not known: write auto/N, e.g. auto/8".into()) };
     match index.checked_sub(first) {
         Some(i) if i < n => Ok(Shard { i: i + 1, n }),
-        _ => Err(format!("task {index} is not one of {n} tasks from {first} on: number them without gaps")),
+        _ => Err(format!(
+            "task {index} is not one of {n} tasks from {first} on: number them without gaps, for auto/N from 1 to N"
+        )),
     }
 }
 
@@ -75,6 +84,12 @@ mod tests {
         let slurm = [("SLURM_ARRAY_TASK_ID", "12"), ("SLURM_ARRAY_TASK_MIN", "10"), ("SLURM_ARRAY_TASK_COUNT", "4")];
         assert_eq!(auto("auto", &slurm).as_deref(), Ok("3/4"));
         assert_eq!(auto("auto/8", &[("JOB_COMPLETION_INDEX", "0")]).as_deref(), Ok("1/8"));
+        // Task 2 of 3, submitted again alone.
+        let again = [("SLURM_ARRAY_TASK_ID", "2"), ("SLURM_ARRAY_TASK_MIN", "2"), ("SLURM_ARRAY_TASK_COUNT", "1")];
+        assert_eq!(auto("auto/3", &again).as_deref(), Ok("2/3"));
+        assert!(auto("auto", &again).unwrap_err().contains("submitted again"));
+        // With the number of tasks they count from 1.
+        assert!(auto("auto/3", &[("SLURM_ARRAY_TASK_ID", "0")]).unwrap_err().contains("from 1 to N"));
         assert!(auto("auto", &[("JOB_COMPLETION_INDEX", "0")]).unwrap_err().contains("auto/N"));
         assert!(auto("auto/8", &[("JOB_COMPLETION_INDEX", "8")]).unwrap_err().contains("without gaps"));
         assert!(auto("auto", &[]).unwrap_err().contains("no task of a job array"));

@@ -19,6 +19,9 @@ pub(crate) const TRACE: f64 = 1e-11;
 /// Two multipliers on the unit circle coincide if their distance is at most this [1]: the root of sqrt(eps) = 1.5e-8, for a pair
 /// that is about to leave the circle. Larger: neighbouring vibrations are reported as a border of stability.
 pub(crate) const EQUAL_MULTIPLIERS: f64 = 1e-4;
+/// Rounding error of a multiplier [relative to the largest entry of the matrix]: 64 eps, the error of eigenvalues of some ten coordinates.
+/// Smaller: rounding errors are printed as multipliers. Larger: strong decay is only bounded.
+pub(crate) const MULTIPLIER_ROUNDING: f64 = 64.0 * f64::EPSILON;
 /// Singular values below this [relative to the largest] count as zero: rigid motions of all stiffness levels. It is 4500 eps.
 /// Larger: soft springs vanish.
 pub(crate) const RIGID: f64 = 1e-12;
@@ -61,9 +64,19 @@ pub(crate) const CLAIM_MARGIN: f64 = 10.0;
 /// The largest distance over this last fraction of the run counts as that at the end [relative to the run]: differences
 /// oscillate.
 pub(crate) const LAST_PART: f64 = 0.02;
-/// Tolerance of the second run of a numerical method [relative to that of the run], and the largest one [relative].
+/// Tolerance of the second run of a numerical method [relative to that of the run].
 pub(crate) const COMPANION_TOLERANCE: f64 = 10.0;
-pub(crate) const LARGEST_COMPANION_TOLERANCE: f64 = 1e-2;
+
+/// Samples are too far apart if the trapezoidal rule misses this part of a coordinate's variation (root mean square) between two of them [1]:
+/// that of a vibration with 3.6 samples a period, or with two samples and a quarter of the variation. Smaller: vibrations that are resolved are
+/// named. Larger: lines are wrong by more than a quarter without a warning.
+pub(crate) const FOLDED: f64 = 0.5;
+/// A coordinate does not vary if its variation about a line is below this [relative to its size, squares]: rounding errors.
+pub(crate) const STILL: f64 = 1e-24;
+
+/// Below this, a mesh force in static equilibrium counts as zero [relative to the largest force of the run]. Smaller: a rounding error is a static load.
+/// Larger: a light load has no dynamic factor.
+pub(crate) const STATIC_LOAD: f64 = 1e-12;
 
 /// Largest number of stretches of constant stiffness in a period of a settled motion [stretches]. With more, its computation
 /// takes longer than a run, so none is estimated.
@@ -94,9 +107,9 @@ pub(crate) const CHAOTIC: f64 = 1e-2;
 pub(crate) const RAMP: f64 = 1e-2;
 pub(crate) const SMALLEST_RAMP: f64 = 1e-12;
 
-/// Steps of the propagator of a linearised system whose coefficients vary [1]: time times the norm of its matrix. The method is of the fourth
-/// order: 0.1⁵ per step leaves less than 1e-8. Larger: multipliers lose digits. Smaller: more steps.
-pub(crate) const MAGNUS_SPAN: f64 = 0.1;
+/// First steps of the propagator of a linearised system whose coefficients vary [1]: time times the norm of its matrix. Steps are halved until
+/// the error is small. Larger: the series of a step converges slowly. Smaller: more steps.
+pub(crate) const MAGNUS_SPAN: f64 = 1.0;
 /// Most of these steps in a stretch [steps]: a second of computing time.
 pub(crate) const MAGNUS_STEPS: f64 = 1e5;
 /// Two eigenvalues are equal, or one is real, if they differ, or its imaginary part is, less than this [relative]. A double one splits by
@@ -125,7 +138,7 @@ pub(crate) const SAME_EQUATIONS: f64 = 1e-9;
 /// Largest turn that is sought along which equations change [pitches, or whole turns]: a crank behind several stages. Larger: the search takes
 /// seconds.
 pub(crate) const TURN_PITCHES: u32 = 20_000;
-/// Error of a step of the propagator of small disturbances along a motion [1]. Larger: multipliers lose digits. Smaller: more steps.
+/// Error of the propagator of small disturbances over a stretch of a period, and of a step of it along a motion [1]. Larger: multipliers lose digits. Smaller: more steps.
 pub(crate) const MAGNUS_ERROR: f64 = 1e-9;
 /// The same while the motion that repeats is farther away than [`ORBIT_NEAR`] [1]. It decides the cost, not the multipliers.
 pub(crate) const MAGNUS_FIRST_ERROR: f64 = 1e-5;
@@ -157,3 +170,6 @@ pub(crate) const ORBIT_RANK: f64 = 1e-10;
 pub(crate) const HELD_STEADY: f64 = 1e-4;
 /// And if its mean speed is this close to the wanted one [relative]. Larger: jumps are drawn at other speeds than where they are.
 pub(crate) const HELD_SPEED: f64 = 1e-3;
+/// A point whose speed was adjusted without success is no result if its mean speed differs by more than this from the wanted one [relative].
+/// Larger: points are drawn at other speeds than theirs. Smaller: points of undamped or chaotic motions near their speed are left out.
+pub(crate) const SPEED_NOT_HELD: f64 = 0.01;

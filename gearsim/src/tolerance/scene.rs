@@ -22,8 +22,8 @@ pub(crate) const HARMONIC_ORDER: f64 = 1000.0;
 pub(crate) const TABLE_POINTS: usize = 1000;
 /// Largest number of entries in a list of a time history [entries].
 pub(crate) const HISTORY_ENTRIES: usize = 10_000;
-/// Largest number of pitches in one period of a transmission error [pitches].
-pub(crate) const ERROR_PITCHES: f64 = 10_000.0;
+/// Largest number of pitches in one period of a law [pitches].
+pub(crate) const LAW_PITCHES: f64 = 10_000.0;
 /// Largest number of cells of a law with damaged teeth [cells].
 pub(crate) const DAMAGED_CELLS: usize = 20_000;
 /// Largest number of teeth of a gear [teeth].
@@ -76,6 +76,14 @@ pub(crate) const SLOPE_STEP: f64 = 1e-4;
 
 /// Largest number of points of a sweep, and of values on one axis [1]. The rows of more would not fit in memory.
 pub(crate) const SWEEP_POINTS: usize = 10_000_000;
+
+/// A planet fits if its place is so close to one where its teeth meet those of sun and ring [pitches]: written angles have four digits.
+/// Larger: planets that cannot be assembled pass.
+pub(crate) const PLANET_FIT: f64 = 0.01;
+
+/// Two planets are in one place if the distance of their centres is smaller than this [relative to the diameter of a pitch circle]. Larger: planets
+/// in different planes are refused. Smaller: angles that differ by rounding errors are two places.
+pub(crate) const ONE_PLACE: f64 = 1e-3;
 
 /// Largest number of planets of a set \[1\]: more do not fit between a sun and a ring of usual gears. A larger number is refused.
 pub const PLANETS: f64 = 24.0;

@@ -2,7 +2,7 @@
 
 use gearsim_derive::{Expr, Model, Range, half};
 
-use super::{named, observed};
+use super::{damper, named, observed};
 
 /// A bearing that deflects by `x` and `y` \[m\]. Declares its radial stiffness `kb`, and its damping `cb` in the effect `viscous_friction`.
 pub fn bearing(m: &mut Model, part: &str, what: &str, [x, y]: [Expr; 2]) {
@@ -18,9 +18,6 @@ pub fn bearing(m: &mut Model, part: &str, what: &str, [x, y]: [Expr; 2]) {
 /// Viscous dampers of a bearing along the named deflections `along` \[m\], in the effect `viscous_friction`. They act in addition to damping in
 /// proportion to stiffness. Declares their coefficient `cb`.
 pub fn bearing_damper(m: &mut Model, part: &str, what: &str, along: &[Expr]) {
-    m.part_effect("viscous_friction", part, "friction proportional to speed", |m| {
-        let doc = format!("radial damping of the {what}: force per speed");
-        let c = m.parameter(&named("cb", part), "N*s/m", None, Range::NotNegative, &doc);
-        along.iter().for_each(|x| m.dissipation(half(c * x.dot().sq())));
-    });
+    let doc = format!("radial damping of the {what}: force per speed");
+    damper(m, part, ["cb", "N*s/m", &doc], along);
 }

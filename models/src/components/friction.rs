@@ -7,24 +7,28 @@
 //! rigid rolling, whose sign is sgn(xi psi'). The work of all pairs is
 //!
 //! ```text
-//! dW = -mu |F| sgn(psi') (side dtau + arm dpsi),     side = sum s_i sgn(xi_i),   arm = sum s_i |xi_i| >= 0
+//! dW = -mu sgn(psi') (F side dtau + |F| arm dpsi),     side = sum s_i sgn(xi_i),   arm = sum s_i |xi_i| >= 0
 //! ```
 //!
-//! with two laws of the phase, side and arm, that follow from the tooth geometry. The rolling part dissipates energy in either
+//! F is negative on the coast flank. Its line of action is the mirror image of that of the drive flank about the line of centres. In the mirror
+//! the gears turn backward, and recess is approach: the sliding speed there is -tau' + xi psi', with xi positive in recess as before. Where
+//! gears move in the plane, models keep the line of action of the drive flank for both ([`Coast`]), and |F| stands in place of F.
+//!
+//! The work is described by two laws of the phase, side and arm, that follow from the tooth geometry. The rolling part dissipates energy in either
 //! direction of rotation; the work over tau changes its sign with the deflection. Sources for this friction in gear dynamics:
 //! M. Vaishya, R. Singh, J. Sound Vib. 243 (2001); S. He, R. Gunda, R. Singh, J. Sound Vib. 301 (2007).
 //!
 //! Two functions are smoothed. sgn(psi') is replaced by psi'/(psi'² + w_mix²)^(1/2): friction decreases at low speed and is zero at
 //! rest. |F| is replaced by k (delta² + tiny²)^(1/2), which is differentiable at zero load; tiny = 1e-12 in
-//! the unit of delta is far below any deflection of interest. F is the force of the mesh spring without that of the damper.
-//! Friction acts on the coast flank as on the drive flank.
+//! the unit of delta is far below any deflection of interest. F = k delta is the force of the mesh spring without that of the damper.
+//! Laws from tooth data are those of the drive flank; those of the coast flank differ by the backlash and where the contact begins.
 //!
 //! With this law flanks do not stick: gears at rest under load creep with psi' = w_mix x/(1 - x²)^(1/2), where x is the moment of the other
 //! forces along psi over mu |F| arm. The effect `flank_stiction` ([`super::stiction`]) makes them stick.
 
 use std::f64::consts::TAU;
 
-use gearsim_derive::{Expr, Factor, Model, Range};
+use gearsim_derive::{Expr, Factor, GearData, Model, Range};
 
 use super::observed::of_part;
 use super::steps::{STIFFNESS_STEP, steps};
@@ -39,6 +43,17 @@ pub struct Sliding {
     pub tau: Expr,
     /// The sum of the rotations of both gears \[rad\], each positive in its direction of rotation in normal drive.
     pub psi: Expr,
+    /// The line of action of the coast flanks.
+    pub coast: Coast,
+}
+
+/// The line of action of the coast flanks.
+#[derive(Clone, Copy, PartialEq)]
+pub enum Coast {
+    /// The mirror image of that of the drive flanks.
+    Mirrored,
+    /// That of the drive flanks, as in models in which gears move in the plane: the force of their meshes has this line on either flank.
+    AsDrive,
 }
 
 /// Friction in a mesh whose deflection has the unit `unit`. Declares the laws `side` \[1\] and `arm` [unit], which are periodic in the phase, the
@@ -51,7 +66,7 @@ pub fn sliding_friction(m: &mut Model, part: &str, what: &str, unit: &str, mesh:
         let doc =
             format!("rolling speed omega1 + omega2 of the {what} below which friction decreases to zero (mixed film)");
         let mixed = m.parameter(&named("w_mix", part), "rad/s", Some(0.1), Range::Positive, &doc);
-        let Sliding { phase, tau, psi } = sliding;
+        let Sliding { phase, tau, psi, coast } = sliding;
         let mut law =
             |quantity, unit: &str, which, doc: &str| m.factor_law(&named(quantity, part), unit, phase, TAU, which, doc);
         let doc = format!(
@@ -62,16 +77,21 @@ pub fn sliding_friction(m: &mut Model, part: &str, what: &str, unit: &str, mesh:
         let arm = law("arm", unit, Factor::Arm, &doc);
         let tiny = m.constant(&named("tiny", part), Expr::from(1) / 1_000_000_000_000);
         let tau = m.deflection(&named("tau", part), tau);
-        let stiction = Stiction { psi, tau, side, arm, mu };
+        let stiction = Stiction { psi, tau, side, arm, mu, coast };
         let sticking = flank_stiction(m, part, what, mesh, stiction);
         let psi = sticking.psi;
         let direction = psi.dot() / (psi.dot().sq() + mixed.sq()).sqrt();
-        let size = mu * mesh.stiffness * (mesh.delta.sq() + tiny.sq()).sqrt();
+        let distance = (mesh.delta.sq() + tiny.sq()).sqrt();
+        let size = mu * mesh.stiffness * distance;
         let smoothed = size * direction;
-        let friction = smoothed + sticking.instead(m, smoothed, size);
-        let friction = m.force(&named("F_mu", part), friction);
+        let friction = m.force(&named("F_mu", part), smoothed + sticking.instead(m, smoothed, size));
+        let along_tau = match coast {
+            // With the sign of F: that of the flank in contact.
+            Coast::Mirrored => m.force(&named("F_tau", part), friction * mesh.delta / distance),
+            Coast::AsDrive => friction,
+        };
         let doc = format!("friction of the {what}, through the sliding of the flanks at the pitch point");
-        m.torque(&named("slide", part), -side * friction, tau, &doc);
+        m.torque(&named("slide", part), -side * along_tau, tau, &doc);
         let doc = format!("friction of the {what}, through the rolling of the gears");
         m.torque(&named("roll", part), -arm * friction, psi, &doc);
     });
@@ -100,6 +120,6 @@ pub fn pressure_tangent_of(m: &mut Model, part: &str, what: &str) -> Expr {
 }
 
 fn tangent_of(m: &mut Model, part: &str, doc: &str) -> Expr {
-    let alpha = m.parameter(&named("alpha", part), "rad", Some(20f64.to_radians()), Range::Positive, doc);
+    let alpha = m.gear_data(GearData::PressureAngle, &named("alpha", part), Some(20f64.to_radians()), doc);
     m.constant(&named("tan_a", part), alpha.sin() / alpha.cos())
 }

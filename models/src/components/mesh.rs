@@ -4,7 +4,7 @@ use std::f64::consts::TAU;
 
 use gearsim_derive::{Expr, Model, Stiffness, half};
 
-use super::{Bend, named, observed, play, play_on_centres, steps, transmission_error};
+use super::{Bend, damper, named, observed, play, play_on_centres, steps, transmission_error};
 
 /// The two factors of the spring force of a mesh.
 #[derive(Clone, Copy)]
@@ -28,11 +28,31 @@ pub fn mesh_with_play(
     delta: Expr,
     driving: impl Into<Option<Expr>>,
 ) -> Mesh {
+    meshing(m, part, what, phase, delta, [driving.into(), None])
+}
+
+/// A mesh as [`mesh_with_play`] with a viscous damper along the line of action, in the effect `viscous_friction`. The damper is beside the
+/// flanks: it acts in contact and out of it, on `delta` without the transmission error. Declares its coefficient `c` \[N s/m\].
+pub fn damped_mesh(m: &mut Model, part: &str, what: &str, phase: Expr, delta: Expr) -> Mesh {
+    let beside = m.deflection(&named("beside", part), delta);
+    let doc = format!("viscous damping of the {what} along the line of action: force per speed");
+    damper(m, part, ["c", "N*s/m", &doc], &[beside]);
+    meshing(m, part, what, phase, delta, [None, Some(beside)])
+}
+
+fn meshing(
+    m: &mut Model,
+    part: &str,
+    what: &str,
+    phase: Expr,
+    delta: Expr,
+    [driving, beside]: [Option<Expr>; 2],
+) -> Mesh {
     let k = stiffness(m, part, what, phase);
     let error = error(m, part, what, phase);
     let gap = play(m, part, what, "m", delta - error);
     m.potential(half(k * gap.touch * gap.over.sq()));
-    observed::mesh(m, part, what, gap.over, [delta, error], driving.into());
+    observed::mesh(m, part, what, (gap.over, beside), [delta, error], driving);
     Mesh { stiffness: k * gap.touch, delta: gap.over }
 }
 
@@ -50,7 +70,7 @@ pub fn mesh_on_centres(
     let error = error(m, part, what, phase);
     let gap = play_on_centres(m, part, what, delta - error, bend);
     m.potential(half(k * gap.touch * gap.over.sq()));
-    observed::mesh(m, part, what, gap.over, [delta - bend.turn, error], Some(driving));
+    observed::mesh(m, part, what, (gap.over, None), [delta - bend.turn, error], Some(driving));
     let doc = format!("half the opening of the play of the {what} by the motion of the gears' centres");
     m.output_with(&named_effect(part), &observed::of_part("play_opening", part), "m", bend.open, &doc);
     Mesh { stiffness: k * gap.touch, delta: gap.over }

@@ -41,10 +41,10 @@ pub use drive::{drive, driven, load, loaded, machine};
 pub use dry_friction::dry_friction;
 pub use end_stop::end_stop;
 pub use fan::fan;
-pub use friction::{Sliding, friction_effect, pressure_tangent, pressure_tangent_of, sliding_friction};
+pub use friction::{Coast, Sliding, friction_effect, pressure_tangent, pressure_tangent_of, sliding_friction};
 pub use gear::{Direction, Gear, external, external_sliding, internal, internal_sliding};
 pub use governor::{dc_motor, governor};
-pub use mesh::{Mesh, mesh_on_centres, mesh_stiffness, mesh_with_play};
+pub use mesh::{Mesh, damped_mesh, mesh_on_centres, mesh_stiffness, mesh_with_play};
 pub use motor::induction_motor;
 pub use moving_centres::{Bend, moving_centres};
 pub use pair::{Pair, pair};
@@ -59,7 +59,7 @@ pub use thrust_bearing::thrust_bearing;
 pub use traction_motor::traction_motor;
 pub use transmission_error::transmission_error;
 pub use universal_joint::universal_joint;
-pub use viscous::viscous;
+pub use viscous::{damper, viscous};
 
 /// The name of a quantity of a part: `I1` for `I` of part `1`, `I_motor` for `I` of part `motor`.
 pub fn named(quantity: &str, part: &str) -> String {

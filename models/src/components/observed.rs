@@ -7,15 +7,25 @@ pub fn of_part(quantity: &str, part: &str) -> String {
     if part.is_empty() { quantity.into() } else { format!("{quantity}_{part}") }
 }
 
-/// Force, loss, deflection and dynamic transmission error of a mesh. `x` \[m\] is its deflection in contact. `dte` \[m\] is the relative displacement
+/// Force, loss, deflection and dynamic transmission error of a mesh. `x` \[m\] is its deflection in contact; a damper beside the flanks acts
+/// on `beside` \[m\]. `dte` \[m\] is the relative displacement
 /// of the ideal positions of the flanks along the line of action, from all coordinates. The deflection is `dte` minus the transmission error
 /// `error` \[m\]. `driving` \[m\] is the displacement of the first gear's flank along the line of action: the power that this gear transmits to the
 /// mesh is the force times the speed of this flank. A train has no `driving`: it forms the power from its rotors.
-pub fn mesh(m: &mut Model, part: &str, what: &str, x: Expr, [dte, error]: [Expr; 2], driving: Option<Expr>) {
+pub fn mesh(
+    m: &mut Model,
+    part: &str,
+    what: &str,
+    (x, beside): (Expr, Option<Expr>),
+    [dte, error]: [Expr; 2],
+    driving: Option<Expr>,
+) {
+    let dampers = || [x].into_iter().chain(beside);
+    let damped = dampers().fold(Expr::from(0), |sum, x| sum + m.damper(x));
     let doc = format!(
         "force of the {what} along the line of action, damper included: positive if it presses the drive flanks"
     );
-    let force = m.output(&of_part("mesh_force", part), "N", m.spring(x) + m.damper(x), &doc);
+    let force = m.output(&of_part("mesh_force", part), "N", m.spring(x) + damped, &doc);
     if let Some(driving) = driving {
         let doc = format!("power that the first gear gives to the {what}: force times the speed of its flank");
         m.output(&of_part("mesh_power", part), "W", force * driving.dot(), &doc);
@@ -27,7 +37,8 @@ pub fn mesh(m: &mut Model, part: &str, what: &str, x: Expr, [dte, error]: [Expr;
     );
     m.output(&of_part("dte", part), "m", dte, &doc);
     let doc = format!("power that the damper of the {what} takes");
-    m.output(&of_part("mesh_loss", part), "W", m.damper(x) * x.dot(), &doc);
+    let taken = dampers().fold(Expr::from(0), |sum, x| sum + m.damper(x) * x.dot());
+    m.output(&of_part("mesh_loss", part), "W", taken, &doc);
 }
 
 /// Twist, torque and loss of a shaft with the deflection `twist` \[rad\], and the power that enters it at its first end. This end has the

@@ -4,9 +4,9 @@
 //! theta = (q1 + q2)/2, in which one pitch is 2 pi, and the relative motion of the gears along the line of action,
 //! s = h (q1 - q2).
 
-use gearsim_derive::{Expr, Model, Range, Start};
+use gearsim_derive::{Expr, GearData, Model, Start};
 
-use super::{Mesh, Sliding, mesh_with_play, named, sliding_friction};
+use super::{Coast, Mesh, Sliding, mesh_with_play, named, sliding_friction};
 
 /// A pair of gears: their rotations and numbers of teeth.
 #[derive(Clone, Copy)]
@@ -34,10 +34,10 @@ pub struct Pair {
 /// `N2`, `r1`.
 pub fn pair(m: &mut Model, of_mesh: &str, a: &str, b: &str) -> Pair {
     let teeth = |m: &mut Model, part: &str| {
-        m.parameter(&named("N", part), "1", None, Range::Positive, &format!("number of teeth of gear {part}"))
+        m.gear_data(GearData::Teeth, &named("N", part), None, &format!("number of teeth of gear {part}"))
     };
     let (n1, n2) = (teeth(m, a), teeth(m, b));
-    let r = m.parameter(&named("r", a), "m", None, Range::Positive, &format!("base radius of gear {a}"));
+    let r = m.gear_data(GearData::BaseRadius, &named("r", a), None, &format!("base radius of gear {a}"));
     let h = m.constant(&format!("h{of_mesh}"), r / n1);
     let start = if of_mesh.is_empty() || of_mesh == "1" { Start::At(0.0) } else { Start::Static };
     let doc = format!("mean rotation of gears {a} and {b}; one pitch is 2 pi");
@@ -59,7 +59,8 @@ impl Pair {
     /// that of the pressure angle. Declares what [`mesh_with_play`] and [`sliding_friction`] declare.
     pub fn mesh(&self, m: &mut Model, part: &str, what: &str, tangent: Expr) -> Mesh {
         let mesh = mesh_with_play(m, part, what, self.theta, self.s, self.u1);
-        let sliding = Sliding { phase: self.theta, tau: tangent * self.s, psi: self.theta1 + self.theta2 };
+        let (tau, psi) = (tangent * self.s, self.theta1 + self.theta2);
+        let sliding = Sliding { phase: self.theta, tau, psi, coast: Coast::Mirrored };
         sliding_friction(m, part, what, "m", mesh, sliding);
         mesh
     }

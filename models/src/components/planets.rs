@@ -8,12 +8,12 @@
 
 use std::f64::consts::TAU;
 
-use gearsim_derive::{Expr, Model, Range, Start, half};
+use gearsim_derive::{Expr, GearData, Model, Range, Start, half};
 
 use super::gear::Direction;
 use super::{
-    Gear, Sliding, bearing_damper, external, external_sliding, internal, internal_sliding, mesh_with_play, observed,
-    sliding_friction,
+    Coast, Gear, Sliding, bearing_damper, external, external_sliding, internal, internal_sliding, mesh_with_play,
+    observed, sliding_friction,
 };
 
 /// The geometry of a stage and its rotations.
@@ -52,10 +52,10 @@ pub struct Stage {
 /// Declares the geometry of a stage (`Z_s`, `Z_r`, `r_s`, `alpha`), and the coordinates `theta` and `theta_c`.
 #[allow(non_snake_case)] // the field's symbols
 pub fn stage(m: &mut Model) -> Stage {
-    let Z_s = m.parameter("Z_s", "1", None, Range::Positive, "number of teeth of the sun");
-    let Z_r = m.parameter("Z_r", "1", None, Range::Positive, "number of teeth of the ring");
-    let r_s = m.parameter("r_s", "m", None, Range::Positive, "base radius of the sun");
-    let angle = m.parameter("alpha", "rad", Some(20f64.to_radians()), Range::Positive, "pressure angle");
+    let Z_s = m.gear_data(GearData::Teeth, "Z_s", None, "number of teeth of the sun");
+    let Z_r = m.gear_data(GearData::Teeth, "Z_r", None, "number of teeth of the ring");
+    let r_s = m.gear_data(GearData::BaseRadius, "r_s", None, "base radius of the sun");
+    let angle = m.gear_data(GearData::PressureAngle, "alpha", Some(20f64.to_radians()), "pressure angle");
     let alpha = Direction { cos: m.constant("cos_a", angle.cos()), sin: m.constant("sin_a", angle.sin()) };
     let h = m.constant("h", r_s / Z_s);
     // In parameters where theta must cancel symbolically, as named constants elsewhere.
@@ -95,7 +95,7 @@ impl Stage {
         for i in 1..=n {
             let (beyond, u) = self.rotation(m, i, inertia);
             let planet = Gear { x: 0.into(), y: self.a * self.theta_c, u };
-            self.meshes(m, i, [(sun, l_s), (ring, l_r)], (planet, beyond), theta_r);
+            self.meshes(m, i, [(sun, l_s), (ring, l_r)], (planet, beyond), theta_r, Coast::Mirrored);
         }
     }
 
@@ -138,7 +138,7 @@ impl Stage {
             m.potential(half(kb * tangential.sq()));
             damped.extend([radial, tangential]);
             observed::planet_bearing(m, &i.to_string(), [radial, tangential]);
-            self.meshes(m, i, [(sun, l_s), (ring, l_r)], (planet, beyond), theta_r);
+            self.meshes(m, i, [(sun, l_s), (ring, l_r)], (planet, beyond), theta_r, Coast::AsDrive);
         }
         bearing_damper(m, "p", "bearing of a planet", &damped);
     }
@@ -163,6 +163,7 @@ impl Stage {
         [(sun, at_sun), (ring, at_ring)]: [(Gear, Direction); 2],
         (planet, beyond): (Gear, Expr),
         theta_r: Expr,
+        coast: Coast,
     ) {
         let Stage { theta, excess, alpha, per_theta: [roll_s, roll_r], r_p: [_, r_p], .. } = *self;
         let (tangent, l_s, l_r) = (alpha.sin / alpha.cos, alpha.mirrored(), alpha);
@@ -177,7 +178,7 @@ impl Stage {
         for ((part, with, (delta, tau, psi)), driving) in meshes.into_iter().zip(flanks) {
             let (part, what) = (format!("{part}{i}"), format!("mesh of {with} and planet {i}"));
             let mesh = mesh_with_play(m, &part, &what, theta, delta, driving);
-            sliding_friction(m, &part, &what, "m", mesh, Sliding { phase: theta, tau, psi });
+            sliding_friction(m, &part, &what, "m", mesh, Sliding { phase: theta, tau, psi, coast });
         }
     }
 }

@@ -9,13 +9,13 @@ use super::named;
 use super::observed::of_part;
 
 /// A piston that is driven by a crank through a rigid connecting rod. `theta` \[rad\] is the angle of the crank from the line of the piston.
-/// Declares the radius of the crank `r`, the length of the rod `l`, which must be longer, and the mass of the piston `m`. The mass of
+/// Declares the radius of the crank `r`, the length of the rod `l`, which is greater, and the mass of the piston `m`. The mass of
 /// the rod is divided, as usual, between the piston and the crank pin, where it is part of the crank's inertia. Adds the kinetic
 /// energy of the piston, and its weight in the effect `gravity`. Returns its distance from the crank's axis \[m\].
 pub fn slider_crank(m: &mut Model, part: &str, what: &str, theta: Expr) -> Expr {
     let r = m.parameter(&named("r", part), "m", None, Range::Positive, &format!("radius of the crank of the {what}"));
     let doc = format!("length of the connecting rod of the {what}, longer than the radius of the crank");
-    let l = m.parameter(&named("l", part), "m", None, Range::Positive, &doc);
+    let l = m.parameter(&named("l", part), "m", None, Range::Above(r), &doc);
     let doc = format!("moving mass of the {what}, with a part of its rod");
     let mass = m.parameter(&named("m", part), "kg", None, Range::Positive, &doc);
     let crank = m.deflection(&named("crank", part), theta);

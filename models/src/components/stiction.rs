@@ -1,22 +1,23 @@
 //! Flanks that stick, in the effect `flank_stiction`: Coulomb's law in place of the smoothed law of `sliding_friction`.
 //!
-//! The flanks slide on each other with the mean speed v = arm psi' + side tau'. Friction is F_mu along v: -arm F_mu along psi, -side F_mu along tau.
+//! The flanks slide on each other with the mean speed v = arm psi' + side tau', on the coast flank v = arm psi' - side tau'. Friction is F_mu along v.
 //!
 //! | mode | while | friction F_mu |
 //! | --- | --- | --- |
-//! | stuck (on the drive flank), stuck_coast | the force R along v that the friction resists is at most mu (1 + mu_rise) F | R, so that v = 0 |
-//! | forward | v > 0 | mu F |
-//! | backward | v < 0 | -mu F |
+//! | stuck | the force R along v that the friction resists is at most mu (1 + mu_rise) |F| | R, so that v = 0 |
+//! | forward | v > 0 | mu |F| |
+//! | backward | v < 0 | -mu |F| |
 //!
-//! F is the force of the mesh spring, without that of the damper. Its sign is that of the flank in contact, so that the bound of R is linear in
-//! each of two stuck modes. A single pair sticks at its point of contact, side v = xi psi' + tau'. Of several pairs the mean sliding sticks.
+//! and the same on the coast flank: stuck_coast, forward_coast, backward_coast.
+//! F is the force of the mesh spring, without that of the damper. Its sign is that of the flank in contact, so that v and the bound of R are linear in
+//! each mode. A single pair sticks at its point of contact, side v = xi psi' + tau'. Of several pairs the mean sliding sticks.
 //!
 //! v, not psi', is held: the reaction then does no work, and the force along tau passes from sticking to sliding without a step. Held psi' alone
 //! would break away at a moment that is wrong by mu tan(alpha), and then stick and slip in turn.
 
 use gearsim_derive::{Expr, Model, Range};
 
-use super::{Mesh, named};
+use super::{Coast, Mesh, named};
 
 /// Name of the effect.
 pub const FLANK_STICTION: &str = "flank_stiction";
@@ -37,6 +38,8 @@ pub struct Stiction {
     pub arm: Expr,
     /// Coefficient of friction while the flanks slide.
     pub mu: Expr,
+    /// The line of action of the coast flanks.
+    pub coast: Coast,
 }
 
 /// The symbols of flanks that stick.
@@ -52,7 +55,7 @@ pub struct Sticking {
 /// Declares the effect `flank_stiction` of a part, the deflection `psi`, its switch, and the relative excess `mu_rise` of the static
 /// coefficient of friction.
 pub fn flank_stiction(m: &mut Model, part: &str, what: &str, mesh: Mesh, stiction: Stiction) -> Sticking {
-    let Stiction { psi, tau, side, arm, mu } = stiction;
+    let Stiction { psi, tau, side, arm, mu, coast } = stiction;
     let mut rise = Expr::from(0);
     let effect = m.part_effect(FLANK_STICTION, part, DOC, |m| {
         let doc = format!(
@@ -64,19 +67,26 @@ pub fn flank_stiction(m: &mut Model, part: &str, what: &str, mesh: Mesh, stictio
     let mut slip = m.switch(&named("psi", part), "rad", psi, &effect, &doc);
     let direction = slip.factor(&named("slide_dir", part), 0);
     let (psi, resisted) = (slip.over(), slip.reaction());
-    let sliding = arm * psi.dot() + side * tau.dot();
     let force = mu * (1 + rise) * mesh.stiffness * mesh.delta;
-    for (flank, other, sign) in [("stuck", "stuck_coast", 1), ("stuck_coast", "stuck", -1)] {
-        slip.mode(flank, &[0.into()])
+    let flanks = [("", "_coast", 1), ("_coast", "", -1)];
+    for (flank, other, sign) in flanks {
+        slip.mode(&format!("stuck{flank}"), &[0.into()])
             .holds()
             .rests()
             .counts("stuck")
-            .unless(other, sign * mesh.delta)
-            .until("forward", sign * force - resisted)
-            .until("backward", sign * force + resisted);
+            .unless(&format!("stuck{other}"), sign * mesh.delta)
+            .until(&format!("forward{flank}"), sign * force - resisted)
+            .until(&format!("backward{flank}"), sign * force + resisted);
     }
-    slip.mode("forward", &[1.into()]).until("stuck", sliding);
-    slip.mode("backward", &[Expr::from(-1)]).until("stuck", -sliding);
+    for (flank, other, sign) in flanks {
+        let of_tau = if coast == Coast::Mirrored { sign } else { 1 };
+        let sliding = arm * psi.dot() + of_tau * (side * tau.dot());
+        for (mode, sense) in [("forward", 1), ("backward", -1)] {
+            slip.mode(&format!("{mode}{flank}"), &[sense.into()])
+                .until(&format!("{mode}{other}"), sign * mesh.delta)
+                .until(&format!("stuck{flank}"), sense * sliding);
+        }
+    }
     Sticking { psi, direction, effect }
 }
 

@@ -2,7 +2,7 @@
 
 use gearsim_derive::{Expr, Model, Range, half};
 
-use super::{named, observed};
+use super::{damper, named, observed};
 
 /// A bearing that deflects by the axial displacement `z` \[m\] of its rotor. Declares its axial stiffness `ka`, and its damping `ca` in the
 /// effect `viscous_friction`.
@@ -11,10 +11,7 @@ pub fn thrust_bearing(m: &mut Model, part: &str, what: &str, z: Expr) {
     let k = m.parameter(&named("ka", part), "N/m", None, Range::NotNegative, &doc);
     let z = m.deflection(&named("bz", part), z);
     m.potential(half(k * z.sq()));
-    m.part_effect("viscous_friction", part, "friction proportional to speed", |m| {
-        let doc = format!("axial damping of the {what}: force per speed");
-        let c = m.parameter(&named("ca", part), "N*s/m", None, Range::NotNegative, &doc);
-        m.dissipation(half(c * z.dot().sq()));
-    });
+    let doc = format!("axial damping of the {what}: force per speed");
+    damper(m, part, ["ca", "N*s/m", &doc], &[z]);
     observed::thrust_bearing(m, part, what, z);
 }

@@ -1,6 +1,6 @@
 //! Elements with inertia.
 
-use gearsim_derive::{Expr, Model, Range, Start, half};
+use gearsim_derive::{Expr, GearData, Model, Range, Start, half};
 
 use crate::components::rotor as add_rotor;
 
@@ -20,11 +20,11 @@ pub fn planets(m: &mut Model) {
     let theta = m.coordinate("theta", "rad", Start::Static, "rotation of the carrier");
     let n = m.parameter("np_x", "1", None, Range::Positive, "number of planets of {}");
     let mass = m.parameter("mp_x", "kg", None, Range::Positive, "mass of a planet of {}");
-    let Z_s = m.parameter("Zs_x", "1", None, Range::Positive, "number of teeth of the sun of {}");
-    let Z_r = m.parameter("Zr_x", "1", None, Range::Positive, "number of teeth of the ring of {}");
-    let r_s = m.parameter("rs_x", "m", None, Range::Positive, "base radius of the sun of {}");
+    let Z_s = m.gear_data(GearData::Teeth, "Zs_x", None, "number of teeth of the sun of {}");
+    let Z_r = m.gear_data(GearData::Teeth, "Zr_x", None, "number of teeth of the ring of {}");
+    let r_s = m.gear_data(GearData::BaseRadius, "rs_x", None, "base radius of the sun of {}");
     let alpha = "working pressure angle of {}";
-    let alpha = m.parameter("alpha_x", "rad", Some(20f64.to_radians()), Range::Positive, alpha);
+    let alpha = m.gear_data(GearData::PressureAngle, "alpha_x", Some(20f64.to_radians()), alpha);
     let a = m.constant("a", half(r_s / Z_s * (Z_r + Z_s)) / alpha.cos());
     m.kinetic(half(n * mass * (a * theta.dot()).sq()));
     damping(m);

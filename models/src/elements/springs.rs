@@ -3,7 +3,7 @@
 use gearsim_derive::{Expr, Model, Range, Start, half};
 
 use super::{coordinate, damping};
-use crate::components::{self, Sliding, mesh_with_play, pressure_tangent, sliding_friction};
+use crate::components::{self, Coast, Sliding, damped_mesh, pressure_tangent, sliding_friction};
 
 /// A torsional shaft.
 pub fn shaft(m: &mut Model) {
@@ -19,7 +19,9 @@ fn spring(m: &mut Model, title: &str, what: &str) {
     m.title(title);
     m.source("an element of trains");
     let twist = coordinate(m, "theta", "rad", "twist");
-    components::shaft(m, "x", what, twist, None::<Expr>);
+    let twist = components::shaft(m, "x", what, twist, None);
+    let doc = format!("torsional damping of the {what}: torque per speed");
+    components::damper(m, "x", ["c", "N*m*s/rad", &doc], &[twist]);
     damping(m);
 }
 
@@ -37,7 +39,7 @@ pub fn thrust_bearing(m: &mut Model) {
 /// A mesh.
 pub fn mesh(m: &mut Model) {
     let (phase, s) = begin(m, "a mesh");
-    mesh_with_play(m, "x", "mesh {}", phase, s, None::<Expr>);
+    damped_mesh(m, "x", "mesh {}", phase, s);
     damping(m);
 }
 
@@ -45,9 +47,9 @@ pub fn mesh(m: &mut Model) {
 pub fn mesh_with_friction(m: &mut Model) {
     let (phase, s) = begin(m, "a mesh with friction of the flanks");
     let psi = coordinate(m, "psi", "rad", "rotation of the first gear relative to the second");
-    let mesh = mesh_with_play(m, "x", "mesh {}", phase, s, None::<Expr>);
+    let mesh = damped_mesh(m, "x", "mesh {}", phase, s);
     let tau = pressure_tangent(m) * s;
-    sliding_friction(m, "x", "mesh {}", "m", mesh, Sliding { phase, tau, psi });
+    sliding_friction(m, "x", "mesh {}", "m", mesh, Sliding { phase, tau, psi, coast: Coast::Mirrored });
     damping(m);
 }
 

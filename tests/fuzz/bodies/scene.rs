@@ -39,7 +39,7 @@ fn sound(scene: &Scene) {
     assert!(scene.t_end > 0.0, "t_end = {}", scene.t_end);
     assert!(scene.output.rate.is_finite() && (scene.output.rate > 0.0 || !runs), "rate = {}", scene.output.rate);
     assert!(scene.output.plots.iter().all(|plot| PLOTS.contains(&plot.as_str())), "{:?}", scene.output.plots);
-    assert!(scene.effects.0 >> model.effects.len() == 0, "effects {:b}", scene.effects.0);
+    assert!(scene.effects.agree(model), "effects {:?}", scene.effects.names(model));
     assert_eq!(scene.start.q.len(), model.coordinates.len());
     assert!(scene.start.q_dot.iter().flatten().chain(&scene.start.motions).all(|x| x.is_finite()));
 }

@@ -105,7 +105,7 @@ pub fn torques_that_depend_on_speeds_are_reported() {
     let d = derive(&model).expect("a sound model");
     let term = "-c*x_dot^3 in the torque `fan`".to_string();
     assert!(d.nonlinear_terms().is_empty());
-    assert_eq!(d.nonlinear_with(), [("fan_load".to_string(), term.clone())]);
+    assert_eq!(d.nonlinear_with(), [(vec!["fan_load".to_string()], term.clone())]);
     proved(d.proofs(), &["d/dt (q'.dT/dq' - T + V)"]);
     let file = d.file();
     for said in [

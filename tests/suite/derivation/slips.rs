@@ -248,6 +248,26 @@ const SLIPS: &[Row] = &[
     ("a default out of its range", "`c`", |m, _| {
         m.parameter("c", "1", Some(-1.0), Range::NotNegative, "");
     }),
+    ("a parameter above what is no parameter", "must exceed x", |m, o| {
+        m.parameter("l", "m", None, Range::Above(o.x), "");
+    }),
+    ("a parameter above one that may be negative", "must exceed r", |m, _| {
+        let r = m.parameter("r", "m", None, Range::Any, "");
+        m.parameter("l", "m", None, Range::Above(r), "");
+    }),
+    ("a parameter of an effect in a term of another", "`c`", |m, o| {
+        let mut c = o.m;
+        m.effect("damping", "", |m| c = m.parameter("c", "N*s/m", Some(1.0), Range::NotNegative, ""));
+        m.effect("brake", "", |m| m.dissipation(half(c * o.x.dot().sq())));
+    }),
+    ("a constant of a parameter of an effect, without the effect", "`c`", |m, o| {
+        let mut d = o.s;
+        m.effect("damping", "", |m| {
+            let c = m.parameter("c", "N/m", None, Range::NotNegative, "");
+            d = m.constant("d", c / o.s);
+        });
+        m.potential(d * o.x.sq());
+    }),
     ("the inverse mass of three coordinates", "m.inverse_mass(...)", |m, o| {
         let [y, z] = ["y", "z"].map(|name| m.coordinate(name, "m", Start::Static, ""));
         m.kinetic(half(o.m * (y.dot().sq() + z.dot().sq())));
@@ -322,7 +342,7 @@ macro_rules! variants {
 }
 variants! {
     Undeclared Twice Name Misplaced Function Number NotQuadratic NotLinear NotADeflection Massless Singular NegativeDissipation
-    Switch Phase Pitch WithoutEffect NeverSwitches Boundary Default InverseMass Unproved Empty
+    Switch Phase Pitch WithoutEffect NeverSwitches Boundary Default Above InverseMass Unproved OfAnEffect Empty
 }
 
 pub fn every_mistake_is_refused() {

@@ -2,6 +2,7 @@
 
 use gearsim::__private::equations::{Derived, Equations};
 use gearsim::__private::models::GearPair as Generated;
+use gearsim::scene::Effects;
 use gearsim_tests::oh2005::{GearPair, PITCH};
 
 pub const POINTS: usize = 10_000;
@@ -57,7 +58,9 @@ impl Point {
         // NaN for the parameters of effects that no point has.
         let mut numbers = vec![f64::NAN; Generated::MODEL.parameters.len()];
         numbers[..8].copy_from_slice(&[p.n1, p.n2, p.i1, p.i2, p.zeta, p.t0, f64::NAN, 0.35]);
-        Generated::equations(effects, &numbers, &[p.k0()]).expect("these effects go together")
+        let bits = (0..u64::BITS as usize).filter(|i| effects >> i & 1 == 1);
+        Generated::equations(&Effects::numbered(&Generated::MODEL, bits), &numbers, &[p.k0()])
+            .expect("these effects go together")
     }
 }
 

@@ -35,7 +35,7 @@ pub fn train_with<D: Derived>(effects: &[&str], numbers: &[(&str, f64)]) -> Trai
         model.parameters.iter().map(|p| number(p.name, p.default.or(p.with.map(|_| f64::NAN)))).collect();
     let k = model.in_contact(model.laws.iter().map(|l| number(l.name, l.with.map(|_| 0.0))));
     let effects = Effects::from_names(effects.iter().copied(), &model).expect("effects of the model");
-    let equations = D::equations(effects.0, &parameters, &k).expect("effects that do not contradict");
+    let equations = D::equations(&effects, &parameters, &k).expect("effects that do not contradict");
     Train { model, equations, k }
 }
 

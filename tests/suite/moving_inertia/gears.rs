@@ -82,3 +82,18 @@ fn a_pair_pressed_against_a_step_is_held() {
     assert!(outcome.counts.reflections > 0 && outcome.counts.holds > 0, "{:?}", outcome.counts);
     assert!(largest(&t.residual) < 1e-9 * largest(&t.strain), "{:e}", largest(&t.residual));
 }
+
+/// A connecting rod that is not longer than the crank has no place for the piston: the scene is refused, at a point of a sweep too.
+#[test]
+fn a_rod_must_be_longer_than_its_crank() {
+    let scene = common::scene("crank_drive", &[]);
+    let refused = |length: &str| scene.with("parameters.l_p", length).expect_err("too short").to_string();
+    for length in ["60 mm", "50 mm"] {
+        let message = refused(length);
+        assert!(message.contains("must exceed `r_p`, which is 0.06 m"), "{message}");
+    }
+    assert!(scene.with("parameters.l_p", "61 mm").is_ok());
+    assert!(
+        scene.with("parameters.r_p", "0.3 m").expect_err("a longer crank").to_string().contains("must exceed `r_p`")
+    );
+}

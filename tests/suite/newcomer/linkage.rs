@@ -18,9 +18,10 @@ equations! {
         I_f "kg*m^2" required, open 0.0 to inf, "moment of inertia of the flywheel";
         I_w "kg*m^2" required, open 0.0 to inf, "moment of inertia of the wheel on a spring";
         r_p "m" required with crank, open 0.0 to inf, "radius of the crank of the piston";
-        l_p "m" required with crank, open 0.0 to inf, "length of the connecting rod of the piston, longer than the radius of the crank";
+        l_p "m" required with crank, open 0.0 to inf above r_p,
+            "length of the connecting rod of the piston, longer than the radius of the crank";
         m_p "kg" required with crank, open 0.0 to inf, "moving mass of the piston, with a part of its rod";
-        g_p "m/s^2" default 9.81, open -inf to inf,
+        g_p "m/s^2" default 9.81 with gravity, open -inf to inf,
             "gravity along the path of the piston, towards the crank; negative if the piston is below it";
         beta "rad" required with joint, from 0.0 to inf, "angle between the shafts of the universal joint, less than a quarter turn";
         I_o "kg*m^2" required with joint, open 0.0 to inf, "moment of inertia behind the joint";
@@ -46,6 +47,7 @@ equations! {
     conditions {
         jump_terms = stiffness_step, !rigid_kinematics, !frozen_phase;
         moving_phase = stiffness_step, !frozen_phase;
+        crank_and_gravity = crank, gravity;
     }
 
     deflections {
@@ -82,7 +84,7 @@ equations! {
         }
         potential {
             _ => k*psi.powi(2)/2.0;
-            gravity => g_p*m_p*x_p;
+            crank_and_gravity => g_p*m_p*x_p;
         }
     }
     torques {
@@ -106,7 +108,7 @@ equations! {
     force {
         theta {
             crank => -m_p*ddx_p*dx_p*theta_dot.powi(2);
-            gravity => -g_p*m_p*dx_p;
+            crank_and_gravity => -g_p*m_p*dx_p;
             joint => -I_o*dratio*ratio*theta_dot.powi(2);
             jump_terms => -dk*psi.powi(2)/2.0;
         }
@@ -121,7 +123,7 @@ equations! {
         }
         theta crank_p {
             crank => -m_p*dddx_p*dx_p*theta_dot.powi(2) - m_p*ddx_p.powi(2)*theta_dot.powi(2);
-            gravity => -g_p*m_p*ddx_p;
+            crank_and_gravity => -g_p*m_p*ddx_p;
         }
         theta fork { joint => -I_o*ddratio*ratio*theta_dot.powi(2) - I_o*dratio.powi(2)*theta_dot.powi(2); }
         psi theta { moving_phase => -dk*psi; }
@@ -137,7 +139,7 @@ equations! {
     nonlinear_with {
         crank "M(theta) in the kinetic energy";
         joint "M(theta) in the kinetic energy";
-        gravity "g_p*m_p*x_p in the potential energy";
+        crank, gravity "g_p*m_p*x_p in the potential energy";
     }
     jump k { step { _ => dk*psi.powi(2)/2.0; } }
     outputs {

@@ -181,7 +181,7 @@ fn a_clutch_has_its_torque_locked_and_open() {
         r#"effects=["stiffness_step", "backlash", "transmission_error_12", "overrunning_clutch", "dry_friction", "viscous_friction", "damping", "torques"]"#.into(),
         r#"parameters.T_motor={ steps = [{ value = "80 N*m", until = "0.2 s" }, { value = "-20 N*m" }] }"#.into(),
     ];
-    let rows = ["run.t_end=0.21 s", "output.rate=200 kHz", "output.events=false"].map(String::from);
+    let rows = ["run.t_end=0.25 s", "output.rate=200 kHz", "output.events=false"].map(String::from);
     let scene = scene("electric_axle", &[&sets[..], &rows].concat());
     let inertia = scene.parameter("I_m").unwrap();
     let run = run(&scene).trajectory;

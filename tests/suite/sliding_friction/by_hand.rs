@@ -53,6 +53,8 @@ impl Hand {
             let xi = (self.phase(y) / TAU + ahead) * teeth.base_pitch();
             let recess = (self.middle(cell) / TAU + ahead).signum();
             let friction = MU * force.abs() / pairs.len() as f64 * recess * rolling / rolling.hypot(MIXED);
+            // The coast flanks touch on the mirrored line of action.
+            let tan = tan * force.signum();
             torques[0] -= friction * (r1 * tan + xi);
             torques[1] += friction * (r2 * tan - xi);
         }

@@ -16,6 +16,8 @@ fn scene(model: &str, swing: f64, more: &[&str]) -> Scene {
     let mut set = vec![
         "effects=[\"stiffness_step\",\"torques\",\"damping\",\"sliding_friction\",\"flank_stiction\"]".into(),
         "start.speed=0 rpm".into(),
+        // Away from the steps of the stiffness, against which the load would press the phase.
+        format!("start.{}=\"0.3 rad\"", given.model.laws[0].phase),
         "parameters.beta_K=20 us".into(),
         format!(
             "parameters.T_motor={{mean=\"{motor} N*m\",harmonics=[{{amplitude=\"{} N*m\",frequency=\"100 Hz\"}}]}}",

@@ -36,7 +36,7 @@ fn accelerations_with_friction_agree_with_forces_as_vectors() {
     let names: Vec<_> = model.coordinates.iter().map(|c| c.name).collect();
     assert_eq!(names, ["theta", "s", "x1", "y1", "x2", "y2"]);
     let of = |name: &str| scene.parameter(name).unwrap_or_else(|| panic!("no {name}"));
-    let equations = GearPairBearings::equations(scene.effects.0, &scene.parameters, &[scene.laws[0].mid()])
+    let equations = GearPairBearings::equations(&scene.effects, &scene.parameters, &[scene.laws[0].mid()])
         .expect("effects that go together");
     let (n1, n2, r1, alpha) = (of("N1"), of("N2"), of("r1"), of("alpha"));
     let (h, r2) = (r1 / n1, r1 / n1 * n2);

@@ -55,11 +55,33 @@ fn each_mistake_is_reported_with_its_place() {
             "a set has 1 to 24 planets",
         ),
         (
+            format!(
+                "{ROTORS}[planets.p]\nsun = \"a\"\nring = \"b\"\ncarrier = \"c\"\nteeth = [27, 99]\n\
+                 at = [\"0 deg\", \"360 deg\", \"120 deg\"]\n"
+            ),
+            "has two planets in one place",
+        ),
+        (
+            format!(
+                "{ROTORS}[planets.p]\nsun = \"a\"\nring = \"b\"\ncarrier = \"c\"\ncount = 3\nteeth = [27, 99]\n\
+                 module = \"2 mm\"\nbase_radius = \"25 mm\"\n"
+            ),
+            "[planets.p] has `base_radius` and `module`",
+        ),
+        (
             format!("{ROTORS}[planets.p]\nsun = \"a\"\nring = \"b\"\ncarrier = \"c\"\ncount = 3\nteeth = [99, 27]\n"),
             "a ring of 27 teeth round a sun of 99",
         ),
         (format!("{ROTORS}[meshes.m]\nbetween = [\"a\", \"b\"]\nteeth = [20]\n"), "must have two numbers, not 1"),
         (format!("{ROTORS}[gears]\nx = 1\n"), "has no `gears`"),
+        (
+            format!(
+                "{ROTORS}[meshes.m]\nbetween = [\"a\", \"b\"]\nteeth = [20, 40]\nmodule = \"2 mm\"\nstiffness = \"1 MN/m\"\n\
+                 internal = true\n[shafts.s]\nbetween = [\"a\", \"b\"]\nstiffness = \"1 kN*m/rad\"\n\
+                 [shafts.t]\nbetween = [\"b\", \"c\"]\nstiffness = \"1 kN*m/rad\"\n[start]\nspeed = \"100 rpm\"\n"
+            ),
+            "nothing in the model turns freely",
+        ),
     ] {
         let message = refused(&tables);
         assert!(message.contains(said), "{tables}\nsays\n{message}\nwithout {said:?}");

@@ -7,6 +7,8 @@ use gearsim::scene::solver::{Method, Precision, Solver};
 
 /// Tolerance of the explicit methods.
 const TOLERANCE: f64 = 1e-12;
+/// The same where the account of a run asks for less: steps over a kink of |F|, where friction of the flanks meets the other flank, lose digits.
+const FINEST: f64 = 1e-13;
 /// Tolerance of radau. Its order is 5, so that its number of steps grows by 2.5 for two more digits. The allowed difference does not
 /// contain it: where radau does not meet that, it runs again with the tolerance of the others.
 const IMPLICIT: f64 = 1e-10;
@@ -33,6 +35,10 @@ pub fn agree(scene: &Scene) -> Result<String, String> {
     let run = |scene: &Scene| entry(scene).run(scene, &mut |_| {});
     let (first, left) = loop {
         let outcome = digits::noted(&scene, run(&scene).map_err(|e| e.to_string())?, &run);
+        if outcome.refuted.is_some() && scene.solver.tolerance > FINEST {
+            scene.solver.tolerance = FINEST;
+            continue;
+        }
         let left = outcome.digits.ok_or("the companion was refused")?;
         if left.at_end >= ENOUGH || scene.t_end < 1e-9 {
             break (outcome, left);
@@ -82,9 +88,11 @@ fn compared(first: &Outcome, second: &Outcome, left: Digits, claim: &dyn Fn() ->
             return Err(format!("{}: {account}", run.solver.method));
         }
     }
-    let counts = |run: &Outcome| (run.counts.cell_changes, run.counts.reflections, run.counts.impacts);
+    // A reflection at which a hold begins is no bounce. Rounding errors release a phase at rest that is hardly pressed, and it is held again.
+    let bounces = |run: &Outcome| run.counts.reflections.saturating_sub(run.counts.holds);
+    let counts = |run: &Outcome| (run.counts.cell_changes, bounces(run), run.counts.impacts);
     if counts(first) != counts(second) {
-        return Err(format!("cell changes, reflections and impacts {:?} and {:?}", counts(first), counts(second)));
+        return Err(format!("cell changes, bounces and impacts {:?} and {:?}", counts(first), counts(second)));
     }
     let grown = 10f64.powf(15.95 - left.at_end);
     let mut allowed = (UNITS * TOLERANCE * grown).max(LEAST);

@@ -4,7 +4,7 @@ use std::collections::hash_map::DefaultHasher;
 use std::hash::{Hash, Hasher};
 
 use gearsim::model::Varies;
-use gearsim::scene::{Effects, Scene};
+use gearsim::scene::Scene;
 
 use crate::common;
 use crate::compare;
@@ -13,7 +13,11 @@ use crate::compare;
 const VARIANTS: u64 = 4;
 
 /// Variants with known open faults, each with the fault in words. They are skipped, so that new faults are found.
-const OPEN: [(&str, u64, &str); 0] = [];
+const OPEN: [(&str, u64, &str); 1] = [(
+    "flank_stiction",
+    1,
+    "without a load at rest, flanks stick and slip in turn at one time: their friction and its reaction are zero",
+)];
 
 /// Compares the variants of a scene.
 ///
@@ -41,7 +45,7 @@ pub fn agree(name: &str) -> Result<String, String> {
 fn vary(scene: &mut Scene, draw: &mut Draw) {
     scene.t_end *= 0.3 + 0.2 * draw.unit();
     for bit in 0..scene.model.effects.len() {
-        let without = Effects(scene.effects.0 & !(1 << bit));
+        let without = scene.effects.clone().without(bit);
         // Effects are only removed, never added: without jump terms the account does not close, and a frozen phase is another
         // system. `stiffness_step` stays.
         if draw.unit() < 0.25

@@ -1,11 +1,12 @@
-//! At a coordinate that starts `static` the forces balance: K q + C q' = f in its row, with the stiffness levels at the phases of the
-//! start. This check finds the levels from the laws of the scene itself, and the matrices by the derived equations.
+//! At a coordinate that starts `static` the forces balance, but for those that accelerate rigid motions: K q + C q' + M R a = f in its row, with
+//! the stiffness levels at the phases of the start. This check finds the levels from the laws of the scene itself, and the matrices by the derived equations.
 
 use std::f64::consts::TAU;
 
 use gearsim::__private::Inside;
 use gearsim::model::Start;
 use gearsim::scene::{Profile, Scene};
+use nalgebra::{DMatrix, DVector};
 
 use crate::common;
 
@@ -74,11 +75,40 @@ fn residual(scene: &Scene, is_static: &[bool]) -> Result<Option<f64>, String> {
         levels.push(level);
     }
     let matrices = entry.system(scene).and_then(|system| system.matrices(&levels)).map_err(|e| e.to_string())?;
-    let mut worst = 0.0f64;
-    for i in (0..q.len()).filter(|i| is_static[*i]) {
+    let terms = |i: usize| {
         let springs = (0..q.len()).map(|j| matrices.stiffness[(i, j)] * q[j]);
         let dampers = (0..q.len()).map(|j| matrices.damping[(i, j)] * v[j]);
-        let parts: Vec<f64> = springs.chain(dampers).chain([-matrices.load[i]]).collect();
+        springs.chain(dampers).chain([-matrices.load[i]]).collect::<Vec<f64>>()
+    };
+    // The rigid motions accelerate: coordinates without springs, or else those by which a scene states its speeds. RᵀM R a = RᵀF.
+    let n = q.len();
+    let rounding = 1e-13 * matrices.stiffness.amax();
+    let alone = (0..n).filter(|i| !is_static[*i] && matrices.stiffness.row(*i).amax() <= rounding);
+    let alone = alone.map(|i| DVector::from_fn(n, |j, _| f64::from(u8::from(i == j))));
+    let mut rigid: Vec<DVector<f64>> = alone.collect();
+    if rigid.is_empty() {
+        let equations = entry.equations(scene).map_err(|e| e.to_string())?;
+        let declared = (0..scene.model.motions.len()).map(|i| DVector::from_column_slice(&equations.motion(i)));
+        rigid = declared
+            .filter(|r| (&matrices.stiffness * r).amax() <= 1e-12 * matrices.stiffness.amax() * r.amax())
+            .collect();
+    }
+    let along = |r: &DVector<f64>| {
+        let (sum, size) = (0..n)
+            .flat_map(|i| terms(i).into_iter().map(move |x| r[i] * x))
+            .fold((0.0, 0.0), |(sum, size), x| (sum - x, size + x.abs()));
+        if f64::abs(sum) > 1e-13 * size { sum } else { 0.0 }
+    };
+    let mut inertia = DVector::zeros(n);
+    if !rigid.is_empty() {
+        let force = DVector::from_iterator(rigid.len(), rigid.iter().map(along));
+        let rigid = DMatrix::from_columns(&rigid);
+        let acceleration = (rigid.transpose() * &matrices.mass * &rigid).lu().solve(&force).ok_or("M is singular")?;
+        inertia = &matrices.mass * rigid * acceleration;
+    }
+    let mut worst = 0.0f64;
+    for i in (0..q.len()).filter(|i| is_static[*i]) {
+        let parts: Vec<f64> = terms(i).into_iter().chain([inertia[i]]).collect();
         let largest = parts.iter().fold(f64::MIN_POSITIVE, |m: f64, x| m.max(x.abs()));
         worst = worst.max(parts.iter().sum::<f64>().abs() / largest);
     }

@@ -85,6 +85,9 @@ fn numbers(m: &Model, errors: &mut Vec<Error>) {
         let below = |x: f64| {
             if p.high_included { x <= p.high } else { x < p.high }
         };
+        if let Some(lesser) = p.above.as_ref().filter(|above| !m.parameters.iter().any(|other| other.name == **above)) {
+            errors.push(Error::new(lesser.span(), format!("there is no parameter `{lesser}`")));
+        }
         if p.low >= p.high {
             errors.push(Error::new(p.name.span(), format!("parameter `{}`: its range is empty", p.name)));
         } else if !p.default.is_none_or(|x| x.is_finite() && above(x) && below(x)) {

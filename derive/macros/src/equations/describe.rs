@@ -53,9 +53,9 @@ pub fn describe(m: &Model) -> TokenStream {
     });
     let switches = m.switches.iter().map(switch);
     let nonlinear = m.nonlinear.as_ref().map_or_else(String::new, LitStr::value);
-    let nonlinear_with = m.nonlinear_with.iter().map(|NonlinearWith { effect, text }| {
-        let effect = effect.to_string();
-        quote!((#effect, #text))
+    let nonlinear_with = m.nonlinear_with.iter().map(|NonlinearWith { effects, text }| {
+        let effects = effects.iter().map(Ident::to_string);
+        quote!((&[#(#effects),*], #text))
     });
     let (equations, latex) = (included(&m.text), included(&m.latex));
     quote! {
@@ -127,13 +127,18 @@ fn parameter(p: &Parameter, varies: Varies) -> TokenStream {
         Some(x) => quote!(Some(#x)),
         None => quote!(None),
     };
-    let (with, varies) = (option(&p.with), varies.tokens());
+    let gear_data = p.gear_data.map_or(quote!(None), |gear_data| {
+        let variant = Ident::new(GEAR_DATA[gear_data].1, p.name.span());
+        quote!(Some(model::GearData::#variant))
+    });
+    let (with, above, varies) = (option(&p.with), option(&p.above), varies.tokens());
     quote! {
         model::Parameter {
             name: #name,
             unit: #unit,
             default: #default,
             with: #with,
+            gear_data: #gear_data,
             varies: #varies,
             range: model::Range {
                 low: #low,
@@ -141,6 +146,7 @@ fn parameter(p: &Parameter, varies: Varies) -> TokenStream {
                 low_included: #low_included,
                 high_included: #high_included,
             },
+            above: #above,
             doc: #doc,
         }
     }
@@ -152,9 +158,9 @@ fn number(x: f64) -> TokenStream {
     if size.is_infinite() { quote!(#minus f64::INFINITY) } else { quote!(#minus #size) }
 }
 
-fn option(effect: &Option<Ident>) -> TokenStream {
-    match effect.as_ref().map(Ident::to_string) {
-        Some(effect) => quote!(Some(#effect)),
+fn option(name: &Option<Ident>) -> TokenStream {
+    match name.as_ref().map(Ident::to_string) {
+        Some(name) => quote!(Some(#name)),
         None => quote!(None),
     }
 }

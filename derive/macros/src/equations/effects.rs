@@ -19,7 +19,7 @@ pub fn check(m: &Model, errors: &mut Vec<Error>) {
     );
     let related = m.effects.iter().flat_map(|e| e.requires.iter().chain(&e.excludes));
     let related = related.chain(m.switching.iter().map(|boundary| &boundary.effect));
-    let related = related.chain(m.nonlinear_with.iter().map(|n| &n.effect));
+    let related = related.chain(m.nonlinear_with.iter().flat_map(|n| &n.effects));
     let related = related.chain(m.parameters.iter().filter_map(|p| p.with.as_ref()));
     let related = related.chain(m.laws.iter().filter_map(|l| l.with.as_ref()));
     let held = |name: &&Ident| index(m, name).is_none() && m.effects.iter().all(|e| e.of.as_ref() != Some(name));
@@ -62,7 +62,7 @@ fn switching(m: &Model, errors: &mut Vec<Error>) {
 /// `struct Met`: for each effect and condition whether a scene meets it, and its constructor from a set of effects.
 pub fn met(m: &Model) -> TokenStream {
     let effects: Vec<_> = m.effects.iter().map(|e| &e.name).collect();
-    let bits = (0..effects.len()).map(|i| Literal::u64_unsuffixed(1 << i));
+    let numbers = (0..effects.len()).map(Literal::usize_unsuffixed);
     let conditions: Vec<_> = m.conditions.iter().map(|c| &c.name).collect();
     let factors = m.conditions.iter().map(|c| {
         let factors = c.effects.iter().map(|(present, effect)| {
@@ -77,10 +77,10 @@ pub fn met(m: &Model) -> TokenStream {
         struct Met { #(#effects: bool,)* #(#conditions: bool,)* }
 
         impl Met {
-            /// With the effects of the bit set `effects`.
+            /// With these effects.
             #[allow(unused_variables, reason = "a model may have no effects")]
-            fn new(effects: u64) -> Self {
-                #(let #effects = effects & #bits != 0;)*
+            fn new(effects: &Effects) -> Self {
+                #(let #effects = effects.contains(#numbers);)*
                 #(let #conditions = #factors;)*
                 Self { #(#effects,)* #(#conditions,)* }
             }

@@ -37,7 +37,7 @@ pub fn emit(mut m: Model) -> TokenStream {
     let exactly = exactly(m);
     quote! {
         use ::gearsim::__private::{Matrix, Vector, equations, real};
-        use ::gearsim::model;
+        use ::gearsim::{model, scene::Effects};
 
         #[doc = #doc]
         #[derive(Debug, Clone, Copy)]
@@ -47,17 +47,17 @@ pub fn emit(mut m: Model) -> TokenStream {
         impl equations::Derived for #name {
             const MODEL: model::Model = #describe;
 
-            fn equations(effects: u64, parameters: &[f64], mids: &[f64]) -> Option<Box<dyn equations::Equations>> {
+            fn equations(effects: &Effects, parameters: &[f64], mids: &[f64]) -> Option<Box<dyn equations::Equations>> {
                 let equations = || Equations::new(Numbers::new(parameters, mids), Met::new(effects));
-                Self::MODEL.admits(effects).then(|| Box::new(equations()) as Box<dyn equations::Equations>)
+                effects.agree(&Self::MODEL).then(|| Box::new(equations()) as Box<dyn equations::Equations>)
             }
 
-            fn matrices<R: real::Real>(effects: u64, parameters: &[R], mids: &[R], k: &[R]) -> equations::Matrices<R> {
+            fn matrices<R: real::Real>(effects: &Effects, parameters: &[R], mids: &[R], k: &[R]) -> equations::Matrices<R> {
                 Numbers::<R>::new(parameters, mids).matrices(&Met::new(effects), equations::values(k))
             }
 
             fn exactly(
-                effects: u64, parameters: &[real::Df64], mids: &[real::Df64],
+                effects: &Effects, parameters: &[real::Df64], mids: &[real::Df64],
             ) -> Box<dyn equations::ExactCells> {
                 let numbers = Numbers::new(&equations::numbers(parameters), &equations::numbers(mids));
                 Box::new(Exactly { numbers, met: Met::new(effects) })

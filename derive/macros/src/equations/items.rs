@@ -19,11 +19,15 @@ impl Parse for Coordinate {
 impl Parse for Parameter {
     fn parse(input: ParseStream) -> Result<Self> {
         let (name, unit) = (input.parse()?, input.parse()?);
+        let gear_data = GEAR_DATA.iter().position(|(word, _)| peek_word(input, word));
+        if let Some(gear_data) = gear_data {
+            word(input, GEAR_DATA[gear_data].0)?;
+        }
         let default = match choice(input, &["default", "required"])? {
             0 => Some(number(input)?),
             _ => None,
         };
-        let with = if default.is_none() { with(input)? } else { None };
+        let with = with(input)?;
         input.parse::<Token![,]>()?;
         let low_included = choice(input, &["open", "from"])? == 1;
         let low = number(input)?;
@@ -33,7 +37,15 @@ impl Parse for Parameter {
             word(input, "included")?;
         }
         let high = number(input)?;
-        Ok(Self { name, unit, default, with, low, low_included, high, high_included, doc: doc(input)? })
+        let above = match peek_word(input, "above") {
+            true => {
+                word(input, "above")?;
+                Some(input.parse()?)
+            }
+            false => None,
+        };
+        let doc = doc(input)?;
+        Ok(Self { name, unit, gear_data, default, with, low, low_included, high, high_included, above, doc })
     }
 }
 
@@ -218,9 +230,10 @@ impl Parse for Output {
 
 impl Parse for NonlinearWith {
     fn parse(input: ParseStream) -> Result<Self> {
-        let (effect, text) = (input.parse()?, input.parse()?);
+        let effects = Punctuated::<Ident, Token![,]>::parse_separated_nonempty(input)?.into_iter().collect();
+        let text = input.parse()?;
         input.parse::<Token![;]>()?;
-        Ok(Self { effect, text })
+        Ok(Self { effects, text })
     }
 }
 

@@ -46,7 +46,7 @@ pub struct Model {
     pub load: Vec<Row>,
     /// The terms that make a cell nonlinear, as text.
     pub nonlinear: Option<LitStr>,
-    /// The terms that make it nonlinear with an effect.
+    /// The terms that make it nonlinear with some effects.
     pub nonlinear_with: Vec<NonlinearWith>,
     pub jumps: Vec<Jump>,
     /// Paths of the equations as text and in LaTeX, from the file of the model.
@@ -63,20 +63,28 @@ pub struct Coordinate {
     pub doc: LitStr,
 }
 
-/// `N1 "1" default 24.0, open 0.0 to inf, "doc";`
+/// `beta_K "s" default 0.0, from 0.0 to inf, "doc";`, `N1 "1" teeth default 24.0, open 0.0 to inf, "doc";`
 pub struct Parameter {
     pub name: Ident,
     pub unit: LitStr,
+    /// Its index in [`GEAR_DATA`].
+    pub gear_data: Option<usize>,
     /// `None`: `required`.
     pub default: Option<f64>,
-    /// `required with damping`: only scenes with this effect need it.
+    /// `with damping`: only scenes with this effect use it.
     pub with: Option<Ident>,
     pub low: f64,
     pub low_included: bool,
     pub high: f64,
     pub high_included: bool,
+    /// `above r`: greater than this parameter.
+    pub above: Option<Ident>,
     pub doc: LitStr,
 }
+
+/// The gear data of a parameter: the word in a derived file, and the variant of `model::GearData`.
+pub const GEAR_DATA: [(&str, &str); 4] =
+    [("teeth", "Teeth"), ("base_radius", "BaseRadius"), ("pressure_angle", "PressureAngle"), ("support", "Support")];
 
 /// `k "N*m" phase theta period 6.28 rolling, "doc";`, `e "m" phase theta period 6.28 with EFFECT, "doc";`,
 /// `side "1" phase theta period 6.28 with EFFECT as side, "doc";`
@@ -222,9 +230,9 @@ pub struct Output {
     pub value: Row,
 }
 
-/// `fan_load "c*omega^2 in the torque `fan`";`
+/// `fan_load "c*omega^2 in the torque `fan`";`, several effects with commas
 pub struct NonlinearWith {
-    pub effect: Ident,
+    pub effects: Vec<Ident>,
     pub text: LitStr,
 }
 

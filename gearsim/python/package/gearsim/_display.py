@@ -59,7 +59,11 @@ def _scene(self: Scene) -> str:
 
 
 def _summary(self: Results) -> dict[str, Any]:
-    """End state, energies, statistics of the outputs, method."""
+    """End state, energies, statistics of the outputs, method.
+
+    Of each output `min` and `max`; over the time the `mean` and `rms`, which is the root mean square about the mean; and the percentiles
+    `p01` and `p99` of its samples.
+    """
     summary: dict[str, Any] = json.loads(self._summary())
     return summary
 

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 from gearsim._gearsim import Gathering, GearsimError, Job, Scene, Table
 
 if TYPE_CHECKING:
-    from gearsim._gearsim import _Design
+    from gearsim._gearsim import _Axis, _Design
 
 #: How often a range of points is tried if its worker is lost.
 TRIES = 3
@@ -28,9 +28,9 @@ def _part(scene: Scene, definition: dict[str, Any], first: int, end: int, thread
 
 def sweep(
     scene: Scene,
-    *axes: str,
-    record: Sequence[str] = (),
-    start: float = 0.0,
+    *axes: _Axis,
+    record: str | Sequence[str] = (),
+    start: float | None = None,
     samples: int | None = None,
     seed: int = 0,
     design: _Design = "random",
@@ -42,10 +42,14 @@ def sweep(
 ) -> Table:
     """Run a scene at many values, and return a table with one row a point.
 
+    The columns of outputs and extremes end with what they give: `_min`, `_max`, `_mean`, and `_rms`, the root mean square about the mean.
+
     scene: a Scene.
-    axes: as for the option `--vary`, e.g. "start.speed=100 rpm:6000 rpm:200", "parameters.b=normal:100 um:10 um".
-    record: groups of quantities, e.g. ["outputs"].
-    start: start of the time over which extremes and means are taken [s].
+    axes: texts as for the option `--vary`, e.g. "start.speed=100 rpm:6000 rpm:200", "parameters.b=normal:100 um:10 um"; and dicts of keys
+        and values, e.g. {"parameters.T0": [1, 2, 3], "start.speed": numpy.linspace(10, 600, 200)}: lists and arrays of numbers in SI
+        units and of texts with units. The points are all combinations of all axes; the last axis varies fastest.
+    record: groups of quantities, e.g. ["outputs"], or one.
+    start: start of the time over which extremes and means are taken [s]; by default output.from of the scene.
     samples, seed: number of samples for random axes.
     design: how samples are chosen: "random", "latin-hypercube", "sobol", or "saltelli" for `sensitivity`.
     out: folder for the results. Finished points in it do not run again; its file `sweep.parquet` has the bytes of `gearsim sweep`.
@@ -60,10 +64,10 @@ def sweep(
 
 def sensitivity(
     scene: Scene,
-    *axes: str,
+    *axes: _Axis,
     samples: int,
-    record: Sequence[str] = (),
-    start: float = 0.0,
+    record: str | Sequence[str] = (),
+    start: float | None = None,
     seed: int = 0,
     out: str | os.PathLike[str] | None = None,
     executor: Executor | None = None,
@@ -84,16 +88,19 @@ def sensitivity(
 
 def _job(
     scene: Scene,
-    axes: Sequence[str],
-    record: Sequence[str],
-    start: float,
+    axes: Sequence[_Axis],
+    record: str | Sequence[str],
+    start: float | None,
     samples: int | None,
     seed: int,
     design: _Design,
 ) -> tuple[Job, dict[str, Any]]:
     """The sweep, and its definition for workers."""
-    definition: dict[str, Any] = dict(axes=list(axes), record=list(record), start=start, samples=samples, seed=seed, design=design)
-    return scene.job(**definition), definition
+    record = [record] if isinstance(record, str) else list(record)
+    definition: dict[str, Any] = dict(axes=axes, record=record, start=start, samples=samples, seed=seed, design=design)
+    job = scene.job(**definition)
+    # Workers get the axes as texts, whatever the values are made of.
+    return job, {**definition, "axes": job.axes}
 
 
 def _run(
@@ -107,6 +114,7 @@ def _run(
     progress: Callable[[int], object] | None,
 ) -> Table:
     """Run the points of a job, and return their table."""
+    _check(executor)
     with tempfile.TemporaryDirectory() as temporary:
         gathering = job.gather(out if out is not None else temporary)
         try:
@@ -119,13 +127,46 @@ def _run(
             else:
 
                 def submit(part: _Part) -> Future[bytes]:
-                    return executor.submit(_part, scene, definition, *part, threads_per_task)
+                    future = executor.submit(_part, scene, definition, *part, threads_per_task)
+                    if not isinstance(future, Future):
+                        raise _unfit(type(executor), f"its `submit` returns {type(future).__name__}")
+                    return future
 
                 _gather(submit, job, gathering, missing, done, progress)
             return gathering.finish()
         finally:
             # A stored exception keeps this frame, and would keep the folder in use.
             gathering.close()
+
+
+#: Packages whose own objects are no executors, and what to pass instead.
+_ADAPTERS = {
+    "submitit": "gearsim.executors.SubmititExecutor(executor)",
+    "distributed": "gearsim.executors.DaskExecutor(client)",
+    "dask": "gearsim.executors.DaskExecutor(client)",
+    "ray": "gearsim.executors.RayExecutor()",
+}
+
+
+def _check(executor: object) -> None:
+    """Raise an error if `executor` is none, before a task is sent to it."""
+    kind = executor if isinstance(executor, type) else type(executor)
+    if executor is None or isinstance(executor, Executor):
+        return
+    if kind is executor:
+        raise _unfit(kind, f"{kind.__name__} is a class")
+    if kind.__module__.partition(".")[0] in _ADAPTERS or not callable(getattr(executor, "submit", None)):
+        raise _unfit(kind, f"{kind.__name__} is none")
+
+
+def _unfit(kind: type, why: str) -> TypeError:
+    """The error that says what an executor must be, and what to pass instead of one of the type `kind`."""
+    adapter = _ADAPTERS.get(kind.__module__.partition(".")[0])
+    adapters = [adapter] if adapter else dict.fromkeys(_ADAPTERS.values())
+    return TypeError(
+        f"`executor` must be a concurrent.futures.Executor, whose `submit` returns a concurrent.futures.Future; {why}\n"
+        f"  help: pass {' or '.join(adapters)}"
+    )
 
 
 def _after(done: int, progress: Callable[[int], object] | None) -> Callable[[float], object] | None:

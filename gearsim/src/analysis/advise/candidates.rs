@@ -60,22 +60,16 @@ pub(crate) fn candidates(base: &Scene) -> Vec<Candidate> {
             });
         }
     }
-    for name in &present {
-        // Effects that require this one are left out with it.
-        let needs = |other: &&str| {
-            model.effects.iter().any(|e| (e.name == *other || e.of == Some(*other)) && e.requires.contains(name))
-        };
-        let mut gone: Vec<&str> = vec![name];
-        gone.extend(present.iter().copied().filter(|other| needs(other)));
-        let names: Vec<_> = present.iter().copied().filter(|other| !gone.contains(other)).collect();
-        let quoted: Vec<_> = gone.iter().map(|name| format!("`{name}`")).collect();
+    for &name in &present {
         let way = if switches(model, name, Switching::WithJump) { Way::WithoutSteps } else { Way::Run };
-        let (without, how) = (gone.join(", "), format!("leave out {}", quoted.join(", ")));
-        candidates.push(Candidate { without, how, scene: with(base, &names), way });
-        candidates.extend(parts(base, &present, name));
+        let all = Effects::numbers(name, model);
+        candidates.push(without(base, &all, way));
+        let is_of_parts = all.len() > 1 && model.effects[all[0]].of == Some(name);
+        candidates.extend(all.iter().filter(|_| is_of_parts).map(|&part| without(base, &[part], Way::Run)));
     }
     // Effects that bend deflections need no further values in the scene, so the deviation that they would cause is estimated too.
-    for name in Effects(u64::MAX).names(model).into_iter().filter(|name| !present.contains(name) && bends(base, name)) {
+    for name in Effects::all(model).names(model).into_iter().filter(|name| !present.contains(name) && bends(base, name))
+    {
         let names: Vec<_> = present.iter().copied().chain([name]).collect();
         let scene = with(base, &names);
         if scene.effects.contradictions(model).is_empty() {
@@ -86,20 +80,38 @@ pub(crate) fn candidates(base: &Scene) -> Vec<Candidate> {
     candidates
 }
 
-/// The scenes without the effect `name` at one part, one scene for each part; none if the effect does not belong to several parts.
-fn parts(base: &Scene, present: &[&'static str], name: &str) -> Vec<Candidate> {
-    let parts: Vec<_> = base.model.effects.iter().filter(|e| e.of == Some(name)).map(|e| e.name).collect();
-    if parts.len() < 2 {
-        return vec![];
-    }
-    let without = |part: &&'static str| {
-        let others: Vec<_> = parts.iter().copied().filter(|other| other != part).collect();
-        let quoted: Vec<_> = others.iter().map(|other| format!("`{other}`")).collect();
-        let how = format!("name {} instead of `{name}`", quoted.join(", "));
-        let names: Vec<_> = present.iter().copied().filter(|other| *other != name).chain(others).collect();
-        Candidate { without: part.to_string(), how, scene: with(base, &names), way: Way::Run }
+/// The scene without these effects, and without those that require one of them.
+fn without(base: &Scene, effects: &[usize], way: Way) -> Candidate {
+    let model = base.model;
+    let mut left = effects.iter().fold(base.effects.clone(), |left, &i| left.without(i));
+    let lacks = |left: &Effects, i: usize| {
+        left.contains(i) && model.effects[i].requires.iter().any(|needed| !left.has(needed, model))
     };
-    parts.iter().map(without).collect()
+    while let Some(i) = (0..model.effects.len()).find(|&i| lacks(&left, i)) {
+        left = left.without(i);
+    }
+    let gone = (0..model.effects.len()).filter(|&i| base.effects.contains(i) && !left.contains(i));
+    let gone = Effects::numbered(model, gone);
+    let names = gone.names(model);
+    Candidate {
+        without: names.join(", "),
+        how: how(base, &gone, &left),
+        scene: Scene { effects: left, ..base.clone() },
+        way,
+    }
+}
+
+/// How to change the list of effects of a scene so that `gone` are left out of it, and `left` stay.
+fn how(base: &Scene, gone: &Effects, left: &Effects) -> String {
+    let model = base.model;
+    let (before, after) = (base.effects.names(model), left.names(model));
+    let quoted = |names: Vec<&str>| names.iter().map(|name| format!("`{name}`")).collect::<Vec<_>>().join(", ");
+    let leave_out: Vec<&str> = before.iter().copied().filter(|name| !after.contains(name)).collect();
+    let name: Vec<&str> = after.into_iter().filter(|name| !before.contains(name)).collect();
+    match name.is_empty() {
+        true => format!("leave out {}", quoted(gone.names(model))),
+        false => format!("name {} instead of {}", quoted(name), quoted(leave_out)),
+    }
 }
 
 /// Whether laws switch in this way with an effect.
@@ -113,6 +125,6 @@ fn bends(scene: &Scene, name: &str) -> bool {
 }
 
 fn with(scene: &Scene, names: &[&str]) -> Scene {
-    let effects = Effects::from_names(names.iter().copied(), scene.model).unwrap_or(scene.effects);
+    let effects = Effects::from_names(names.iter().copied(), scene.model).unwrap_or_else(|| scene.effects.clone());
     Scene { effects, ..scene.clone() }
 }

@@ -46,14 +46,13 @@ impl Groups {
         let cell = modes::of(system, &mids, &modes::Parts::default())?;
         let coordinate = |name: &str| model.coordinates.iter().position(|c| c.name == name).unwrap_or(0);
         let mut meshes = vec![];
-        for (i, course) in courses.iter().enumerate().filter(|(_, c)| c.steps) {
-            let values = course.levels.iter().map(|level| level.0);
-            let (low, high) = values.fold((f64::INFINITY, 0.0f64), |m, k| (m.0.min(k), m.1.max(k)));
+        for (i, course) in courses.iter().enumerate().filter(|(_, c)| c.varies) {
+            let (low, high) = course.extremes();
             let phase = coordinate(model.laws[i].phase);
             meshes.push(Mesh {
                 law: course.name,
                 strength: strength(system, &mids, (i, low, high), phase, course)?,
-                frequency: course.frequency(),
+                frequency: course.mesh_frequency(),
                 ratio: high / low,
             });
         }

@@ -1,7 +1,7 @@
 //! The teeth of a mesh of a train, from the linear forms of its parts.
 
 use super::{Teeth, ToothData, standard};
-use crate::model::Parameter;
+use crate::model::{GearData, Parameter};
 use crate::scene::Scene;
 use crate::train::{Factor, Form, Part, Row, Train};
 
@@ -45,7 +45,7 @@ pub(super) fn teeth(scene: &Scene, train: &Train, i: usize) -> Option<Teeth> {
 
 /// The number of teeth in a factor N h.
 fn number_of_teeth(scene: &Scene, factor: &Factor) -> Option<f64> {
-    let is_teeth = |parameter: &Parameter| parameter.doc.starts_with("number of teeth");
+    let is_teeth = |parameter: &Parameter| parameter.gear_data == Some(GearData::Teeth);
     let (parameter, _) =
         factor.powers.iter().find(|(p, power)| *power == 1 && is_teeth(&scene.model.parameters[*p]))?;
     Some(scene.parameters[*parameter]).filter(|z| z.is_finite())

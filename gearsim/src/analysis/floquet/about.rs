@@ -1,44 +1,39 @@
 //! Propagators of small disturbances of a steady motion, z' = A(t) z with z = (e, e'/omega) and the motions e that are not rigid.
 //!
-//! For forces that are not linear, A has their derivatives at the steady motion. Laws of friction follow curves within a stretch, so that A
-//! varies there. It is integrated in steps of the fourth order in h, exp(h (A1 + A2)/2 + sqrt(3) h² (A2 A1 - A1 A2)/12), with A at the two
-//! Gauss points (S. Blanes et al., Phys. Rep. 470, 2009, Magnus expansion).
+//! For forces that are not linear, A has their derivatives at the steady motion. If stiffnesses or laws of friction follow curves within a
+//! stretch, A varies there, and its propagator is integrated ([`super::magnus`]).
 
 use nalgebra::DMatrix;
 
-use super::{Split, Stretch};
+use super::{FloquetError, Split, Stretch, magnus};
 use crate::analysis::steady::SteadyLaw;
 use crate::engine::Refusal;
 use crate::engine::system::System;
-use crate::tolerance::analysis::{MAGNUS_SPAN, MAGNUS_STEPS};
 
-/// The propagator over a stretch.
+/// The propagator over a stretch. `watch` is called at each step.
 ///
 /// # Errors
-/// Those of [`System::linearised`].
+/// Those of [`System::linearised`] and of [`magnus::propagator`].
 pub fn propagator(
     system: &System,
     courses: &[SteadyLaw],
     stretch: &Stretch,
     split: &Split,
     omega: f64,
-) -> Result<DMatrix<f64>, Refusal> {
-    let whole = split.generator(system, &stretch.levels, omega)?;
+    watch: &dyn Fn(),
+) -> Result<DMatrix<f64>, FloquetError> {
     if courses.iter().all(|course| course.curves.is_empty()) {
-        return Ok((whole * stretch.time).exp());
+        return Ok((split.generator(system, &stretch.levels, omega)? * stretch.time).exp());
     }
-    let steps = (stretch.time * whole.norm() / MAGNUS_SPAN).ceil().clamp(1.0, MAGNUS_STEPS);
-    let h = stretch.time / steps;
-    let at = |t: f64| split.generator(system, &courses.iter().map(|course| course.at(t)).collect::<Vec<_>>(), omega);
-    let mut propagator = DMatrix::identity(whole.nrows(), whole.nrows());
-    for step in 0..steps as usize {
-        let middle = stretch.begin + (step as f64 + 0.5) * h;
-        let apart = h * 3f64.sqrt() / 6.0;
-        let (first, second) = (at(middle - apart)?, at(middle + apart)?);
-        let twist = &second * &first - &first * &second;
-        propagator = ((first + second) * (0.5 * h) + twist * (3f64.sqrt() / 12.0 * h * h)).exp() * propagator;
-    }
-    Ok(propagator)
+    let levels = |t: f64| courses.iter().map(|course| course.at(t)).collect::<Vec<_>>();
+    // At least two steps a wave of the highest harmonic.
+    let waves = courses.iter().map(|course| course.highest_order() * course.frequency() * stretch.time);
+    let least = 2.0 * waves.fold(0.0, f64::max);
+    let generator = |t: f64| {
+        watch();
+        split.generator(system, &levels(t), omega)
+    };
+    magnus::propagator(generator, [stretch.begin, stretch.time], least)
 }
 
 impl Split {

@@ -18,7 +18,7 @@ use std::rc::Rc;
 
 use nalgebra::{Complex, DMatrix, DVector};
 
-use super::{Aperiodic, Floquet, FloquetError, of_all};
+use super::{Aperiodic, Floquet, FloquetError, leave_out, of_all};
 use crate::analysis::modes;
 use crate::analysis::steady::{self, SteadyLaw};
 use crate::analysis::turn::Turn;
@@ -33,8 +33,8 @@ use crate::model::Start;
 use crate::scene::Scene;
 use crate::scene::solver::Method;
 use crate::tolerance::analysis::{
-    MAGNUS_ERROR, MAGNUS_FIRST_ERROR, ORBIT_ACCEPTED, ORBIT_CLOSED, ORBIT_FIRST_TOLERANCE, ORBIT_NEAR, ORBIT_RANK,
-    ORBIT_ROUNDS, ORBIT_SPEED_STEP, ORBIT_TOLERANCE,
+    MAGNUS_ERROR, MAGNUS_FIRST_ERROR, MULTIPLIER_ROUNDING, ORBIT_ACCEPTED, ORBIT_CLOSED, ORBIT_FIRST_TOLERANCE,
+    ORBIT_NEAR, ORBIT_RANK, ORBIT_ROUNDS, ORBIT_SPEED_STEP, ORBIT_TOLERANCE,
 };
 
 use variational::{Carried, Variational};
@@ -81,16 +81,16 @@ impl Digits {
     const ALL: Digits = Digits { run: ORBIT_TOLERANCE, disturbances: MAGNUS_ERROR };
 }
 
-/// The multipliers of a scene along whose motion the equations change.
+/// The multipliers of a scene along whose motion the equations change. `watch` is called at each step of the runs.
 ///
 /// # Errors
 /// If the equations do not repeat, no motion repeats, or nothing vibrates.
-pub fn of(scene: &Scene, system: &System, about: &Steady) -> Result<Floquet, FloquetError> {
+pub fn of(scene: &Scene, system: &System, about: &Steady, watch: &dyn Fn()) -> Result<Floquet, FloquetError> {
     let turn = Turn::of(scene, system)?.ok_or(Aperiodic::NoTurn)?;
-    let shooting = Shooting { scene, system, turn: &turn };
+    let shooting = Shooting { scene, system, turn: &turn, watch };
     let (orbit, shot) = shooting.close(about)?;
     let n = about.q.len();
-    let (multipliers, speed) = shooting.multipliers(&orbit, &shot)?;
+    let Multipliers { others: mut multipliers, speed, size } = shooting.multipliers(&orbit, &shot)?;
     if n == 1 {
         return Err(FloquetError::Rigid);
     }
@@ -102,15 +102,38 @@ pub fn of(scene: &Scene, system: &System, about: &Steady) -> Result<Floquet, Flo
         .find(|f| *f > 0.0)
         .unwrap_or(0.0);
     let courses = steady::courses(scene, system)?;
-    let mesh = courses.iter().find(|c| c.steps).map_or(0.0, SteadyLaw::frequency);
+    let mesh = courses.iter().find(|c| c.varies).map_or(0.0, SteadyLaw::mesh_frequency);
     let start = [orbit.0.to_vec(), orbit.1.to_vec()];
     let reference = scene.model.coordinates[turn.reference].name;
     let drift = shot.v[turn.reference] / orbit.1[turn.reference] - 1.0;
     let gap = shooting.gap(&orbit, &shot);
     let orbit = Orbit { reference, turn: turn.shift[turn.reference], start, drift, gap, speed };
     let verdict = of_all(&multipliers);
-    let steady = Some(about.clone());
-    Ok(Floquet { period: turn.time, multipliers, rigid: 1, verdict, natural, mesh, steady, orbit: Some(orbit) })
+    let rounding = MULTIPLIER_ROUNDING * size;
+    let unresolved = leave_out(&mut multipliers, rounding);
+    Ok(Floquet {
+        period: turn.time,
+        multipliers,
+        unresolved,
+        rounding,
+        rigid: 1,
+        verdict,
+        natural,
+        mesh,
+        steady: Some(about.clone()),
+        orbit: Some(orbit),
+        is_integrated: true,
+    })
+}
+
+/// The multipliers of the map from turn to turn.
+struct Multipliers {
+    /// The largest first, without that of the speed of the rotation.
+    others: Vec<Complex<f64>>,
+    /// That of a change of the speed of the rotation.
+    speed: Complex<f64>,
+    /// The largest entry of the map.
+    size: f64,
 }
 
 /// The search for the motion that repeats.
@@ -118,6 +141,8 @@ struct Shooting<'a> {
     scene: &'a Scene,
     system: &'a System,
     turn: &'a Turn,
+    /// Is called at each step.
+    watch: &'a dyn Fn(),
 }
 
 /// Coordinates and speeds.
@@ -233,7 +258,9 @@ impl Shooting<'_> {
         let frictions = (0..scene.model.laws.len()).filter(|&i| scene.model.laws[i].role.is_friction()).collect();
         let solver = Variational::new(&now, solver, Rc::clone(&carried), frictions, digits.disturbances);
         let mut simulation = Simulation::with(now, Box::new(solver))?;
-        simulation.run(None, &mut |_| {}).map_err(|stop| FloquetError::Stopped { why: stop.to_string() })?;
+        simulation
+            .run(None, &mut |_| (self.watch)())
+            .map_err(|stop| FloquetError::Stopped { why: stop.to_string() })?;
         let lengths = simulation.turn_lengths();
         let now = &simulation.now;
         let acceleration = &now.mobility() * &now.force();
@@ -308,8 +335,8 @@ impl Shooting<'_> {
         step.iter().all(|x| x.is_finite()).then_some(step)
     }
 
-    /// The multipliers of the map from turn to turn, the largest first, without that of the speed of the rotation, which follows.
-    fn multipliers(&self, place: &Place, shot: &Shot) -> Result<(Vec<Complex<f64>>, Complex<f64>), FloquetError> {
+    /// The multipliers of the map from turn to turn.
+    fn multipliers(&self, place: &Place, shot: &Shot) -> Result<Multipliers, FloquetError> {
         let n = place.0.len();
         let (_, units) = self.units();
         let rest: Vec<usize> = (0..2 * n).filter(|i| *i != self.turn.reference).collect();
@@ -347,7 +374,7 @@ impl Shooting<'_> {
         let which = (0..all.len()).max_by(|&i, &j| share(&all[i]).total_cmp(&share(&all[j]))).unwrap_or(0);
         let speed = all.remove(which);
         all.sort_by(|a, b| b.norm().total_cmp(&a.norm()));
-        Ok((all, speed))
+        Ok(Multipliers { others: all, speed, size: map.amax() })
     }
 
     /// The kinetic energy at a place \[J\].

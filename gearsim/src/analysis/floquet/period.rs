@@ -1,4 +1,4 @@
-//! The common period of all stiffnesses, divided into stretches in which none of them steps.
+//! The common period of all stiffnesses, divided into stretches in which none of them steps. Within a stretch a stiffness may follow a curve.
 
 use crate::analysis::steady::SteadyLaw;
 use crate::tolerance::analysis;
@@ -8,7 +8,8 @@ use crate::tolerance::analysis;
 #[allow(missing_docs)]
 pub enum Aperiodic {
     #[error(
-        "no stiffness of the scene steps, so nothing is periodic: add the effect `stiffness_step`, and give a law two levels"
+        "no stiffness of the scene varies, so nothing is periodic: this needs a law with two levels or a curve, and the effect \
+         `stiffness_step`; a model without this effect has nothing that varies"
     )]
     Constant,
     #[error("the phase of `{law}` does not move: give the scene a speed in [start]")]
@@ -30,7 +31,7 @@ pub enum Aperiodic {
 /// A part of the period in which no stiffness steps.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Stretch {
-    /// The value of each law \[SI\].
+    /// The value of each law, of a curve its mean in the cell \[SI\].
     pub levels: Vec<f64>,
     /// When it begins \[s\].
     pub begin: f64,
@@ -43,14 +44,14 @@ pub struct Stretch {
 /// # Errors
 /// [`Aperiodic`] if there is none.
 pub fn stretches(courses: &[SteadyLaw]) -> Result<(f64, Vec<Stretch>), Aperiodic> {
-    let stepping: Vec<&SteadyLaw> = courses.iter().filter(|c| c.steps).collect();
-    let first = *stepping.first().ok_or(Aperiodic::Constant)?;
-    if let Some(still) = stepping.iter().find(|c| c.speed == 0.0 || !c.frequency().is_normal()) {
+    let varying: Vec<&SteadyLaw> = courses.iter().filter(|c| c.varies).collect();
+    let first = *varying.first().ok_or(Aperiodic::Constant)?;
+    if let Some(still) = varying.iter().find(|c| c.speed == 0.0 || !c.frequency().is_normal()) {
         return Err(Aperiodic::Still { law: still.name });
     }
     // Number of pitches of the first mesh in the period.
     let mut pitches = 1u64;
-    for course in &stepping {
+    for course in &varying {
         let ratio = course.frequency() / first.frequency();
         let whole = (1..=analysis::COMMON_PITCHES).find(|&p| {
             let other = ratio * p as f64;
@@ -67,16 +68,16 @@ pub fn stretches(courses: &[SteadyLaw]) -> Result<(f64, Vec<Stretch>), Aperiodic
         pitches = pitches / gcd(pitches, whole) * whole;
     }
     let period = pitches as f64 / first.frequency();
-    let count = stepping.iter().map(|c| c.frequency() * period * c.levels.len() as f64).sum::<f64>();
+    let count = varying.iter().map(|c| c.frequency() * period * c.levels.len() as f64).sum::<f64>();
     if count > analysis::PERIOD_STEPS as f64 {
         return Err(Aperiodic::Long { most: analysis::PERIOD_STEPS });
     }
-    let mut cuts: Vec<f64> = stepping.iter().flat_map(|c| steps(c, period)).chain([0.0, period]).collect();
+    let mut cuts: Vec<f64> = varying.iter().flat_map(|c| steps(c, period)).chain([0.0, period]).collect();
     cuts.sort_by(f64::total_cmp);
     cuts.dedup_by(|later, earlier| *later - *earlier <= analysis::SAME_TIME * period);
     let stretch = |pair: &[f64]| {
         let middle = 0.5 * (pair[0] + pair[1]);
-        let levels = courses.iter().map(|c| level(c, middle)).collect();
+        let levels = courses.iter().map(|c| c.level(middle)).collect();
         Stretch { levels, begin: pair[0], time: pair[1] - pair[0] }
     };
     Ok((period, cuts.windows(2).map(stretch).collect()))
@@ -94,13 +95,6 @@ fn steps(course: &SteadyLaw, period: f64) -> Vec<f64> {
     (0..pitches).flat_map(|p| course.levels.iter().map(move |&(_, end)| way(end) + p as f64 * one)).collect()
 }
 
-/// The value of a law at the time `t` [s].
-fn level(course: &SteadyLaw, t: f64) -> f64 {
-    let phase = (course.start + course.speed * t).rem_euclid(course.period);
-    let here = course.levels.iter().find(|(_, end)| phase < *end);
-    here.or(course.levels.last()).map_or(0.0, |(value, _)| *value)
-}
-
 fn gcd(a: u64, b: u64) -> u64 {
     if b == 0 { a } else { gcd(b, a % b) }
 }
@@ -111,7 +105,7 @@ mod tests {
 
     fn course(name: &'static str, speed: f64, start: f64) -> SteadyLaw {
         let levels = vec![(1.0, 0.25), (2.0, 1.0)];
-        SteadyLaw { name, levels, period: 1.0, pitches: 1, start, speed, steps: true, curves: vec![] }
+        SteadyLaw { name, levels, period: 1.0, pitches: 1, start, speed, varies: true, curves: vec![] }
     }
 
     #[test]

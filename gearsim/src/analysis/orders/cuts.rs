@@ -9,7 +9,7 @@ use crate::analysis::spectrum::SpectrumError;
 pub struct Cut {
     /// Speed of the shaft in the middle of the window \[rad/s\].
     pub speed: f64,
-    /// Peak amplitude of each order asked for [unit of the signal]; NaN beyond the last order.
+    /// Peak amplitude at each order asked for ([`Orders::at`]) [unit of the signal]; NaN beyond the last order.
     pub amplitude: Vec<f64>,
 }
 

@@ -15,10 +15,13 @@ use rayon::prelude::*;
 
 use super::{Mesh, Turning};
 
-/// Multiples of a mesh order that are listed.
-const HARMONICS: usize = 5;
+/// Multiples of a mesh order that are listed, and those that are listed with their sidebands.
+const HARMONICS: usize = 20;
+const WITH_SIDEBANDS: usize = 5;
 /// Sidebands on either side of a mesh order that are listed.
 pub const SIDEBANDS: i32 = 3;
+/// Lines on either side of a line that belong to it: half the width of the main lobe of the Hann window.
+const LOBE: f64 = 2.0;
 /// Least number of revolutions of a rotor in a record, and so of lines between its sidebands, that separates them: the main lobe of the
 /// Hann window is 4 lines wide.
 pub const APART: f64 = 4.0;
@@ -45,7 +48,8 @@ pub struct Line {
     pub frequency: f64,
 }
 
-/// The lines of `meshes`, as far as the samples resolve them.
+/// The lines of `meshes`, as far as the samples resolve them. A sideband that lies within the main lobe of a multiple of a mesh order is
+/// left out.
 pub fn lines(turning: &Turning, meshes: &[Mesh]) -> Vec<Line> {
     let shaft = turning.frequency();
     let duration = (turning.angle.len() - 1) as f64 / turning.rate;
@@ -55,12 +59,17 @@ pub fn lines(turning: &Turning, meshes: &[Mesh]) -> Vec<Line> {
         for harmonic in 1..=HARMONICS {
             let mut add = |rotor: Option<&'static str>, sideband: i32, frequency: f64| {
                 let order = frequency / shaft;
-                if order > 0.0 && order * fastest * SAMPLES <= 1.0 {
+                let resolved = order * fastest * SAMPLES <= 1.0
+                    && (rotor.is_none() || !in_lobe(frequency, meshes, 1.0 / duration));
+                if order > 0.0 && resolved {
                     all.push(Line { mesh: mesh.name, harmonic, rotor, sideband, order, frequency });
                 }
             };
             let base = harmonic as f64 * mesh.frequency;
             add(None, 0, base);
+            if harmonic > WITH_SIDEBANDS {
+                continue;
+            }
             for rotor in mesh.rotors.iter().filter(|rotor| rotor.frequency * duration >= APART) {
                 for sideband in (-SIDEBANDS..=SIDEBANDS).filter(|i| *i != 0) {
                     add(Some(rotor.name), sideband, base + f64::from(sideband) * rotor.frequency);
@@ -71,7 +80,22 @@ pub fn lines(turning: &Turning, meshes: &[Mesh]) -> Vec<Line> {
     all
 }
 
+/// Whether a frequency lies within the main lobe of a multiple of a mesh frequency, where lines are `line` \[Hz\] apart.
+pub(crate) fn in_lobe(frequency: f64, meshes: &[Mesh], line: f64) -> bool {
+    meshes.iter().any(|mesh| {
+        let multiple = (frequency / mesh.frequency).round().max(1.0);
+        (frequency - multiple * mesh.frequency).abs() <= LOBE * line
+    })
+}
+
 impl Turning {
+    /// Whether a column has each of `lines`: the multiples of mesh orders, and the sidebands that are lines of their own in its spectrum.
+    pub fn has(&self, column: &[f64], lines: &[Line]) -> Vec<bool> {
+        let orders = self.orders(column).ok();
+        let stands_out = |order: f64| orders.as_ref().is_some_and(|orders| orders.stands_out(order));
+        lines.iter().map(|line| line.rotor.is_none() || stands_out(line.order)).collect()
+    }
+
     /// The peak amplitudes of `columns` at the order of each of `lines` (lines, columns) [units of the columns].
     pub fn amplitudes(&self, columns: &[&[f64]], lines: &[Line]) -> Vec<Vec<f64>> {
         let (last, end) = (self.angle.len() - 1, self.angle[self.angle.len() - 1]);

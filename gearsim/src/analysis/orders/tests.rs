@@ -35,6 +35,32 @@ fn a_line_at_constant_speed_has_its_amplitude() {
     assert!(orders.at(12.0).unwrap() < 1e-4);
 }
 
+/// A line between two orders of the spectrum is interpolated; it loses little.
+#[test]
+fn a_line_between_two_orders_keeps_its_amplitude() {
+    let run = run(20_001, 20e3, |_| 10.0);
+    let turning = Turning::of(&run, "rotor_speed", 0.0).unwrap();
+    for order in [23.0, 23.0125, 23.03, 23.05, 23.07] {
+        let x: Vec<f64> = run.t.iter().map(|t| 3.0 * (TAU * 10.0 * order * t).sin()).collect();
+        let found = turning.orders(&x).unwrap().at(order).unwrap();
+        assert!((found / 3.0 - 1.0).abs() < 5e-3, "{order}: {found}");
+    }
+}
+
+/// What lies beside an order is not its amplitude: half a bandwidth away 3 dB are lost, two lines away everything.
+#[test]
+fn the_amplitude_at_an_order_leaves_out_what_lies_beside_it() {
+    let run = run(20_001, 20e3, |_| 10.0);
+    let turning = Turning::of(&run, "rotor_speed", 0.0).unwrap();
+    let x: Vec<f64> = run.t.iter().map(|t| 3.0 * (TAU * 10.0 * 24.0 * t).sin()).collect();
+    let orders = turning.orders(&x).unwrap();
+    for (lines, share) in [(0.0, 1.0), (0.5 * BANDWIDTH, 0.5_f64.sqrt()), (1.0, 0.5), (2.0, 0.0)] {
+        let found = orders.at(24.0 - lines / 10.0).unwrap() / 3.0;
+        assert!((found - share).abs() < 5e-3, "{lines}: {found} {share}");
+    }
+    assert_eq!(orders.at(1001.0), None);
+}
+
 #[test]
 fn a_run_up_does_not_smear_an_order() {
     // From 5 to 25 revolutions a second in 2 s, with 17 pulses a revolution.
@@ -134,8 +160,8 @@ fn twenty_three_teeth_at_200_rpm_mesh_at_76_7_hz() {
     assert!(matches!(&meshes[0].rotors[..], [Rotor { name: "rotor_speed", teeth: 23.0, .. }]), "{meshes:?}");
     let turning = Turning::of(&run, "rotor_speed", 0.0).unwrap();
     let lines = lines(&turning, &meshes);
-    // Five multiples with six sidebands each.
-    assert_eq!(lines.len(), 35);
+    // Twenty multiples, five of them with six sidebands each.
+    assert_eq!(lines.len(), 50);
     assert!(lines.iter().any(|line| (line.order - 47.0).abs() < 1e-9 && (line.harmonic, line.sideband) == (2, 1)));
 }
 
@@ -153,4 +179,43 @@ fn a_pitch_error_of_one_tooth_shows_in_all_sidebands() {
         // The edges lie between samples: 2 sin(..)/(pi n) is known to an edge's place, 1/3000 revolution.
         assert!((amplitude[0] - expected).abs() < 2.0 * 2.0 / 3000.0, "{line:?} {} {expected}", amplitude[0]);
     }
+}
+
+/// A rotor that makes four turns has sidebands four lines apart. The skirt of a line that lies between them is not one of them, nor is what
+/// lies within the main lobe of a mesh line.
+#[test]
+fn sidebands_are_lines_of_their_own() {
+    let run = run(20_001, 10e3, |_| 2.0);
+    let turning = Turning::of(&run, "rotor_speed", 0.0).unwrap();
+    let mesh = |frequency: f64, rotor: f64| Mesh {
+        name: "k",
+        frequency,
+        steady: true,
+        force: None,
+        rotors: vec![Rotor { name: "rotor_speed", frequency: rotor, teeth: 23.0 }],
+    };
+    let lines = lines(&turning, &[mesh(46.0, 2.0), mesh(50.4, 1.0)]);
+    // 50 Hz is 0.8 lines from the second mesh order, 52 Hz 3.2 lines.
+    let listed = |order: f64| lines.iter().any(|line| line.rotor.is_some() && (line.order - order).abs() < 1e-9);
+    assert!(!listed(25.0) && listed(26.0));
+    let signal = |order: f64| run.t.iter().map(|t| (TAU * 2.0 * order * t).sin()).collect::<Vec<f64>>();
+    let has = |x: &[f64], order: f64| {
+        let has = turning.has(x, &lines);
+        lines.iter().zip(has).any(|(line, has)| has && line.rotor.is_some() && (line.order - order).abs() < 1e-9)
+    };
+    for (at, own) in [(24.0, true), (24.1, true), (24.2, false), (23.7, false)] {
+        assert_eq!(has(&signal(at), 24.0), own, "{at}");
+    }
+}
+
+/// A motor that a freewheel parts from the gears for a part of the run is not the shaft of orders, though it is the first.
+#[test]
+fn orders_refer_to_a_shaft_that_turns_with_a_mesh() {
+    static MOTOR: Output = Output { name: "rotor_speed_m", unit: SHAFT, with: None, known: false, doc: "" };
+    let mut run = geared();
+    assert_eq!(reference_shaft(&run, None).unwrap().name, "rotor_speed");
+    let slower = run.t.iter().map(|t| TAU * if *t < 1.0 { 10.0 / 3.0 } else { 2.5 }).collect();
+    run.outputs.insert(0, (&MOTOR, slower));
+    assert_eq!(reference_shaft(&run, None).unwrap().name, "rotor_speed");
+    assert_eq!(reference_shaft(&run, Some("rotor_speed_m")).unwrap().name, "rotor_speed_m");
 }

@@ -58,6 +58,6 @@ fn under(scene: &Scene, set: &'static EquationSet) -> Result<Scene, Failure> {
         }
         names.push(effect.name);
     }
-    let effects = Effects::from_names(names, model).unwrap_or(scene.effects);
+    let effects = Effects::from_names(names, model).unwrap_or_else(|| scene.effects.clone());
     Ok(Scene { effects, ..scene.clone() })
 }

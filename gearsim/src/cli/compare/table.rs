@@ -16,7 +16,10 @@ pub(in crate::cli) fn render(members: &[ComparedRun], summaries: &[Summary]) -> 
     add("energy at start", "J", &|s| number::short(s.energy.at_start.0));
     add("lost to damping", "J", &|s| number::short(s.energy.dissipated.0));
     add("unaccounted for", "J", &|s| number::short(s.energy.residual.0));
-    add("  over that at start", "", &|s| number::short((s.energy.residual.0 / s.energy.at_start.0).abs()));
+    add("  over that at start", "", &|s| match s.energy.at_start.0 {
+        0.0 => "-".into(),
+        at_start => number::short((s.energy.residual.0 / at_start).abs()),
+    });
     for coordinate in members.first().map_or(&[][..], |m| m.results.scene.model.coordinates) {
         let speed = format!("{}_dot", coordinate.name);
         let at_end = |name: &str, s: &Summary| s.state.get(name).map_or("-".into(), number::short);

@@ -28,8 +28,8 @@ pub(in crate::cli) fn of(model: &Model, width: usize) -> String {
     if !model.nonlinear.is_empty() {
         text += &format!("\nNonlinear terms: {}\n", model.nonlinear);
     }
-    for (effect, term) in model.nonlinear_with {
-        text += &format!("\nNonlinear with {effect}: {term}\n");
+    for (effects, term) in model.nonlinear_with {
+        text += &format!("\nNonlinear with {}: {term}\n", effects.join(" and "));
     }
     text += "\nEquations\n";
     for line in model.equations.lines() {
@@ -53,12 +53,13 @@ fn coordinates(model: &Model) -> Vec<Row> {
 
 fn parameter(p: &Parameter) -> Row {
     let default = match (p.default, p.with) {
-        (Some(x), _) => format!("default {x}"),
+        (Some(x), Some(effect)) => format!("default {x}, used with {effect}"),
+        (Some(x), None) => format!("default {x}"),
         (None, Some(effect)) => format!("required with {effect}"),
         (None, None) => "required".into(),
     };
     let varies = if p.varies.may() { ", may vary in time" } else { "" };
-    (vec![p.name.into(), unit(p.unit), default, format!("in {}{varies}", p.range)], p.doc.into())
+    (vec![p.name.into(), unit(p.unit), default, format!("in {}{varies}", p.allowed())], p.doc.into())
 }
 
 fn laws(model: &Model) -> Vec<Row> {

@@ -69,12 +69,12 @@ fn describe<'a>(model: &'a Model) -> Description<'a> {
                 quantity: quantity(p.name, p.unit, p.doc),
                 default: p.default,
                 with: p.with,
-                range: p.range.to_string(),
+                range: p.allowed(),
                 varies: p.varies.may(),
             })
             .collect(),
         laws: model.laws.iter().map(|law| quantity(law.name, law.unit, law.doc)).collect(),
-        effects: Effects(u64::MAX).names(model),
+        effects: Effects::all(model).names(model),
         outputs: model.outputs.iter().map(|o| quantity(o.name, o.unit, o.doc)).collect(),
     }
 }

@@ -148,7 +148,7 @@ impl Evaluation {
                 said += &self.statistics(layout, block, width);
             }
             for limit in &limits {
-                said += &line("limit", &broken(limit, block), width);
+                said += &line("limit", &broken(layout, limit, block), width);
             }
             if layout.plan.sampler.design == Design::Saltelli {
                 said += &self.sensitivities(layout, block, width);
@@ -225,8 +225,8 @@ fn points(layout: &Layout, rows: &Rows) -> Result<Table, OutputError> {
 }
 
 /// How often a limit is broken, in words.
-fn broken(limit: &Limit, block: &Block<'_>) -> String {
-    let count = limit.count(block);
+fn broken(layout: &Layout, limit: &Limit, block: &Block<'_>) -> String {
+    let count = limit.count(layout, block);
     if count.points == 0 {
         return format!("{}: no point has the quantity", limit.text);
     }
@@ -235,12 +235,13 @@ fn broken(limit: &Limit, block: &Block<'_>) -> String {
         0 => String::new(),
         n => format!("; {n} points without a result count neither way"),
     };
+    let counted = format!("{} is broken at {} of {} points", limit.text, count.broken, count.points);
+    if !count.drawn {
+        return counted + &unknown;
+    }
+    let probability = percent(count.probability());
     format!(
-        "{} is broken at {} of {} points: {} %, with 95 % confidence between {} % and {} %{unknown}",
-        limit.text,
-        count.broken,
-        count.points,
-        percent(count.probability()),
+        "{counted}: {probability} %, with 95 % confidence between {} % and {} %{unknown}",
         percent(low),
         percent(high)
     )

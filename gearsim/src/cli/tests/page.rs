@@ -51,6 +51,25 @@ fn a_page_belongs_to_its_result() {
     }
 }
 
+/// Each plot that the scene asks for is in the page, and the loads of the meshes.
+#[cfg(feature = "html")]
+#[test]
+fn a_page_has_the_plots_of_the_scene() {
+    let root = tempfile::tempdir().unwrap();
+    let (out, path) = (root.path().join("out").display().to_string(), scene().display().to_string());
+    let sets =
+        ["output.plots=[\"load_duration\", \"rainflow\", \"order_waterfall\"]", "output.rainflow=[\"mesh_torque\"]"];
+    let sets = sets.iter().flat_map(|set| ["--set", set]);
+    let words = ["gearsim", &path, "--out", &out, "-q", "--html"].into_iter().chain(sets);
+    Run::try_parse_from(words).map_err(Failure::Usage).and_then(Run::run).unwrap();
+    let page = std::fs::read_to_string(root.path().join("out/page.html")).unwrap();
+    for said in ["Load duration", "Load spectrum", "Loads of the meshes", "dynamic factor"] {
+        assert!(page.contains(said), "no {said}");
+    }
+    // The run is too short for a waterfall, and the page says so.
+    assert!(page.contains("There is no plot order_waterfall"));
+}
+
 /// The page names every section and every column of the table; a hostile file name and a hostile text stay text.
 #[cfg(feature = "html")]
 #[test]

@@ -9,6 +9,7 @@ use crate::cli::Verb;
 use crate::cli::advise::Advise;
 use crate::cli::compare::Compare;
 use crate::cli::failure::Failure;
+use crate::cli::new::New;
 use crate::cli::run::Run;
 use crate::cli::sweep::SweepCommand;
 use crate::output::Summary;
@@ -94,6 +95,20 @@ fn advice_from_a_run_that_stopped_early_is_a_failure() {
     let failure = Advise::try_parse_from(arguments).map_err(Failure::Usage).and_then(Advise::run).unwrap_err();
     assert_eq!(failure.code(), 3);
     assert!(failure.to_string().contains("stopped early"), "{failure}");
+}
+
+/// The model of a new crate has the name of the crate: a model of gearsim, the list of parts among them, would be hidden.
+#[test]
+fn a_crate_with_the_name_of_a_model_is_refused() {
+    let root = tempfile::tempdir().unwrap();
+    for (name, said) in
+        [("train", "is a model of gearsim"), ("gear-pair", "is a model of gearsim"), ("async", "is reserved")]
+    {
+        let folder = root.path().join(name);
+        let command = New::try_parse_from(["gearsim", &folder.display().to_string()]);
+        let failure = command.map_err(Failure::Usage).and_then(New::run).unwrap_err();
+        assert!(failure.to_string().contains(said) && !folder.exists(), "{failure}");
+    }
 }
 
 /// A command that cannot print has failed.

@@ -165,7 +165,7 @@ fn a_comparison_needs_the_effects_that_drop_terms() {
     assert_eq!(names[1], "stiffness_step rigid_kinematics damping torques");
     assert_eq!(names[2], "stiffness_step frozen_phase damping torques");
 
-    let bare = Scene { effects: crate::scene::Effects(0), ..scene };
+    let bare = Scene { effects: crate::scene::Effects::none(scene.model), ..scene };
     let failure = compare::equations::all(&bare).err().unwrap();
     assert!(failure.to_string().contains("lacks the effect `stiffness_step`"), "{failure}");
 

@@ -151,8 +151,8 @@ impl Holds {
         let mass = now.equations.mass(&now.state.q).cholesky().ok_or(Refusal::Mass)?;
         let columns: Vec<DVector<f64>> = normals.column_iter().map(|column| column.into_owned()).collect();
         let is_locked = |i: &usize| {
-            let normal = DVector::from(&now.switches[*i].normal);
-            held.contains(&Held::Switch(*i)) || !is_free(&mass, &[&columns[..], &[normal]].concat())
+            let gradient = DVector::from(&now.switches[*i].gradient(now.equations, &now.state.q, &now.k));
+            held.contains(&Held::Switch(*i)) || !is_free(&mass, &[&columns[..], &[gradient]].concat())
         };
         let locked = (0..now.switches.len()).filter(is_locked).collect();
         let mobility = left(&now.equations.mobility(&now.state.q), &mobility, &to_reactions);

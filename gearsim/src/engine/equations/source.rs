@@ -8,22 +8,22 @@ use super::{Deflection, Equations, Exit, no_such};
 use crate::engine::error::Refusal;
 use crate::engine::real::Real;
 use crate::model::Model;
-use crate::scene::Scene;
+use crate::scene::{Effects, Scene};
 
 /// A derived model: its description, and its equations for any set of effects.
 pub trait Derived: Sync {
     /// The description of the model.
     const MODEL: Model;
 
-    /// The equations with the effects of the bit set `effects` (bit i: `MODEL.effects[i]`), the parameter values [SI, order of
-    /// `MODEL.parameters`] and the mid value (max + min)/2 of each stiffness; `None` if the effects contradict one another.
-    fn equations(effects: u64, parameters: &[f64], mids: &[f64]) -> Option<Box<dyn Equations>>;
+    /// The equations with these effects, the parameter values [SI, order of `MODEL.parameters`] and the mid value (max + min)/2 of each
+    /// stiffness; `None` if the effects contradict one another.
+    fn equations(effects: &Effects, parameters: &[f64], mids: &[f64]) -> Option<Box<dyn Equations>>;
 
     /// The matrices of a cell with law values `k`, in numbers of type R. The other arguments are those of [`Derived::equations`].
-    fn matrices<R: Real>(effects: u64, parameters: &[R], mids: &[R], k: &[R]) -> Matrices<R>;
+    fn matrices<R: Real>(effects: &Effects, parameters: &[R], mids: &[R], k: &[R]) -> Matrices<R>;
 
     /// The linear cells in double-double precision. The arguments are those of [`Derived::equations`].
-    fn exactly(effects: u64, parameters: &[Df64], mids: &[Df64]) -> Box<dyn ExactCells>;
+    fn exactly(effects: &Effects, parameters: &[Df64], mids: &[Df64]) -> Box<dyn ExactCells>;
 }
 
 /// A linear cell, M q'' + C q' + K q = f, in numbers of type R.
@@ -44,10 +44,10 @@ pub struct Matrices<R> {
 }
 
 /// [`Derived::equations`] of a model.
-type EquationsOf = fn(u64, &[f64], &[f64]) -> Option<Box<dyn Equations>>;
+type EquationsOf = fn(&Effects, &[f64], &[f64]) -> Option<Box<dyn Equations>>;
 
 /// [`Derived::exactly`] of a model.
-type ExactlyOf = fn(u64, &[Df64], &[Df64]) -> Box<dyn ExactCells>;
+type ExactlyOf = fn(&Effects, &[Df64], &[Df64]) -> Box<dyn ExactCells>;
 
 /// The functions of a derived model as values. The engine is compiled once and calls the functions of each model by pointer.
 #[derive(Debug, Clone, Copy)]
@@ -98,11 +98,11 @@ pub trait Source: Sync {
 
 impl Source for Functions {
     fn equations(&self, scene: &Scene, parameters: &[f64], mids: &[f64]) -> Option<Box<dyn Equations>> {
-        (self.equations)(scene.effects.0, parameters, mids)
+        (self.equations)(&scene.effects, parameters, mids)
     }
 
     fn exactly<'a>(&'a self, scene: &'a Scene, parameters: Vec<Df64>, mids: Vec<Df64>) -> Box<dyn ExactCells + 'a> {
-        (self.exactly)(scene.effects.0, &parameters, &mids)
+        (self.exactly)(&scene.effects, &parameters, &mids)
     }
 }
 

@@ -1,4 +1,6 @@
-//! Static equilibrium: the coordinates at which the generalised forces on them vanish.
+//! Static equilibrium: the coordinates at which the generalised forces on them vanish, less the forces that accelerate the rigid motions. If
+//! the torques are not in balance, the rotors speed up together with constant deflections between them: (1 - M R Rᵀ) F = 0, with the rigid
+//! motions R, RᵀM R = 1.
 //!
 //! Newton's method on F(q, q'; k(s)) = 0, for the free coordinates. Its matrix is the exact derivative of the forces,
 //! [`Equations::jacobian`]. A law whose phase is free is followed from cell to cell. A step of the iteration ends at the first boundary
@@ -14,6 +16,7 @@ use crate::engine::equations::{Equations, Switching};
 use crate::engine::error::Refusal;
 use crate::engine::law::{self, LawState};
 use crate::engine::record::State;
+use crate::engine::start::rigid::RigidMotions;
 use crate::engine::switch::Switch;
 use crate::engine::vector::{Matrix, Vector};
 use crate::model::Coordinate;
@@ -37,7 +40,12 @@ pub struct Settled {
     pub laws: Vec<LawState>,
     /// Whether the strain energy has a minimum there, with respect to the coordinates that are not on a boundary.
     pub stable: bool,
+    /// The force that each hold of a rigid motion resists, with the index of its switch.
+    pub reactions: Vec<(usize, f64)>,
 }
+
+/// A state, the laws in their cells, and the switches in their modes.
+type Place<'a> = (&'a State, &'a [LawState], &'a [Switch]);
 
 /// A step of the iteration (N); zero for the coordinates that do not move.
 struct Step {
@@ -54,8 +62,8 @@ impl Equilibrium<'_> {
     /// # Errors
     /// [`Refusal::NoEquilibrium`] if the iteration finds none; those of [`LawState::begin`].
     pub fn from(&self, guess: &Vector, switches: &[Switch]) -> Result<Settled, Refusal> {
-        let mut state = State::new(guess.clone(), self.q_dot.clone());
-        let mut laws = LawState::begin(self.equations, self.scene, &mut state)?;
+        let (mut state, mut laws) = self.begin(guess.clone())?;
+        let rigid = self.rigid_motions(&state, &laws, switches);
         // The coordinates held on a boundary to which both cells push them.
         let mut held: Vec<usize> = vec![];
         let mut entered: Option<(usize, Side)> = None;
@@ -63,12 +71,11 @@ impl Equilibrium<'_> {
         for _ in 0..start::STEPS {
             let moving: Vec<usize> = self.free.iter().copied().filter(|i| !held.contains(i)).collect();
             let Step { step, stiffness, stable } =
-                self.newton(&moving, &state, &laws, switches).ok_or_else(|| self.refusal())?;
+                self.newton(&moving, (&state, &laws, switches), &rigid).ok_or_else(|| self.refusal())?;
             if laws.iter().any(|law| step[law.phase].abs() > law.pitch.period()) {
                 // The step is longer than a pitch: restart at its end instead of passing every boundary on the way.
-                let here = Settled { state, laws, stable };
-                state = State::new(here.absolute() + &step, self.q_dot.clone());
-                laws = LawState::begin(self.equations, self.scene, &mut state)?;
+                let here = state.unwrapped(&law::turn_lengths(state.q.len(), &laws));
+                (state, laws) = self.begin(here + &step)?;
                 (held, entered, last) = (vec![], None, f64::INFINITY);
                 continue;
             }
@@ -91,15 +98,29 @@ impl Equilibrium<'_> {
             }
             let size = energy(&stiffness, &step) / energy(&stiffness, &reached).max(f64::MIN_POSITIVE);
             if size <= start::CONVERGED || (size <= start::STALLED && size >= 0.5 * last) {
-                return self.settled(state, laws, stable);
+                let (_, external, _) = self.balance((&state, &laws, switches));
+                return Ok(self.settled((state, laws), stable, rigid.reactions(&external)));
             }
             last = size;
         }
         Err(self.refusal())
     }
 
-    /// The laws at the start of the motion: a phase on a boundary is in the cell into which it moves.
-    fn settled(&self, mut state: State, mut laws: Vec<LawState>, stable: bool) -> Result<Settled, Refusal> {
+    /// The state at the coordinates `q` (N), with each law in its cell. All phases move during the iteration. Phases that the scene freezes
+    /// are frozen at its end.
+    fn begin(&self, q: Vector) -> Result<(State, Vec<LawState>), Refusal> {
+        let mut state = State::new(q, self.q_dot.clone());
+        let laws = LawState::moving(self.equations, self.scene, &mut state)?;
+        Ok((state, laws))
+    }
+
+    /// The laws at the start of the motion. A phase on a boundary is in the cell into which it moves. Phases that the scene freezes stay here.
+    fn settled(
+        &self,
+        (mut state, mut laws): (State, Vec<LawState>),
+        stable: bool,
+        reactions: Vec<(usize, f64)>,
+    ) -> Settled {
         for i in 0..laws.len() {
             let speed = self.q_dot[laws[i].phase];
             for (side, onwards) in [(Side::Upper, speed >= 0.0), (Side::Lower, speed < 0.0)] {
@@ -108,17 +129,22 @@ impl Equilibrium<'_> {
                 }
             }
         }
-        Ok(Settled { state, laws, stable })
+        let mut settled = Settled { state, laws, stable, reactions };
+        let there = settled.absolute();
+        settled.laws.iter_mut().for_each(|law| law.freeze(&there, &self.q_dot));
+        settled
     }
 
     /// Newton's step. Where V is not convex, negative curvatures count as positive, so that the step reduces V and leads to the
     /// minimum nearest to the guess. `None` if the forces do not determine the step.
-    fn newton(&self, moving: &[usize], state: &State, laws: &[LawState], switches: &[Switch]) -> Option<Step> {
+    fn newton(&self, moving: &[usize], place: Place<'_>, rigid: &RigidMotions) -> Option<Step> {
         let (mut step, mut diagonal) = (Vector::zeros(self.q_dot.len()), Vector::zeros(self.q_dot.len()));
         if moving.is_empty() {
             return Some(Step { step, stiffness: diagonal, stable: true });
         }
-        let (force, stiffness) = self.balance(state, laws, switches);
+        let (force, external, stiffness) = self.balance(place);
+        // The forces along rigid motions do not depend on the deflections: the derivative of the difference is that of the forces.
+        let force = rigid.without(force, &external);
         let stiffness = DMatrix::from_fn(moving.len(), moving.len(), |i, j| stiffness[(moving[i], moving[j])]);
         let force = DVector::from_fn(moving.len(), |i, _| force[moving[i]]);
         moving.iter().enumerate().for_each(|(i, &row)| diagonal[row] = stiffness[(i, i)].abs());
@@ -142,18 +168,47 @@ impl Equilibrium<'_> {
         Some(Step { step, stiffness: diagonal, stable })
     }
 
-    /// The generalised forces (N), and minus their derivatives by the coordinates (N x N).
-    fn balance(&self, state: &State, laws: &[LawState], switches: &[Switch]) -> (Vector, Matrix) {
+    /// The generalised forces (N), the same without those of the slopes of laws, and minus the derivatives of the forces by the coordinates
+    /// (N x N).
+    fn balance(&self, (state, laws, switches): Place<'_>) -> (Vector, Vector, Matrix) {
         let [mut k, dk, ddk] = courses(self.scene, state, laws);
         switches.iter().for_each(|switch| switch.write(&mut k));
         let (q, v) = (&state.q, &self.q_dot);
         if self.scene.effects.nonlinear(self.scene.model).is_empty() && laws.iter().all(|law| law.pitch.steps_only()) {
             let (stiffness, damping, load) =
                 (self.equations.stiffness(&k), self.equations.damping(&k), self.equations.load(&k));
-            return (load - &(&stiffness * q) - &(&damping * v), stiffness);
+            let force = load - &(&stiffness * q) - &(&damping * v);
+            return (force.clone(), force, stiffness);
         }
         let [slopes, _] = self.equations.jacobian(q, v, &k, &dk, &ddk);
-        (self.equations.force(q, v, &k, &dk), -slopes)
+        let external = self.equations.force(q, v, &k, &vec![0.0; dk.len()]);
+        (self.equations.force(q, v, &k, &dk), external, -slopes)
+    }
+
+    /// The rigid motions at a place, and what holds them. Springs are those of constant laws.
+    fn rigid_motions(&self, state: &State, laws: &[LawState], switches: &[Switch]) -> RigidMotions {
+        let [mut k, mut flat, _] = courses(self.scene, state, laws);
+        switches.iter().for_each(|switch| switch.write(&mut k));
+        flat.fill(0.0);
+        let rest = Vector::zeros(state.q.len());
+        let springs = self.equations.stiffness(&k);
+        let stiffness = if self.scene.effects.nonlinear(self.scene.model).is_empty() {
+            springs.clone()
+        } else {
+            let [by_q, _] = self.equations.jacobian(&state.q, &rest, &k, &flat, &flat);
+            -by_q
+        };
+        // Dampers may cancel the forces without speeds, or one another.
+        let (at_rest, damping) = (self.equations.force(&state.q, &rest, &k, &flat), self.equations.damping(&k));
+        let damped = |i: usize| (0..rest.len()).map(|j| (damping[(i, j)] * self.q_dot[j]).abs()).sum::<f64>();
+        let sizes = Vector::from_fn(rest.len(), |i| at_rest[i].abs() + damped(i));
+        let mut rigid =
+            RigidMotions::at((self.equations, self.scene), &state.q, [&stiffness, &springs], &sizes, self.free);
+        let mobility = self.equations.mobility(&state.q);
+        for (i, switch) in switches.iter().enumerate().filter(|(_, switch)| switch.here().held) {
+            rigid.hold(i, switch.held(self.equations, &state.q, &k), &mobility);
+        }
+        rigid
     }
 
     /// Other equilibria, found from guesses around `settled`, in order of their distance from `guess`.

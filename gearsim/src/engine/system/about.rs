@@ -65,7 +65,13 @@ impl Steady {
             .filter(|(_, output)| is_force(output.unit) && scene.effects.activate(output.with, model) && !output.known);
         let value = |i: usize| equations.output(i, &q, &q_dot, &k, &Known::default());
         let outputs = outputs.map(|(i, output)| (output.name, output.unit, value(i))).collect();
-        let both_flanks = flanks::both(equations, scene, (&begun.state.q, &q_dot), &k);
+        // Where a pair touches at the pitch point, its friction has no arm: the mean arm shows whether the flanks are told apart.
+        let is_friction = |law: &Law| matches!(law.role, Role::Side | Role::Arm);
+        let mut typical = k;
+        for ((_, given), value) in scene.present().zip(&mut typical).filter(|((law, _), _)| is_friction(law)) {
+            *value = given.mean();
+        }
+        let both_flanks = flanks::both(equations, scene, (&begun.state.q, &q_dot), &typical);
         Ok(Steady { motion, q, q_dot, means, terms, outputs, both_flanks })
     }
 }

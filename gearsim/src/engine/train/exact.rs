@@ -29,7 +29,7 @@ impl<'a> Cells<'a> {
         let of_part = |part: &Part| {
             let own: Vec<Df64> = part.parameters.iter().map(|i| i.map_or(zero, |i| parameters[i])).collect();
             let of_laws: Vec<Df64> = part.values[..part.laws].iter().map(|&i| mids[i]).collect();
-            (elements.0[part.element].1.exactly)(Elements::effects(part, scene).0, &own, &of_laws)
+            (elements.0[part.element].1.exactly)(&elements.effects(part, scene), &own, &of_laws)
         };
         let mut laws = vec![[0; 2]; train.counts[0]];
         for (i, part) in train.parts.iter().enumerate() {

@@ -27,7 +27,7 @@ pub(super) struct Placed {
 }
 
 impl Placed {
-    pub fn new(part: Part, effects: Effects, model: &Model, equations: Box<dyn Equations>, rows: &Matrix) -> Placed {
+    pub fn new(part: Part, effects: &Effects, model: &Model, equations: Box<dyn Equations>, rows: &Matrix) -> Placed {
         let is_linear = effects.nonlinear(model).is_empty();
         let is_constant = is_linear && model.laws.is_empty() && model.switches.is_empty();
         let of_row = |i| Sparse::of(rows.row(i).iter().copied());

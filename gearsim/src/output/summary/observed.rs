@@ -18,9 +18,9 @@ pub struct Observed {
     pub min: Number,
     /// Greatest value, likewise.
     pub max: Number,
-    /// Mean over the samples.
+    /// Mean over the time.
     pub mean: Number,
-    /// Root mean square about the mean, over the samples.
+    /// Root mean square about the mean, over the time.
     pub rms: Number,
     /// The value that 1 % of the samples do not exceed.
     pub p01: Number,
@@ -34,7 +34,7 @@ impl Observed {
         let begin = run.row_from(from);
         let statistics = |(output, column): &(&Output, Vec<f64>)| {
             let [min, max, mean, rms, p01, p99] =
-                Statistics::of(&column[begin..], &run.moment[begin..])?.values().map(Number);
+                Statistics::of(&run.t[begin..], &column[begin..], &run.moment[begin..])?.values().map(Number);
             Some((output.name.into(), Observed { unit: output.unit.into(), min, max, mean, rms, p01, p99 }))
         };
         run.outputs.iter().filter_map(statistics).collect()

@@ -2,8 +2,8 @@
 
 use super::Report;
 use crate::output::number::{short, time};
-use crate::output::summary::Observed;
-use crate::page::html::Html;
+use crate::output::summary::{Mesh, Observed};
+use crate::page::html::{Cell, Html};
 
 /// Writes the section.
 pub(super) fn fill(report: &Report<'_>, html: &mut Html) {
@@ -34,6 +34,21 @@ pub(super) fn fill(report: &Report<'_>, html: &mut Html) {
         ("processor time", time(summary.cpu_seconds.0)),
     ]);
     html.pairs(summary.outputs.iter().filter_map(loss));
+    meshes(report, html);
+}
+
+/// Writes the loads of the meshes, which a gear engineer asks for first.
+fn meshes(report: &Report<'_>, html: &mut Html) {
+    let row = |(law, mesh): (&String, &Mesh)| {
+        let texts = [law, &mesh.force, &mesh.unit].map(|text| Cell::text(text.as_str()));
+        let numbers = [mesh.largest, mesh.at_rest, mesh.dynamic_factor, mesh.kv_iso6336].map(|x| Cell::Number(x.0));
+        texts.into_iter().chain(numbers).collect::<Vec<_>>()
+    };
+    let rows: Vec<_> = report.run.summary.meshes.iter().map(row).collect();
+    if !rows.is_empty() {
+        let head = ["mesh", "force", "unit", "largest", "static", "dynamic factor", "K_v, ISO 6336-1 B"];
+        html.table("Loads of the meshes", &head, &rows);
+    }
 }
 
 /// The number of digits left of the end state, in words.

@@ -3,6 +3,7 @@
 mod columns;
 mod counts;
 mod energy;
+mod further;
 mod gears;
 mod losses;
 mod method;
@@ -27,6 +28,7 @@ const SECTIONS: &[Section] = &[
     Section { id: "method", title: "Result", fill: method::fill },
     Section { id: "motion", title: "Motion", fill: motion::fill },
     Section { id: "orders", title: "Orders", fill: orders::fill },
+    Section { id: "further", title: "Run-ups and loads", fill: further::fill },
     Section { id: "gears", title: "Gears", fill: gears::fill },
     Section { id: "energy", title: "Energy", fill: energy::fill },
     Section { id: "spectra", title: "Spectra", fill: spectrum::fill },

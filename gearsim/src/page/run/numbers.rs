@@ -10,7 +10,7 @@ pub(super) fn fill(report: &Report<'_>, html: &mut Html) {
     let run = &report.run.outcome.trajectory;
     let begin = run.row_from(report.run.scene.output.from);
     let row = |unit: &str, column: &Named<'_>| {
-        let numbers = Statistics::of(&column.values[begin..], &run.moment[begin..])?.values();
+        let numbers = Statistics::of(&run.t[begin..], &column.values[begin..], &run.moment[begin..])?.values();
         let numbers = numbers.into_iter().chain(column.values.last().copied()).map(Cell::Number);
         Some([Cell::text(&*column.name), Cell::text(unit)].into_iter().chain(numbers).collect::<Vec<_>>())
     };
@@ -21,8 +21,8 @@ pub(super) fn fill(report: &Report<'_>, html: &mut Html) {
         return;
     }
     html.paragraph(
-        "The lowest and highest values are over all recorded rows. Mean, rms about the mean, and the values that 1 % and 99 % do not \
-         exceed are over the samples, which are evenly spaced. The numbers of outputs are those of summary.json.",
+        "The lowest and highest values are over all recorded rows. Mean and rms about the mean are integrals over the time. The values that \
+         1 % and 99 % do not exceed are over the samples, which are evenly spaced. The numbers of outputs are those of summary.json.",
     );
     let head = ["column", "unit", "lowest", "highest", "mean", "rms", "1 %", "99 %", "end"];
     html.table("All columns", &head, &rows);

@@ -7,7 +7,8 @@ use crate::analysis::spectrum::SpectrumError;
 use crate::page::data::Counts;
 use crate::page::html::{Cell, Html};
 use crate::page::plot::{Axis, Curve, Line, Plot};
-use crate::plot::orders::{DECADES, LONGEST};
+use crate::plot::orders::{CONTENT, DECADES};
+use crate::plot::spectrum::reach;
 
 /// Multiples of a mesh order that are marked.
 const MULTIPLES: usize = 4;
@@ -52,12 +53,16 @@ fn plot(
     let title = format!("{}: amplitudes of orders", group.title());
     let orders = turning.axis()?;
     let x = html.embed(&orders, Counts::Long);
-    let (mut curves, mut peak) = (vec![], 0.0_f64);
+    let (mut curves, mut peak, mut content) = (vec![], 0.0_f64, vec![]);
     for (i, column) in group.columns.iter().enumerate() {
-        let amplitude = match report.plotted().has(&title, &column.name) {
-            true => turning.orders(&column.values)?.amplitude,
-            false => vec![],
+        let found = match report.plotted().has(&title, &column.name) {
+            true => Some(turning.orders(&column.values)?),
+            false => None,
         };
+        if group.shown(i) {
+            content.extend(found.as_ref().map(|found| found.highest(CONTENT)));
+        }
+        let amplitude = found.map_or(vec![], |found| found.amplitude);
         if group.shown(i) {
             peak = amplitude.iter().skip(1).fold(peak, |m, x| m.max(*x));
         }
@@ -67,7 +72,7 @@ fn plot(
     }
     let longest = orders.last().copied().unwrap_or(0.0);
     let highest = meshes.iter().map(|mesh| mesh.frequency / turning.frequency()).fold(0.0, f64::max);
-    let end = if highest > 0.0 { longest.min(LONGEST * highest) } else { longest };
+    let end = reach(content.into_iter(), highest, longest);
     html.plot(&Plot {
         title,
         x: Axis { range: (end > 0.0).then_some((0.0, end)), ..Axis::linear(format!("order of {shaft}"), "") },
@@ -115,9 +120,13 @@ fn table(report: &Report<'_>, html: &mut Html, turning: &Turning, meshes: &[Mesh
     });
     let shown: Vec<_> = shown.collect();
     let columns: Vec<&[f64]> = shown.iter().map(|(_, column)| &*column.values).collect();
+    let has: Vec<Vec<bool>> = columns.iter().map(|column| turning.has(column, &lines)).collect();
     let mut rows = vec![];
-    for (line, amplitudes) in lines.iter().zip(turning.amplitudes(&columns, &lines)) {
-        for ((unit, column), amplitude) in shown.iter().zip(amplitudes) {
+    for (l, (line, amplitudes)) in lines.iter().zip(turning.amplitudes(&columns, &lines)).enumerate() {
+        for (c, ((unit, column), amplitude)) in shown.iter().zip(amplitudes).enumerate() {
+            if !has[c][l] {
+                continue;
+            }
             let numbers = [line.harmonic as f64, f64::from(line.sideband)].map(Cell::Number);
             let rest = [line.order, line.frequency, amplitude].map(Cell::Number);
             let mut row = vec![Cell::text(&*column.name), Cell::text(line.mesh)];

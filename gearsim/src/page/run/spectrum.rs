@@ -10,7 +10,7 @@ use crate::output::number::short;
 use crate::page::data::Counts;
 use crate::page::html::Html;
 use crate::page::plot::{Axis, Curve, Line, Plot};
-use crate::plot::spectrum::reach;
+use crate::plot::spectrum::{CONTENT, reach};
 
 /// Decades shown below the highest peak. What is lower is rounding errors and leakage.
 const DECADES: f64 = 1e12;
@@ -47,9 +47,10 @@ pub(super) fn fill(report: &Report<'_>, html: &mut Html) {
     let shown = found.iter().filter(|(group, _)| group.unit != "1").flat_map(|(group, spectra)| {
         spectra.iter().enumerate().filter(|(i, _)| group.shown(*i)).filter_map(|(_, spectrum)| spectrum.as_ref())
     });
-    let end = reach(shown, highest);
     let lines = lines(report, &meshes);
     let frequencies = frequencies(rate, segment);
+    let longest = frequencies.last().copied().unwrap_or(0.0);
+    let end = reach(shown.map(|spectrum| spectrum.highest(CONTENT)), highest, longest);
     for (group, spectra) in &found {
         plot(html, group, (&frequencies, spectra), end, lines.clone());
     }

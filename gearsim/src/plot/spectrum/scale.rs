@@ -4,7 +4,7 @@
 
 use crate::analysis::spectrum::Spectrum;
 use crate::plot::figure::{Axis, Series, extremes};
-use crate::plot::outputs::engineering;
+use crate::plot::outputs::{engineering, sized};
 use crate::plot::{Run, symbol};
 use crate::scene::{self, SpectrumKind};
 
@@ -27,12 +27,15 @@ pub(super) struct Shown {
 }
 
 impl Shown {
-    /// The signal `name` of a run.
-    pub(super) fn of(run: &Run<'_>, name: &'static str) -> Shown {
+    /// The signal `name` of a run, with its spectra in all runs.
+    pub(super) fn of(run: &Run<'_>, name: &'static str, spectra: &[Spectrum]) -> Shown {
         let output = run.trajectory.outputs.iter().map(|(output, _)| *output).find(|output| output.name == name);
         let coordinate = run.trajectory.model.coordinates.iter().find(|c| c.name == name);
         let (si, doc) = output.map(|o| (o.unit, o.doc)).or(coordinate.map(|c| (c.unit, c.doc))).unwrap_or(("1", ""));
-        let (unit, factor) = engineering(si);
+        let (unit, factor) = match run.asked.spectrum.kind {
+            SpectrumKind::Psd => engineering(si),
+            _ => sized(si, spectra.iter().flat_map(Spectrum::rms).fold(0.0, f64::max)),
+        };
         let reference = run.asked.spectrum.decibels.then(|| run.asked.spectrum.reference(si));
         let name = if output.is_some() { name.to_owned() } else { symbol(name) };
         // A legend has room for the first part of a description.

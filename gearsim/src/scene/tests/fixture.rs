@@ -17,7 +17,7 @@ const fn parameter(
     doc: &'static str,
 ) -> Parameter {
     let varies = if matches!(name.as_bytes(), b"T0") { Varies::AsLoad } else { Varies::Never };
-    Parameter { name, unit, default, with: None, varies, range, doc }
+    Parameter { name, unit, default, with: None, gear_data: None, varies, range, above: None, doc }
 }
 
 const fn effect(name: &'static str, requires: &'static [&'static str], excludes: &'static [&'static str]) -> Effect {

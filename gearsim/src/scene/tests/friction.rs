@@ -71,7 +71,7 @@ fn messages_name_the_mistake() {
             "`laws.arm.steps.0.value` must not be negative",
         ),
         (format!("{side}[laws.arm]\nharmonics = [{{ order = 1, amplitude = \"1 rad\" }}]\nmean = 0"), "falls to -1"),
-        (format!("{side}[laws.arm]\npitches = 2\nsteps = [{{ value = 1 }}]"), "has no `pitches`"),
+        (format!("{side}[laws.arm]\npitches = 2\n{TEETH}"), "has both pitches and teeth"),
         (format!("{side}[laws.arm]\n{TEETH}\ncourse = \"levels\""), "has no `course`"),
     ];
     for (laws, message) in cases {

@@ -32,6 +32,9 @@ fn contradictions_and_impossible_values_are_refused() {
         ("planar_planetary_3_phases", "parameters.Z_r=100", "has 35 teeth for a gear with (Z_r - Z_s)/2 = 36"),
         ("planar_planetary_3_phases", "laws.k_r2.teeth=[35, 97]", "has 97 teeth for a gear with Z_r = 98"),
         ("planar_planetary_3_phases", "parameters.r_s=42 mm", "base radius of the teeth"),
+        ("planar_planetary_3_phases", "laws.k_r1.internal=false", "the mesh of `k_r1` is of a ring gear"),
+        ("planar_planetary_3_phases", "laws.k_s1.internal=true", "the mesh of `k_s1` is external"),
+        ("damaged_tooth", "laws.k.damage.0.of=25", "the gears of this mesh have 24 and 96 teeth"),
     ];
     for (scene, change, said) in cases {
         let shown = load(scene, &[change]).expect_err(change);
@@ -44,6 +47,7 @@ fn contradictions_and_impossible_values_are_refused() {
 fn odd_values_give_a_warning() {
     let cases = [
         ("gear_pair_bearings", "parameters.r1=0.7 m", "its module is 62.0770 mm, which is rare"),
+        ("planar_planetary_3", "parameters.Z_r=98", "planet 2 of the stage at 120.0000 deg does not fit"),
         ("gear_pair_bearings", "parameters.alpha=12 deg", "rare for a pressure angle"),
         ("sliding_friction", "parameters.alpha=21 deg", "work at 20.00 deg"),
     ];

@@ -39,7 +39,7 @@ fn a_minimal_scene_gets_the_defaults() {
         run.t_end = "2 s"
     "#;
     let scene = parse(text, &[]).unwrap();
-    assert_eq!(scene.effects, Effects(0));
+    assert_eq!(scene.effects, Effects::none(scene.model));
     assert_eq!(scene.laws[0].steps, [Step { value: 0.0, width: TAU }]);
     assert_eq!(scene.start.q, [Start::At(0.0), Start::Static]);
     assert_eq!(scene.output.rate, 5e3);
@@ -59,7 +59,7 @@ fn overrides_replace_values_add_keys_and_index_arrays() {
     let scene = parse(SCENE, &overrides).unwrap();
     assert_eq!(scene.parameter("T0"), Some(20.0));
     assert_eq!(scene.t_end, 1.0);
-    assert_eq!(scene.effects, Effects(1));
+    assert_eq!(scene.effects, Effects::numbered(scene.model, [0]));
     assert_eq!(scene.start.motions, [600.0 * PI / 30.0]);
     assert_eq!(scene.start.q_dot, [Some(1.0), None]);
     assert_eq!(scene.laws[0].steps[0].value, 2000.0);
@@ -80,7 +80,7 @@ fn the_hash_depends_on_text_and_overrides() {
 #[test]
 fn effect_sets_come_from_names() {
     let set = Effects::from_names(["torques", "stiffness_step"], &GEAR_PAIR).unwrap();
-    assert_eq!(set, Effects(0b10001));
+    assert_eq!(set, Effects::numbered(&GEAR_PAIR, [0, 4]));
     assert!(set.contains(4) && !set.contains(3) && !set.contains(99));
     assert_eq!(Effects::from_names(["friction"], &GEAR_PAIR), None);
 }

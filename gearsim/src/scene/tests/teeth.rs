@@ -128,3 +128,83 @@ fn a_phase_shifts_the_origin_of_a_law() {
     assert_eq!(origin("{ ring = 99, at = 0, planet = 36 }").abs(), 0.5 * TAU);
     assert_eq!(origin("{ ring = 99, at = 0, planet = 35 }"), 0.0);
 }
+
+/// A law of a damaged tooth repeats after the teeth of its gear: whole pitches of its phase count, as a number and as an angle. They
+/// decide which planet the tooth meets when.
+#[test]
+fn whole_pitches_of_a_phase_shift_a_damaged_tooth() {
+    let steps = "steps = [{ value = \"1 N*m\", width = \"2 rad\" }, { value = \"2 N*m\" }]";
+    let damage = "damage = [{ tooth = 1, of = 27, loss = 0.4 }]";
+    let teeth = "parameters.N1=27";
+    let origin = |phase: &str| with(&format!("{steps}\n{damage}\nphase = {phase}"), &[teeth]).unwrap().origin;
+    assert_eq!(origin("9"), -9.0 * TAU);
+    assert!((origin("\"3240 deg\"") + 9.0 * TAU).abs() < 1e-13);
+    assert_eq!(origin("{ sun = 27, at = \"120 deg\" }"), 9.0 * TAU);
+    assert_eq!(origin("{ sun = 27, at = \"240 deg\" }"), 18.0 * TAU);
+    assert_eq!(origin("27"), 0.0);
+    // Without damage a whole pitch is no shift.
+    let healthy = |phase: &str| with(&format!("{steps}\nphase = {phase}"), &[]).unwrap().origin;
+    assert_eq!([healthy("9"), healthy("{ sun = 27, at = \"120 deg\" }")], [0.0; 2]);
+}
+
+/// A law over several pitches written out is the law of damaged teeth.
+#[test]
+fn a_stiffness_over_several_pitches_is_that_of_damaged_teeth() {
+    let [low, high] = ["{ value = \"10 N*m\", width = \"1.73 rad\" }", "{ value = \"20 N*m\", width = \"W rad\" }"];
+    let high = high.replace('W', &(TAU - 1.73).to_string());
+    let damaged =
+        with(&format!("steps = [{low}, {high}]\ndamage = [{{ tooth = 1, of = 2, loss = 0.5 }}]"), &["parameters.N1=2"])
+            .unwrap();
+    let [less, least] = [high.replace("20", "15"), low.replace("10", "5")];
+    let written = with(&format!("pitches = 2\nsteps = [{low}, {less}, {least}, {less}]"), &[]).unwrap();
+    assert_eq!((written.pitches, &written.steps[..3]), (2, &damaged.steps[..3]));
+    assert!((written.steps[3].width - damaged.steps[3].width).abs() < 1e-14);
+}
+
+/// The value of a law at the phase `s`.
+fn value(law: &Profile, s: f64) -> f64 {
+    let mut x = (s - law.origin).rem_euclid(law.steps.iter().map(|step| step.width).sum());
+    for (i, step) in law.steps.iter().enumerate() {
+        if x <= step.width {
+            return law.curves.get(i).map_or(step.value, |curve| curve.at(x)[0]);
+        }
+        x -= step.width;
+    }
+    f64::NAN
+}
+
+/// Helical teeth meet a damaged tooth at a phase of its own in each section: the law is the mean of the laws of sections.
+#[test]
+fn a_damaged_tooth_of_helical_gears_is_that_of_all_sections() {
+    let damage = "\ndamage = [{ tooth = 3, of = 24, loss = 0.4 }]\nmethod = \"energy\"\ncourse = \"curves\"";
+    let helical = with(&format!("{TEETH}{damage}\nhelix_angle = \"20 deg\""), &[]).unwrap();
+    let healthy = with(&format!("{TEETH}{}\nhelix_angle = \"20 deg\"", damage.replace("0.4", "0")), &[]).unwrap();
+    assert_eq!([helical.pitches, healthy.pitches], [24, 24]);
+    // The damaged pair is in contact over the contact ratio and the overlap: about 2.3 of 24 pitches. There the law is less, elsewhere the same.
+    let place = |i: usize| i as f64 * TAU / 50.0;
+    let lost: Vec<f64> = (0..24 * 50).map(|i| 1.0 - value(&helical, place(i)) / value(&healthy, place(i))).collect();
+    let less = lost.iter().filter(|&&lost| lost > 1e-12).count() as f64 / 50.0;
+    let contact =
+        Gears { helix_angle: 20f64.to_radians(), ..Gears::standard([24.0, 96.0], 6.35e-3, 20f64.to_radians(), 7e-3) };
+    let contact = contact.contact().unwrap();
+    assert!((less - contact.ratio() - contact.overlap).abs() < 0.1, "{less}");
+    assert!(lost.iter().all(|lost| (-1e-12..0.4 + 1e-12).contains(lost)));
+    let mean = lost.iter().sum::<f64>() / lost.len() as f64;
+    assert!((mean * 24.0 / 0.4 - 1.0).abs() < 0.1, "a tooth in 24 loses 0.4 of its part: {mean}");
+}
+
+/// A series or a table does not say where pairs enter contact. Damage is refused there.
+#[test]
+fn damage_is_not_left_out_in_silence() {
+    let damage = "damage = [{ tooth = 1, of = 24, loss = 0.5 }]";
+    let series = "mean = \"10 N*m\"\nharmonics = [{ order = 1, amplitude = \"1 N*m\" }]";
+    let table = "table = [{ at = 0, value = \"10 N*m\" }, { at = \"3 rad\", value = \"12 N*m\" }]";
+    for law in [series, table] {
+        let message = with(&format!("{law}\n{damage}"), &[]).unwrap_err();
+        assert!(message.contains("does not say where tooth pairs enter contact"), "{message}");
+    }
+    let several = "pitches = 2\nsteps = [{ value = \"1 N*m\", width = \"7 rad\" }, { value = \"2 N*m\" }]";
+    assert!(with(&format!("{several}\n{damage}"), &[]).unwrap_err().contains("leave out damage or pitches"));
+    assert!(with(&format!("pitches = 2\n{TEETH}"), &[]).unwrap_err().contains("has both pitches and teeth"));
+    assert!(with(&format!("{TEETH}\nmethod = \"energy\"\ncourse = \"curves\"\n{damage}"), &[]).is_ok());
+}

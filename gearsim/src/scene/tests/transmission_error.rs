@@ -56,8 +56,6 @@ fn messages_name_the_mistake() {
         let text = with(law, &[]).expect_err(law);
         assert!(text.contains(message), "{law}: {text}");
     }
-    let text = with(steps, &["laws.k.pitches=2"]).expect_err("a stiffness");
-    assert!(text.contains("has no `pitches`"), "{text}");
     let text = with(steps, &["effects=[\"transmission_error\"]"]).expect_err("a phase at rest");
     assert!(text.contains("`transmission_error` needs `stiffness_step`"), "{text}");
 }

@@ -9,7 +9,7 @@
 //! All axes have the same positive direction. The first rotor of the train, when it turns at positive speed, turns about this direction by the
 //! right-hand rule.
 
-use super::draft::{Axial, DraftPart, Geometry, Rotor, Term, named};
+use super::draft::{Axial, Geometry, Rotor, Term, named};
 use super::read::{Item, Reader};
 use super::{ELSEWHERE, ROTOR, senses};
 use crate::scene::document::{Node, Value};
@@ -70,7 +70,8 @@ impl Reader<'_> {
         let name = named("tanb", item.name);
         if !self.draft.geometry.iter().any(|known| known.name == name) {
             let doc = format!("tangent of the base helix angle of {}", item.name);
-            self.draft.geometry.push(Geometry { name: name.clone(), unit: "1", doc });
+            self.fixed(&name, item.path("helix_angle"));
+            self.draft.geometry.push(Geometry { name: name.clone(), unit: "1", gear_data: None, doc });
             self.value(name.clone(), Some(&Node { value: Value::Number(tangent), place: node.place.clone() }));
         }
         let first = sense * [1.0, -1.0][hand];
@@ -79,7 +80,7 @@ impl Reader<'_> {
         self.draft.axial.push(Axial { part, tangent: name, hands: [first, second] });
     }
 
-    /// Adds the axial motions to the deflections of helical meshes and of their dampers, when all tables are read.
+    /// Adds the axial motions to the deflections of helical meshes, when all tables are read.
     pub(super) fn move_along_axes(&mut self) {
         let senses = senses::of(&self.draft);
         let moving: Vec<[usize; 2]> =
@@ -92,24 +93,15 @@ impl Reader<'_> {
             });
             let Some((group, pair)) = found else { continue };
             let gears = pair.map(|i| group.gears[i].clone());
-            let radius =
-                [(group.radius.as_str(), -1), (group.gears[0].teeth.as_str(), 1), (gears[0].teeth.as_str(), -1)]
-                    .map(|(name, power)| (name.to_string(), power));
-            let (mut of_mesh, mut of_damper) = (vec![], vec![]);
+            let mut of_mesh = vec![];
             for (i, gear) in gears.iter().enumerate() {
                 let Some([z, rotor]) = moving.iter().find(|[_, rotor]| gear.rotor == Some(*rotor)) else { continue };
                 let turns = [1.0, -1.0][i] * gear.sense * senses[*rotor];
-                let term = Term::new(*z, -axial.hands[i] * turns, &[(&axial.tangent, 1)]);
-                let mut over_radius = term.clone();
-                over_radius.powers.extend(radius.clone());
                 joined.push(*z);
-                of_mesh.push(term);
-                of_damper.push(over_radius);
+                of_mesh.push(Term::new(*z, -axial.hands[i] * turns, &[(&axial.tangent, 1)]));
             }
             let name = self.draft.parts[axial.part].name.clone();
             self.draft.parts[axial.part].rows[1].extend(of_mesh);
-            let is_damper = |part: &&mut DraftPart| part.element == "element_viscous" && part.name == name;
-            self.draft.parts.iter_mut().filter(is_damper).for_each(|part| part.rows[0].extend(of_damper.clone()));
             self.draft.axial_forces.push((name, axial.tangent));
         }
         for [z, rotor] in moving.iter().filter(|[z, _]| !joined.contains(z)) {

@@ -27,7 +27,7 @@ pub(super) const SHAFTS: &[Named] = &[each("NAME", Kind::Table(&[SHAFT]), "none"
 const SHAFT: &[Key] = &[
     key("between", TWO_ROTORS, REQUIRED, "the rotors that it joins"),
     key("stiffness", STIFFNESS, ELSEWHERE, "torsional stiffness k, or k/r^2"),
-    key("damping", DAMPING, "none", "torsional damping c, or c/r^2, with the effect viscous_friction"),
+    DAMPER,
     RADIUS,
 ];
 
@@ -35,9 +35,11 @@ pub(super) const SUPPORTS: &[Named] = &[each("NAME", Kind::Table(&[SUPPORT]), "n
 const SUPPORT: &[Key] = &[
     key("rotor", ROTOR, REQUIRED, "the rotor that it holds"),
     key("stiffness", STIFFNESS, ELSEWHERE, "torsional stiffness k, or k/r^2"),
-    key("damping", DAMPING, "none", "torsional damping c, or c/r^2, with the effect viscous_friction"),
+    DAMPER,
     RADIUS,
 ];
+/// The damper of a shaft or of a support.
+const DAMPER: Key = key("damping", DAMPING, "none", "torsional damping c, or c/r^2, with the effect viscous_friction");
 const STIFFNESS: Kind = Kind::Either(&[Kind::Quantity("N*m/rad"), Kind::Quantity("N/m")]);
 pub(super) const DAMPING: Kind = Kind::Either(&[Kind::Quantity("N*m*s/rad"), Kind::Quantity("N*s/m")]);
 
@@ -75,7 +77,7 @@ impl Reader<'_> {
         let (rows, called) = (vec![vec![Term::new(rotor, 1.0, &[])]], String::new());
         self.draft.rotors.push(Rotor { name: name.clone(), of: None, along: None });
         let (element, renamed, driving) = ("element_rotor", vec![], vec![]);
-        self.draft.parts.push(DraftPart { element, name, place, renamed, rows, driving, called });
+        self.draft.parts.push(DraftPart { element, name, place, renamed, rows, driving, called, without: None });
     }
 
     pub(super) fn shaft(&mut self, item: &Item<'_>) {
@@ -93,14 +95,12 @@ impl Reader<'_> {
 
     pub(super) fn spring(&mut self, item: &Item<'_>, element: &'static str, ends: [Option<usize>; 2]) {
         self.per_radius(named("k", item.name), item, "stiffness");
-        let row = difference(ends);
-        self.part(item, element, named("psi", item.name), vec![row.clone()]);
-        let first = ends[0].map(|rotor| Term::new(rotor, 1.0, &[]));
-        self.draft.parts.iter_mut().rev().take(1).for_each(|part| part.driving.extend(first.clone()));
-        if item.get("damping").is_some() {
-            self.per_radius(named("c", item.name), item, "damping");
-            self.part(item, "element_viscous", String::new(), vec![row]);
+        self.part(item, element, named("psi", item.name), vec![difference(ends)]);
+        if let Some(part) = self.draft.parts.last_mut() {
+            part.driving.extend(ends[0].map(|rotor| Term::new(rotor, 1.0, &[])));
+            part.without = item.undamped();
         }
+        self.per_radius(named("c", item.name), item, "damping");
     }
 
     /// A value that may be one over the square of the `radius` of an item.

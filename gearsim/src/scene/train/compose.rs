@@ -12,9 +12,6 @@ use crate::model::{
 use crate::scene::mistake::Report;
 use crate::train::{Factor, Form, Row, Train};
 
-/// Largest number of effects of a model.
-const EFFECTS: usize = u64::BITS as usize;
-
 type Composed = (&'static Model, Arc<Train>);
 
 /// Models refer to their texts for as long as the program runs. A train that is read again, at another point of a sweep for example, has
@@ -40,7 +37,7 @@ pub(super) fn model(
             return None;
         }
     };
-    let parts = draft.parts.iter().map(|p| (p.element, &p.name, &p.renamed, &p.rows, &p.called));
+    let parts = draft.parts.iter().map(|p| (p.element, &p.name, &p.renamed, &p.rows, &p.called, p.without));
     let rotors = draft.rotors.iter().map(|rotor| (&rotor.name, &rotor.of));
     let geometry = draft.geometry.iter().map(|g| (&g.name, &g.doc));
     let key = format!(
@@ -69,8 +66,6 @@ pub(super) struct Composer<'a> {
     /// The part that has brought a parameter.
     pub(super) owners: HashMap<&'static str, String>,
     pub(super) effects: Vec<Effect>,
-    /// Whether effects of parts are one effect of the train, since there are too many of them.
-    pub(super) merged: bool,
     pub(super) laws: Vec<(Law, [usize; 2])>,
     pub(super) switches: Vec<Switch>,
     pub(super) torques: Vec<Torque>,
@@ -79,7 +74,7 @@ pub(super) struct Composer<'a> {
     pub(super) products: Vec<(usize, usize, Terms)>,
     /// Outputs that are multiples: the output, another output, and the parameter by which that is multiplied.
     pub(super) multiples: Vec<(usize, usize, String)>,
-    pub(super) nonlinear_with: Vec<(&'static str, &'static str)>,
+    pub(super) nonlinear_with: Vec<(&'static [&'static str], &'static str)>,
 }
 
 pub(super) fn leak(text: impl Into<String>) -> &'static str {
@@ -88,8 +83,6 @@ pub(super) fn leak(text: impl Into<String>) -> &'static str {
 
 impl<'a> Composer<'a> {
     fn new(bare: &'static Model, draft: &'a Draft, basis: &'a Basis) -> Self {
-        let of_parts = |part: &DraftPart| element(bare, part).1.effects.iter().filter(|e| e.of.is_some()).count();
-        let merged = draft.parts.iter().map(of_parts).sum::<usize>() > EFFECTS - 12;
         let (parameters, owners, effects, laws) = (vec![], HashMap::new(), vec![], vec![]);
         let (switches, torques, outputs, products, multiples) = (vec![], vec![], vec![], vec![], vec![]);
         let nonlinear_with = vec![];
@@ -100,7 +93,6 @@ impl<'a> Composer<'a> {
             parameters,
             owners,
             effects,
-            merged,
             laws,
             switches,
             torques,
@@ -121,8 +113,10 @@ impl<'a> Composer<'a> {
                 unit: g.unit,
                 default: None,
                 with: None,
+                gear_data: g.gear_data,
                 varies: Varies::Never,
                 range,
+                above: None,
                 doc,
             });
         }

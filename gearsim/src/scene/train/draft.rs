@@ -1,5 +1,6 @@
 //! The content of the tables of a train, by names.
 
+use crate::model::GearData;
 use crate::scene::document::{Node, Place};
 
 /// A product of powers of parameters, by their names.
@@ -46,6 +47,7 @@ pub(super) struct Axial {
 pub(super) struct Geometry {
     pub name: String,
     pub unit: &'static str,
+    pub gear_data: Option<GearData>,
     pub doc: String,
 }
 
@@ -61,6 +63,15 @@ pub(super) struct DraftPart {
     pub driving: Terms,
     /// Names of its coordinates, where they can be coordinates of the train.
     pub called: String,
+    /// An effect of the element that its table does not call for.
+    pub without: Option<&'static str>,
+}
+
+impl DraftPart {
+    /// Whether the part has this effect of its element.
+    pub fn has(&self, effect: &str) -> bool {
+        self.without != Some(effect)
+    }
 }
 
 /// Gears that mesh with one another; they have one phase.
@@ -75,6 +86,8 @@ pub(super) struct Group {
     pub radius: String,
     /// Pairs of gears that mesh.
     pub meshes: Vec<[usize; 2]>,
+    /// The table of each of its meshes, and whether the second gear is a ring.
+    pub stated: Vec<(String, bool)>,
     /// Indices of its meshes among the parts.
     pub parts: Vec<usize>,
 }
@@ -112,6 +125,10 @@ pub(super) struct Draft {
     pub axial: Vec<Axial>,
     /// Helical meshes, by their names, with the parameter that is the axial force over the mesh force.
     pub axial_forces: Vec<(String, String)>,
+    /// Ring meshes: where they stand, and the numbers of teeth of the gear and of the ring.
+    pub rings: Vec<(Place, String, [String; 2])>,
+    /// Parameters from which other values of the tables follow: the parameter, and the key that states it.
+    pub fixed: Vec<(String, String)>,
     /// Values that stand in the tables: parameter, and what is written.
     pub values: Vec<(String, Node)>,
     /// Laws that stand in the tables.

@@ -1,10 +1,12 @@
 //! Meshes of two gears: their teeth, and gears that are rigid.
 
-use super::draft::{Gear, Geometry, Rotor, Term, named};
+use super::draft::{Draft, Gear, Geometry, Rotor, Term, named};
 use super::read::{GROUND, Item, Reader};
-use super::{ELSEWHERE, TWO_ROTORS, axial, bodies};
+use super::{ELSEWHERE, TWO_ROTORS, axial};
+use crate::model::GearData;
 use crate::scene::document::{Entry, Node, Value};
 use crate::scene::keys::{Key, Kind, Named, REQUIRED, each, key};
+use crate::scene::mistake::Report;
 use crate::scene::time_history::HISTORY;
 use crate::scene::{field, friction, keys, laws};
 
@@ -28,9 +30,9 @@ const MESH: &[Key] = &[
     key("backlash", Kind::Quantity("m"), ELSEWHERE, "play along the line of action, with the effect backlash"),
     key(
         "damping",
-        bodies::DAMPING,
+        Kind::Quantity("N*s/m"),
         "none",
-        "viscous damping along the line of action, or of the first gear's rotation against the second, in contact and out of it, with the effect viscous_friction",
+        "viscous damping along the line of action, in contact and out of it, with the effect viscous_friction",
     ),
     key(
         "friction",
@@ -52,6 +54,9 @@ impl Reader<'_> {
         };
         self.join(item, ends, !internal);
         let Some(teeth) = self.teeth(item, ends) else { return };
+        if internal {
+            self.draft.rings.push((item.place.clone(), item.title(), teeth.clone()));
+        }
         let rigid = matches!(item.get("stiffness").map(|node| &node.value), Some(Value::Text(text)) if text == "rigid");
         if rigid {
             return self.rigid(item, ends, teeth);
@@ -64,20 +69,14 @@ impl Reader<'_> {
         let gears = [0, 1].map(|i| Gear { rotor: ends[i], carrier: None, teeth: teeth[i].clone(), sense: 1.0 });
         let first = ends[0].map_or(GROUND, |i| &self.draft.rotors[i].name);
         let radius = named("r", if teeth[0] == named("N", first) { first } else { item.name });
-        let radius = Geometry { name: radius, unit: "m", doc: format!("base radius of gear {first}") };
+        let doc = format!("base radius of gear {first}");
+        let radius = Geometry { name: radius, unit: "m", gear_data: Some(GearData::BaseRadius), doc };
         let angle = self.transverse_angle(item);
         self.value(named("alpha", item.name), angle.as_ref());
         self.geared(item.name.to_string(), item, gears, radius, internal);
+        self.value(named("c", item.name), item.get("damping"));
         self.helix(item, 1.0, internal);
         self.radius(item, &teeth[0]);
-        if let Some(node) = item.get("damping") {
-            self.value(named("c", item.name), Some(node));
-            // theta_1 - N2/N1 theta_2: the displacement along the line of action over the base radius of the first gear.
-            let ratio = [(teeth[1].as_str(), 1), (teeth[0].as_str(), -1)];
-            let terms = [(ends[0], 1.0, &[][..]), (ends[1], -1.0, &ratio[..])];
-            let row = terms.into_iter().filter_map(|(end, sign, powers)| Some(Term::new(end?, sign, powers)));
-            self.part(item, "element_viscous", String::new(), vec![row.collect()]);
-        }
     }
 
     /// The friction of the flanks of the mesh `name`. Its laws are those of the teeth of the stiffness, if that has teeth.
@@ -124,7 +123,12 @@ impl Reader<'_> {
             if !self.draft.geometry.iter().any(|known| known.name == *name) {
                 let gear = name.trim_start_matches('N').trim_start_matches('_');
                 let doc = format!("number of teeth of gear {gear}");
-                self.draft.geometry.push(Geometry { name: name.clone(), unit: "1", doc });
+                self.draft.geometry.push(Geometry {
+                    name: name.clone(),
+                    unit: "1",
+                    gear_data: Some(GearData::Teeth),
+                    doc,
+                });
             }
             if !self.draft.values.iter().any(|value| value.0 == *name) {
                 self.value(name.clone(), given.map(|given| given[i]));
@@ -167,6 +171,19 @@ impl Reader<'_> {
             at = of.rotor;
         }
         self.draft.rotors[of_b].of = Some(Term { rotor: a, number: 1.0, powers });
+    }
+}
+
+/// Checks that each ring has more teeth than the gear in it; `value` has the values of the parameters.
+pub(super) fn check_rings(draft: &Draft, value: &dyn Fn(&str) -> Option<f64>, report: &mut Report) {
+    for (place, title, teeth) in &draft.rings {
+        let [Some(gear), Some(ring)] = teeth.each_ref().map(|name| value(name)) else { continue };
+        if ring <= gear {
+            let message = format!("{title} has a ring of {ring} teeth around a gear of {gear}");
+            let help =
+                "the second gear of an internal mesh is the ring: list it second, with the larger number of teeth";
+            report.add(place, message, "too few teeth", help);
+        }
     }
 }
 

@@ -25,8 +25,9 @@ impl Reader<'_> {
         let group = match found[..] {
             [] => {
                 let mesh = name.clone();
-                let (phases, gears, meshes, parts) = (vec![], vec![], vec![], vec![]);
-                self.draft.groups.push(Group { mesh, phases, gears, radius: radius.name.clone(), meshes, parts });
+                let (phases, gears, meshes, stated, parts) = (vec![], vec![], vec![], vec![], vec![]);
+                let of_first = radius.name.clone();
+                self.draft.groups.push(Group { mesh, phases, gears, radius: of_first, meshes, stated, parts });
                 self.draft.geometry.push(radius);
                 self.draft.groups.len() - 1
             }
@@ -48,6 +49,7 @@ impl Reader<'_> {
             });
         }
         of.meshes.push(index);
+        of.stated.push((item.title(), internal));
         let [first, second] = [of.gears[0].teeth.clone(), of.radius.clone()];
         let count = |gear: &Gear, number: f64, powers: &[(&str, i32)]| {
             let all = [&[(gear.teeth.as_str(), 1)], powers].concat();
@@ -76,7 +78,16 @@ impl Reader<'_> {
         of.parts.push(self.draft.parts.len());
         let (place, called) = (item.place.clone(), named("s", &name));
         let (element, renamed) = ("element_mesh_with_friction", angle.into_iter().collect());
-        self.draft.parts.push(DraftPart { element, name, place, renamed, rows, driving, called });
+        self.draft.parts.push(DraftPart {
+            element,
+            name,
+            place,
+            renamed,
+            rows,
+            driving,
+            called,
+            without: item.undamped(),
+        });
         group
     }
 
@@ -94,13 +105,10 @@ impl Reader<'_> {
             return self.report.add(&node.place, message, "stated before", help);
         }
         match (base, module) {
-            (Some(node), Some(_)) => {
-                let help =
-                    "leave out one of them: base radius = module teeth cos(pressure angle)/2, in the transverse plane";
-                self.report.add(&node.place, format!("{} has `base_radius` and `module`", item.title()), "twice", help);
-            }
+            (Some(node), Some(_)) => self.stated_twice(item, &node),
             (Some(node), None) => self.value(radius, Some(&node)),
             (None, Some(node)) => {
+                self.fixed(teeth, item.path("teeth.0"));
                 if let Some(r) = self.radius_by_module(item, &node, teeth) {
                     let value = Value::Text(format!("{r} m"));
                     self.value(radius, Some(&Node { value, place: node.place }));
@@ -108,6 +116,13 @@ impl Reader<'_> {
             }
             (None, None) => {}
         }
+    }
+
+    /// Refuses a base radius beside a module.
+    pub(super) fn stated_twice(&mut self, item: &Item<'_>, base_radius: &Node) {
+        let help = "leave out one of them: base radius = module teeth cos(pressure angle)/2, in the transverse plane";
+        let message = format!("{} has `base_radius` and `module`", item.title());
+        self.report.add(&base_radius.place, message, "twice", help);
     }
 
     /// The base radius of the gear whose number of teeth is called `teeth`, by the `module` of an item and its angles [m].
@@ -118,8 +133,16 @@ impl Reader<'_> {
         Some(teeth? * self.basic_rack(item, module?)?.base_radius_per_tooth())
     }
 
+    /// Notes that other values follow from a parameter, which the key `path` states.
+    pub(super) fn fixed(&mut self, parameter: &str, path: String) {
+        self.draft.fixed.push((parameter.into(), path));
+    }
+
     /// The transverse pressure angle of an item that states an angle, as a value of the scene.
     pub(super) fn transverse_angle(&mut self, item: &Item<'_>) -> Option<Node> {
+        if item.get("module").or(item.get("helix_angle")).is_some() {
+            self.fixed(&named("alpha", item.name), item.path("pressure_angle"));
+        }
         let Some(helix) = item.get("helix_angle") else { return item.get("pressure_angle").cloned() };
         let (_, angle) = self.basic_rack(item, 1.0)?.transverse();
         Some(Node { value: Value::Text(format!("{angle} rad")), place: helix.place.clone() })

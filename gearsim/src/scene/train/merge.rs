@@ -37,7 +37,7 @@ impl Composer<'_> {
         let part = &self.draft.parts[i];
         let (element, model) = element(self.bare, part);
         let parameters = model.parameters.iter().map(|p| self.parameter(part, p, report)).collect();
-        let effects = model.effects.iter().map(|e| self.effect(part, e)).collect();
+        let effects = model.effects.iter().map(|e| part.has(e.name).then(|| self.effect(part, e))).collect();
         let phase = self.basis.of_rows.get(&(i, 0)).map(|&j| &self.basis.coordinates[j]);
         for (j, law) in model.laws.iter().enumerate() {
             let chosen = phase.map_or((law.phase, law.rolling), |chosen| (leak(chosen.name.as_str()), chosen.rolling));
@@ -65,8 +65,8 @@ impl Composer<'_> {
             let with = names(torque.with.iter().map(|effect| self.renamed(part, effect)));
             self.torques.push(Torque { name: leak(torque_name(torque.name, part)), with, doc: said(torque.doc, part) });
         }
-        for (effect, term) in model.nonlinear_with {
-            let with = self.renamed(part, effect);
+        for (effects, term) in model.nonlinear_with {
+            let with = names(effects.iter().map(|effect| self.renamed(part, effect)));
             if !self.nonlinear_with.iter().any(|known| known.0 == with) {
                 let joint = named("", &part.name);
                 self.nonlinear_with.push((with, leak(term.replace("_x", &joint))));
@@ -90,7 +90,7 @@ impl Composer<'_> {
     }
 
     fn parameter(&mut self, part: &DraftPart, p: &Parameter, report: &mut Report) -> Option<usize> {
-        if p.name.starts_with("J_") {
+        if p.name.starts_with("J_") || !p.with.is_none_or(|effect| part.has(effect)) {
             return None;
         }
         let renamed = part.renamed.iter().find(|renamed| renamed.0 == p.name);
@@ -109,8 +109,9 @@ impl Composer<'_> {
         known.or_else(|| {
             let (name, doc) = (leak(name), said(p.doc, part));
             let with = p.with.map(|with| self.renamed(part, with));
+            let above = p.above.map(|lesser| leak(own(lesser, &part.name)));
             self.owners.insert(name, shown(part));
-            self.parameters.push(Parameter { name, doc, with, ..*p });
+            self.parameters.push(Parameter { name, doc, with, above, ..*p });
             Some(self.parameters.len() - 1)
         })
     }
@@ -118,7 +119,6 @@ impl Composer<'_> {
     /// The name of an effect of an element in the train.
     fn renamed(&self, part: &DraftPart, effect: &'static str) -> &'static str {
         match effect.strip_suffix("_x") {
-            Some(of) if self.merged => of,
             Some(of) => leak(format!("{of}_{}", part.name)),
             None => effect,
         }
@@ -130,8 +130,7 @@ impl Composer<'_> {
         known.unwrap_or_else(|| {
             let requires = names(e.requires.iter().map(|other| self.renamed(part, other)));
             let excludes = names(e.excludes.iter().map(|other| self.renamed(part, other)));
-            let of = e.of.filter(|_| !self.merged);
-            self.effects.push(Effect { name, of, doc: said(e.doc, part), requires, excludes, ..*e });
+            self.effects.push(Effect { name, doc: said(e.doc, part), requires, excludes, ..*e });
             self.effects.len() - 1
         })
     }

@@ -8,6 +8,7 @@
 //! A rotation is positive in the direction in which a rotor turns in normal drive: gears that mesh on fixed axes turn in opposite
 //! directions, and both rotations are positive. Sun, ring, carrier and planets of one set have the same positive direction.
 
+mod assembly;
 mod axial;
 mod basis;
 mod bodies;
@@ -16,6 +17,7 @@ mod draft;
 mod gears;
 mod groups;
 mod merge;
+mod meshes;
 mod planets;
 mod radii;
 mod read;
@@ -31,27 +33,37 @@ use crate::model::Model;
 use crate::train::Train;
 use std::sync::Arc;
 
+pub(super) use meshes::Meshes;
 pub(crate) use planets::in_place_of;
 use radii::OfTrain;
 
+/// What [`read`] returns.
+pub(super) struct Listed {
+    pub model: &'static Model,
+    pub train: Arc<Train>,
+    /// The radii to which values per squared radius refer.
+    pub radii: OfTrain,
+    pub meshes: Meshes,
+}
+
 /// Reads the train that a scene lists; `bare` has the elements. The values in its tables are moved to `[parameters]` and `[laws]` of
-/// `entries`. Also returns the radii to which values per squared radius refer. The places are the beginning of the scene and its end, where
-/// tables would be added. `None` if a mistake was reported.
+/// `entries`. The places are the beginning of the scene and its end, where tables would be added. `None` if a mistake was reported.
 pub(super) fn read(
     bare: &'static Model,
     entries: &mut Vec<Entry>,
     [root, end]: [&Place; 2],
     report: &mut Report,
-) -> Option<(&'static Model, Arc<Train>, OfTrain)> {
+) -> Option<Listed> {
     let draft = read::draft(entries, root, report)?;
     senses::joined(&draft, report);
     let agree = senses::check(&draft, report);
     let draft = tables::fill(draft, entries, end, report)?;
     agree?;
+    gears::check_rings(&draft, &|name| tables::number(entries, name), report);
     let values = tables::numbers(&draft, entries);
     let radii = radii::of(&draft, &|name| tables::number(entries, name));
     let (model, train) = compose::model(bare, &draft, &values, report)?;
-    Some((model, train, radii))
+    Some(Listed { model, train, radii, meshes: meshes::of(&draft) })
 }
 
 /// The tables of a train. Each has a table for each part, under the name of the part.

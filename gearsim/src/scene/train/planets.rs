@@ -4,6 +4,7 @@ use super::draft::{DraftPart, Gear, Geometry, Rotor, Term, named};
 use super::gears::LAW;
 use super::read::{Item, Reader};
 use super::{ELSEWHERE, ROTOR, axial, bodies};
+use crate::model::GearData;
 use crate::scene::document::{Entry, Node, Value};
 use crate::scene::keys::{Key, Kind, Named, REQUIRED, each, key};
 use crate::scene::time_history::HISTORY;
@@ -66,9 +67,14 @@ impl Reader<'_> {
         let set = item.name;
         let names = ["Zs", "Zr", "Zp", "rs"].map(|quantity| named(quantity, set));
         let [z_s, z_r, z_p, r_s] = &names;
+        self.draft.rings.push((item.place.clone(), item.title(), [z_p.clone(), z_r.clone()]));
+        self.fit(item, &teeth, &places);
+        for (name, key) in [(z_s, "teeth.0"), (z_r, "teeth.1"), (z_p, "planet_teeth"), (&named("np", set), "count")] {
+            self.fixed(name, item.path(key));
+        }
         for ((name, what), number) in [(z_s, "sun"), (z_r, "ring"), (z_p, "planets")].into_iter().zip(teeth) {
             let doc = format!("number of teeth of the {what} of {set}");
-            self.draft.geometry.push(Geometry { name: name.clone(), unit: "1", doc });
+            self.draft.geometry.push(Geometry { name: name.clone(), unit: "1", gear_data: Some(GearData::Teeth), doc });
             self.value(name.clone(), Some(&number));
         }
         for (i, place) in places.iter().enumerate() {
@@ -86,7 +92,7 @@ impl Reader<'_> {
                 self.draft.laws.extend(law.map(|law| (named("k", &name), law)));
                 self.value(named("b", &name), item.get("backlash"));
                 let doc = format!("base radius of the sun of {set}");
-                let radius = Geometry { name: r_s.clone(), unit: "m", doc };
+                let radius = Geometry { name: r_s.clone(), unit: "m", gear_data: Some(GearData::BaseRadius), doc };
                 self.geared(name, item, gears, radius, with == "r");
                 // The planets have the other hand than the sun, and that of the ring.
                 self.helix(item, if with == "s" { 1.0 } else { -1.0 }, with == "r");
@@ -114,6 +120,7 @@ impl Reader<'_> {
             rows,
             driving: vec![],
             called,
+            without: None,
         });
     }
 
@@ -135,6 +142,7 @@ impl Reader<'_> {
             renamed,
             rows,
             called: String::new(),
+            without: None,
         });
         rotor
     }
@@ -198,6 +206,9 @@ impl Reader<'_> {
 
     fn radius_of_sun(&mut self, item: &Item<'_>, z_s: &str, r_s: &str) {
         if let Some(node) = item.get("base_radius") {
+            if item.get("module").is_some() {
+                self.stated_twice(item, node);
+            }
             return self.value(r_s.into(), Some(node));
         }
         let Some(node) = item.get("module") else { return };

@@ -24,30 +24,22 @@ pub(super) fn of(draft: &Draft, value: &dyn Fn(&str) -> Option<f64>) -> OfTrain 
     let rotor_of = |part: &DraftPart| part.rows[0].first().map(|term| term.rotor);
     let mut radii = HashMap::new();
     for part in &draft.parts {
-        let name = match part.element {
-            "element_rotor" => {
-                part.renamed.iter().find(|r| r.0 == "I_x").map_or_else(|| named("I", &part.name), |r| r.1.clone())
-            }
-            "element_support" => named("k", &part.name),
-            "element_viscous" => named("c", &part.name),
+        let quantities: &[&str] = match part.element {
+            "element_rotor" => &["I"],
+            "element_shaft" | "element_support" => &["k", "c"],
+            "element_viscous" => &["c"],
             _ => continue,
         };
-        // The damper of a mesh is that of the rotation of its first gear.
-        let of_mesh = draft.groups.iter().find_map(|group| {
-            let i = group
-                .parts
-                .iter()
-                .position(|&i| part.element == "element_viscous" && draft.parts[i].name == part.name)?;
-            Some(base_radius(group, group.meshes[i][0], value))
-        });
-        let of_part = |rotor: usize| match part.rows[0].len() {
+        let Some(rotor) = rotor_of(part) else { continue };
+        let found = match part.rows[0].len() {
             1 => of_rotor(draft, rotor, value),
             _ => Err("it has two ends".into()),
         };
-        let found = of_mesh
-            .map(|r| r.ok_or_else(|| "its base radius is not known".into()))
-            .or_else(|| rotor_of(part).map(of_part));
-        radii.extend(found.map(|found| (name, found)));
+        for quantity in quantities {
+            let renamed = part.renamed.iter().find(|(of, _)| of.strip_suffix("_x") == Some(*quantity));
+            let name = renamed.map_or_else(|| named(quantity, &part.name), |(_, name)| name.clone());
+            radii.insert(name, found.clone());
+        }
     }
     OfTrain(radii)
 }

@@ -71,6 +71,11 @@ impl Item<'_> {
     pub fn get(&self, key: &str) -> Option<&Node> {
         keys::get(self.entries, key)
     }
+
+    /// The effect of the damper of its element, if the table has no damper.
+    pub fn undamped(&self) -> Option<&'static str> {
+        self.get("damping").is_none().then_some("viscous_friction_x")
+    }
 }
 
 impl Reader<'_> {
@@ -170,7 +175,16 @@ impl Reader<'_> {
     /// Adds a part with one coordinate.
     pub fn part(&mut self, item: &Item<'_>, element: &'static str, called: String, rows: Vec<Terms>) {
         let (name, place) = (item.name.to_string(), item.place.clone());
-        self.draft.parts.push(DraftPart { element, name, place, renamed: vec![], rows, driving: vec![], called });
+        self.draft.parts.push(DraftPart {
+            element,
+            name,
+            place,
+            renamed: vec![],
+            rows,
+            driving: vec![],
+            called,
+            without: None,
+        });
     }
 
     /// Notes that a part joins two rotors.

@@ -19,7 +19,7 @@ pub(super) fn fill(mut draft: Draft, entries: &mut Vec<Entry>, end: &Place, repo
     let laws = laws.into_iter().map(|(name, node)| (name, law(node))).collect();
     for (table, given) in [("parameters", values), ("laws", laws)] {
         if !given.is_empty() {
-            add(table, given, entries, end, report);
+            add(table, given, &draft.fixed, entries, end, report);
         }
     }
     let laws = entries.iter_mut().find(|entry| entry.key == "laws");
@@ -47,7 +47,14 @@ fn law(node: Node) -> Node {
     table("steps", Node { value: Value::Array(vec![step]), place: place.clone() })
 }
 
-fn add(table: &str, given: Vec<(String, Node)>, entries: &mut Vec<Entry>, end: &Place, report: &mut Report) {
+fn add(
+    table: &str,
+    given: Vec<(String, Node)>,
+    fixed: &[(String, String)],
+    entries: &mut Vec<Entry>,
+    end: &Place,
+    report: &mut Report,
+) {
     let at = entries.iter().position(|entry| entry.key == table).unwrap_or_else(|| {
         let node = Node { value: Value::Table(vec![]), place: end.clone() };
         entries.push(Entry { key: table.into(), place: end.clone(), node });
@@ -56,10 +63,17 @@ fn add(table: &str, given: Vec<(String, Node)>, entries: &mut Vec<Entry>, end: &
     // Another type of value is reported where the table is read.
     let Value::Table(known) = &mut entries[at].node.value else { return };
     for (key, node) in given {
-        match known.iter().find(|entry| entry.key == key) {
+        match known.iter_mut().find(|entry| entry.key == key) {
             None => known.push(Entry { key, place: node.place.clone(), node }),
-            // An override replaces what the tables say.
-            Some(entry) if entry.place.source != node.place.source => {}
+            // An override of a table replaces what the text says.
+            Some(entry) if entry.place.source < node.place.source => entry.node = node,
+            // An override of the value replaces what the tables say, unless other values follow from it.
+            Some(entry) if entry.place.source > node.place.source => {
+                if let Some((_, path)) = fixed.iter().find(|fixed| table == "parameters" && fixed.0 == key) {
+                    let message = format!("`{table}.{key}` follows from `{path}`, and so do other values");
+                    report.add(&entry.place, message, "does not reach them", format!("set `{path}` instead"));
+                }
+            }
             Some(entry) => {
                 let message = format!("`{table}.{key}` is stated twice");
                 let also = line(&node.place, report);

@@ -28,9 +28,12 @@ pub(super) fn equations(bare: &'static Model, draft: &Draft, basis: &Basis) -> S
             Some(&known) => format!("{} = {}", coordinate.name, basis.coordinates[known].name),
             None => format!("{} = {}", coordinate.name, show(&resolve(draft, &part.rows[j]))),
         };
-        let its = element(bare, part).1.coordinates.iter().enumerate().map(displacement).collect::<Vec<_>>().join(", ");
+        let model = element(bare, part).1;
+        let its = model.coordinates.iter().enumerate().map(displacement).collect::<Vec<_>>().join(", ");
         let renamed: String = part.renamed.iter().map(|(own, name)| format!("; {own} is {name}")).collect();
-        text += &format!("  {} {}: {its}{renamed}\n", title(part.element), part.name);
+        let absent = model.parameters.iter().filter(|p| p.with.is_some_and(|effect| !part.has(effect)));
+        let absent: String = absent.map(|p| format!("; {} is 0", p.name)).collect();
+        text += &format!("  {} {}: {its}{renamed}{absent}\n", title(part.element), part.name);
     }
     text += "\nWhat each kind of part adds: energies T, V and D, or forces F at its displacements. The end x of a name stands for the name of the part\n";
     let mut kinds: Vec<&Model> = vec![];

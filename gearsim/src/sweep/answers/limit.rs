@@ -1,7 +1,8 @@
 //! Limits, and how probable it is that they are broken: `mesh_force_12_max <= 5 kN`.
 //!
 //! The interval of 95 % is exact for independent points (C. J. Clopper, E. S. Pearson, Biometrika 26 (1934), 404-413). For the points of
-//! the designs `latin-hypercube` and `sobol` it is usually wider than necessary.
+//! the designs `latin-hypercube` and `sobol` it is usually wider than necessary. Of the design `saltelli` only the points of the samples A
+//! and B are counted: the others repeat all values of these but one. Points of a grid are chosen, not drawn: they have no probability.
 
 use std::borrow::Cow;
 
@@ -40,6 +41,8 @@ pub struct Broken {
     pub points: usize,
     /// Number of points that did not run to their end or do not have the quantity: they count neither way.
     pub unknown: usize,
+    /// Whether the points are drawn at random. Otherwise there is no probability.
+    pub drawn: bool,
 }
 
 impl Limit {
@@ -71,22 +74,31 @@ impl Limit {
         }
     }
 
-    /// Counts the points of a block that break the limit.
-    pub fn count(&self, block: &Block<'_>) -> Broken {
+    /// Counts the independent points of a block that break the limit.
+    pub fn count(&self, layout: &Layout, block: &Block<'_>) -> Broken {
+        let block = block.independent(layout);
         let values: Vec<f64> = block.numbers(self.column).collect();
         let broken = values.iter().filter(|value| !(self.keeps)(value, &self.value)).count();
-        Broken { broken, points: values.len(), unknown: block.rows.len() - values.len() }
+        Broken {
+            broken,
+            points: values.len(),
+            unknown: block.rows.len() - values.len(),
+            drawn: layout.plan.is_random(),
+        }
     }
 }
 
 impl Broken {
-    /// The probability that the limit is broken; NaN without points.
+    /// The probability that the limit is broken; NaN without points that are drawn.
     pub fn probability(&self) -> f64 {
-        self.broken as f64 / self.points as f64
+        if self.drawn { self.broken as f64 / self.points as f64 } else { f64::NAN }
     }
 
-    /// The ends of its confidence interval of 95 %.
+    /// The ends of its confidence interval of 95 %; NaN without points that are drawn.
     pub fn interval(&self) -> (f64, f64) {
+        if !self.drawn || self.points == 0 {
+            return (f64::NAN, f64::NAN);
+        }
         let (k, n) = (self.broken as f64, self.points as f64);
         let low = if self.broken == 0 { 0.0 } else { inv_beta_reg(k, n - k + 1.0, 0.025) };
         let high = if self.broken == self.points { 1.0 } else { inv_beta_reg(k + 1.0, n - k, 0.975) };
@@ -101,7 +113,7 @@ impl Broken {
 pub fn table(layout: &Layout, blocks: &[Block<'_>], limits: &[Limit]) -> Result<Table, OutputError> {
     let mut found = vec![];
     for block in blocks {
-        found.extend(limits.iter().map(|limit| (block, limit, limit.count(block))));
+        found.extend(limits.iter().map(|limit| (block, limit, limit.count(layout, block))));
     }
     let mut table = super::table(layout, &found.iter().map(|(block, ..)| *block).collect::<Vec<_>>())?;
     table.push(
@@ -128,7 +140,7 @@ mod tests {
     /// 0 of n: the upper end is 1 - 0.025^(1/n); k of n is symmetric to n - k of n. 10 of 100: 0.0490 to 0.1762, from tables.
     #[test]
     fn intervals_are_those_of_clopper_and_pearson() {
-        let interval = |broken, points| Broken { broken, points, unknown: 0 }.interval();
+        let interval = |broken, points| Broken { broken, points, unknown: 0, drawn: true }.interval();
         let (low, high) = interval(0, 50);
         assert!(low == 0.0 && (high - (1.0 - 0.025_f64.powf(0.02))).abs() < 1e-12, "{high}");
         let ((a, b), (c, d)) = (interval(3, 40), interval(37, 40));

@@ -31,6 +31,12 @@ impl<'a> Block<'a> {
         (0..rows.len()).step_by(size).map(block).collect()
     }
 
+    /// The same without the samples of the design that repeat values of others.
+    pub fn independent(&self, layout: &Layout) -> Block<'a> {
+        let rows = self.rows.iter().enumerate().filter(|(i, _)| layout.plan.sampler.is_independent(*i));
+        Block { values: self.values.clone(), rows: rows.map(|(_, row)| *row).collect() }
+    }
+
     /// The recorded quantity `column` of each point that ran to its end; numbers that do not exist are left out.
     fn numbers(&self, column: usize) -> impl Iterator<Item = f64> {
         self.rows.iter().flatten().map(move |row| row.numbers[column]).filter(|x| x.is_finite())

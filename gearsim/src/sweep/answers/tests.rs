@@ -42,12 +42,12 @@ fn statistics_are_those_of_the_distribution() {
 fn limits_are_broken_as_often_as_the_distribution_says() {
     let (layout, mut rows) = swept(&["run.t_end=normal:20 ms:1 ms"], Design::LatinHypercube, 200);
     let limit = Limit::read("t_end <= 21 ms", &layout).unwrap();
-    let count = limit.count(&Block::all(&layout, &rows)[0]);
+    let count = limit.count(&layout, &Block::all(&layout, &rows)[0]);
     assert!((count.probability() - 0.158_655).abs() <= 1.0 / 200.0, "{count:?}");
     let (low, high) = count.interval();
     assert!(low < 0.158_655 && 0.158_655 < high, "{low} {high}");
     rows.get_mut(&7).unwrap().status = Status::Stopped;
-    let fewer = limit.count(&Block::all(&layout, &rows)[0]);
+    let fewer = limit.count(&layout, &Block::all(&layout, &rows)[0]);
     assert_eq!((fewer.points, fewer.unknown), (199, 1));
     for (wrong, said) in [
         ("t_end", "is not a limit"),
@@ -69,8 +69,10 @@ fn a_grid_is_one_block() {
     let rows: Rows = (0..sweep.points).map(|point| (point, sweep.point(point))).collect();
     let layout = Manifest::new(&sweep, &request, None).layout(MODELS).unwrap();
     let blocks = Block::all(&layout, &rows);
-    let count = Limit::read("t_end < 3.5 ms", &layout).unwrap().count(&blocks[0]);
+    let count = Limit::read("t_end < 3.5 ms", &layout).unwrap().count(&layout, &blocks[0]);
     assert_eq!((blocks.len(), count.broken, count.points), (1, 2, 5));
+    // The points are chosen: there is no probability.
+    assert!(count.probability().is_nan() && count.interval().0.is_nan() && count.interval().1.is_nan());
     assert_eq!(blocks[0].name(&layout), "");
 }
 
@@ -83,6 +85,9 @@ fn indices_name_the_axis_that_matters_at_each_point_of_the_grid() {
     assert_eq!(rows.len(), 2 * 32 * 4);
     let blocks = Block::all(&layout, &rows);
     assert_eq!(blocks[1].name(&layout), "start.speed = 300 rpm");
+    // Of A, A_1, A_2 and B the points of A and B are independent.
+    let limit = Limit::read("t_end < 2 ms", &layout).unwrap();
+    assert_eq!(limit.count(&layout, &blocks[0]).points, 2 * 32);
     for block in &blocks {
         let (indices, samples) = sensitivity::of(&layout, block, column(&layout)).unwrap();
         assert_eq!((samples, indices[0].key.as_str(), indices[1].key.as_str()), (32, "parameters.zeta", "run.t_end"));

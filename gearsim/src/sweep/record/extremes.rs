@@ -1,11 +1,10 @@
 //! Range of coordinates and speeds: minimum and maximum over samples and both sides of events; mean, and root mean square about the
-//! mean, over the evenly spaced samples. Only the speeds of coordinates that rotate continuously.
+//! mean, over the time. Only the speeds of coordinates that rotate continuously.
 
 use super::{Column, Group, column, row_from, with_rotation};
 use crate::analysis::statistics::Statistics;
 use crate::model::Model;
 use crate::run::Outcome;
-use crate::trajectory::Moment;
 
 pub(super) const GROUP: Group = Group {
     name: "extremes",
@@ -35,15 +34,15 @@ fn columns(model: &Model) -> Vec<Column> {
 fn values(outcome: &Outcome, from: f64) -> Vec<f64> {
     let run = &outcome.trajectory;
     let begin = row_from(run, from);
-    let four = |x: &[f64], moments: &[Moment]| {
-        Statistics::of(x, moments).map_or([f64::NAN; 4], |s| [s.min, s.max, s.mean, s.rms])
-    };
+    let (t, moments) = (&run.t[begin..], &run.moment[begin..]);
+    let four =
+        |x: &[f64]| Statistics::of(t, &x[begin..], moments).map_or([f64::NAN; 4], |s| [s.min, s.max, s.mean, s.rms]);
     let mut values = vec![];
     for ((_, rotates), (q, v)) in with_rotation(run.model).zip(run.q.iter().zip(&run.q_dot)) {
         if !rotates {
-            values.extend(four(&q[begin..], &run.moment[begin..]));
+            values.extend(four(q));
         }
-        values.extend(four(&v[begin..], &run.moment[begin..]));
+        values.extend(four(v));
     }
     values
 }

@@ -26,6 +26,6 @@ fn columns(model: &Model) -> Vec<Column> {
 fn values(outcome: &Outcome, from: f64) -> Vec<f64> {
     let run = &outcome.trajectory;
     let begin = row_from(run, from);
-    let statistics = |name| Statistics::of(&run.output(name)?[begin..], &run.moment[begin..]);
+    let statistics = |name| Statistics::of(&run.t[begin..], &run.output(name)?[begin..], &run.moment[begin..]);
     run.model.outputs.iter().flat_map(|o| statistics(o.name).map_or([f64::NAN; 6], |s| s.values())).collect()
 }

@@ -16,6 +16,7 @@ use super::span::Span;
 use crate::engine::equations::Equations;
 use crate::engine::vector::{Vector, dot};
 use crate::model::{Parameter, Varies};
+use crate::output::number::short;
 use crate::run::Entry;
 use crate::scene::Scene;
 use crate::tolerance::analysis::{HELD_SPEED, HELD_STEADY};
@@ -131,6 +132,16 @@ impl Speed {
     /// Relative change of the speed over the measured time \[1\].
     pub(super) fn drift(&self) -> f64 {
         self.force * self.times[0] / (self.inertia * self.mean)
+    }
+
+    /// Why it is not held, in words.
+    pub(super) fn unheld(&self, wanted: f64) -> String {
+        format!(
+            "the mean speed is {} rad/s instead of {} rad/s, and changes by {} % in the measured time: damping, or a longer --settle, helps",
+            short(self.mean),
+            short(wanted),
+            short(100.0 * self.drift())
+        )
     }
 
     /// Whether it is steady, and the `wanted` one.

@@ -76,7 +76,7 @@ fn requests_that_contradict_themselves_are_refused() {
         (crate::sweep::Request { samples: Some(5), ..base.clone() }, "no axis is random"),
         (crate::sweep::Request { design: Design::Sobol, ..base.clone() }, "no axis is random"),
         (crate::sweep::Request { record: vec!["energie".into()], ..base.clone() }, "called `energie`"),
-        (crate::sweep::Request { from: 0.02, ..base.clone() }, "the run ends at 0.02 s"),
+        (crate::sweep::Request { from: Some(0.02), ..base.clone() }, "the run ends at 0.02 s"),
         (two("parameters.T0=1 N*m:2 N*m:9999999", "parameters.zeta=0:1:9999999"), "more than 10000000 points"),
         (crate::sweep::Request { overrides: vec!["parameters.T0 = 9 N*m".into()], ..base }, "is both set and varied"),
     ];

@@ -95,6 +95,17 @@ fn a_point_equals_a_single_run_with_its_values() {
     }
 }
 
+/// A sweep without --from begins its statistics at `output.from` of the scene. A run does the same.
+#[test]
+fn statistics_begin_where_the_scene_says() {
+    let all = request(&["start.speed=300 rpm,310 rpm"]);
+    let overrides = vec!["output.from=10 ms".to_owned()];
+    let request = |from| Request { from, record: vec!["extremes".into()], overrides: overrides.clone(), ..all.clone() };
+    let [own, same, whole] = [None, Some(0.01), Some(0.0)].map(|from| load(&request(from)).unwrap().point(0).numbers);
+    assert_eq!(own, same);
+    assert_ne!(own, whole);
+}
+
 /// The times of the first reflection in models/scenes/oh2005/README.md, "Loss of speed", which other code computed.
 #[test]
 fn the_first_reflection_is_at_the_time_given_in_the_readme_of_the_paper_scenes() {

@@ -1,7 +1,6 @@
 //! A solver by steps that carries small disturbances along: Phi' = A(t) Phi, with A = [[0, 1], [dq''/dq, dq''/dq']] along the motion.
 //!
-//! Within a step A follows the dense output of the motion. Phi advances in steps of the sixth order of the Magnus expansion, with A at the
-//! three Gauss points (S. Blanes et al., Phys. Rep. 470, 2009, Sec. 5.4): exact where A is constant, however fast the vibrations are. At
+//! Within a step A follows the dense output of the motion, and Phi advances by the Magnus expansion ([`super::super::magnus`]). At
 //! events Phi takes the saltation matrix ([`super::saltation`]).
 
 use std::cell::RefCell;
@@ -10,6 +9,7 @@ use std::rc::Rc;
 use nalgebra::{DMatrix, DVector};
 use xprec::Df64;
 
+use super::super::magnus;
 use super::saltation::Event;
 use crate::engine::crossing::{Cost, SearchError, Side};
 use crate::engine::error::{Refusal, Stop};
@@ -21,9 +21,6 @@ use crate::methods::field::Field;
 use crate::methods::flow::Flow;
 use crate::methods::steps::BySteps;
 use crate::tolerance::analysis::MAGNUS_STEPS;
-
-/// Most terms of a series: it is shorter for exponents up to size ten.
-const MOST_TERMS: u32 = 60;
 
 /// The disturbances that a solver carries along.
 #[derive(Debug)]
@@ -145,35 +142,9 @@ impl Carrier<'_, '_, '_> {
         // The error of one step is about (h |A|)^5 h |dA|/1e5, and of m steps m⁻⁶ of that.
         let steps = (size.powi(5) * change / 1e5 / self.error).powf(1.0 / 6.0).ceil().clamp(1.0, MAGNUS_STEPS);
         let h = t / steps;
-        let apart = h * 15f64.sqrt() / 10.0;
         for step in 0..steps as usize {
-            let middle = (step as f64 + 0.5) * h;
-            let at = [middle - apart, middle, middle + apart].map(|t| self.generator(t));
-            multiply_by_exponential(&magnus(&at, h), &mut self.carried.borrow_mut().phi);
-        }
-    }
-}
-
-/// The exponent of a step of length `h` \[s\] by Magnus' expansion of the sixth order. The arguments are A at the three Gauss points.
-fn magnus([before, middle, after]: &[DMatrix<f64>; 3], h: f64) -> DMatrix<f64> {
-    let twist = |a: &DMatrix<f64>, b: &DMatrix<f64>| a * b - b * a;
-    let a1 = middle * h;
-    let a2 = (after - before) * (h * 15f64.sqrt() / 3.0);
-    let a3 = (after + before - middle * 2.0) * (h * 10.0 / 3.0);
-    let c1 = twist(&a1, &a2);
-    let c2 = twist(&a1, &(&a3 * 2.0 + &c1)) * (-1.0 / 60.0);
-    let outer = twist(&(&a1 * -20.0 - &a3 + c1), &(a2 + c2));
-    a1 + a3 * (1.0 / 12.0) + outer * (1.0 / 240.0)
-}
-
-/// phi becomes exp(a) phi, by its power series: `a` is of size one at most, the angle of the fastest vibration in a step of a method.
-fn multiply_by_exponential(a: &DMatrix<f64>, phi: &mut DMatrix<f64>) {
-    let mut term = phi.clone();
-    for k in 1..=MOST_TERMS {
-        term = a * term * (1.0 / f64::from(k));
-        *phi += &term;
-        if term.amax() <= 0.1 * f64::EPSILON * phi.amax() {
-            break;
+            let at = magnus::instants(step as f64 * h, h).map(|t| self.generator(t));
+            magnus::advance(&at, h, &mut self.carried.borrow_mut().phi);
         }
     }
 }
@@ -204,33 +175,5 @@ impl Motion for Carrier<'_, '_, '_> {
             Err(trouble) => carried.trouble = carried.trouble.or(Some(trouble)),
         }
         (taken, reached)
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    /// The propagator of Hill's equation x'' = -(2 + cos 3t) x over one unit of time, in `n` steps.
-    fn hill(n: u32) -> DMatrix<f64> {
-        let h = 1.0 / f64::from(n);
-        let generator = |t: f64| DMatrix::from_row_slice(2, 2, &[0.0, 1.0, -2.0 - (3.0 * t).cos(), 0.0]);
-        let mut phi = DMatrix::identity(2, 2);
-        for step in 0..n {
-            let middle = (f64::from(step) + 0.5) * h;
-            let apart = h * 15f64.sqrt() / 10.0;
-            let at = [middle - apart, middle, middle + apart].map(generator);
-            multiply_by_exponential(&magnus(&at, h), &mut phi);
-        }
-        phi
-    }
-
-    #[test]
-    fn magnus_is_of_the_sixth_order() {
-        let exact = hill(256);
-        let error = |n| (hill(n) - &exact).amax();
-        let orders = [2, 4].map(|n| (error(n) / error(2 * n)).log2());
-        assert!(orders.iter().all(|order| (order - 6.0).abs() < 0.3), "{orders:?}");
-        assert!((exact.determinant() - 1.0).abs() < 1e-13);
     }
 }

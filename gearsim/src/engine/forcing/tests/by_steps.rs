@@ -1,10 +1,11 @@
 //! Parameters whose factors depend on the state, against the equations with the value that the parameter has at the time.
 
 use super::*;
-use crate::engine::equations::{Equations, Exit, Known};
+use crate::engine::equations::{Equations, Exit, Known, varying_by_steps};
 use crate::engine::vector::Vector;
 use crate::generated::freewheel::Freewheel;
 use crate::generated::friction_oscillator::FrictionOscillator;
+use crate::scene::Effects;
 
 const PAIR: &str = "parameters={I1=\"2890 kg*mm^2\", I2=\"740200 kg*mm^2\", T0=\"10 N*m\", zeta=0.1, Tp_motor=\"250 N*m\", \
     Pp_motor=\"50 kW\", sb_motor=0.1, ns_motor=\"120 rad/s\"}";
@@ -134,6 +135,12 @@ fn equations_are_those_of_the_present_value() {
 fn parameters_of_absent_effects_do_not_matter() {
     let scene = parse(TRAIN, &["effects=[]"]);
     assert!(Forcing::of(&DerivedModel::of::<Freewheel>(), &scene).is_none());
+    for case in VARYING {
+        let [mut scene, _] = scenes(case);
+        assert_eq!(varying_by_steps(&scene).count(), 1, "{}", case.3);
+        scene.effects = Effects::from_names([], scene.model).unwrap();
+        assert_eq!(varying_by_steps(&scene).count(), 0, "{}", case.3);
+    }
     let outcome = run_of(TRAIN, &["effects=[]"]);
     assert_eq!(outcome.solver.method, "exact", "{}", outcome.solver.why);
 }

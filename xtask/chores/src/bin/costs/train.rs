@@ -58,7 +58,7 @@ impl Train {
         let q = coordinates.iter().map(|c| c.start).collect();
         scene.model = Box::leak(Box::new(Model { coordinates: coordinates.leak(), ..GearPair::MODEL }));
         scene.start = InitialState { q, q_dot: vec![None; self.n], motions: vec![SPEED] };
-        scene.effects = Effects(0);
+        scene.effects = Effects::none(scene.model);
         Ok(scene)
     }
 

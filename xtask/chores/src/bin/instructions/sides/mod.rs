@@ -5,6 +5,7 @@ mod trains;
 
 use gearsim::__private::equations::{Derived, Equations};
 use gearsim::model::Model;
+use gearsim::scene::Effects;
 
 use crate::by_hand::ByHand;
 use crate::paths::Job;
@@ -93,12 +94,11 @@ fn evaluated<const N: usize>(
 /// The generated equations with `effects`, separated by spaces, and with parameters by name; others have their default or 1.
 fn derived<D: Derived>(effects: &str, numbers: &[(&str, f64)], mids: &[f64]) -> Box<dyn Equations> {
     let model: &Model = &D::MODEL;
-    let bit = |name: &str| model.effects.iter().position(|e| e.name == name).unwrap_or_else(|| panic!("no {name}"));
     let parameters = model.parameters.iter().map(|p| {
         let given = numbers.iter().find(|(name, _)| *name == p.name).map(|(_, x)| *x);
         given.or(p.default).unwrap_or(1.0)
     });
     let parameters: Vec<f64> = parameters.collect();
-    let effects = effects.split_whitespace().fold(0, |set, name| set | 1 << bit(name));
-    D::equations(effects, &parameters, mids).expect("effects that go together")
+    let effects = Effects::from_names(effects.split_whitespace(), model).expect("effects of the model");
+    D::equations(&effects, &parameters, mids).expect("effects that go together")
 }

@@ -2,6 +2,7 @@
 
 use gearsim::__private::equations::Derived;
 use gearsim::__private::models::GearPair;
+use gearsim::scene::Effects;
 
 use super::{Side, derived};
 use crate::by_hand::ByHand;
@@ -49,7 +50,11 @@ pub fn undamped() -> Side<2> {
 
 /// The same from a model that does not declare damping, transmission errors, play and friction.
 pub fn undeclared() -> Side<2> {
-    let bare = crate::bare::BarePair::equations(0b11, &[24.0, 96.0, 2.89e-3, 0.7402, 10.0], &[MID]);
+    let bare = crate::bare::BarePair::equations(
+        &Effects::all(&crate::bare::BarePair::MODEL),
+        &[24.0, 96.0, 2.89e-3, 0.7402, 10.0],
+        &[MID],
+    );
     Side { generated: bare.expect("effects that go together"), ..undamped() }
 }
 

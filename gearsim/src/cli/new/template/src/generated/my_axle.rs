@@ -16,19 +16,19 @@ equations! {
         psi "rad" start static, "twist of the shaft";
     }
     parameters {
-        N1 "1" required, open 0.0 to inf, "number of teeth of gear 1";
-        N2 "1" required, open 0.0 to inf, "number of teeth of gear 2";
-        r1 "m" required, open 0.0 to inf, "base radius of gear 1";
+        N1 "1" teeth required, open 0.0 to inf, "number of teeth of gear 1";
+        N2 "1" teeth required, open 0.0 to inf, "number of teeth of gear 2";
+        r1 "m" base_radius required, open 0.0 to inf, "base radius of gear 1";
         I1 "kg*m^2" required, open 0.0 to inf, "moment of inertia of the motor with the driving gear";
         I2 "kg*m^2" required, open 0.0 to inf, "moment of inertia of the driven gear";
         I_w "kg*m^2" required, open 0.0 to inf, "moment of inertia of the wheel";
         k_s "N*m/rad" required, from 0.0 to inf, "torsional stiffness of the shaft";
-        alpha "rad" default 0.3490658503988659, open 0.0 to inf, "working pressure angle, for friction";
+        alpha "rad" pressure_angle default 0.3490658503988659, open 0.0 to inf, "working pressure angle, for friction";
         b12 "m" required with backlash_12, open 0.0 to inf, "backlash of the mesh: no contact within b/2 to either side";
         mu12 "1" required with sliding_friction_12, from 0.0 to inf, "coefficient of friction of the mesh";
-        w_mix12 "rad/s" default 0.1, open 0.0 to inf,
+        w_mix12 "rad/s" default 0.1 with sliding_friction_12, open 0.0 to inf,
             "rolling speed omega1 + omega2 of the mesh below which friction decreases to zero (mixed film)";
-        mu_rise12 "1" default 0.0, from 0.0 to inf,
+        mu_rise12 "1" default 0.0 with flank_stiction_12, from 0.0 to inf,
             "excess of the static coefficient of friction of the mesh over that of sliding, relative to that";
         T_motor "N*m" required with torques, open -inf to inf, "driving torque of the motor";
         T_wheel "N*m" required with torques, open -inf to inf, "load torque of the wheel, against its rotation";
@@ -97,6 +97,7 @@ equations! {
             flank_stiction_12 => mu12*k12*slide_dir12*touch12*(tiny12.powi(2) + over12.powi(2)).sqrt()
                 - mu12*k12*touch12*psi12_dot*(tiny12.powi(2) + over12.powi(2)).sqrt()/(w_mix12.powi(2) + psi12_dot.powi(2)).sqrt();
         }
+        F_tau12 { sliding_friction_12 => F_mu12*over12/(tiny12.powi(2) + over12.powi(2)).sqrt(); }
     }
     partials {
         F_mu12_by_over12 {
@@ -119,6 +120,11 @@ equations! {
             flank_stiction_12 => mu12*slide_dir12*touch12*(tiny12.powi(2) + over12.powi(2)).sqrt()
                 - mu12*touch12*psi12_dot*(tiny12.powi(2) + over12.powi(2)).sqrt()/(w_mix12.powi(2) + psi12_dot.powi(2)).sqrt();
         }
+        F_tau12_by_over12 {
+            sliding_friction_12 => F_mu12/(tiny12.powi(2) + over12.powi(2)).sqrt()
+                - F_mu12*over12.powi(2)/(tiny12.powi(2) + over12.powi(2)).powf(3.0/2.0);
+        }
+        F_tau12_by_F_mu12 { sliding_friction_12 => over12/(tiny12.powi(2) + over12.powi(2)).sqrt(); }
     }
     switches {
         over12 "m" (touch12 1.0, edge12 0.0, damp12 1.0, clip12 0.0) with backlash_12, "play of the mesh" {
@@ -198,25 +204,41 @@ equations! {
             }
             stuck_coast (0.0) holds rests counts "stuck" {
                 unless stuck { over12 { _ => -1.0; } }
-                until forward {
+                until forward_coast {
                     over12 { _ => -mu12*mu_rise12*k12*touch12 - mu12*k12*touch12; }
                     reaction { _ => -1.0; }
                 }
-                until backward {
+                until backward_coast {
                     over12 { _ => -mu12*mu_rise12*k12*touch12 - mu12*k12*touch12; }
                     reaction { _ => 1.0; }
                 }
             }
             forward (1.0) {
+                until forward_coast { over12 { _ => 1.0; } }
                 until stuck {
                     psi12_dot { _ => arm12; }
                     tau12_dot { _ => side12; }
                 }
             }
             backward (-1.0) {
+                until backward_coast { over12 { _ => 1.0; } }
                 until stuck {
                     psi12_dot { _ => -arm12; }
                     tau12_dot { _ => -side12; }
+                }
+            }
+            forward_coast (1.0) {
+                until forward { over12 { _ => -1.0; } }
+                until stuck_coast {
+                    psi12_dot { _ => arm12; }
+                    tau12_dot { _ => -side12; }
+                }
+            }
+            backward_coast (-1.0) {
+                until backward { over12 { _ => -1.0; } }
+                until stuck_coast {
+                    psi12_dot { _ => -arm12; }
+                    tau12_dot { _ => side12; }
                 }
             }
         }
@@ -235,7 +257,7 @@ equations! {
     }
     torques {
         slide12 "friction of the mesh, through the sliding of the flanks at the pitch point" {}
-        power { sliding_friction_12 => -side12*F_mu12*tau12_dot; }
+        power { sliding_friction_12 => -side12*F_tau12*tau12_dot; }
         roll12 "friction of the mesh, through the rolling of the gears" {}
         power { sliding_friction_12 => -arm12*F_mu12*psi12_dot; }
         motor "driving torque of the motor" { torques => T_motor*(s/(2.0*h*N1) + theta/N1); }
@@ -267,7 +289,7 @@ equations! {
         s {
             _ => -k12*touch12*over12;
             backlash_12 => -k12*clip12*touch12*over12;
-            sliding_friction_12 => arm12*F_mu12/(2.0*h*N2) - tan_a*side12*F_mu12 - arm12*F_mu12/(2.0*h*N1);
+            sliding_friction_12 => arm12*F_mu12/(2.0*h*N2) - tan_a*side12*F_tau12 - arm12*F_mu12/(2.0*h*N1);
             torques => (T_motor/(h*N1) + T_wheel/(h*N2))/2.0;
             damping => I2*alpha_M*theta_dot/(2.0*h*N2.powi(2)) - beta_K*k12_mid*damp12*over12_dot
                 - I1*alpha_M*s_dot/(4.0*h.powi(2)*N1.powi(2)) - I2*alpha_M*s_dot/(4.0*h.powi(2)*N2.powi(2))
@@ -300,12 +322,13 @@ equations! {
         theta psi12_dot { sliding_friction_12 => -arm12*F_mu12_by_psi12_dot/N1 - arm12*F_mu12_by_psi12_dot/N2; }
         s theta {
             transmission_error_12_and_backlash_12_and_moving_phase => k12*de12*clip12*touch12;
-            transmission_error_12_and_sliding_friction_12_and_moving_phase => tan_a*de12*side12*F_mu12_by_over12
-                + de12*arm12*F_mu12_by_over12/(2.0*h*N1) - de12*arm12*F_mu12_by_over12/(2.0*h*N2);
+            transmission_error_12_and_sliding_friction_12_and_moving_phase => tan_a*de12*side12*F_mu12_by_over12*F_tau12_by_F_mu12
+                + tan_a*de12*side12*F_tau12_by_over12 + de12*arm12*F_mu12_by_over12/(2.0*h*N1) - de12*arm12*F_mu12_by_over12/(2.0*h*N2);
             transmission_error_12_and_moving_phase => k12*de12*touch12;
             backlash_12_and_moving_phase => -dk12*clip12*touch12*over12;
-            sliding_friction_12_and_moving_phase => darm12*F_mu12/(2.0*h*N2) - tan_a*dk12*side12*F_mu12_by_k12 - tan_a*dside12*F_mu12
-                - darm12*F_mu12/(2.0*h*N1) - dk12*arm12*F_mu12_by_k12/(2.0*h*N1) + dk12*arm12*F_mu12_by_k12/(2.0*h*N2);
+            sliding_friction_12_and_moving_phase => darm12*F_mu12/(2.0*h*N2) - tan_a*dk12*side12*F_mu12_by_k12*F_tau12_by_F_mu12
+                - tan_a*dside12*F_tau12 - darm12*F_mu12/(2.0*h*N1) - dk12*arm12*F_mu12_by_k12/(2.0*h*N1)
+                + dk12*arm12*F_mu12_by_k12/(2.0*h*N2);
             moving_phase => -dk12*touch12*over12;
         }
         s theta_dot { damping => (I2*alpha_M/(h*N2.powi(2)) - I1*alpha_M/(h*N1.powi(2)) + I_w*alpha_M/(h*N2.powi(2)))/2.0; }
@@ -316,11 +339,12 @@ equations! {
         s over12 {
             _ => -k12*touch12;
             backlash_12 => -k12*clip12*touch12;
-            sliding_friction_12 => arm12*F_mu12_by_over12/(2.0*h*N2) - tan_a*side12*F_mu12_by_over12 - arm12*F_mu12_by_over12/(2.0*h*N1);
+            sliding_friction_12 => arm12*F_mu12_by_over12/(2.0*h*N2) - tan_a*side12*F_mu12_by_over12*F_tau12_by_F_mu12
+                - tan_a*side12*F_tau12_by_over12 - arm12*F_mu12_by_over12/(2.0*h*N1);
         }
         s over12_dot { damping => -beta_K*k12_mid*damp12; }
         s psi12_dot {
-            sliding_friction_12 => arm12*F_mu12_by_psi12_dot/(2.0*h*N2) - tan_a*side12*F_mu12_by_psi12_dot
+            sliding_friction_12 => arm12*F_mu12_by_psi12_dot/(2.0*h*N2) - tan_a*side12*F_mu12_by_psi12_dot*F_tau12_by_F_mu12
                 - arm12*F_mu12_by_psi12_dot/(2.0*h*N1);
         }
         psi theta_dot { damping => I_w*alpha_M/N2; }
@@ -360,7 +384,7 @@ equations! {
         }
     }
     nonlinear_with {
-        sliding_friction_12 "-side12*F_mu12 in the torque `slide12`";
+        sliding_friction_12 "-side12*F_tau12 in the torque `slide12`";
         sliding_friction_12 "-arm12*F_mu12 in the torque `roll12`";
     }
     jump k12 { step { _ => dk12*touch12*over12.powi(2)/2.0; } }
@@ -436,8 +460,9 @@ equations! {
 // - V is the same on both sides of the exits of psi12: no impulse there
 // - every damper takes energy or none: each term of D has a power q'.dD/dq' that is never negative
 // - the friction `roll12` takes energy or none: its power is never positive
-// - the friction `slide12` takes with `roll12` energy or none where psi12_dot and arm12 psi12_dot + side12 tau12_dot have one sign: where
-//   flanks slide as rolling makes them
+// - the friction `slide12` is the force of `roll12` times at most 1, along its sign or against it
+// - the friction `slide12` takes with `roll12` energy or none where psi12_dot and arm12 psi12_dot + side12 tau12_dot have one sign, on the
+//   coast flank with -side12: where flanks slide as rolling makes them
 // - the friction `slide12` takes with `roll12` energy or none in every mode of psi12, in scenes with flank_stiction_12: from the guards
 //   that hold in the mode
 // - every deflection equals the linear form by which the equations differentiate it
@@ -449,6 +474,6 @@ equations! {
 // | output | sums | products, quotients | functions, roots |
 // | --- | --- | --- | --- |
 // | constants (once a scene) | 0 | 2 | 2 |
-// | named forces | 6 | 24 | 5 |
+// | named forces | 7 | 28 | 6 |
 // | force | 21 | 127 | 0 |
 // | energy steps, all laws | 1 | 11 | 0 |

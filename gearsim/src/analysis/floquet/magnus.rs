@@ -1,0 +1,111 @@
+//! Propagators P of a linear system whose matrix varies, P' = A(t) P, by the Magnus expansion of the sixth order with A at the three Gauss
+//! points of a step (S. Blanes et al., Phys. Rep. 470, 2009, Sec. 5.4). It is exact where A is constant, however fast the vibrations are.
+
+use nalgebra::DMatrix;
+
+use super::FloquetError;
+use crate::tolerance::analysis::{MAGNUS_ERROR, MAGNUS_SPAN, MAGNUS_STEPS};
+
+/// Most terms of a series: it is shorter for exponents up to size ten.
+const MOST_TERMS: u32 = 60;
+
+/// The Gauss points of a step of length `h` that begins at `t` [s].
+pub(super) fn instants(t: f64, h: f64) -> [f64; 3] {
+    let (middle, apart) = (t + 0.5 * h, h * 15f64.sqrt() / 10.0);
+    [middle - apart, middle, middle + apart]
+}
+
+/// Advances P by a step of length `h` [s]. `at` is A at the Gauss points.
+pub(super) fn advance(at: &[DMatrix<f64>; 3], h: f64, p: &mut DMatrix<f64>) {
+    multiply_by_exponential(&exponent(at, h), p);
+}
+
+/// P over the time `span` [s] from `begin` on, in at least `least` steps of equal length. Their number is doubled until P changes by less
+/// than the tolerated error.
+///
+/// # Errors
+/// Those of `generator`, which computes A at a time; if P overflows; if the number of steps is not enough.
+pub(super) fn propagator<E>(
+    generator: impl Fn(f64) -> Result<DMatrix<f64>, E>,
+    [begin, span]: [f64; 2],
+    least: f64,
+) -> Result<DMatrix<f64>, FloquetError>
+where
+    FloquetError: From<E>,
+{
+    let first = generator(begin)?;
+    let in_steps = |steps: f64| {
+        let h = span / steps;
+        let mut p = DMatrix::identity(first.nrows(), first.ncols());
+        for step in 0..steps as usize {
+            let [before, middle, after] = instants(begin + step as f64 * h, h);
+            advance(&[generator(before)?, generator(middle)?, generator(after)?], h, &mut p);
+        }
+        Ok::<_, E>(p)
+    };
+    let mut steps = (span * first.norm() / MAGNUS_SPAN).max(least).ceil().clamp(1.0, MAGNUS_STEPS);
+    let mut coarse = in_steps(steps)?;
+    loop {
+        steps *= 2.0;
+        let fine: DMatrix<f64> = in_steps(steps)?;
+        if fine.iter().any(|x| !x.is_finite()) {
+            return Err(FloquetError::Overflow);
+        }
+        if (&fine - &coarse).amax() <= MAGNUS_ERROR * fine.amax() {
+            return Ok(fine);
+        }
+        if steps >= MAGNUS_STEPS {
+            return Err(FloquetError::Unresolved { most: steps });
+        }
+        coarse = fine;
+    }
+}
+
+/// The exponent of a step of length `h` \[s\] by Magnus' expansion of the sixth order. The arguments are A at the three Gauss points.
+fn exponent([before, middle, after]: &[DMatrix<f64>; 3], h: f64) -> DMatrix<f64> {
+    let twist = |a: &DMatrix<f64>, b: &DMatrix<f64>| a * b - b * a;
+    let a1 = middle * h;
+    let a2 = (after - before) * (h * 15f64.sqrt() / 3.0);
+    let a3 = (after + before - middle * 2.0) * (h * 10.0 / 3.0);
+    let c1 = twist(&a1, &a2);
+    let c2 = twist(&a1, &(&a3 * 2.0 + &c1)) * (-1.0 / 60.0);
+    let outer = twist(&(&a1 * -20.0 - &a3 + c1), &(a2 + c2));
+    a1 + a3 * (1.0 / 12.0) + outer * (1.0 / 240.0)
+}
+
+/// phi becomes exp(a) phi, by its power series: `a` is of size one, the angle of the fastest vibration in a step.
+fn multiply_by_exponential(a: &DMatrix<f64>, phi: &mut DMatrix<f64>) {
+    let mut term = phi.clone();
+    for k in 1..=MOST_TERMS {
+        term = a * term * (1.0 / f64::from(k));
+        *phi += &term;
+        if term.amax() <= 0.1 * f64::EPSILON * phi.amax() {
+            break;
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The propagator of Hill's equation x'' = -(2 + cos 3t) x over one unit of time, in `n` steps.
+    fn hill(n: u32) -> DMatrix<f64> {
+        let h = 1.0 / f64::from(n);
+        let generator = |t: f64| DMatrix::from_row_slice(2, 2, &[0.0, 1.0, -2.0 - (3.0 * t).cos(), 0.0]);
+        let mut phi = DMatrix::identity(2, 2);
+        for step in 0..n {
+            advance(&instants(f64::from(step) * h, h).map(generator), h, &mut phi);
+        }
+        phi
+    }
+
+    #[test]
+    fn magnus_is_of_the_sixth_order() {
+        let exact = hill(256);
+        let error = |n| (hill(n) - &exact).amax();
+        let orders = [2, 4].map(|n| (error(n) / error(2 * n)).log2());
+        assert!(orders.iter().all(|order| (order - 6.0).abs() < 0.3), "{orders:?}");
+        assert!((exact.determinant() - 1.0).abs() < 1e-13);
+    }
+}

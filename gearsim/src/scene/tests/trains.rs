@@ -1,0 +1,188 @@
+//! Laws of trains that contradict their meshes, and planets that cannot be assembled.
+
+use crate::generated::MODELS;
+use crate::scene::Scene;
+
+fn parse(text: &str, set: &[&str]) -> Result<Scene, String> {
+    let models: Vec<_> = MODELS.iter().map(|entry| entry.model).collect();
+    let set: Vec<_> = set.iter().map(ToString::to_string).collect();
+    Scene::parse("train", "train.toml", text, &set, &models).map_err(|mistakes| mistakes.render(240, false))
+}
+
+/// What a refused scene is told, on one line.
+fn refused(text: &str, set: &[&str]) -> String {
+    let shown = parse(text, set).expect_err(text);
+    shown.split_whitespace().collect::<Vec<_>>().join(" ")
+}
+
+const END: &str = "[parameters]\nbeta_K = \"2 us\"\n[start]\nspeed = \"1500 rpm\"\n[run]\nt_end = \"10 ms\"\n";
+
+/// A mesh of two rotors, its numbers of teeth, other keys, and the keys of its law.
+fn pair(mesh: &str, [a, b]: [&str; 2], teeth: [u32; 2], keys: &str, law: &str) -> String {
+    format!(
+        "model = \"train\"\neffects = [\"stiffness_step\", \"damping\"]\n[rotors]\n{a} = \"3e-3 kg*m^2\"\n{b} = \"2e-2 kg*m^2\"\n\
+         [meshes.{mesh}]\nbetween = [\"{a}\", \"{b}\"]\nteeth = {teeth:?}\n{keys}\nstiffness = {{ {law} }}\n{END}"
+    )
+}
+
+const MODULE: &str = "module = \"3 mm\"";
+const LAW: &str = "teeth = [24, 96], module = \"3 mm\", face_width = \"25 mm\"";
+
+/// The law of a mesh is compared with the table of the mesh, whatever mesh and rotors are called.
+#[test]
+fn a_law_has_the_gears_of_its_mesh() {
+    for (mesh, rotors) in [("12", ["1", "2"]), ("g", ["pinion", "wheel"]), ("910", ["9", "10"]), ("21", ["1", "2"])] {
+        let with = |keys: &str, law: &str| pair(mesh, rotors, [24, 96], keys, law);
+        parse(&with(MODULE, LAW), &[]).unwrap();
+        for (law, said) in [
+            (LAW.replace("96", "90"), "has 90 teeth for a gear with N"),
+            (LAW.replace("3 mm", "4 mm"), "the base radius of the teeth of `laws.k"),
+            (format!("{LAW}, helix_angle = \"20 deg\""), "the base radius of the teeth of `laws.k"),
+        ] {
+            let shown = refused(&with(MODULE, &law), &[]);
+            assert!(shown.contains(said), "{mesh} {law}: {shown}");
+        }
+        let helical = format!("{MODULE}\nhelix_angle = \"20 deg\"");
+        assert!(refused(&with(&helical, LAW), &[]).contains("the base radius of the teeth"), "{mesh}");
+        parse(&with(&helical, &format!("{LAW}, helix_angle = \"20 deg\"")), &[]).unwrap();
+        // The base radius alone does not tell the helix.
+        let of_spur = "base_radius = \"33.829 mm\"\nhelix_angle = \"20 deg\"";
+        assert!(refused(&with(of_spur, LAW), &[]).contains("base helix angle of 0.00 deg"), "{mesh}");
+    }
+    // The gears are those of the table, not those of the digits in its name.
+    let turned =
+        pair("12", ["2", "1"], [96, 24], MODULE, "teeth = [96, 24], module = \"3 mm\", face_width = \"25 mm\"");
+    parse(&turned, &[]).unwrap();
+}
+
+#[test]
+fn a_law_is_of_a_ring_where_its_mesh_is() {
+    let internal = format!("{MODULE}\ninternal = true");
+    let rings = |scene: &Scene| scene.gears.iter().flatten().map(|gears| gears.internal).collect::<Vec<_>>();
+    let law = format!("{LAW}, addendum = [1, 0.8]");
+    let scene = parse(&pair("g", ["a", "b"], [24, 96], &internal, &law), &[]).unwrap();
+    assert_eq!(rings(&scene), [true]);
+    for (keys, law, said) in [
+        (
+            MODULE,
+            format!("{law}, internal = true"),
+            "has internal = true, but the mesh of [meshes.g], `k_g`, is external",
+        ),
+        (&internal, format!("{law}, internal = false"), "is of a ring gear"),
+    ] {
+        let shown = refused(&pair("g", ["a", "b"], [24, 96], keys, &law), &[]);
+        assert!(shown.contains(said), "{shown}");
+    }
+    let small = pair("g", ["a", "b"], [96, 24], &internal, "steps = [{ value = \"200 MN/m\" }]");
+    assert!(refused(&small, &[]).contains("[meshes.g] has a ring of 24 teeth around a gear of 96"));
+    let sun = "{ teeth = [27, 36], module = \"2 mm\", face_width = \"25 mm\"";
+    let ring = "{ teeth = [36, 99], module = \"2 mm\", face_width = \"25 mm\", addendum = [1, 0.8]";
+    let set = |sun: &str, ring: &str| planets("count = 3", &format!("{sun} }}"), &format!("{ring} }}"));
+    assert_eq!(rings(&parse(&set(sun, ring), &[]).unwrap()), [false, true, false, true, false, true]);
+    assert!(refused(&set(&format!("{sun}, internal = true"), ring), &[]).contains("is external"));
+    assert!(refused(&set(sun, &format!("{ring}, internal = false")), &[]).contains("is of a ring gear"));
+}
+
+/// A planet set with 27 and 99 teeth, with its places and its laws.
+fn planets(places: &str, sun: &str, ring: &str) -> String {
+    format!(
+        "model = \"train\"\neffects = [\"stiffness_step\", \"damping\"]\n[rotors]\ns = \"2e-3 kg*m^2\"\nc = \"5e-2 kg*m^2\"\n\
+         [planets.p]\nsun = \"s\"\nring = \"ground\"\ncarrier = \"c\"\nteeth = [27, 99]\nmodule = \"2 mm\"\n{places}\n\
+         mass = \"0.7 kg\"\ninertia = \"1.6e-3 kg*m^2\"\nsun_stiffness = {sun}\nring_stiffness = {ring}\n{END}"
+    )
+}
+
+/// 27 + 99 teeth: planets fit at multiples of 360/126 deg.
+#[test]
+fn planets_that_cannot_be_assembled_are_refused_where_phases_follow_from_their_places() {
+    let steps = "{ steps = [{ value = \"300 MN/m\", width = \"2 rad\" }, { value = \"500 MN/m\" }] }";
+    let constant = "\"400 MN/m\"";
+    let uneven = "at = [\"0 deg\", \"118 deg\", \"240 deg\"]";
+    for (places, said) in [
+        ("count = 4", "planet 2 of [planets.p] at 90.0000 deg does not fit between 27 and 99 teeth"),
+        (uneven, "the nearest are 117.1429 and 120.0000 deg"),
+        ("at = [\"10 deg\", \"130 deg\", \"250 deg\"]", "counted from a planet at 0 deg"),
+    ] {
+        let shown = refused(&planets(places, steps, constant), &[]);
+        assert!(shown.contains(said), "{places}: {shown}");
+    }
+    for places in ["count = 3", "at = [\"0 deg\", \"117.14 deg\", \"240 deg\"]"] {
+        assert_eq!(parse(&planets(places, steps, steps), &[]).unwrap().warnings, [""; 0], "{places}");
+    }
+    // With constant stiffnesses no phase follows.
+    let warnings = parse(&planets("count = 4", constant, constant), &[]).unwrap().warnings;
+    assert!(warnings.len() == 1 && warnings[0].contains("does not fit"), "{warnings:?}");
+    let turned = planets("at = [\"10 deg\", \"130 deg\", \"250 deg\"]", constant, constant);
+    assert_eq!(parse(&turned, &[]).unwrap().warnings, [""; 0]);
+}
+
+/// What follows from a value of a table does not follow from the parameter that has it: the base radius from the module and the teeth, the
+/// phases of planets from their teeth.
+#[test]
+fn parameters_from_which_others_follow_are_set_in_their_tables() {
+    let constant = "steps = [{ value = \"200 MN/m\" }]";
+    let helical = format!("{MODULE}\nhelix_angle = \"20 deg\"\npressure_angle = \"20 deg\"");
+    let scene = pair("12", ["1", "2"], [24, 96], &helical, constant);
+    for (set, key) in [
+        ("parameters.N1=30", "set `meshes.12.teeth.0` instead"),
+        ("parameters.alpha12=25 deg", "set `meshes.12.pressure_angle` instead"),
+        ("parameters.tanb12=0.2", "set `meshes.12.helix_angle` instead"),
+    ] {
+        let shown = refused(&scene, &[set]);
+        assert!(shown.contains(key), "{set}: {shown}");
+    }
+    let set = planets("count = 3", "\"400 MN/m\"", "\"500 MN/m\"");
+    for (parameter, key) in [
+        ("parameters.Zs_p=30", "planets.p.teeth.0"),
+        ("parameters.Zr_p=102", "planets.p.teeth.1"),
+        ("parameters.Zp_p=35", "planets.p.planet_teeth"),
+        ("parameters.np_p=4", "planets.p.count"),
+    ] {
+        let shown = refused(&set, &[parameter]);
+        assert!(shown.contains(&format!("set `{key}` instead")), "{parameter}: {shown}");
+    }
+    // By its own key the base radius follows: module x teeth/2 x cos(20 deg).
+    let scene = parse(&pair("12", ["1", "2"], [24, 96], MODULE, constant), &["meshes.12.teeth.0=30"]).unwrap();
+    let radius = 3e-3 * 30.0 / 2.0 * 20f64.to_radians().cos();
+    assert!((scene.parameter("r1").unwrap() / radius - 1.0).abs() < 1e-12);
+    // Nothing follows from the teeth of a mesh with a base radius, nor from those of the second gear.
+    let scene = pair("12", ["1", "2"], [24, 96], "base_radius = \"33.83 mm\"", constant);
+    let scene = parse(&scene, &["parameters.N1=30", "parameters.N2=90", "parameters.r1=40 mm"]).unwrap();
+    assert_eq!(["N1", "N2", "r1"].map(|name| scene.parameter(name).unwrap()), [30.0, 90.0, 0.04]);
+}
+
+/// A key of a table that is set replaces a value of the text in `[parameters]`.
+#[test]
+fn a_table_that_is_set_replaces_the_text() {
+    let scene = pair("12", ["1", "2"], [24, 96], "base_radius = \"30 mm\"", "steps = [{ value = \"200 MN/m\" }]");
+    let scene = scene.replace("teeth = [24, 96]\n", "").replace("beta_K", "N1 = 24\nN2 = 96\nbeta_K");
+    assert_eq!(parse(&scene, &[]).unwrap().parameter("N1"), Some(24.0));
+    assert_eq!(parse(&scene, &["meshes.12.teeth=[30, 96]"]).unwrap().parameter("N1"), Some(30.0));
+}
+
+/// A damaged tooth belongs to a gear of its mesh. Shares of three pairs and of two, from entry to exit: with a contact ratio of 2.3 the pair
+/// is one of three for 0.3 pitches, one of two for 0.7, and so on.
+#[test]
+fn a_damaged_tooth_loses_the_share_of_its_pair() {
+    let high = "addendum = 1.4, dedendum = 1.7, fillet = 0.2";
+    let law = |damage: &str| pair("g", ["a", "b"], [24, 96], MODULE, &format!("{LAW}, {high}{damage}"));
+    let levels = |damage: &str| -> Vec<f64> {
+        parse(&law(damage), &[]).unwrap().laws[0].steps.iter().map(|step| step.value / 1e6).collect()
+    };
+    let healthy = levels("");
+    let [two, three] = healthy[..] else { panic!("{healthy:?}") };
+    let damaged = levels(", damage = [{ tooth = 1, of = 24, loss = 1 }]");
+    let want = [two, three * 2.0 / 3.0, two / 2.0, three * 2.0 / 3.0, two / 2.0, three * 2.0 / 3.0, two, three];
+    for (k, want) in damaged.iter().zip(want) {
+        assert!((k / want - 1.0).abs() < 1e-12, "{damaged:?}");
+    }
+    println!("{:?}", &damaged[..8]);
+    let shown = refused(&law(", damage = [{ tooth = 1, of = 30, loss = 1 }]"), &[]);
+    assert!(shown.contains("is 30, but the gears of this mesh have 24 and 96 teeth"), "{shown}");
+    let steps = "steps = [{ value = \"2 MN/m\", width = \"2 rad\" }, { value = \"3 MN/m\" }]";
+    let shown = refused(
+        &pair("g", ["a", "b"], [24, 96], MODULE, &format!("{steps}, damage = [{{ tooth = 1, of = 25, loss = 0.3 }}]")),
+        &[],
+    );
+    assert!(shown.contains("have 24 and 96 teeth"), "{shown}");
+}
