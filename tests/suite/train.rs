@@ -26,5 +26,7 @@ mod effects;
 #[path = "train/damage.rs"]
 mod damage;
 
+#[path = "train/sets.rs"]
+mod sets;
 #[path = "train/starts.rs"]
 mod starts;

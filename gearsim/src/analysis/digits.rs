@@ -46,7 +46,8 @@ pub fn companion(scene: &Scene, run: &Outcome, ends: bool) -> Scene {
         let (Some(q), Some(v)) = (trajectory.q[i].first(), trajectory.q_dot[i].first()) else { return other };
         // A phase may start on a boundary between cells. It is not moved, so that it stays on its side.
         let is_phase = scene.model.laws.iter().any(|law| law.phase == coordinate.name);
-        let moved = if is_phase { 0.0 } else { sizes.0[i] * (by(i) - 1.0) };
+        // A coordinate that stays at zero has no size to be a part of.
+        let moved = Some(sizes.0[i] * (by(i) - 1.0)).filter(|moved| !is_phase && moved.is_normal()).unwrap_or(0.0);
         if !is_phase || scene.start.q[i].is_static() {
             other.start.q[i] = Start::At(q + moved);
         }

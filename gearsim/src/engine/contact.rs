@@ -110,8 +110,17 @@ impl Contact {
             let watches = holds.watches(now);
             let State { q, q_dot, .. } = &now.state;
             let force = now.force() + &holds.centripetal(now);
-            let pulls = |watch: &&Watch| watch.form.value(q, q_dot, || force.clone()) <= 0.0;
-            match watches.iter().filter(|watch| !matches!(watch.end, End::Hold(_, Ending::Slip))).find(pulls) {
+            // At the bound of its reaction a deflection stays held: nothing has begun to move it. With no load at all, reaction and bound are
+            // both zero, and a switch that left its hold here would enter it again at once.
+            let pulls = |watch: &&Watch| {
+                let left = watch.form.value(q, q_dot, || force.clone());
+                match watch.end {
+                    End::Hold(_, Ending::Slip) => false,
+                    End::Loose(..) => left < 0.0,
+                    _ => left <= 0.0,
+                }
+            };
+            match watches.iter().find(pulls) {
                 Some(Watch { end: End::Loose(switch, mode), .. }) => {
                     let (switch, mode) = (*switch, *mode);
                     now.set_mode(switch, mode);

@@ -8,7 +8,8 @@
 //!
 //! The shares are equal, or proportional to the stiffnesses of the pairs. Helical gears touch along lines across the face: a pair and a
 //! slice of the face together have a share, as [`super::mesh_stiffness`] has slices, equal per length of contact line or proportional to the
-//! stiffness; both laws become continuous. The flanks of gears on parallel axes slide in the transverse plane. The force normal to a
+//! stiffness; both laws become continuous. Within a ring the rolling speed is the difference of the speeds of the gears, and the laws are the
+//! same sums over its path of contact. The flanks of gears on parallel axes slide in the transverse plane. The force normal to a
 //! helical flank is the force in that plane over cos(beta_b), by which both laws are divided.
 //!
 //! The cells of these laws of spur gears are bit-identical to those of the stiffness, with one more boundary where a pair passes the pitch
@@ -34,7 +35,7 @@ pub enum FrictionLaw {
 /// for [`StiffnessMethod::Iso6336`], proportional to the stiffnesses of the pairs for [`StiffnessMethod::Energy`].
 ///
 /// # Errors
-/// If the gears do not mesh, the second one is a ring, or they are outside the range of the method.
+/// If the gears do not mesh, or are outside the range of the method: that of energy needs external teeth.
 pub fn friction(
     gears: &Gears,
     method: StiffnessMethod,
@@ -42,10 +43,6 @@ pub fn friction(
     period: f64,
     scale: f64,
 ) -> Result<Profile, GearError> {
-    if gears.internal {
-        let what = "friction laws need external teeth, and the second gear is a ring";
-        return Err(GearError::new(what, "give steps, a series or a table"));
-    }
     let pairs = Pairs {
         contact: gears.contact()?,
         teeth: match method {
@@ -271,11 +268,27 @@ mod tests {
         }
     }
 
+    /// The mean arm of spur gears, also with a ring, against the loss factor of a mesh whose pairs have equal shares, with 1 < eps < 2:
+    /// H_V = pi (1/z_1 +- 1/z_2) (1 - eps + eps_f^2 + eps_a^2), with - for a ring (H. Ohlendorf, thesis, TH Munich, 1958; G. Niemann, H. Winter,
+    /// Maschinenelemente II). It is the mean arm over the base radius, times the rolling speed over that of the first gear.
     #[test]
-    fn a_ring_is_refused() {
-        let ring = Gears { internal: true, ..gears() };
-        assert!(
-            friction(&ring, StiffnessMethod::Energy, FrictionLaw::Arm, TAU, 1.0).unwrap_err().what.contains("a ring")
-        );
+    fn the_mean_arm_gives_the_loss_factor_of_a_mesh() {
+        let ring = Gears {
+            internal: true,
+            addendum: [1.0, 0.8],
+            ..Gears::standard([36.0, 99.0], 3e-3, 20f64.to_radians(), 25e-3)
+        };
+        for (gears, sign) in [(gears(), 1.0), (ring, -1.0)] {
+            let ([z1, z2], contact) = (gears.teeth, gears.contact().unwrap());
+            let arm = friction(&gears, StiffnessMethod::Iso6336(None), FrictionLaw::Arm, TAU, 1.0).unwrap();
+            // The arm steps where a pair enters contact, so that the mean over n points has an error of the order 1/n.
+            let n = 20_000;
+            let mean = (0..n).map(|i| at(&arm, TAU * (f64::from(i) + 0.5) / f64::from(n))).sum::<f64>() / f64::from(n);
+            let [eps, before, after] =
+                [contact.ratio(), contact.approach / contact.base_pitch, contact.recess / contact.base_pitch];
+            let factor = std::f64::consts::PI * (1.0 / z1 + sign / z2) * (1.0 - eps + before * before + after * after);
+            let computed = mean / contact.base[0] * (1.0 + sign * z1 / z2);
+            assert!((1.0..2.0).contains(&eps) && (computed / factor - 1.0).abs() < 1e-4, "{computed} {factor}");
+        }
     }
 }

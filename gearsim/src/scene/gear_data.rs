@@ -9,7 +9,7 @@ use super::meshes::{self, Mesh};
 use super::mistake::Report;
 use super::teeth::TeethReader;
 use super::train::Meshes;
-use super::{Scene, damage, field, keys};
+use super::{Scene, damage, field, friction, keys};
 use crate::gear::Gears;
 use crate::model::{GearData, Model, Parameter};
 use crate::tolerance::scene::{
@@ -37,6 +37,9 @@ pub(super) fn check(scene: &Scene, entries: &[Entry], train: Option<&Meshes>, re
             let gears = reader.given().then(|| reader.gears(&mut Report::new())).flatten();
             if let (Some(gears), Some(mesh)) = (&gears, &mesh) {
                 checker.teeth_of_law(&reader, gears, mesh, report);
+            }
+            if law.role.is_friction() && mesh.as_ref().is_some_and(|mesh| mesh.internal.is_none()) {
+                checker.friction_in_a_ring(law.name, of_law, gears.as_ref(), report);
             }
             let of_mesh = || mesh.and_then(|mesh| mesh.teeth());
             if let Some(teeth) = gears.map(|gears| gears.teeth).or_else(of_mesh) {
@@ -163,6 +166,25 @@ impl Checker<'_> {
             return report.add(reader.at(), what, "another helix", "give both the same helix_angle");
         }
         self.working_angle(reader, gears, mesh, report);
+    }
+
+    /// Refuses friction from the teeth of a ring in a model that does not say which of its gears is a ring: flanks roll on each other with the
+    /// sum of the speeds of external gears, and with the difference within a ring.
+    fn friction_in_a_ring(&self, name: &str, of_law: &[Entry], gears: Option<&Gears>, report: &mut Report) {
+        let text = |node: &Node| if let Value::Text(text) = &node.value { Some(text.clone()) } else { None };
+        let lender = keys::get(of_law, friction::OF).and_then(|node| Some((node, table(self.laws, &text(node)?))));
+        let is_ring = |law: &[Entry]| matches!(keys::get(law, "internal"), Some(Node { value: Value::Flag(true), .. }));
+        let place = match (gears, lender) {
+            (Some(gears), _) if gears.internal => keys::get(of_law, "teeth").map(|node| &node.place),
+            (None, Some((node, law))) if is_ring(law) => Some(&node.place),
+            _ => None,
+        };
+        if let Some(place) = place {
+            let what =
+                format!("the second gear of the teeth of `laws.{name}` is a ring, and no gear of this model is one");
+            let help = "use a train with `internal = true` in [meshes.NAME], or a model with planets; or give steps";
+            report.add(place, what, "a ring", help);
+        }
     }
 
     fn working_angle(&self, reader: &TeethReader<'_>, gears: &Gears, mesh: &Mesh, report: &mut Report) {

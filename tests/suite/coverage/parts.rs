@@ -28,8 +28,10 @@ between = ["1", "2"]
 teeth = [20, 60]
 module = "3 mm"
 "#;
-/// Its stiffness, where the keys that follow do not have one.
-const TEETH: &str = "stiffness = { teeth = [20, 60], module = \"3 mm\", face_width = \"20 mm\" }\n";
+/// What `TEETH` stands for in the keys that follow. Without a stiffness there, it is that of these teeth.
+const TEETH: &str = "teeth = [20, 60], module = \"3 mm\", face_width = \"20 mm\"";
+/// What `DAMAGE` stands for.
+const DAMAGE: &str = "damage = [{ tooth = 5, of = 20, loss = 0.3 }]";
 
 /// A planet set between a sun that is driven and a carrier that is loaded. The keys that follow are of the set.
 const PLANETS: &str = r#"
@@ -78,6 +80,40 @@ const BESIDE_A_PAIR: &[Part] = &[
         "|[rotors.m]\ninertia = \"0.05 kg*m^2\"\n[shafts.m]\nbetween = [\"m\", \"1\"]\nstiffness = \"20 kN*m/rad\"\n\
          damping = \"2 N*m*s/rad\"",
     ),
+    ("meshes.stiffness: energy", &[STEPS, "torques"], "stiffness = { method = \"energy\", TEETH }|"),
+    (
+        "meshes.stiffness: curves",
+        &[STEPS, "torques"],
+        "stiffness = { method = \"energy\", course = \"curves\", TEETH }|",
+    ),
+    ("meshes.stiffness: damage", &[STEPS, "torques"], "stiffness = { DAMAGE, TEETH }|"),
+    (
+        "meshes.stiffness: damage of curves",
+        &[STEPS, "torques"],
+        "stiffness = { method = \"energy\", course = \"curves\", DAMAGE, TEETH }|",
+    ),
+    ("meshes.stiffness: ramp", &[STEPS, "torques"], "stiffness = { ramp = \"0.2 rad\", TEETH }|"),
+    (
+        "meshes.stiffness: harmonics",
+        &[STEPS, "torques"],
+        "stiffness = { mean = \"300 MN/m\", harmonics = [{ order = 1, amplitude = \"40 MN/m\" }] }|",
+    ),
+    (
+        "meshes.stiffness: table",
+        &[STEPS, "torques"],
+        "stiffness = { table = [{ at = 0, value = \"300 MN/m\" }, { at = \"2 rad\", value = \"320 MN/m\" }, \
+         { at = \"4 rad\", value = \"280 MN/m\" }] }|",
+    ),
+    (
+        "meshes.stiffness: helical",
+        &[STEPS, "torques"],
+        "helix_angle = \"15 deg\"\nstiffness = { helix_angle = \"15 deg\", TEETH }|",
+    ),
+    (
+        "meshes.stiffness: helical, damage",
+        &[STEPS, "torques"],
+        "helix_angle = \"15 deg\"\nstiffness = { helix_angle = \"15 deg\", DAMAGE, TEETH }|",
+    ),
     ("meshes: rigid_kinematics", &[STEPS, "torques", "rigid_kinematics"], "|"),
     ("meshes: frozen_phase", &[STEPS, "torques", "frozen_phase"], "|"),
     ("meshes.error", &[STEPS, "torques", "transmission_error"], "error = { pitch_errors = [\"4 um\", \"-4 um\"] }|"),
@@ -107,6 +143,11 @@ const BESIDE_A_PAIR: &[Part] = &[
         "|[bearings.b]\nrotor = \"1\"\nviscous = \"0.02 N*m*s/rad\"",
     ),
     ("bearings.friction", &[STEPS, "torques", "dry_friction"], "|[bearings.b]\nrotor = \"1\"\nfriction = \"0.5 N*m\""),
+    (
+        "bearings.between",
+        &[STEPS, "torques", "dry_friction"],
+        "|[rotors.m]\ninertia = \"0.05 kg*m^2\"\n[bearings.b]\nbetween = [\"m\", \"1\"]\nfriction = \"20 N*m\"",
+    ),
     (
         "clutches",
         &[STEPS, "torques", "overrunning_clutch"],
@@ -142,23 +183,18 @@ const BESIDE_A_PAIR: &[Part] = &[
     ),
 ];
 
-/// Friction of planets. Its laws at a ring do not follow from the teeth.
-const FRICTION: &str = r#"friction = 0.06
-[laws]
-side_p_r1 = { steps = [{ value = -1, width = "3 rad" }, { value = 1 }] }
-side_p_r2 = { steps = [{ value = -1, width = "3 rad" }, { value = 1 }] }
-side_p_r3 = { steps = [{ value = -1, width = "3 rad" }, { value = 1 }] }
-arm_p_r1 = { steps = [{ value = "4 mm", width = "3 rad" }, { value = "5 mm" }] }
-arm_p_r2 = { steps = [{ value = "4 mm", width = "3 rad" }, { value = "5 mm" }] }
-arm_p_r3 = { steps = [{ value = "4 mm", width = "3 rad" }, { value = "5 mm" }] }
-"#;
-
 /// Parts of a planetary stage; the keys are of its planet set.
 const BESIDE_PLANETS: &[Part] = &[
     ("planets, supports", &[STEPS, "torques"], ""),
     ("planets: damping", &[STEPS, "torques", "damping"], "[parameters]\nbeta_K = \"2 us\""),
+    (
+        "planets.sun_error, planets.ring_error",
+        &[STEPS, "torques", "transmission_error"],
+        "sun_error = { pitch_errors = [\"4 um\", \"-4 um\"] }\nring_error = \"2 um\"",
+    ),
+    ("planets.damping", &[STEPS, "torques", "viscous_friction"], "damping = \"300 N*s/m\""),
     ("planets.backlash", &[STEPS, "torques", "backlash"], "backlash = \"50 um\""),
-    ("planets.friction", &[STEPS, "torques", "sliding_friction"], FRICTION),
+    ("planets.friction", &[STEPS, "torques", "sliding_friction"], "friction = 0.06"),
     (
         "supports.damping",
         &[STEPS, "torques", "viscous_friction"],
@@ -174,11 +210,18 @@ pub fn scenes(t_end: f64) -> Vec<(&'static str, Scene)> {
     };
     let pairs = BESIDE_A_PAIR.iter().map(|(name, effects, tables)| {
         let (of_mesh, others) = tables.split_once('|').expect("two parts");
-        let stiffness = if of_mesh.contains("stiffness") { "" } else { TEETH };
-        // A clutch leaves two rigid motions.
+        let of_mesh = match of_mesh.contains("stiffness") {
+            true => of_mesh.replace("TEETH", TEETH).replace("DAMAGE", DAMAGE),
+            false => format!("stiffness = {{ {TEETH} }}\n{of_mesh}"),
+        };
+        // A clutch and friction leave two rigid motions.
         let speeds = "speed1 = \"900 rpm\"\nspeed_m = \"900 rpm\"";
-        let pair = if *name == "clutches" { PAIR.replace("speed = \"900 rpm\"", speeds) } else { PAIR.into() };
-        (*name, scene(name, effects, &format!("{pair}{MESH}{stiffness}{of_mesh}\n{others}")))
+        let pair = if ["clutches", "bearings.between"].contains(name) {
+            PAIR.replace("speed = \"900 rpm\"", speeds)
+        } else {
+            PAIR.into()
+        };
+        (*name, scene(name, effects, &format!("{pair}{MESH}{of_mesh}\n{others}")))
     });
     let planets = BESIDE_PLANETS
         .iter()

@@ -43,9 +43,16 @@ const DAMPER: Key = key("damping", DAMPING, "none", "torsional damping c, or c/r
 const STIFFNESS: Kind = Kind::Either(&[Kind::Quantity("N*m/rad"), Kind::Quantity("N/m")]);
 pub(super) const DAMPING: Kind = Kind::Either(&[Kind::Quantity("N*m*s/rad"), Kind::Quantity("N*s/m")]);
 
-pub(super) const BEARINGS: &[Named] = &[each("NAME", Kind::Table(&[BEARING]), "none", "a bearing or a brake")];
+pub(super) const BEARINGS: &[Named] =
+    &[each("NAME", Kind::Table(&[BEARING]), "none", "a bearing, a brake or a friction clutch")];
 const BEARING: &[Key] = &[
-    key("rotor", ROTOR, REQUIRED, "the rotor that it carries"),
+    key("rotor", ROTOR, "required without between", "the rotor that it carries"),
+    key(
+        "between",
+        TWO_ROTORS,
+        "none",
+        "instead of rotor: the rotors between which it is, for example of a friction clutch",
+    ),
     key("viscous", DAMPING, "none", "viscous friction c, or c/r^2, with the effect viscous_friction"),
     RADIUS,
     key("friction", TORQUE, "none", "friction torque while it slides, with the effect dry_friction"),
@@ -114,8 +121,8 @@ impl Reader<'_> {
 
     pub(super) fn bearing(&mut self, item: &Item<'_>) {
         self.known(item, BEARING);
-        let Some(rotor) = self.rotor_of(item) else { return };
-        let row = vec![Term::new(rotor, 1.0, &[])];
+        let Some(ends) = self.carried(item) else { return };
+        let row = difference(ends);
         let [viscous, friction] = ["viscous", "friction"].map(|key| item.get(key));
         if viscous.is_none() && friction.is_none() {
             let help = "add viscous = \"... N*m*s/rad\", or friction = \"... N*m\", or both";
@@ -130,6 +137,20 @@ impl Reader<'_> {
             self.value(named("rise", item.name), item.get("breakaway"));
             self.part(item, "element_dry_friction", String::new(), vec![row]);
         }
+    }
+
+    /// The rotor of a bearing, against the ground; or the rotors between which it is.
+    fn carried(&mut self, item: &Item<'_>) -> Option<[Option<usize>; 2]> {
+        let Some(node) = item.get("between") else { return Some([Some(self.rotor_of(item)?), None]) };
+        if item.get("rotor").is_some() {
+            let message = format!("{} has `rotor` and `between`", item.title());
+            let help = "`rotor` is for friction against the ground, `between` for friction of two rotors: leave out one of them";
+            self.report.add(&node.place, message, "twice", help);
+            return None;
+        }
+        let ends = self.between(item, false)?;
+        self.join(item, ends, false);
+        Some(ends)
     }
 
     pub(super) fn clutch(&mut self, item: &Item<'_>) {

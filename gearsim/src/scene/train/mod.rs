@@ -74,7 +74,12 @@ pub(super) const KEYS: &[Key] = &[
     key("meshes", Kind::Named(gears::MESHES), "none", "pairs of gears"),
     key("planets", Kind::Named(planets::SETS), "none", "planet sets: sun, ring, carrier and planets"),
     key("thrust_bearings", Kind::Named(axial::THRUST_BEARINGS), "none", "axial motion of rotors with helical gears"),
-    key("bearings", Kind::Named(bodies::BEARINGS), "none", "friction between a rotor and the ground"),
+    key(
+        "bearings",
+        Kind::Named(bodies::BEARINGS),
+        "none",
+        "friction between a rotor and the ground, or between two rotors",
+    ),
     key("clutches", Kind::Named(bodies::CLUTCHES), "none", "overrunning clutches"),
     key("drives", Kind::Named(torques::DRIVES), "none", "driving torques"),
     key("loads", Kind::Named(torques::LOADS), "none", "loads"),

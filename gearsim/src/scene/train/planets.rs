@@ -29,7 +29,20 @@ const SET: &[Key] = &[
     key("inertia", bodies::INERTIA, ELSEWHERE, "moment of inertia I of a planet, or I/r^2 with its base radius r"),
     key("sun_stiffness", LAW, "in [laws]", "stiffness of the meshes with the sun; phases follow from teeth and places"),
     key("ring_stiffness", LAW, "in [laws]", "stiffness of the meshes with the ring; likewise"),
+    key(
+        "sun_error",
+        LAW,
+        "in [laws]",
+        "transmission error of the meshes with the sun, with its effect; phases as those of stiffnesses",
+    ),
+    key("ring_error", LAW, "in [laws]", "that of the meshes with the ring; likewise"),
     key("backlash", Kind::Quantity("m"), ELSEWHERE, "play of all meshes, with the effect backlash"),
+    key(
+        "damping",
+        Kind::Quantity("N*s/m"),
+        "none",
+        "viscous damping of each mesh along the line of action, with the effect viscous_friction",
+    ),
     key(
         "friction",
         Kind::Either(&[Kind::Number, HISTORY]),
@@ -82,15 +95,18 @@ impl Reader<'_> {
             let gear = |rotor, teeth: &String, sense| Gear { rotor, carrier, teeth: teeth.clone(), sense };
             let of_planet = gear(Some(planet), z_p, -1.0);
             let pairs = [
-                ("s", "sun_stiffness", [gear(Some(sun), z_s, 1.0), of_planet.clone()]),
-                ("r", "ring_stiffness", [of_planet, gear(ring, z_r, -1.0)]),
+                ("s", ["sun_stiffness", "sun_error"], [gear(Some(sun), z_s, 1.0), of_planet.clone()]),
+                ("r", ["ring_stiffness", "ring_error"], [of_planet, gear(ring, z_r, -1.0)]),
             ];
-            for (with, key, gears) in pairs {
+            for (with, keys, gears) in pairs {
                 let name = format!("{set}_{with}{}", i + 1);
-                let law = item.get(key).map(|node| shifted(node, with, place, &self.draft.values, &names));
-                self.friction(item, &name, law.as_ref());
-                self.draft.laws.extend(law.map(|law| (named("k", &name), law)));
+                let law = |key| item.get(key).map(|node| shifted(node, with, place, &self.draft.values, &names));
+                let [stiffness, error] = keys.map(law);
+                self.friction(item, &name, stiffness.as_ref());
+                let laws = [("k", stiffness), ("e", error)].map(|(of, law)| Some((named(of, &name), law?)));
+                self.draft.laws.extend(laws.into_iter().flatten());
                 self.value(named("b", &name), item.get("backlash"));
+                self.value(named("c", &name), item.get("damping"));
                 let doc = format!("base radius of the sun of {set}");
                 let radius = Geometry { name: r_s.clone(), unit: "m", gear_data: Some(GearData::BaseRadius), doc };
                 self.geared(name, item, gears, radius, with == "r");
