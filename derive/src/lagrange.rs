@@ -7,7 +7,7 @@
 use symbolica::atom::{Atom, AtomCore, Symbol};
 
 use crate::expr::{Expr, Kind, acceleration_name, number, symbol, total};
-use crate::model::{JUMP_TERMS, Model, Torque, mobility_name};
+use crate::model::{JUMP_TERMS, Model, Torque, mobility_name, why_not};
 use crate::slip::Slip;
 use crate::symbols::{Sparse, Symbols};
 use crate::trigonometry::simplified;
@@ -138,7 +138,8 @@ pub(crate) fn derive(model: &Model, s: &Symbols) -> Result<Motion, Slip> {
     for (row, coordinate) in mass.iter().zip(&model.coordinates) {
         if row.iter().all(|m| m.is_zero()) {
             let coordinate = coordinate.name.clone();
-            return Err(Slip::Massless { model: model.name.clone(), coordinate });
+            let why = why_not(model, &coordinate);
+            return Err(Slip::Massless { model: model.name.clone(), coordinate, why });
         }
     }
     let external = external(model, s, |_| true);

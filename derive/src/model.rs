@@ -5,6 +5,7 @@ mod effect;
 mod energies;
 mod function;
 mod law;
+mod massless;
 mod output;
 mod parts;
 mod switch;
@@ -18,6 +19,7 @@ pub(crate) use effect::Effect;
 pub(crate) use function::{Derivative, Function};
 pub use law::{Factor, Stiffness};
 pub(crate) use law::{Law, Role, mid_name};
+pub(crate) use massless::why_not;
 pub(crate) use output::Output;
 pub(crate) use parts::{Coordinate, Deflection, Motion, Parameter};
 pub use parts::{GearData, Range, Start};
@@ -61,6 +63,7 @@ impl Model {
         let mut model = Model { name: name.into(), ..Model::default() };
         Expr::forget_rates();
         describe(&mut model);
+        massless::eliminate(&mut model);
         switch::complete(&mut model);
         output::complete(&mut model);
         model
@@ -76,7 +79,8 @@ impl Model {
         self.source = source.into();
     }
 
-    /// Declares a generalised coordinate with its SI unit.
+    /// Declares a generalised coordinate with its SI unit. A coordinate without inertia on which only springs of constant stiffness act is
+    /// eliminated: it is where they balance, and becomes an output.
     pub fn coordinate(&mut self, name: &str, unit: &str, start: Start, doc: &str) -> Expr {
         self.coordinates.push(Coordinate { name: name.into(), unit: unit.into(), start, doc: doc.into() });
         Expr::var(Kind::Coordinate, name)

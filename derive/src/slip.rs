@@ -27,9 +27,9 @@ pub enum Slip {
     #[error("{model}: the kinetic energy must be quadratic in the speeds; this term is not: {term}")]
     NotQuadratic { model: String, term: String },
     #[error(
-        "{model}: coordinate `{coordinate}` has no inertia: its speed is not in the kinetic energy. Give it an inertia, or leave the coordinate out"
+        "{model}: coordinate `{coordinate}` has no inertia: its speed is not in the kinetic energy. It is eliminated where springs of constant stiffness alone place it, but {why}. Give it an inertia, or leave the coordinate out"
     )]
-    Massless { model: String, coordinate: String },
+    Massless { model: String, coordinate: String, why: String },
     #[error(
         "{model}: the mass matrix is singular: some linear combination of coordinates that contains ({coordinates}) has no inertia"
     )]

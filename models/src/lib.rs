@@ -8,6 +8,8 @@
 //!    - `m.coordinate(name, unit, start, doc)`: declares a coordinate and returns it as an expression. Expressions have
 //!      `+ - * /`, `.sq()`, `.sqrt()`, `.sin()`, `.cos()`, and `.dot()` for the time derivative. Numbers are integers: write a half
 //!      as `half(...)`, any other number as a parameter with a default.
+//!      A coordinate without inertia, such as the node between two springs, is eliminated if springs of constant stiffness alone act on it: it is
+//!      where they balance, and becomes an output.
 //!    - [`components`] add bodies and their connections, with their parameters: `rotor`, `planar_rotor`, `shaft`, `ground`, `torsional_support`,
 //!      `bearing`, `dry_friction`, `viscous`, `overrunning_clutch`, `mesh_with_play` (with transmission errors
 //!      and backlash), `sliding_friction`, `pair` (two gears), `geared` (rigidly), `stage` (planets), `end_stop`, `driven` and `loaded` (every drive and load: `drive`, `governor`, `dc_motor`, `induction_motor`, `traction_motor`, `load`, `fan`), and last `damping`. The

@@ -12,6 +12,8 @@ mod blocks;
 mod files;
 #[path = "derivation/gear_pair.rs"]
 mod gear_pair;
+#[path = "derivation/massless.rs"]
+mod massless;
 #[path = "derivation/models.rs"]
 mod models;
 #[path = "derivation/newcomer.rs"]
@@ -53,6 +55,9 @@ fn main() -> ExitCode {
         ("nonlinear_terms_are_reported", newcomer::nonlinear_terms_are_reported),
         ("torques_that_depend_on_speeds_are_reported", newcomer::torques_that_depend_on_speeds_are_reported),
         ("a_model_with_three_coordinates_is_proved", newcomer::a_model_with_three_coordinates_is_proved),
+        ("springs_in_series_are_one_spring", massless::springs_in_series_are_one_spring),
+        ("springs_that_meet_are_a_star", massless::springs_that_meet_are_a_star),
+        ("a_node_of_a_shaft_is_an_output", massless::a_node_of_a_shaft_is_an_output),
         ("each_mobility_entry_is_one_fraction", blocks::each_mobility_entry_is_one_fraction),
         ("mobility_is_omitted_where_no_closed_form_exists", blocks::mobility_is_omitted_where_no_closed_form_exists),
         ("constant_offsets_do_no_work", blocks::constant_offsets_do_no_work),

@@ -148,9 +148,29 @@ const SLIPS: &[Row] = &[
         let f = m.function("f", o.x, |u| u * y);
         m.potential(o.s * f);
     }),
-    ("a coordinate without inertia", "`y`", |m, o| {
+    ("a coordinate without inertia on a spring and a damper", "`y`", |m, o| {
         let y = m.coordinate("y", "m", Start::Static, "");
         m.potential(half(o.s * (o.x - y).sq()));
+        m.dissipation(half(o.m * y.dot().sq()));
+    }),
+    ("a coordinate without inertia on a torque", "`push`", |m, o| {
+        let y = m.coordinate("y", "m", Start::Static, "");
+        m.potential(half(o.s * (o.x - y).sq()));
+        m.torque("push", o.s, y, "");
+    }),
+    ("a coordinate without inertia on a spring that varies", "`k`", |m, o| {
+        let y = m.coordinate("y", "m", Start::Static, "");
+        let k = mesh_stiffness(m, "k", "N/m", o.x, 1.0, "");
+        m.potential(half(k.value * (o.x - y).sq()));
+        m.potential(half(o.s * y.sq()));
+    }),
+    ("a coordinate without inertia on a spring that is not linear", "proportional", |m, o| {
+        let y = m.coordinate("y", "m", Start::Static, "");
+        m.potential(o.s * (o.x - y).pow(4));
+    }),
+    ("a coordinate without inertia and without a spring", "no spring", |m, o| {
+        let y = m.coordinate("y", "m", Start::Static, "");
+        m.dissipation(half(o.m * y.dot().sq()));
     }),
     ("two coordinates with one inertia between them", "(x, y)", |m, o| {
         let y = m.coordinate("y", "m", Start::Static, "");
