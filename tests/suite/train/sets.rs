@@ -100,6 +100,41 @@ sun_stiffness = { teeth = [27, 36], module = "3 mm", face_width = "25 mm" }
 ring_stiffness = { teeth = [36, 99], addendum = [1, 0.8], module = "3 mm", face_width = "25 mm" }
 "#;
 
+/// The loss of a stage is that of the power that rolls in its meshes, T_s (omega_s - omega_c), in the sun's meshes and then in the ring's: mu (H_s + H_r)
+/// of it (H. W. Müller, Epicyclic Drive Trains, 1982), with the loss factors of Ohlendorf.
+#[test]
+fn loss_of_a_planetary_stage_is_that_of_its_rolling_power() {
+    // Whole pitches: the mesh frequency is 27 (n_s - n_c), with n_c = 27/126 n_s.
+    let (mu, duration) = (1e-3, 35.0 / (27.0 * 15.0 * 99.0 / 126.0));
+    let scene =
+        PLANETS.replace("\"transmission_error\"", "\"sliding_friction\"").replace("10 ms", &format!("{duration} s"));
+    let run = run(&format!("{scene}friction = {mu}\ndamping = \"20 kN*s/m\"\n"));
+    let t = run.trajectory();
+    let lost: f64 = ["s1", "s2", "s3", "r1", "r2", "r3"]
+        .iter()
+        .flat_map(|mesh| ["slide", "roll"].map(|part| format!("{part}_p_{mesh}")))
+        .map(|torque| t.work_of(&torque).and_then(|work| work.last().copied()).expect("a torque"))
+        .sum();
+    let (alpha, module) = (20f64.to_radians(), 3.0);
+    let along = |z: f64, addendum: f64| {
+        let (tip, base) = (module * (z / 2.0 + addendum), module * z / 2.0 * alpha.cos());
+        (tip * tip - base * base).sqrt() - base * alpha.tan()
+    };
+    let factor = |[z1, z2]: [f64; 2], sign: f64, addendum: f64| {
+        let [e1, e2] = [along(z1, 1.0), sign * along(z2, sign * addendum)]
+            .map(|length| length / (std::f64::consts::PI * module * alpha.cos()));
+        std::f64::consts::PI * (1.0 / z1 + sign / z2) * (1.0 - e1 - e2 + e1 * e1 + e2 * e2)
+    };
+    let factors = factor([27.0, 36.0], 1.0, 1.0) + factor([36.0, 99.0], -1.0, 0.8);
+    let [of_sun, of_carrier] = ["rotor_speed_1", "rotor_speed_c"].map(|name| {
+        let column = t.output(name).expect("rotor speeds");
+        column.iter().sum::<f64>() / column.len() as f64
+    });
+    let rolling = 30.0 * (of_sun - of_carrier) * duration;
+    println!("{} of the loss factors", -lost / (mu * rolling) / factors);
+    assert!((-lost / (mu * rolling) / factors - 1.0).abs() < 0.01, "{} of H", -lost / (mu * rolling) / factors);
+}
+
 /// Errors and dampers that a planet set states are those of its meshes, stated one by one.
 #[test]
 fn errors_and_dampers_of_a_set_are_those_of_its_meshes() {
