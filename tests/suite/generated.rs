@@ -154,3 +154,15 @@ fn every_law_and_every_switch_has_its_proof() {
         }
     }
 }
+
+/// README states how many models there are. Models that differ in the number of their parts are of one kind.
+#[test]
+fn readme_counts_the_models() {
+    let readme = read(&root().join("README.md"));
+    let names: Vec<&str> = gearsim_models::MODELS.iter().map(|entry| entry.0).collect();
+    let mut kinds: Vec<&str> =
+        names.iter().map(|name| name.trim_end_matches(|c: char| c == '_' || c.is_ascii_digit())).collect();
+    kinds.dedup();
+    let claim = format!("{} derived models of {} kinds", names.len(), kinds.len());
+    assert!(readme.contains(&claim), "README does not say: {claim}");
+}
