@@ -9,18 +9,21 @@ use crate::engine::cells::{self, Number};
 use crate::engine::clock::Clock;
 use crate::engine::contact::{self, Contact};
 use crate::engine::crossing::{Cost, SearchError, Side};
-use crate::engine::equations::{Affine, Equations, Exit, Switching, varying_by_steps};
-use crate::engine::error::{Refusal, Stop};
+use crate::engine::equations::{Equations, Switching, varying_by_steps};
+use crate::engine::error::Stop;
 use crate::engine::forcing::Forcing;
 use crate::engine::jump::{Passage, Surface};
 use crate::engine::law::{self, LawState};
 use crate::engine::motion::Reached;
 use crate::engine::record::State;
 use crate::engine::start::Initial;
-use crate::engine::switch::{self, Guards, Switch};
+use crate::engine::switch::{Guards, Switch};
 use crate::engine::vector::{Matrix, Vector};
 use crate::scene::Scene;
-use crate::tolerance::events::{DOUBLINGS, EVENTS_AT_ONE_TIME, NO_TIME};
+
+mod held;
+mod modes;
+mod rattle;
 
 /// Event counts and search cost of a run.
 #[derive(Debug, Clone, Default, PartialEq)]
@@ -185,60 +188,6 @@ impl Hybrid<'_> {
         changes && self.laws[law].next_switch().is_none() && !self.holds(law)
     }
 
-    /// Whether the phase of a law is held.
-    #[inline]
-    pub fn holds(&self, law: usize) -> bool {
-        self.contact.as_ref().is_some_and(|contact| contact.holds(law))
-    }
-
-    /// Value of the guard of an exit of a switch. Before the exit a negative value is a rounding error and counts as zero.
-    ///
-    /// A train that starts from rest moves at first by less than the rounding errors of its state. These can make a switch rattle: it
-    /// changes its mode repeatedly at one time. Such a switch changes only when its guard is violated by more than the rounding error.
-    pub fn left_to(&self, exit: &Exit) -> f64 {
-        exit.guard.value(&self.state.q, &self.state.q_dot, &self.k).max(0.0) + self.slack_of(exit)
-    }
-
-    /// Whether the guards of the switches have changed by at most their rounding errors in the last `dt` \[s\]. Their signs then say nothing
-    /// about the side on which the deflections are. `rate` bounds the rates of the motion \[1/s\].
-    pub fn has_not_moved(&self, dt: f64, rate: f64) -> bool {
-        let still = |Exit { guard, .. }: &Exit| {
-            let by_speed = guard.on_speed.amax() == 0.0 || dt * rate <= NO_TIME;
-            by_speed && (guard.on_q.dot(&self.state.q_dot) * dt).abs() <= guard.rounding(&self.k)
-        };
-        dt == 0.0 || dt > 0.0 && self.guards.exits.iter().flatten().all(still)
-    }
-
-    /// What is added to the value of a guard while a switch rattles: the rounding error of the guard. It doubles with each further change, since
-    /// a method by steps has larger errors.
-    pub fn slack_of(&self, Exit { guard, .. }: &Exit) -> f64 {
-        let (each, all) = EVENTS_AT_ONE_TIME;
-        let Some(further) = self.rattle.1.checked_sub(all.min(each * self.switches.len() as u32)) else { return 0.0 };
-        let rate = switch::rest(self.equations, (&self.state.q, &self.state.q_dot), &guard.on_speed);
-        2f64.powi(further.min(DOUBLINGS) as i32) * (guard.rounding(&self.k) + rate)
-    }
-
-    /// Value of a function that ends a hold, by its number; it may have either sign.
-    pub fn left_of_hold(&self, which: usize) -> f64 {
-        let Some(contact) = &self.contact else { return f64::INFINITY };
-        let (State { q, q_dot, .. }, Some(watch)) = (&self.state, contact.watches.get(which)) else {
-            return f64::INFINITY;
-        };
-        let form =
-            if self.steps_only() { watch.form.clone() } else { watch.at(self.equations, &self.switches, q, &self.k) };
-        if let Some(turned) =
-            contact.turned((self.equations, &self.switches), (q, q_dot), &self.k, || self.law_rates(q, q_dot))
-        {
-            let (_, to_reactions) = contact::held(&self.equations.mobility(q), &turned.normals);
-            return form.at(&to_reactions).value(q, q_dot, || self.force() + &turned.force);
-        }
-        if self.equations.is_inertia_constant() {
-            return form.value(q, q_dot, || self.force());
-        }
-        let (_, to_reactions) = contact::held(&self.equations.mobility(q), &contact.normals);
-        form.at(&to_reactions).value(q, q_dot, || self.force())
-    }
-
     /// Generalised forces of the torques that vary, beyond those of the start (N).
     #[cold]
     pub fn further_load(&self) -> Vector {
@@ -284,63 +233,6 @@ impl Hybrid<'_> {
     #[inline]
     pub fn lost_by_switches(&self, dq: &Vector) -> f64 {
         self.guards.lost(&self.state.q, dq, &self.k)
-    }
-
-    /// Puts a switch into a mode, then into the one in which the state violates no guard; `crossed` is the guard that became zero.
-    pub fn put(&mut self, switch: usize, mode: usize, crossed: Option<&Affine>) {
-        let place = &mut self.switches[switch];
-        let before = std::mem::replace(&mut place.mode, mode);
-        place.write(&mut self.k);
-        let state = (&self.state.q[..], &self.state.q_dot[..]);
-        switch::settle(place, self.equations, state, &mut self.k, crossed);
-        self.counts.impacts += u64::from(place.count(before));
-        place.leave(before, self.clock.now());
-    }
-
-    /// Puts every switch into the mode that the state admits, after a sudden change.
-    pub fn settle(&mut self) {
-        (0..self.switches.len()).for_each(|i| self.put(i, self.switches[i].mode, None));
-    }
-
-    /// Puts a switch into a mode, whatever the state is.
-    pub fn set_mode(&mut self, switch: usize, mode: usize) {
-        let place = &mut self.switches[switch];
-        let before = std::mem::replace(&mut place.mode, mode);
-        place.write(&mut self.k);
-        place.leave(before, self.clock.now());
-    }
-
-    /// Holds the phases of `laws` and the deflections of switches if their reactions admit it.
-    ///
-    /// # Errors
-    /// Those of [`Contact::begin`].
-    pub fn hold(&mut self, laws: Vec<(usize, Side)>) -> Result<(), Refusal> {
-        let (contact, neglected) = Contact::begin(self, laws)?;
-        self.contact = contact.map(Box::new);
-        self.ignored += neglected;
-        Ok(())
-    }
-
-    /// Removes the errors of held rates in which friction laws are factors: the motion after the hold would begin with them.
-    pub fn still(&mut self) {
-        let State { q, q_dot, .. } = &self.state;
-        let turned = self.contact.as_ref().and_then(|contact| {
-            contact.turned((self.equations, &self.switches), (q, q_dot), &self.k, || self.law_rates(q, q_dot))
-        });
-        if let Some(turned) = turned {
-            self.state.q_dot = turned.still(&self.equations.mobility(q), q_dot);
-        }
-    }
-
-    /// Whether the deflection of a switch cannot move.
-    #[inline]
-    pub fn is_locked(&self, switch: usize) -> bool {
-        self.contact.as_ref().is_some_and(|contact| contact.locked.contains(&switch))
-    }
-
-    /// Whether a switch is in a mode that holds its deflection.
-    pub fn is_stuck(&self) -> bool {
-        self.switches.iter().any(|switch| switch.here().held)
     }
 
     /// Changes the speeds at the step of `law` met at `side`.

@@ -1,0 +1,70 @@
+//! Held motions of a run: phases at steps, and deflections of switches.
+
+use crate::engine::contact::{self, Contact};
+use crate::engine::crossing::Side;
+use crate::engine::error::Refusal;
+use crate::engine::record::State;
+
+use super::Hybrid;
+
+impl Hybrid<'_> {
+    /// Whether the phase of a law is held.
+    #[inline]
+    pub fn holds(&self, law: usize) -> bool {
+        self.contact.as_ref().is_some_and(|contact| contact.holds(law))
+    }
+
+    /// Value of a function that ends a hold, by its number; it may have either sign.
+    pub fn left_of_hold(&self, which: usize) -> f64 {
+        let Some(contact) = &self.contact else { return f64::INFINITY };
+        let (State { q, q_dot, .. }, Some(watch)) = (&self.state, contact.watches.get(which)) else {
+            return f64::INFINITY;
+        };
+        let form =
+            if self.steps_only() { watch.form.clone() } else { watch.at(self.equations, &self.switches, q, &self.k) };
+        if let Some(turned) =
+            contact.turned((self.equations, &self.switches), (q, q_dot), &self.k, || self.law_rates(q, q_dot))
+        {
+            let (_, to_reactions) = contact::held(&self.equations.mobility(q), &turned.normals);
+            return form.at(&to_reactions).value(q, q_dot, || self.force() + &turned.force);
+        }
+        if self.equations.is_inertia_constant() {
+            return form.value(q, q_dot, || self.force());
+        }
+        let (_, to_reactions) = contact::held(&self.equations.mobility(q), &contact.normals);
+        form.at(&to_reactions).value(q, q_dot, || self.force())
+    }
+
+    /// Holds the phases of `laws` and the deflections of switches if their reactions admit it.
+    ///
+    /// # Errors
+    /// Those of [`Contact::begin`].
+    pub fn hold(&mut self, laws: Vec<(usize, Side)>) -> Result<(), Refusal> {
+        let (contact, neglected) = Contact::begin(self, laws)?;
+        self.contact = contact.map(Box::new);
+        self.ignored += neglected;
+        Ok(())
+    }
+
+    /// Removes the errors of held rates in which friction laws are factors: the motion after the hold would begin with them.
+    pub fn still(&mut self) {
+        let State { q, q_dot, .. } = &self.state;
+        let turned = self.contact.as_ref().and_then(|contact| {
+            contact.turned((self.equations, &self.switches), (q, q_dot), &self.k, || self.law_rates(q, q_dot))
+        });
+        if let Some(turned) = turned {
+            self.state.q_dot = turned.still(&self.equations.mobility(q), q_dot);
+        }
+    }
+
+    /// Whether the deflection of a switch cannot move.
+    #[inline]
+    pub fn is_locked(&self, switch: usize) -> bool {
+        self.contact.as_ref().is_some_and(|contact| contact.locked.contains(&switch))
+    }
+
+    /// Whether a switch is in a mode that holds its deflection.
+    pub fn is_stuck(&self) -> bool {
+        self.switches.iter().any(|switch| switch.here().held)
+    }
+}
