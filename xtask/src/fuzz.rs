@@ -67,18 +67,25 @@ impl Fuzz {
         let found = root.join("out/fuzz").join(target);
         let committed = root.join("tests/fuzz/corpus").join(target);
         std::fs::create_dir_all(&found).with_context(|| format!("cannot make the folder {}", found.display()))?;
-        let mut command = Command::new(env!("CARGO"));
-        command.args(["run", "--locked", "--release", "--manifest-path"]).arg(root.join("tests/fuzz/Cargo.toml"));
-        command.args(["--bin", target, "--"]).args([&found, &committed]);
+        let itself = std::env::current_exe()?;
+        let cargo = |what: &str| {
+            let mut command = Command::new(env!("CARGO"));
+            command.args([what, "--locked", "--release", "--manifest-path"]).arg(root.join("tests/fuzz/Cargo.toml"));
+            if std::env::var_os("CARGO_TARGET_DIR").is_none() {
+                command.env("CARGO_TARGET_DIR", root.join("target"));
+            }
+            command.args(["--bin", target]).env("RUSTC_WRAPPER", &itself).env(COMPILING, "1").current_dir(root);
+            command
+        };
+        if !cargo("build").status().context("cannot start cargo")?.success() {
+            bail!("the target `{target}` could not be built");
+        }
+        let mut command = cargo("run");
+        command.arg("--").args([&found, &committed]);
         command.args([format!("-max_total_time={}", self.seconds), format!("-timeout={TIMEOUT}")]);
         command.arg("-print_final_stats=1");
         command.arg(format!("-artifact_prefix={}/{target}-", root.join("out/fuzz").display()));
-        if std::env::var_os("CARGO_TARGET_DIR").is_none() {
-            command.env("CARGO_TARGET_DIR", root.join("target"));
-        }
-        command.env("RUSTC_WRAPPER", std::env::current_exe()?).env(COMPILING, "1");
-        let status = command.current_dir(root).status().context("cannot start cargo")?;
-        if !status.success() {
+        if !command.status().context("cannot start cargo")?.success() {
             bail!("the target `{target}` failed; add the input named above to the corpus {}", committed.display());
         }
         Ok(())
@@ -139,9 +146,20 @@ mod tests {
         assert_eq!(profile("tests/fuzz/Cargo.toml"), here);
         assert!(here.remove("parquet.opt-level = 0"));
         assert_eq!(profile("gearsim/python/Cargo.toml"), here);
+        let manifest = read("gearsim/Cargo.toml");
+        let (_, dependencies) = manifest.split_once("[dependencies]\n").unwrap();
+        let (dependencies, _) = dependencies.split_once("\n[").unwrap();
         let here = versions("Cargo.lock");
         for lock in ["tests/fuzz/Cargo.lock", "gearsim/python/Cargo.lock"] {
-            for (name, there) in versions(lock) {
+            let there = versions(lock);
+            for line in dependencies.lines().filter(|line| !line.starts_with('#') && !line.contains("optional")) {
+                let name = line.split(['.', ' ']).next().unwrap();
+                assert!(
+                    name.is_empty() || there.contains_key(&format!("\"{name}\"")),
+                    "{lock} lacks {name}: run `cargo tree` there"
+                );
+            }
+            for (name, there) in there {
                 let known = here.get(&name).is_none_or(|here| there.is_subset(here));
                 assert!(known, "{lock}: {name} {there:?}. Copy Cargo.lock there, then run `cargo tree` there");
             }
