@@ -231,7 +231,7 @@ fn every_mesh_stiffness_has_its_force() {
 #[test]
 fn the_force_at_rest_is_the_torque_over_the_base_radius() {
     let scene = scene("two_stage", &["run.t_end=5 ms".into()]);
-    let found = dynamic_factor::of(&scene, model("two_stage"), &run(&scene).trajectory);
+    let found = dynamic_factor::of(&scene, model("two_stage"), &run(&scene).trajectory, scene.output.from);
     // 95 N m on 24.7 mm; the second stage has it times 63/21, on 37.6 mm.
     for (mesh, force) in found.iter().zip([95.0 / 24.7e-3, 285.0 / 37.6e-3]) {
         assert!(relative(*mesh.at_rest.as_ref().unwrap(), force, 0.0) < 1e-9, "{mesh:?}");
@@ -256,7 +256,7 @@ fn gears_that_speed_up_steadily_start_without_vibration() {
     // The inertia of the driven gear as seen by the driving gear.
     let seen = 0.01 / 4.0;
     let force = 50.0 * seen / (0.1 + seen) / 28.19e-3;
-    let found = &dynamic_factor::of(&scene, model("train"), &trajectory)[0];
+    let found = &dynamic_factor::of(&scene, model("train"), &trajectory, scene.output.from)[0];
     assert!(relative(*found.at_rest.as_ref().unwrap(), force, 0.0) < 1e-9, "{found:?}, not {force}");
     assert!(relative(*found.factor.as_ref().unwrap(), 1.0, 0.0) < 1e-9, "{found:?}");
     for x in trajectory.output("mesh_force_12").unwrap() {
@@ -282,7 +282,7 @@ fn bearings_do_not_change_the_factor_of_the_standard() {
     for (torque, speed, expected) in [(200.0, 3000.0, 1.0499), (200.0, 18500.0, 1.2980), (200.0, 25000.0, 0.7799)] {
         for (name, more) in [("gear_pair_shafts", shafts), ("gear_pair_bearings", bearings)] {
             let scene = Scene::from_toml(name, &text(name, more, torque, speed)).unwrap();
-            let kv = dynamic_factor::of(&scene, model(name), &run(&scene).trajectory)[0].iso6336.clone().unwrap();
+            let kv = dynamic_factor::of(&scene, model(name), &run(&scene).trajectory, scene.output.from)[0].iso6336.clone().unwrap();
             // The speed varies by a few ten-thousandths over the short run.
             assert!((kv - expected).abs() < 1e-3, "{name} at {speed} rpm: {kv}, not {expected}");
         }
@@ -294,7 +294,7 @@ fn bearings_do_not_change_the_factor_of_the_standard() {
 fn gears_by_their_teeth_have_the_factor_of_the_standard() {
     let sets = ["laws.k.method=iso6336", "run.t_end=50 ms"].map(String::from);
     let scene = scene("gear_pair_teeth", &sets);
-    let found = dynamic_factor::of(&scene, model("gear_pair"), &run(&scene).trajectory);
+    let found = dynamic_factor::of(&scene, model("gear_pair"), &run(&scene).trajectory, scene.output.from);
     let kv = *found[0].iso6336.as_ref().unwrap();
     // V = k phi² = c delta²/2 with delta = 2 r_b1 phi/N1: c = k N1²/(2 r_b1²). m_red = m1 m2/(m1 + m2), m = I/r_b².
     let (r1, r2) = (24.0 * 6.35e-3 / 2.0 * 20f64.to_radians().cos(), 96.0 * 6.35e-3 / 2.0 * 20f64.to_radians().cos());

@@ -1,8 +1,9 @@
 //! Dynamic factors of meshes: the largest force of a run over the force without vibration, and beside it K_v of ISO 6336-1, method B.
 //!
-//! - Largest force: the largest magnitude of the recorded mesh force, over samples and both sides of events, from `output.from` on.
+//! - Largest force: the largest magnitude of the recorded mesh force, over samples and both sides of events, from a time on: `output.from`, or
+//!   that of a sweep.
 //! - Static force: the mesh force without vibration at the torques of the start. If they are not in balance, the gears speed up steadily.
-//! - K_v: ISO 6336-1, method B, for a scene that gives the teeth of the mesh. N is the mean mesh frequency from `output.from` on over
+//! - K_v: ISO 6336-1, method B, for a scene that gives the teeth of the mesh. N is the mean mesh frequency from that time on over
 //!   sqrt(tr M⁻¹K_m)/2 pi, with K_m the part of K from the mesh at its mean stiffness, and with the gears' centres held: for two gears
 //!   sqrt(c_gamma b/m_red)/2 pi of the standard. F_t = F cos(alpha), K_A = 1. The base pitch deviation is the largest difference of
 //!   neighbouring pitch errors of the scene; profile deviation and tip relief are zero, and there is no allowance for running-in.
@@ -36,14 +37,14 @@ pub struct DynamicFactor {
     pub iso6336: Result<f64, String>,
 }
 
-/// The dynamic factors of all meshes of a run whose forces are recorded.
-pub fn of(scene: &Scene, entry: &Entry, run: &Trajectory) -> Vec<DynamicFactor> {
+/// The dynamic factors of all meshes of a run whose forces are recorded, from the time `from` \[s\] on.
+pub fn of(scene: &Scene, entry: &Entry, run: &Trajectory, from: f64) -> Vec<DynamicFactor> {
     let at_rest = entry.outputs_at_rest(scene).map_err(|refusal| format!("there is no static equilibrium: {refusal}"));
     let mut all = vec![];
     for (i, (law, _)) in scene.present().enumerate().filter(|(_, (law, _))| law.role == Role::Stiffness) {
         let Some(force) = force(scene.model, law.name) else { continue };
         let Some(column) = run.output(force.name) else { continue };
-        let largest = column[run.row_from(scene.output.from)..].iter().fold(0.0, |m: f64, x| m.max(x.abs()));
+        let largest = column[run.row_from(from)..].iter().fold(0.0, |m: f64, x| m.max(x.abs()));
         let number = scene.model.outputs.iter().position(|output| output.name == force.name);
         let at_rest = at_rest.clone().map(|values| number.map_or(f64::NAN, |i| values[i].abs()));
         let at_rest = at_rest.and_then(|force| match force > STATIC_LOAD * largest {
@@ -51,13 +52,19 @@ pub fn of(scene: &Scene, entry: &Entry, run: &Trajectory) -> Vec<DynamicFactor> 
             false => Err("the mesh carries no load at the torques of the start".to_owned()),
         });
         let factor = at_rest.clone().map(|at_rest| largest / at_rest);
-        let iso6336 = at_rest.clone().and_then(|at_rest| iso6336(scene, entry, run, i, at_rest));
+        let iso6336 = at_rest.clone().and_then(|at_rest| iso6336(scene, entry, (run, from), i, at_rest));
         all.push(DynamicFactor { law, force, largest, at_rest, factor, iso6336 });
     }
     all
 }
 
-fn iso6336(scene: &Scene, entry: &Entry, run: &Trajectory, i: usize, at_rest: f64) -> Result<f64, String> {
+fn iso6336(
+    scene: &Scene,
+    entry: &Entry,
+    (run, from): (&Trajectory, f64),
+    i: usize,
+    at_rest: f64,
+) -> Result<f64, String> {
     let law = &scene.model.laws[i];
     let gears =
         scene.gears[i].as_ref().ok_or_else(|| format!("the scene gives the stiffness {} without teeth", law.name))?;
@@ -66,7 +73,7 @@ fn iso6336(scene: &Scene, entry: &Entry, run: &Trajectory, i: usize, at_rest: f6
     let force = if law.unit == "N/m" { at_rest } else { at_rest / contact.base[0] };
     let line_load = force * contact.transverse_angle.cos() / gears.face_width;
     let single = Iso6336::of(gears, Some(line_load)).map_err(|e| e.to_string())?.single;
-    let ratio = mesh_frequency(run, law, scene.output.from)? / natural_frequency(scene, entry, i)?;
+    let ratio = mesh_frequency(run, law, from)? / natural_frequency(scene, entry, i)?;
     let pitch_deviation = pitch_deviation(scene, law, gears);
     let kv = InternalDynamics {
         ratio,

@@ -11,6 +11,7 @@ use super::printing::Printing;
 use super::simulate::{Source, simulate};
 use super::{Verb, files, page, report, terminal};
 use crate::library::Results;
+use crate::model::Output;
 use crate::output::{OutputFolder, Summary, document};
 use crate::plot;
 use crate::scene::Scene;
@@ -27,7 +28,8 @@ The three sets of equations:
   classical        steps at the times of a steady rotation: effect frozen_phase
 It does not matter which of them the scene names. Its other effects hold for all three.
 
-Writes compare.json, trajectory_exact.parquet and so on, and the scene's plots with all runs.
+Writes compare.json, trajectory_exact.parquet and so on, and plots with all runs: first the outputs
+(mesh forces, transmission errors, speeds), then the plots that the scene asks for.
 
 Examples:
   gearsim compare models/scenes/oh2005/energy_300rpm.toml
@@ -111,7 +113,7 @@ fn write(
     }
     let before = folder.files().len();
     let runs: Vec<_> = members.iter().map(ComparedRun::to_draw).collect();
-    for warning in files::plots(folder, &runs)? {
+    for warning in files::plots(folder, &plot::compared(&runs), &runs)? {
         terminal::warn(&warning);
     }
     let entries = members.iter().zip(&summaries);
@@ -130,6 +132,13 @@ fn write(
 }
 
 impl ComparedRun {
+    /// The recorded outputs at which engineers look first.
+    fn looked_at(&self) -> Vec<&'static Output> {
+        let recorded: Vec<&'static Output> =
+            self.results.outcome.trajectory.outputs.iter().map(|(output, _)| *output).collect();
+        plot::outputs::compared::first(&recorded)
+    }
+
     fn to_draw(&self) -> plot::Run<'_> {
         plot::Run { label: self.set.label, ..self.results.drawn() }
     }

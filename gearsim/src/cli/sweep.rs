@@ -96,9 +96,9 @@ the reason. The same command continues an interrupted sweep. The bytes of the re
 on the number of threads nor on interruptions and shards.
 
 Groups that can be recorded:
-{groups}extremes, peak and outputs need samples at output.rate, which take longer than the motion itself: a
-sweep without them is faster. Each thread then has the rows of one run in memory, by default at most
-1 GB.
+{groups}extremes, peak, outputs and meshes need samples at output.rate, which take longer than the motion
+itself: a sweep without them is faster. Each thread then has the rows of one run in memory, by
+default at most 1 GB.
 
 Examples:
   gearsim sweep models/scenes/oh2005/energy_300rpm.toml --vary parameters.T0=\"1 N*m:100 N*m:50\"

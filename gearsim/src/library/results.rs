@@ -203,7 +203,8 @@ impl Results {
     ) -> Result<Evaluated, Error> {
         let Results { scene, outcome } = self;
         files::trajectory(folder, "trajectory", csv, scene, outcome)?;
-        files::plots(folder, &[self.drawn()])?.iter().for_each(|warning| warn(warning));
+        let runs = [self.drawn()];
+        files::plots(folder, &plot::chosen(&runs), &runs)?.iter().for_each(|warning| warn(warning));
         let evaluated = evaluate::write(folder, scene, outcome)?;
         evaluated.warnings.iter().for_each(|warning| warn(warning));
         Ok(evaluated)

@@ -3,7 +3,10 @@
 use super::Page;
 use super::html::Cell;
 use super::shared::{self, Made, figure};
+use crate::model::Output;
+use crate::output::summary::{Number, Observed};
 use crate::output::{OutputError, Summary};
+use crate::plot::outputs::{compared, engineering};
 use crate::plot::{self, Run};
 
 /// The page of runs of one scene under several sets of equations, with their summaries. Errors: none.
@@ -20,7 +23,7 @@ pub fn page(made: &Made<'_>, runs: &[Run<'_>], summaries: &[Summary]) -> Result<
             }
         }
         let head: Vec<&str> = ["quantity", "unit"].into_iter().chain(labels.iter().copied()).collect();
-        html.table("The runs side by side", &head, &quantities(made, summaries));
+        html.table("The runs side by side", &head, &quantities(made, runs, summaries));
         let method = |(label, summary): (&&str, &Summary)| {
             let effects = format!("effects {}", summary.effects.join(", "));
             ((*label).to_owned(), format!("{}: {}; {effects}", summary.method.name, summary.method.why))
@@ -28,7 +31,7 @@ pub fn page(made: &Made<'_>, runs: &[Run<'_>], summaries: &[Summary]) -> Result<
         html.pairs(labels.iter().zip(summaries).map(method));
     });
     page.section("plots", "Plots", |html| {
-        for name in &plot::chosen(runs) {
+        for name in &plot::compared(runs) {
             match plot::find(name).and_then(|plot| (plot.draw)(runs)) {
                 Ok(drawn) => figure::fill(html, name, &drawn),
                 Err(error) => html.note(&format!("There is no plot {name}: {error}.")),
@@ -40,7 +43,7 @@ pub fn page(made: &Made<'_>, runs: &[Run<'_>], summaries: &[Summary]) -> Result<
 }
 
 /// One row a quantity, one column a run.
-fn quantities(made: &Made<'_>, summaries: &[Summary]) -> Vec<Vec<Cell>> {
+fn quantities(made: &Made<'_>, runs: &[Run<'_>], summaries: &[Summary]) -> Vec<Vec<Cell>> {
     let mut rows = vec![];
     let mut add = |name: &str, unit: &str, value: &dyn Fn(&Summary) -> f64| {
         let numbers = summaries.iter().map(|summary| Cell::Number(value(summary)));
@@ -56,6 +59,15 @@ fn quantities(made: &Made<'_>, summaries: &[Summary]) -> Vec<Vec<Cell>> {
     add("lost", "J", &|s| s.energy.dissipated.0);
     add("unaccounted for", "J", &|s| s.energy.residual.0);
     add("unaccounted for, over the energy at the start", "", &|s| (s.energy.residual.0 / s.energy.at_start.0).abs());
+    let all: Vec<&Output> = runs.first().map_or(vec![], |run| run.trajectory.outputs.iter().map(|(o, _)| *o).collect());
+    for output in compared::first(&all) {
+        let (unit, scale) = engineering(output.unit);
+        let of = |s: &Summary, value: fn(&Observed) -> Number| {
+            s.outputs.get(output.name).map_or(f64::NAN, |observed| scale * value(observed).0)
+        };
+        add(&format!("{}, mean", output.name), unit, &|s| of(s, |observed| observed.mean));
+        add(&format!("{}, root mean square about the mean", output.name), unit, &|s| of(s, |observed| observed.rms));
+    }
     for coordinate in made.scene.model.coordinates {
         let speed = format!("{}_dot", coordinate.name);
         let at_end = |name: &str, s: &Summary| s.state.get(name).unwrap_or(f64::NAN);

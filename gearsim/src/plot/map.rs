@@ -123,6 +123,11 @@ fn label(column: &str, model: &Model) -> String {
         };
         return words;
     }
+    for (end, words) in [("_dynamic_factor", "dynamic factor"), ("_kv_iso6336", "K_{v}, ISO 6336-1, method B,")] {
+        if let Some(law) = column.strip_suffix(end) {
+            return format!("{words} of {law}");
+        }
+    }
     match column {
         "first_reflection" => "time of the first reflection".into(),
         "t_end" => "time reached".into(),

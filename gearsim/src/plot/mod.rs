@@ -200,6 +200,16 @@ pub(crate) fn chosen(runs: &[Run<'_>]) -> Vec<String> {
     plots
 }
 
+/// The names of the plots of runs that are compared: the recorded outputs first, whatever plots the scene asks for.
+pub(crate) fn compared(runs: &[Run<'_>]) -> Vec<String> {
+    let (mut plots, outputs) = (chosen(runs), outputs::PLOT.name);
+    if runs.iter().any(|run| !run.trajectory.outputs.is_empty()) {
+        plots.retain(|name| name != outputs);
+        plots.insert(0, outputs.to_owned());
+    }
+    plots
+}
+
 /// The plot called `name`. Errors: [`PlotError::Unknown`].
 pub(crate) fn find(name: &str) -> Result<&'static Plot, PlotError> {
     let unknown = || PlotError::Unknown { name: name.to_owned() };

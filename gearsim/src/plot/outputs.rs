@@ -1,4 +1,6 @@
-//! The recorded outputs against time, in the units of engineers: a panel for each unit.
+//! The recorded outputs against time, in the units of engineers: a panel for each unit, or for each output if several runs are compared.
+
+pub(crate) mod compared;
 
 use super::figure::largest;
 use super::{Axis, Figure, Panel, Plot, PlotError, Run, Series, first_run, scene_names, time_axis};
@@ -68,31 +70,8 @@ fn acts(run: &Run<'_>, output: &Output) -> bool {
 }
 
 fn draw(runs: &[Run<'_>]) -> Result<Figure, PlotError> {
-    let first = first_run(PLOT.name, runs)?.trajectory;
-    let mut left_out = 0;
-    let mut panels = vec![];
-    for (unit, quantity, ..) in UNITS {
-        let mut of_unit = of_unit(first, unit);
-        of_unit.retain(|output| output.is_power() == (quantity == POWER) && runs.iter().any(|run| acts(run, output)));
-        // Several runs are compared by the first output of each unit.
-        let most = if runs.len() > 1 { 1 } else { MOST };
-        left_out += of_unit.len().saturating_sub(most);
-        let mut series = vec![];
-        for output in of_unit.iter().take(most) {
-            for run in runs {
-                let Some(column) = run.trajectory.output(output.name) else { continue };
-                let label = if runs.len() > 1 { run.label } else { output.name };
-                series.push(Series::new(series.len(), label, run.trajectory.t.clone(), column.to_vec()));
-            }
-        }
-        let shown = scale(&mut series, unit);
-        // Angles, such as twists, only where no length tells as much.
-        let told = unit == "rad" && first.outputs.iter().any(|(output, _)| output.unit == "m");
-        if !series.is_empty() && !told {
-            let label = if runs.len() > 1 { of_unit[0].name } else { quantity };
-            panels.push(Panel { y: Axis::linear(label, shown), series });
-        }
-    }
+    let first = first_run(PLOT.name, runs)?;
+    let (mut panels, left_out) = if runs.len() > 1 { compared::panels(runs) } else { of_one(first) };
     // The legend of the first panel holds for all.
     if runs.len() > 1 {
         panels.iter_mut().skip(1).for_each(Panel::unnamed);
@@ -108,6 +87,28 @@ fn draw(runs: &[Run<'_>]) -> Result<Figure, PlotError> {
         subtitle += &format!("; {left_out} more in the table of results");
     }
     Ok(Figure { title: "Outputs".into(), subtitle: Some(subtitle), x: time_axis(runs), panels })
+}
+
+/// The panels of one run, one for each unit, and how many outputs they leave out.
+fn of_one(run: &Run<'_>) -> (Vec<Panel>, usize) {
+    let (mut panels, mut left_out) = (vec![], 0);
+    for (unit, quantity, ..) in UNITS {
+        let mut of_unit = of_unit(run.trajectory, unit);
+        of_unit.retain(|output| output.is_power() == (quantity == POWER) && acts(run, output));
+        left_out += of_unit.len().saturating_sub(MOST);
+        let mut series = vec![];
+        for output in of_unit.iter().take(MOST) {
+            let Some(column) = run.trajectory.output(output.name) else { continue };
+            series.push(Series::new(series.len(), output.name, run.trajectory.t.clone(), column.to_vec()));
+        }
+        let shown = scale(&mut series, unit);
+        // Angles, such as twists, only where no length tells as much.
+        let told = unit == "rad" && run.trajectory.outputs.iter().any(|(output, _)| output.unit == "m");
+        if !series.is_empty() && !told {
+            panels.push(Panel { y: Axis::linear(quantity, shown), series });
+        }
+    }
+    (panels, left_out)
 }
 
 #[test]

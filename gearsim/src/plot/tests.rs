@@ -311,3 +311,14 @@ fn a_run_up_has_order_cuts_by_default() {
     assert_eq!(chosen(&steady, &asked), ["orders", "spectrum"]);
     assert_eq!(chosen(&up, &named), ["orders", "spectrum"]);
 }
+
+#[test]
+fn compared_runs_show_their_outputs_first_and_speeds_after_errors() {
+    let recorded = oscillator(400);
+    let asked = Output { plots: vec!["energy".into(), "motion".into()], ..ASKED.clone() };
+    let runs = ["exact", "classical"].map(|label| Run { asked: &asked, ..run(label, &recorded) });
+    assert_eq!(compared(&runs), ["outputs", "energy", "motion"]);
+    let figure = (outputs::PLOT.draw)(&runs).unwrap();
+    let labels: Vec<_> = figure.panels.iter().map(|panel| (&*panel.y.label, panel.series.len())).collect();
+    assert_eq!(labels, [("dte", 2), ("rotor_speed", 2)]);
+}

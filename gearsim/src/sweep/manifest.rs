@@ -6,7 +6,7 @@ use std::path::Path;
 
 use serde::{Deserialize, Serialize};
 
-use super::record::{self, Column, GROUPS};
+use super::record::{self, Column, GROUPS, Group};
 use super::{Design, Error, Plan, Request, Sweep, impossible};
 use crate::model::Model;
 use crate::output::OutputError;
@@ -202,6 +202,11 @@ impl Layout {
             let names: Vec<&str> = self.columns.iter().map(|(name, _)| name.as_str()).collect();
             let meant = did_you_mean(name, names.iter().copied());
             let meant = meant.map_or(String::new(), |near| format!("did you mean `{near}`? "));
+            let has = |group: &&Group| (group.columns)(self.model).iter().any(|(column, _)| column == name);
+            if let Some(group) = GROUPS.iter().find(has) {
+                let help = format!("name its group of quantities too: --record {},...", group.name);
+                return Error::Impossible { what: format!("no quantity `{name}` is recorded"), help };
+            }
             let help = format!("{meant}the recorded quantities are {}", names.join(", "));
             Error::Impossible { what: format!("no quantity `{name}` is recorded"), help }
         })

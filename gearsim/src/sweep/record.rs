@@ -4,17 +4,22 @@ mod digits;
 mod energy;
 mod events;
 mod extremes;
+mod meshes;
 mod outputs;
 mod peak;
 mod state;
 
 use crate::model::{Coordinate, Model};
-use crate::run::Outcome;
+use crate::run::{Entry, Outcome};
+use crate::scene::Scene;
 use crate::trajectory::Trajectory;
 
 /// All groups, in the order of their columns.
 pub const GROUPS: &[Group] =
-    &[events::GROUP, state::GROUP, digits::GROUP, energy::GROUP, extremes::GROUP, peak::GROUP, outputs::GROUP];
+    &[
+        events::GROUP, state::GROUP, digits::GROUP, energy::GROUP, extremes::GROUP, peak::GROUP, outputs::GROUP,
+        meshes::GROUP,
+    ];
 
 /// Quantities that are recorded together.
 #[derive(Clone, Copy)]
@@ -33,9 +38,20 @@ pub struct Group {
     pub outputs: bool,
     /// The columns for a model.
     pub columns: fn(&Model) -> Vec<Column>,
-    /// The values of the columns for a run, NaN where a value does not exist. The second argument is the time [s] from which on
-    /// rows count; groups that use only the end ignore it.
-    pub values: fn(&Outcome, f64) -> Vec<f64>,
+    /// The values of the columns for a run, NaN where a value does not exist.
+    pub values: fn(&Ended<'_>) -> Vec<f64>,
+}
+
+/// A run that has ended.
+pub struct Ended<'a> {
+    /// The scene that ran.
+    pub scene: &'a Scene,
+    /// Its model.
+    pub entry: &'a Entry,
+    /// The run.
+    pub outcome: &'a Outcome,
+    /// The time from which on rows count \[s\]. Groups that use only the end ignore it.
+    pub from: f64,
 }
 
 /// A column: its name and its SI unit.

@@ -10,6 +10,7 @@ use std::time::{Duration, Instant};
 
 use rayon::prelude::*;
 
+use super::record::Ended;
 use super::row::{Row, Status};
 use super::{Error, Sweep, record, spectra};
 use crate::analysis::digits;
@@ -131,8 +132,8 @@ impl Sweep {
         if self.groups.iter().any(|group| group.digits) {
             self.note_digits(&scenes, &mut outcomes);
         }
-        rows.extend(wanted.into_iter().zip(outcomes).map(|(point, outcome)| match outcome {
-            Ok(outcome) => self.row(point, &outcome),
+        rows.extend(wanted.into_iter().zip(&scenes).zip(outcomes).map(|((point, scene), outcome)| match outcome {
+            Ok(outcome) => self.row(point, scene, &outcome),
             Err(refusal) => self.refused(point, refusal.to_string()),
         }));
         rows
@@ -165,8 +166,9 @@ impl Sweep {
         }
     }
 
-    fn row(&self, point: usize, outcome: &Outcome) -> Row {
+    fn row(&self, point: usize, scene: &Scene, outcome: &Outcome) -> Row {
         let run = &outcome.trajectory;
+        let ended = Ended { scene, entry: &self.entry, outcome, from: self.from };
         let named = |i: usize| {
             let spectrum = spectra::of(run, i, self.from)?;
             let coordinate = run.model.coordinates[i].name.into();
@@ -181,7 +183,7 @@ impl Sweep {
             point,
             status,
             reason,
-            numbers: self.groups.iter().flat_map(|group| (group.values)(outcome, self.from)).collect(),
+            numbers: self.groups.iter().flat_map(|group| (group.values)(&ended)).collect(),
             spectra: match self.spectra {
                 true => record::elastic(run.model).into_iter().filter_map(named).collect(),
                 false => vec![],

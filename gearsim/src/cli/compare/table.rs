@@ -3,6 +3,8 @@
 use super::ComparedRun;
 use crate::cli::{number, report};
 use crate::output::Summary;
+use crate::output::summary::{Number, Observed};
+use crate::plot::outputs::engineering;
 
 /// The table: one column per set of equations, one line per quantity.
 pub(in crate::cli) fn render(members: &[ComparedRun], summaries: &[Summary]) -> String {
@@ -20,6 +22,14 @@ pub(in crate::cli) fn render(members: &[ComparedRun], summaries: &[Summary]) -> 
         0.0 => "-".into(),
         at_start => number::short((s.energy.residual.0 / at_start).abs()),
     });
+    for output in members.first().map_or(vec![], ComparedRun::looked_at) {
+        let (unit, scale) = engineering(output.unit);
+        let of = |s: &Summary, value: fn(&Observed) -> Number| {
+            s.outputs.get(output.name).map_or("-".into(), |observed| number::short(scale * value(observed).0))
+        };
+        add(&format!("{} mean", output.name), unit, &|s| of(s, |observed| observed.mean));
+        add(&format!("{} rms", output.name), unit, &|s| of(s, |observed| observed.rms));
+    }
     for coordinate in members.first().map_or(&[][..], |m| m.results.scene.model.coordinates) {
         let speed = format!("{}_dot", coordinate.name);
         let at_end = |name: &str, s: &Summary| s.state.get(name).map_or("-".into(), number::short);

@@ -18,7 +18,8 @@ use crate::sweep::record;
 #[derive(Args)]
 pub(super) struct PlotOptions {
     /// Draws a recorded quantity over the varied ones: a map over two, a curve over one; may be repeated
-    /// [default: the maximum of the first coordinate that does not rotate continuously, if it is recorded]
+    /// [default: the dynamic factor of the first mesh, else the maximum of the first coordinate that does not rotate continuously, if one
+    /// of them is recorded]
     #[arg(long, value_name = "QUANTITY")]
     map: Vec<String>,
     /// Stores the spectra of all points, and draws them over the one varied quantity
@@ -98,8 +99,13 @@ impl PlotOptions {
     }
 }
 
-/// The map drawn if no --map is given: the maximum of the first coordinate that does not rotate continuously.
+/// The map drawn if no --map is given: the dynamic factor of the first mesh if it is recorded, else the maximum of the first coordinate that
+/// does not rotate continuously.
 fn default(layout: &Layout) -> Option<String> {
+    let factor = layout.columns.iter().find(|(column, _)| column.ends_with("_dynamic_factor"));
+    if let Some((name, _)) = factor {
+        return Some(name.clone());
+    }
     let coordinate = record::elastic(layout.model).into_iter().next()?;
     let name = format!("{}_max", layout.model.coordinates[coordinate].name);
     layout.columns.iter().any(|(column, _)| *column == name).then_some(name)

@@ -134,7 +134,7 @@ fn a_folder_that_cannot_be_written_is_an_error_before_the_run() {
 fn a_comparison_writes_three_runs_and_their_plots() {
     let root = tempfile::tempdir().unwrap();
     go::<Compare>(root.path(), &["--set", "output.plots=[\"energy\"]"]).unwrap();
-    let expected = "compare.json energy.png energy.svg trajectory_classical.parquet trajectory_exact.parquet \
+    let expected = "compare.json energy.png energy.svg outputs.png outputs.svg trajectory_classical.parquet trajectory_exact.parquet \
                     trajectory_rigid_kinematic.parquet";
     assert_eq!(names(root.path()).join(" "), expected);
     let json: serde_json::Value =

@@ -1,8 +1,7 @@
 //! The number of digits left of the end state. A second run of the point, the companion, starts a few roundings away.
 
-use super::{Column, Group, column};
+use super::{Column, Ended, Group, column};
 use crate::model::Model;
-use crate::run::Outcome;
 
 pub(super) const GROUP: Group = Group {
     name: "digits",
@@ -19,6 +18,7 @@ fn columns(_: &Model) -> Vec<Column> {
     vec![column("digits", "1")]
 }
 
-fn values(outcome: &Outcome, _: f64) -> Vec<f64> {
+fn values(ended: &Ended<'_>) -> Vec<f64> {
+    let outcome = ended.outcome;
     vec![outcome.digits.map_or(f64::NAN, |digits| digits.at_end)]
 }

@@ -1,9 +1,8 @@
 //! The energy account at the end of the run; the same numbers as in `summary.json`.
 
-use super::{Column, Group, column};
+use super::{Column, Ended, Group, column};
 use crate::model::Model;
 use crate::output::summary::Energy;
-use crate::run::Outcome;
 
 pub(super) const GROUP: Group = Group {
     name: "energy",
@@ -21,7 +20,8 @@ fn columns(_: &Model) -> Vec<Column> {
     names.map(|name| column(name, "J")).into()
 }
 
-fn values(outcome: &Outcome, _: f64) -> Vec<f64> {
+fn values(ended: &Ended<'_>) -> Vec<f64> {
+    let outcome = ended.outcome;
     let Some(e) = Energy::at_end(&outcome.trajectory) else { return vec![f64::NAN; 7] };
     let account = [e.kinetic, e.strain, e.work, e.dissipated, e.residual, e.at_start];
     account.iter().map(|x| x.0).chain([outcome.ignored]).collect()

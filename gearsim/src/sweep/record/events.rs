@@ -1,6 +1,6 @@
 //! The time reached, and the numbers of events.
 
-use super::{Column, Group, column, last};
+use super::{Column, Ended, Group, column, last};
 use crate::model::Model;
 use crate::run::Outcome;
 use crate::trajectory::Moment;
@@ -24,7 +24,8 @@ fn columns(_: &Model) -> Vec<Column> {
     columns
 }
 
-fn values(outcome: &Outcome, _: f64) -> Vec<f64> {
+fn values(ended: &Ended<'_>) -> Vec<f64> {
+    let outcome = ended.outcome;
     let counts = &outcome.counts;
     let counted =
         [counts.cell_changes, counts.reflections, counts.holds, counts.impacts, counts.cost.grazes, counts.ambiguous];

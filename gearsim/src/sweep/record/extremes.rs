@@ -1,10 +1,9 @@
 //! Range of coordinates and speeds: minimum and maximum over samples and both sides of events; mean, and root mean square about the
 //! mean, over the time. Only the speeds of coordinates that rotate continuously.
 
-use super::{Column, Group, column, row_from, with_rotation};
+use super::{Column, Ended, Group, column, row_from, with_rotation};
 use crate::analysis::statistics::Statistics;
 use crate::model::Model;
-use crate::run::Outcome;
 
 pub(super) const GROUP: Group = Group {
     name: "extremes",
@@ -31,7 +30,8 @@ fn columns(model: &Model) -> Vec<Column> {
     columns
 }
 
-fn values(outcome: &Outcome, from: f64) -> Vec<f64> {
+fn values(ended: &Ended<'_>) -> Vec<f64> {
+    let (outcome, from) = (ended.outcome, ended.from);
     let run = &outcome.trajectory;
     let begin = row_from(run, from);
     let (t, moments) = (&run.t[begin..], &run.moment[begin..]);

@@ -1,9 +1,8 @@
 //! Statistics of every output of the model: forces, transmission errors, losses, speeds.
 
-use super::{Column, Group, column, row_from};
+use super::{Column, Ended, Group, column, row_from};
 use crate::analysis::statistics::Statistics;
 use crate::model::Model;
-use crate::run::Outcome;
 
 pub(super) const GROUP: Group = Group {
     name: "outputs",
@@ -23,7 +22,8 @@ fn columns(model: &Model) -> Vec<Column> {
     model.outputs.iter().flat_map(|output| each(output.name, output.unit)).collect()
 }
 
-fn values(outcome: &Outcome, from: f64) -> Vec<f64> {
+fn values(ended: &Ended<'_>) -> Vec<f64> {
+    let (outcome, from) = (ended.outcome, ended.from);
     let run = &outcome.trajectory;
     let begin = row_from(run, from);
     let statistics = |name| Statistics::of(&run.t[begin..], &run.output(name)?[begin..], &run.moment[begin..]);

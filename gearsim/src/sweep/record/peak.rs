@@ -1,8 +1,7 @@
 //! The highest spectral line of each coordinate that does not rotate continuously: its frequency and its density.
 
-use super::{Column, Group, column, elastic};
+use super::{Column, Ended, Group, column, elastic};
 use crate::model::Model;
-use crate::run::Outcome;
 use crate::sweep::spectra;
 
 pub(super) const GROUP: Group = Group {
@@ -24,7 +23,8 @@ fn columns(model: &Model) -> Vec<Column> {
     elastic(model).into_iter().flat_map(both).collect()
 }
 
-fn values(outcome: &Outcome, from: f64) -> Vec<f64> {
+fn values(ended: &Ended<'_>) -> Vec<f64> {
+    let (outcome, from) = (ended.outcome, ended.from);
     let run = &outcome.trajectory;
     elastic(run.model)
         .into_iter()

@@ -1,8 +1,7 @@
 //! The state at the end of the run: every coordinate, unwrapped, and its speed.
 
-use super::{Column, Group, column, last};
+use super::{Column, Ended, Group, column, last};
 use crate::model::Model;
-use crate::run::Outcome;
 
 pub(super) const GROUP: Group = Group {
     name: "state",
@@ -20,7 +19,8 @@ fn columns(model: &Model) -> Vec<Column> {
     model.coordinates.iter().flat_map(|c| both(c.name, c.unit)).collect()
 }
 
-fn values(outcome: &Outcome, _: f64) -> Vec<f64> {
+fn values(ended: &Ended<'_>) -> Vec<f64> {
+    let outcome = ended.outcome;
     let run = &outcome.trajectory;
     run.q.iter().zip(&run.q_dot).flat_map(|(q, v)| [last(q), last(v)]).collect()
 }

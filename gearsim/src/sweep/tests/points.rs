@@ -1,11 +1,12 @@
 //! Tests of the points of a sweep: their values, their order, and that the row of a point equals a single run with its values.
 
 use super::{load, request};
+use crate::analysis::dynamic_factor;
 use crate::generated::MODELS;
 use crate::run::Outcome;
 use crate::scene::Scene;
 use crate::sweep::row::Status;
-use crate::sweep::{Design, Plan, Request};
+use crate::sweep::{Design, Plan, Request, Sweep};
 
 fn plan(vary: &[&str], samples: Option<usize>) -> Plan {
     load(&Request { samples, seed: 3, ..request(vary) }).unwrap_or_else(|e| panic!("{vary:?}: {e}")).plan
@@ -163,4 +164,29 @@ fn a_failing_point_is_a_row_with_its_reason() {
     let status: Vec<_> = (0..4).map(|point| sweep.point(point).status).collect();
     assert_eq!(status, [Status::Done, Status::Done, Status::Done, Status::Refused]);
     assert!(sweep.point(3).reason.contains("leaves nothing of the pitch"), "{}", sweep.point(3).reason);
+}
+
+#[test]
+fn dynamic_factors_are_those_of_single_runs_from_the_time_of_the_sweep_on() {
+    let path = super::scene().with_file_name("../two_stage.toml");
+    let from = 0.01;
+    let request = Request {
+        vary: vec!["start.speed=500 rpm,900 rpm".into()],
+        overrides: vec!["run.t_end=0.03 s".into()],
+        record: vec!["meshes".into()],
+        from: Some(from),
+        ..Request::default()
+    };
+    let sweep = Sweep::load(&path, MODELS, &request).unwrap_or_else(|error| panic!("{error}"));
+    let names: Vec<String> = sweep.columns().into_iter().map(|(name, _)| name).collect();
+    assert_eq!(names, ["k12_dynamic_factor", "k12_kv_iso6336", "k34_dynamic_factor", "k34_kv_iso6336"]);
+    let scene = sweep.first().unwrap();
+    let alone = sweep.entry.run(&scene, &mut |_| {}).unwrap();
+    let expected = dynamic_factor::of(&scene, &sweep.entry, &alone.trajectory, from);
+    let row = sweep.point(0).numbers;
+    for (mesh, values) in expected.iter().zip(row.chunks(2)) {
+        assert_eq!(mesh.factor.clone().unwrap(), values[0], "{}", mesh.law.name);
+        assert_eq!(mesh.iso6336.clone().unwrap_or(f64::NAN).to_bits(), values[1].to_bits(), "{}", mesh.law.name);
+    }
+    assert!(row[0] > 1.0 && sweep.point(1).numbers[0] != row[0]);
 }
