@@ -51,7 +51,7 @@ pub(super) struct Modes {
 }
 
 /// Version of the format of `modes.json`.
-const VERSION: u32 = 2;
+const VERSION: u32 = 3;
 
 /// The content of `modes.json`.
 #[derive(Serialize)]
@@ -60,6 +60,8 @@ struct Report<'a> {
     model: &'a str,
     /// Names of the coordinates, in the order of `shape`.
     coordinates: Vec<&'a str>,
+    /// Their SI units: those of the amplitudes in `shape`.
+    units: Vec<&'a str>,
     /// Names of the laws, in the order of `levels` and `strain_energy`.
     laws: Vec<&'a str>,
     /// Names of the parameters that are stiffnesses, in the order of `strain_energy_of_springs`.
@@ -214,6 +216,7 @@ impl Modes {
             scene: &scene.name,
             model: scene.model.name,
             coordinates: scene.model.coordinates.iter().map(|c| c.name).collect(),
+            units: scene.model.coordinates.iter().map(|c| c.unit).collect(),
             laws: scene.stiffnesses().map(|(law, _)| law.name).collect(),
             springs: parts.springs.iter().map(|spring| spring.name).collect(),
             masses: parts.masses.iter().map(|mass| mass.name).collect(),

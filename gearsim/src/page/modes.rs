@@ -3,6 +3,7 @@
 use super::Page;
 use super::html::{Cell, Html};
 use super::shared::{self, Made, figure};
+use crate::analysis::modes::masses::bodies;
 use crate::analysis::modes::{CellModes, Parts, Vibration};
 use crate::output::OutputError;
 use crate::plot::Figure;
@@ -71,10 +72,14 @@ fn energies(html: &mut Html, scene: &Scene, modes: &Modes<'_>) {
     let elastic: Vec<&str> = scene.stiffnesses().map(|(law, _)| law.name).collect();
     let elastic: Vec<&str> = elastic.into_iter().chain(modes.parts.springs.iter().map(|spring| spring.name)).collect();
     for (i, mode) in modes.chosen.modes.iter().enumerate() {
-        let kinetic = modes.parts.masses.iter().map(|mass| mass.name).zip(&mode.kinetic);
-        let kinetic = kinetic.map(|(name, share)| (name, "kinetic", share));
+        let masses = &modes.parts.masses;
+        let kinetic = bodies(masses).into_iter().map(|body| {
+            let share = body.share(&mode.shape, mode.kinetic[body.mass], &masses[body.mass]);
+            let name = body.coordinate.map_or(body.name.to_owned(), |own| format!("{}: {own}", body.name));
+            (name, "kinetic", share.abs())
+        });
         let strain = elastic.iter().zip(mode.strain.iter().chain(&mode.springs));
-        for (name, energy, share) in kinetic.chain(strain.map(|(name, share)| (*name, "strain", share))) {
+        for (name, energy, share) in kinetic.chain(strain.map(|(name, share)| ((*name).to_owned(), "strain", *share))) {
             let names = [Cell::Number(i as f64), Cell::text(name), Cell::text(energy)];
             rows.push(names.into_iter().chain([Cell::Number(100.0 * share)]).collect());
         }
@@ -83,11 +88,11 @@ fn energies(html: &mut Html, scene: &Scene, modes: &Modes<'_>) {
     let mut rows = vec![];
     for (i, mode) in modes.chosen.modes.iter().enumerate() {
         for (coordinate, shape) in scene.model.coordinates.iter().zip(&mode.shape) {
-            let names = [Cell::Number(i as f64), Cell::text(coordinate.name)];
+            let names = [Cell::Number(i as f64), Cell::text(coordinate.name), Cell::text(coordinate.unit)];
             rows.push(names.into_iter().chain([shape.re, shape.im].map(Cell::Number)).collect());
         }
     }
-    html.table("Shapes", &["mode", "coordinate", "real", "imaginary"], &rows);
+    html.table("Shapes", &["mode", "coordinate", "unit", "real", "imaginary"], &rows);
 }
 
 fn cells(html: &mut Html, scene: &Scene, cells: &[CellModes]) {

@@ -2,6 +2,7 @@
 //! the share of every mesh and spring in the strain energy. Shares have no unit, so that rotations and displacements stand on one axis.
 
 use super::{Axis, Figure, Panel, PlotError, Series, Style, symbol};
+use crate::analysis::modes::masses::{Body, bodies};
 use crate::analysis::modes::{CellModes, Parts, Vibration};
 use crate::scene::Scene;
 
@@ -26,11 +27,17 @@ pub fn draw(scene: &Scene, cell: &CellModes, parts: &Parts) -> Result<Figure, Pl
     }
     let shown = &vibrating[..vibrating.len().min(MOST)];
     let large = |share: &dyn Fn(&Vibration) -> f64| shown.iter().any(|(_, mode)| share(mode).abs() >= LEAST);
-    let heavy: Vec<usize> = (0..masses.len()).filter(|&i| large(&|mode: &Vibration| mode.kinetic[i])).collect();
+    let kinetic =
+        |body: &Body<'_>, mode: &Vibration| body.share(&mode.shape, mode.kinetic[body.mass], &masses[body.mass]);
+    let mut heavy = bodies(masses);
+    heavy.retain(|body| large(&|mode: &Vibration| kinetic(body, mode)));
     let laws: Vec<&str> = scene.stiffnesses().map(|(law, _)| law.name).collect();
     let elastic: Vec<usize> =
         (0..laws.len() + springs.len()).filter(|&i| large(&|mode: &Vibration| strain(mode, i))).collect();
-    let names = heavy.iter().map(|&i| symbol(masses[i].name));
+    let names = heavy.iter().map(|body| match body.coordinate {
+        None => symbol(body.name),
+        Some(own) => format!("{}: {}", symbol(body.name), symbol(own)),
+    });
     let names = names.chain(
         elastic.iter().map(|&i| laws.get(i).copied().unwrap_or_else(|| springs[i - laws.len()].name).to_owned()),
     );
@@ -38,8 +45,7 @@ pub fn draw(scene: &Scene, cell: &CellModes, parts: &Parts) -> Result<Figure, Pl
     let end = names.len() as f64 - 0.4;
     let panels = shown.iter().map(|(number, mode)| {
         let head = if mode.damped > 0.0 { format!("{} Hz", significant(mode.natural)) } else { "overdamped".into() };
-        let along = |i: usize| masses[i].sense.iter().zip(&mode.shape).map(|(sense, x)| sense * x.re).sum::<f64>();
-        let kinetic = heavy.iter().map(|&i| 100.0 * mode.kinetic[i] * if along(i) < 0.0 { -1.0 } else { 1.0 });
+        let kinetic = heavy.iter().map(|body| 100.0 * kinetic(body, mode));
         let elastic = elastic.iter().map(|&i| 100.0 * strain(mode, i));
         let first = format!("mode {number}, {head}: kinetic energy, with the sign of the motion");
         let series = vec![

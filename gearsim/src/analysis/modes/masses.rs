@@ -4,7 +4,9 @@
 //! from an inertia is therefore positive semidefinite, and its share of the kinetic energy is between 0 and 1. (Coordinates have no such
 //! shares: where inertia couples coordinates, Re(conj(phi_i) (M phi)_i) may be negative, and for other coordinates larger than the sum.)
 
-use nalgebra::{DMatrix, DVector};
+mod pieces;
+
+use nalgebra::{Complex, DMatrix, DVector};
 
 use super::linear::{multiples, part};
 use crate::engine::Refusal;
@@ -26,6 +28,19 @@ pub struct Mass {
     /// Its momentum in the first rigid motion (n). If the part is at rest there, its momentum in a motion of the coordinate with its
     /// largest inertia. The product with a mode shape has the sign of the part's motion.
     pub sense: DVector<f64>,
+    /// The pieces that it consists of, such as the planets of a set; empty if it is one body.
+    pub pieces: Vec<Piece>,
+}
+
+/// A piece of an inertia, in the same terms.
+#[derive(Debug, Clone)]
+pub struct Piece {
+    /// The first coordinate of its own.
+    pub coordinate: &'static str,
+    /// Its part of M (n x n).
+    pub inertia: DMatrix<f64>,
+    /// As that of a [`Mass`].
+    pub sense: DVector<f64>,
 }
 
 /// The inertias of `scene` in the order of its parameters. M is evaluated at the coordinates about which `system` is linearised.
@@ -46,10 +61,55 @@ pub fn of(scene: &Scene, entry: &Entry, system: &System) -> Result<Vec<Mass>, Re
         if let Some((inertia, _)) = part([&once, &twice, &thrice])
             && inertia.amax() > 0.0
         {
-            masses.push(Mass { name: parameter.name, sense: sense(&inertia, rigid.as_ref()), inertia });
+            let sense = |inertia: &DMatrix<f64>| sense(inertia, rigid.as_ref());
+            let piece = |(own, inertia): pieces::Piece| Piece {
+                coordinate: scene.model.coordinates[own].name,
+                sense: sense(&inertia),
+                inertia,
+            };
+            let pieces = pieces::of(&inertia).into_iter().map(piece).collect();
+            masses.push(Mass { name: parameter.name, sense: sense(&inertia), inertia, pieces });
         }
     }
     Ok(masses)
+}
+
+/// A bar in the kinetic energy of a mode: of a mass that is one body, or of a piece.
+#[derive(Debug, Clone, Copy)]
+pub struct Body<'a> {
+    /// The mass, by its number.
+    pub mass: usize,
+    /// Name of its parameter.
+    pub name: &'static str,
+    /// The first own coordinate of a piece.
+    pub coordinate: Option<&'static str>,
+    inertia: &'a DMatrix<f64>,
+    sense: &'a DVector<f64>,
+}
+
+/// The bodies of `masses`.
+pub fn bodies(masses: &[Mass]) -> Vec<Body<'_>> {
+    let mut all = vec![];
+    for (i, mass) in masses.iter().enumerate() {
+        let body = |coordinate, inertia, sense| Body { mass: i, name: mass.name, coordinate, inertia, sense };
+        match &mass.pieces[..] {
+            [] => all.push(body(None, &mass.inertia, &mass.sense)),
+            pieces => all.extend(pieces.iter().map(|p| body(Some(p.coordinate), &p.inertia, &p.sense))),
+        }
+    }
+    all
+}
+
+impl Body<'_> {
+    /// Its share in the kinetic energy of a mode with this shape, of which its mass has the share `of_mass`, with the sign of its motion.
+    pub fn share(&self, shape: &[Complex<f64>], of_mass: f64, mass: &Mass) -> f64 {
+        let shape = DVector::from_column_slice(shape);
+        let energy = |a: &DMatrix<f64>| shape.dotc(&(a.map(Complex::from) * &shape)).re;
+        let along: f64 = self.sense.iter().zip(&shape).map(|(sense, x)| sense * x.re).sum();
+        let part = if self.coordinate.is_none() { 1.0 } else { energy(self.inertia) / energy(&mass.inertia) };
+        let share = if of_mass == 0.0 { 0.0 } else { of_mass * part };
+        if along < 0.0 { -share } else { share }
+    }
 }
 
 fn sense(inertia: &DMatrix<f64>, rigid: Option<&DVector<f64>>) -> DVector<f64> {

@@ -53,14 +53,18 @@ fn one(scene: &Scene, of: &Parts, i: usize, mode: &Vibration, width: usize) -> S
         }
         Some(zeta) => format!("{} Hz, does not oscillate, zeta {}", short(mode.natural), short(zeta)),
     };
-    let names: Vec<&str> = scene.model.coordinates.iter().map(|c| c.name).collect();
+    let coordinates = scene.model.coordinates;
+    let names: Vec<&str> = coordinates.iter().map(|c| c.name).collect();
+    // Amplitudes of one unit have no unit relative to each other.
+    let mixed = coordinates.iter().any(|c| c.unit != coordinates[0].unit);
+    let unit = |i: usize| if mixed { format!(" {}", coordinates[i].unit) } else { String::new() };
     let mut parts: Vec<usize> = (0..names.len()).collect();
     parts.sort_by(|&a, &b| mode.shape[b].norm().total_cmp(&mode.shape[a].norm()));
     let shape = parts.iter().take(PARTS).map(|&i| {
         let z = mode.shape[i];
         match z.im.abs() > 1e-6 * z.norm() {
-            true => format!("{} {} ∠ {:.0}°", names[i], short(z.norm()), z.arg().to_degrees()),
-            false => format!("{} {}", names[i], short(z.re)),
+            true => format!("{} {}{} ∠ {:.0}°", names[i], short(z.norm()), unit(i), z.arg().to_degrees()),
+            false => format!("{} {}{}", names[i], short(z.re), unit(i)),
         }
     });
     let mut shape: String = shape.collect::<Vec<_>>().join(", ");
