@@ -142,8 +142,11 @@ def cost_and_advice_are_shown(browser, gearsim, folder):
         assert 1e-9 < float(page.locator("#error").text_content()) < 1e-1
         assert page.locator("#ratio").text_content().endswith(" x exact cells")
         assert page.locator("#digits").text_content().isdigit()
-        page.locator("#advise").click()
-        page.wait_for_selector("#advised table")
+        # Without being asked for, and once more after a change.
+        page.wait_for_selector("body:not(.unadvised) #advised table")
+        after(page, page.locator("#tolerance").fill, "1e-6")
+        assert page.locator("body.unadvised").count() == 1
+        page.wait_for_selector("body:not(.unadvised) #advised table")
         verdict = page.locator("#effects label", has_text="damping").locator(".verdict")
         assert verdict.text_content() in ("needed", "negligible")
 

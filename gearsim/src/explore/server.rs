@@ -154,8 +154,9 @@ impl Service {
                 ended_or(&ticket, explorer.judge(choice, &|| ticket.goes_on()))
             }
             Route::Advise => {
-                let ticket = ticket(&self.advices, 1, ADVISE);
-                ended_or(&ticket, explorer.advise(choice, &|| ticket.goes_on()))
+                // It ends with the run of which it tells, so that the next one has the processor.
+                let (run, ticket) = (ticket(&self.runs, 0, ADVISE), ticket(&self.advices, 1, ADVISE));
+                ended_or(&ticket, explorer.advise(choice, &|| run.is_newest() && ticket.goes_on()))
             }
             Route::Save => match explorer.saved(choice) {
                 Ok(text) => Ok(Content { bytes: text.into_bytes(), kind: "application/toml", policy: nothing() }),

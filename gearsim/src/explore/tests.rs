@@ -249,8 +249,8 @@ fn a_choice_is_judged_and_advised() {
 struct Served(Arc<Service>, Option<std::thread::JoinHandle<()>>);
 
 impl Served {
-    fn new() -> Served {
-        let service = Service::new(explorer("oh2005/energy_300rpm"), 0).unwrap();
+    fn new(scene: &str) -> Served {
+        let service = Service::new(explorer(scene), 0).unwrap();
         let serving = service.clone();
         Served(service, Some(std::thread::spawn(move || serving.serve())))
     }
@@ -287,7 +287,7 @@ impl Drop for Served {
 
 #[test]
 fn the_server_answers_its_own_page_alone() {
-    let served = Served::new();
+    let served = Served::new("oh2005/energy_300rpm");
     let (host, path) = served.parts();
     let port = host.rsplit(':').next().unwrap();
     let json = "Content-Type: application/json\r\n";
@@ -318,6 +318,20 @@ fn the_server_answers_its_own_page_alone() {
         "{policy}"
     );
     assert!(page.contains("Referrer-Policy: no-referrer") && page.contains("<h1>energy_300rpm</h1>"));
+}
+
+#[test]
+fn a_new_run_ends_the_advice_on_the_one_before() {
+    let served = Served::new("wind_turbine");
+    let (host, path) = served.parts();
+    let head = format!("Host: {host}\r\nContent-Type: application/json\r\n");
+    let post = |what: &str| served.ask(&format!("POST {path}{what}"), &head, "{}");
+    std::thread::scope(|scope| {
+        let advice = scope.spawn(|| post("advise"));
+        std::thread::sleep(std::time::Duration::from_millis(100));
+        assert!(post("run").contains("\"mistakes\":[]"));
+        assert!(advice.join().unwrap().ends_with("{\"superseded\":false}"));
+    });
 }
 
 #[test]

@@ -2,19 +2,14 @@
 
 // After this time [ms] a newer choice ends the run of an older one; before, it waits for it.
 const PATIENCE = 250;
-// Time [ms] without a change after which what is not seen follows, after which a run is judged, and after which advice begins by
-// itself.
+// Time [ms] without a change after which what is not seen follows, after which a run is judged, and after which advice begins.
 const REST = 150, QUIET = 120, CALM = 700;
-// Advice begins by itself where a run takes less [s].
-const QUICK = 0.02;
 
 let flight = null;
 let waiting = false;
 let since = 0;
 let number = 0;
 let timer = null;
-// Processor time of the run that is shown [s].
-let seconds = 0;
 
 async function post(what) {
   const response = await fetch(what, { method: "POST", headers: { "Content-Type": "application/json" }, body: JSON.stringify(choice) });
@@ -98,7 +93,6 @@ function show(answer, from) {
 }
 
 function showRun(run) {
-  seconds = run.seconds;
   byId("about").textContent = run.subtitle;
   put("time", run.time, "");
   put("error", "\u2026", "");
@@ -131,6 +125,8 @@ async function judge() {
   let judgement = null;
   try { judgement = await (await post("judge")).json(); } catch (error) { if (mine === number) lost(error); return; }
   if (mine !== number || flight) return;
+  // Not beside the judgement, which measures time. A newer choice ends it.
+  timer = setTimeout(advise, CALM);
   if (!judgement || "superseded" in judgement) {
     put("error", "-", judgement?.superseded ? "" : "the reference takes too long");
     put("digits", "-", "");
@@ -146,7 +142,6 @@ async function judge() {
     }
   }
   document.body.dataset.judged = String(mine);
-  if (seconds < QUICK) timer = setTimeout(advise, CALM);
 }
 
 async function advise() {
@@ -203,7 +198,6 @@ async function save() {
 
 byId("controls").addEventListener("submit", (event) => event.preventDefault());
 byId("save").addEventListener("click", save);
-byId("advise").addEventListener("click", () => { clearTimeout(timer); advise(); });
 byId("reset").addEventListener("click", () => {
   Object.assign(choice, { values: {}, effects: null, solver: null });
   changed();
