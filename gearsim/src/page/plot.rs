@@ -24,6 +24,8 @@ pub struct Plot {
     pub lines: Vec<Line>,
     /// Value of x from which on the plot is shaded, because no digit of the state is left there.
     pub shaded_from: Option<f64>,
+    /// Whether the axes have the same scale, as a plane of complex numbers.
+    pub square: bool,
 }
 
 /// An axis.

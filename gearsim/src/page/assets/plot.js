@@ -28,6 +28,8 @@ const COARSE = 4;
 const LABELS = { font: 11, row: 14, rows: 4 };
 // Height of the frames, and above and below them.
 const HEIGHT = 196, TOP = 10, BOTTOM = 44;
+// Most height of the frame of a plot whose axes have the same scale.
+const SQUARE = 420;
 // Size of the numbers and names at the axes, and of their titles.
 const FONT = 12, TITLE = 14;
 // Screens narrower than this [px] are those of phones.
@@ -272,6 +274,7 @@ class Panel {
 
   /** Height of the frame: more where many notes stand one above the other. */
   height() {
+    if (this.plot.square) return Math.min(SQUARE, this.pixels());
     const before = this.plot.curves.filter(({ note }) => note?.place === "before").length;
     return Math.max(HEIGHT, 2 * LABELS.row * Math.max(before, this.after().length));
   }
@@ -357,8 +360,8 @@ class Panel {
       dragmode: touch() ? false : "zoom", paper_bgcolor: "rgba(0,0,0,0)", plot_bgcolor: "rgba(0,0,0,0)",
       font: { family: getComputedStyle(document.body).fontFamily, size: FONT, color: ink },
       modebar: { bgcolor: "rgba(0,0,0,0)", color: css("--muted"), activecolor: ink },
-      xaxis: { ...axis, ...(this.plot.x.log ? logarithmic : {}), ...names(this.plot.x.names), ...(this.upright() ? { tickangle: 90 } : {}), range: [...range], title: title(words), fixedrange: touch(), uirevision: this.group.revision },
-      yaxis: { ...y, fixedrange: touch() },
+      xaxis: { ...axis, ...(this.plot.x.log ? logarithmic : {}), ...names(this.plot.x.names), ...(this.upright() ? { tickangle: 90 } : {}), range: [...range], ...(this.plot.square ? { constrain: "domain" } : {}), title: title(words), fixedrange: touch(), uirevision: this.group.revision },
+      yaxis: { ...y, ...(this.plot.square ? { scaleanchor: "x", constrain: "domain" } : {}), fixedrange: touch() },
       yaxis2: { overlaying: "y", range: [0, 1], fixedrange: true, visible: false },
     };
   }

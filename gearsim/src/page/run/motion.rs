@@ -66,6 +66,7 @@ pub(super) fn plot(
         events: times.events.clone(),
         lines: vec![],
         shaded_from: outcome.digits.and_then(|digits| digits.none_from),
+        square: false,
     });
 }
 

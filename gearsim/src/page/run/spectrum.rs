@@ -109,6 +109,7 @@ fn plot(
         events: None,
         lines,
         shaded_from: None,
+        square: false,
     });
 }
 

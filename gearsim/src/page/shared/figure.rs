@@ -33,6 +33,7 @@ pub fn fill(html: &mut Html, group: &str, figure: &Figure) {
             events: None,
             lines: vec![],
             shaded_from: figure.x.shaded_from,
+            square: false,
         });
     }
 }
