@@ -48,15 +48,33 @@ pub(super) fn text(evaluated: &Evaluated, scene: &Scene, summary: &Summary, widt
     }
     for (signal, sound) in &evaluated.sounds {
         let Sound { stretch, unit, full_scale, .. } = sound;
-        let time = if stretch.0 == 1.0 {
-            "true time".into()
-        } else {
-            format!("true time slowed down {} times", short(stretch.0))
-        };
-        let says = format!("{signal} in {time}; loudness is relative: full scale is {}", in_words(full_scale.0, unit));
+        let speed = played(stretch.0);
+        let says = format!("{signal}, {speed}; loudness is relative: full scale is {}", in_words(full_scale.0, unit));
         text += &report::line("sound", &says, width);
     }
     text
+}
+
+/// How fast a sound is played whose playing time is `stretch` times the model time.
+fn played(stretch: f64) -> String {
+    match stretch {
+        1.0 => "played at its real speed and pitch".into(),
+        slow if slow > 1.0 => {
+            let times = short(slow);
+            format!("played {times} times slower than it happens, so that each frequency is divided by {times}")
+        }
+        fast => {
+            let times = short(1.0 / fast);
+            format!("played {times} times faster than it happens, so that each frequency is multiplied by {times}")
+        }
+    }
+}
+
+#[test]
+fn the_speed_of_a_sound_is_told_with_what_it_does_to_frequencies() {
+    assert_eq!(played(1.0), "played at its real speed and pitch");
+    assert_eq!(played(4.0), "played 4 times slower than it happens, so that each frequency is divided by 4");
+    assert_eq!(played(0.5), "played 2 times faster than it happens, so that each frequency is multiplied by 2");
 }
 
 /// A line in words: `2 × k12 - 1 rotor_speed_1`.

@@ -8,7 +8,7 @@ use super::{field, keys, spectrum};
 /// Keys of the table.
 pub(super) const KEYS: &[Key] = &[
     key("of", Kind::List(&Kind::Name(spectrum::SIGNAL)), REQUIRED, "signals to write"),
-    key("stretch", Kind::Number, "1", "playing time over model time: 10 is ten times as slow"),
+    key("stretch", Kind::Number, "1", "playing time over model time: 10 plays 10 times slower, and divides each frequency by 10"),
 ];
 /// Factors by which time may be stretched \[1\]: beyond them nothing can be heard.
 const STRETCHES: std::ops::RangeInclusive<f64> = 1e-3..=1e6;
@@ -37,7 +37,7 @@ pub(super) fn read(node: &Node, signals: &[&'static str], report: &mut Report) -
             let stretch = field::quantity("output.sound.stretch", node, "1", report)?;
             if !STRETCHES.contains(&stretch) {
                 let must = format!("must lie between {} and {:e}", STRETCHES.start(), STRETCHES.end());
-                let help = "1 is true time, 10 is ten times as slow";
+                let help = "1 plays the signal as fast as it happens, 10 plays it 10 times slower and divides each frequency by 10";
                 field::out_of_range("output.sound.stretch", node, &must, help, report);
                 return None;
             }
