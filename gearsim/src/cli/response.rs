@@ -13,7 +13,6 @@ use super::{Verb, files, known, number, page, report, terminal};
 use crate::output::unit::in_words;
 use crate::output::{OutputFolder, csv, document, parquet};
 use crate::plot;
-use crate::plot::outputs::engineering;
 use crate::sweep::response::{Hold, MEASURES, Response};
 use crate::sweep::{Request, Status, Sweep};
 
@@ -156,10 +155,7 @@ impl ResponseCommand {
         let mut facts = vec![("speed".into(), response.holding.clone()), ("measured".into(), measured(response))];
         let words = self.measure.replace('_', " ");
         let Some((_, value)) = MEASURES.iter().find(|(name, _)| *name == self.measure) else { return facts };
-        let (unit, scale) = match response.unit.as_str() {
-            "rad/s" => engineering("rad/s"),
-            other => (other, 1.0),
-        };
+        let (unit, scale) = response.shown_unit();
         for (i, output) in response.outputs.iter().enumerate() {
             for (way, upward) in [("up", true), ("down", false)] {
                 let points =

@@ -11,8 +11,9 @@ mod span;
 
 use super::{Error, Status, Sweep, axis, impossible};
 use crate::analysis::statistics::Statistics;
-use crate::model::Output;
+use crate::model::{Model, Output};
 use crate::output::table::Values;
+use crate::output::unit::readable;
 use crate::output::{OutputError, Table};
 use crate::run::Outcome;
 use crate::scene::{Scene, list};
@@ -35,6 +36,8 @@ pub struct Response {
     pub key: String,
     /// Its SI unit.
     pub unit: String,
+    /// What it is, in words.
+    pub words: String,
     /// The observed outputs.
     pub outputs: Vec<&'static Output>,
     /// The parameter that holds the speed: its name, and its SI unit.
@@ -94,8 +97,8 @@ impl Sweep {
             let parameter = &first.model.parameters[handle.parameter];
             (parameter.name, parameter.unit)
         };
-        let (held, unit) = (handle.as_ref().map(named), self.unit());
-        let mut response = Response { key: axis.key.clone(), unit, outputs, held, holding, points: vec![] };
+        let (held, unit, words) = (handle.as_ref().map(named), self.unit(), words(&axis.key, first.model));
+        let mut response = Response { key: axis.key.clone(), unit, words, outputs, held, holding, points: vec![] };
         let down = (0..values.len()).rev().filter(|_| both).map(|i| (false, i));
         let (mut before, mut more): (Option<(Trajectory, f64)>, f64) = (None, 0.0);
         for (done, (upward, i)) in (0..values.len()).map(|i| (true, i)).chain(down).enumerate() {
@@ -213,6 +216,22 @@ impl Sweep {
     }
 }
 
+/// What a key of a scene is, in words: a parameter and a coordinate by their descriptions.
+fn words(key: &str, model: &Model) -> String {
+    let described = |name: &str, doc: &str| if doc.is_empty() { name.to_owned() } else { format!("{doc}, {name}") };
+    match key.split_once('.') {
+        Some(("parameters", name)) => {
+            let doc = model.parameters.iter().find(|parameter| parameter.name == name).map_or("", |known| known.doc);
+            described(name, doc)
+        }
+        Some(("start", name)) => match model.coordinates.iter().find(|coordinate| coordinate.name == name) {
+            Some(coordinate) => format!("{} at the start", described(name, coordinate.doc)),
+            None => name.replace('_', " "),
+        },
+        _ => key.to_owned(),
+    }
+}
+
 /// Where a point begins.
 struct At<'a> {
     /// Its value, as an override.
@@ -259,6 +278,12 @@ impl Point {
 }
 
 impl Response {
+    /// The unit in which people read the varied value, and the factor to it from the SI unit.
+    pub fn shown_unit(&self) -> (&str, f64) {
+        let largest = self.points.iter().map(|point| point.value.abs()).fold(0.0, f64::max);
+        readable(&self.unit, largest)
+    }
+
     /// The points as a table: `way`, the varied key, `mean_speed`, `speed_drift` over the measured time, the parameter that holds the
     /// speed, `measured_time`, `periods` and their kind (`period_of`), `status`, `reason`, and for each output the mean, the root mean
     /// square about the mean, and the peak-to-peak value.
