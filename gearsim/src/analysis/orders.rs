@@ -56,16 +56,29 @@ impl Orders {
 
     /// Whether the spectrum has a line of its own at `order`.
     fn stands_out(&self, order: f64) -> bool {
-        stands_out(&self.amplitude, order * (self.revolutions * CLOSER) as f64, CLOSER as f64)
+        stands_out(&self.amplitude, order * (self.revolutions * CLOSER) as f64, CLOSER as f64, |x| PROMINENCE * x)
     }
 }
 
-/// Whether a curve has a line of its own at a `place` between its points: it is higher there than the width of a `line` to either side. A
-/// line is half as high there; the skirt of another one is higher on one side.
-pub(crate) fn stands_out(y: &[f64], place: f64, line: f64) -> bool {
+/// Amplitude of a line over the median of the amplitudes about it, from which on it is no noise \[1\].
+pub(crate) const PROMINENCE: f64 = 3.0;
+/// Lines on either side of a line whose median is taken.
+const ABOUT: f64 = 12.0;
+
+/// Whether a curve has a line of its own at a `place` between its points: it is higher there than the width of a `line` to either side, and
+/// than `least` of the median of the curve about it. A line is half as high at its width; the skirt of another one is higher on one side.
+pub(crate) fn stands_out(y: &[f64], place: f64, line: f64, least: impl Fn(f64) -> f64) -> bool {
     let at = |place| interpolated(y, place);
     let higher = |than: Option<f64>| at(place).zip(than).is_some_and(|(here, there)| here > there);
-    higher(at(place - line)) && higher(at(place + line))
+    higher(at(place - line)) && higher(at(place + line)) && higher(median_about(y, place, ABOUT * line).map(least))
+}
+
+/// The median of the values of a curve up to `reach` points from a place; without the first one, which is the remainder of the mean.
+fn median_about(y: &[f64], place: f64, reach: f64) -> Option<f64> {
+    let (first, end) = ((place - reach).max(1.0) as usize, ((place + reach) as usize + 1).min(y.len()));
+    let mut about: Vec<f64> = y.get(first..end)?.iter().copied().filter(|y| !y.is_nan()).collect();
+    about.sort_by(f64::total_cmp);
+    about.get(about.len() / 2).copied()
 }
 
 /// Width of the band that the Hann window passes with less than 3 dB of loss \[lines, of which there are R in an order\]. F. J. Harris,

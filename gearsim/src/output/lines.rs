@@ -62,7 +62,7 @@ impl Lines {
         all.filter(|(_, has)| **has).map(move |((line, amplitudes), _)| (line, amplitudes[o]))
     }
 
-    /// The table, a row for each output and line. Errors: [`OutputError::Ragged`].
+    /// The table, a row for each output and line; the frequency is NaN where the speed of the mesh varies. Errors: [`OutputError::Ragged`].
     pub fn table(&self, settings: &Spectrum) -> Result<Table, OutputError> {
         let (mut words, mut numbers) = ([(); 5].map(|()| vec![]), [(); 6].map(|()| vec![]));
         for (o, output) in self.outputs.iter().enumerate() {
@@ -74,7 +74,9 @@ impl Lines {
                 words.iter_mut().zip(texts).for_each(|(column, text)| column.push(text));
                 let level = 20.0 * (amplitude / value).log10();
                 let (harmonic, sideband) = (line.harmonic as f64, f64::from(line.sideband));
-                let row = [harmonic, sideband, line.order, line.frequency, amplitude, level];
+                // The frequency at the mean speed is none of a line that moves with the speed.
+                let frequency = if self.varying.contains(&line.mesh) { f64::NAN } else { line.frequency };
+                let row = [harmonic, sideband, line.order, frequency, amplitude, level];
                 numbers.iter_mut().zip(row).for_each(|(column, number)| column.push(number));
             }
         }

@@ -2,10 +2,12 @@
 //! own, as in the table of lines.
 
 use super::{Marker, Note, Series, Style};
-use crate::analysis::orders::{APART, Mesh, SIDEBANDS, in_lobe, stands_out};
+use crate::analysis::orders::{APART, Mesh, PROMINENCE, SIDEBANDS, in_lobe, stands_out};
 
-/// Multiples of a mesh frequency that are marked.
+/// Multiples of a mesh frequency that are marked with their sidebands.
 pub(super) const HARMONICS: usize = 4;
+/// Most multiples of a mesh order that are marked: more of them would be too close to each other.
+pub(crate) const MOST: usize = 60;
 /// Greys of the lines of one mesh after the other, and their dashes.
 const LINES: [(&str, &[f64]); 3] = [("#8a8a8a", &[]), ("#8a8a8a", &[6.0, 3.0]), ("#8a8a8a", &[2.0, 3.0])];
 /// Symbols of the sidebands of one rotor after the other.
@@ -16,24 +18,35 @@ const SYMBOLS: [(&str, Marker); 4] = [
     ("#56b4e9", Marker::Cross),
 ];
 
-/// The marks of `meshes` in a panel with values between `low` and `high`, on the curve of a spectrum whose abscissa is a frequency over
-/// `unit` \[Hz\] and has `closer` points in the width of a line. Only up to `end`.
+/// The curve of a spectrum on which sidebands are marked.
+pub(super) struct Curve<'a> {
+    /// It.
+    pub series: &'a Series,
+    /// Its points in the width of a line.
+    pub closer: usize,
+    /// How high a line must be if the median about it has some height.
+    pub least: &'a dyn Fn(f64) -> f64,
+}
+
+/// The marks of `meshes` in a panel with values between `low` and `high`, on a curve whose abscissa is a frequency over `unit` \[Hz\].
+/// `most` multiples of each mesh frequency, and only up to `end`.
 pub(super) fn marks(
     meshes: &[Mesh],
-    (unit, end): (f64, f64),
+    (unit, end, most): (f64, f64, usize),
     (low, high): (f64, f64),
-    (curve, closer): (&Series, usize),
+    Curve { series: curve, closer, least }: Curve<'_>,
 ) -> Vec<Series> {
     let step = curve.x.get(1).copied().unwrap_or(f64::INFINITY);
     let line = step * closer as f64;
     let shown = |x: f64| {
-        x > 0.0 && x <= end && !in_lobe(x * unit, meshes, line * unit) && stands_out(&curve.y, x / step, closer as f64)
+        let inside = x > 0.0 && x <= end && !in_lobe(x * unit, meshes, line * unit);
+        inside && stands_out(&curve.y, x / step, closer as f64, least)
     };
     // Rotors have the same symbols in all panels.
     let (mut all, mut number) = (vec![], 0);
     for (m, mesh) in meshes.iter().enumerate() {
         let places: Vec<f64> =
-            (1..=HARMONICS).map(|n| n as f64 * mesh.frequency / unit).filter(|x| *x <= end).collect();
+            (1..=most).map(|n| n as f64 * mesh.frequency / unit).filter(|x| *x <= end).collect();
         let (colour, dashes) = LINES[m % LINES.len()];
         all.push(Series {
             label: if places.is_empty() { String::new() } else { format!("1 to {} × {}", places.len(), mesh.name) },
@@ -50,14 +63,14 @@ pub(super) fn marks(
             }
             let sidebands = (-SIDEBANDS..=SIDEBANDS).filter(|k| *k != 0);
             let around = |x: &f64| sidebands.clone().map(|k| x + f64::from(k) * apart).collect::<Vec<_>>();
-            let mut x: Vec<f64> = places.iter().flat_map(around).filter(|x| shown(*x)).collect();
+            let mut x: Vec<f64> = places.iter().take(HARMONICS).flat_map(around).filter(|x| shown(*x)).collect();
             if x.is_empty() {
                 continue;
             }
             x.sort_by(f64::total_cmp);
             let y = x.iter().map(|x| value(curve, x / step)).collect();
             let (colour, marker) = SYMBOLS[number % SYMBOLS.len()];
-            let label = format!("sidebands ± {}", rotor.name);
+            let label = format!("sidebands ± {}, above {PROMINENCE} × the median about them", rotor.name);
             let style = Style { colour, dashes: &[], width: 0.0, marker };
             all.push(Series { label, x, y, style, note: Note::default() });
         }

@@ -12,7 +12,7 @@ pub(crate) mod floquet;
 pub(crate) mod heat;
 mod load_duration;
 pub(crate) mod map;
-mod marks;
+pub(crate) mod marks;
 pub(crate) mod modes;
 mod motion;
 mod notes;

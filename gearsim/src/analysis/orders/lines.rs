@@ -89,7 +89,8 @@ pub(crate) fn in_lobe(frequency: f64, meshes: &[Mesh], line: f64) -> bool {
 }
 
 impl Turning {
-    /// Whether a column has each of `lines`: the multiples of mesh orders, and the sidebands that are lines of their own in its spectrum.
+    /// Whether a column has each of `lines`: the multiples of mesh orders, and the sidebands that are lines of their own in its spectrum:
+    /// at least three times as high as the median about them.
     pub fn has(&self, column: &[f64], lines: &[Line]) -> Vec<bool> {
         let orders = self.orders(column).ok();
         let stands_out = |order: f64| orders.as_ref().is_some_and(|orders| orders.stands_out(order));

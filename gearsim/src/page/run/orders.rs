@@ -2,16 +2,14 @@
 
 use super::Report;
 use super::columns::{Group, Kind};
-use crate::analysis::orders::{self, Mesh, Turning, meshes, reference_shaft};
+use crate::analysis::orders::{self, Mesh, PROMINENCE, Turning, meshes, reference_shaft};
 use crate::analysis::spectrum::SpectrumError;
 use crate::page::data::Counts;
 use crate::page::html::{Cell, Html};
 use crate::page::plot::{Axis, Curve, Line, Plot};
+use crate::plot::marks::MOST;
 use crate::plot::orders::{CONTENT, DECADES};
 use crate::plot::spectrum::reach;
-
-/// Multiples of a mesh order that are marked.
-const MULTIPLES: usize = 4;
 
 /// Caption of the table.
 const LINES: &str = "Mesh orders and their sidebands";
@@ -28,7 +26,8 @@ pub(super) fn fill(report: &Report<'_>, html: &mut Html) {
     };
     html.paragraph(&format!(
         "Peak amplitudes over orders of the shaft with the speed {} ({}): {} whole revolutions, interpolated at equal angles, \
-         Hann window. The mean is left out.",
+         Hann window. The mean is left out. Sidebands are listed where their amplitude is above {PROMINENCE} times the median of those \
+         about them.",
         shaft.name,
         shaft.doc,
         turning.revolutions(),
@@ -86,14 +85,15 @@ fn plot(
         curves,
         group: Some("order".into()),
         events: None,
-        lines: marks(meshes, turning),
+        lines: marks(meshes, turning, end),
         shaded_from: None,
+        square: false,
     });
     Ok(())
 }
 
-/// Vertical lines at the orders of steady meshes. Meshes of the same order have one line.
-fn marks(meshes: &[Mesh], turning: &Turning) -> Vec<Line> {
+/// Vertical lines at the multiples of the orders of steady meshes that the axis shows, up to `end`. Meshes of the same order have one line.
+fn marks(meshes: &[Mesh], turning: &Turning, end: f64) -> Vec<Line> {
     let mut marks: Vec<Line> = vec![];
     for mesh in meshes.iter().filter(|mesh| mesh.steady) {
         let order = mesh.frequency / turning.frequency();
@@ -101,7 +101,7 @@ fn marks(meshes: &[Mesh], turning: &Turning) -> Vec<Line> {
             continue;
         }
         let name = |n: usize| if n == 1 { mesh.name.to_owned() } else { format!("{n} x {}", mesh.name) };
-        marks.extend((1..=MULTIPLES).map(|n| Line { x: n as f64 * order, name: name(n) }));
+        marks.extend((1..=MOST).map(|n| Line { x: n as f64 * order, name: name(n) }).take_while(|mark| mark.x <= end));
     }
     marks
 }
@@ -115,20 +115,21 @@ fn table(report: &Report<'_>, html: &mut Html, turning: &Turning, meshes: &[Mesh
     }
     let groups = report.groups.iter().filter(|group| matches!(group.kind, Kind::Signal | Kind::Deflection));
     let shown = groups.flat_map(|group| {
+        let unit = group.shown_unit();
         let columns = group.columns.iter().enumerate().filter(|(i, _)| group.shown(*i));
-        columns.map(|(_, column)| (&*group.unit, column))
+        columns.map(move |(_, column)| (unit, column))
     });
     let shown: Vec<_> = shown.collect();
     let columns: Vec<&[f64]> = shown.iter().map(|(_, column)| &*column.values).collect();
     let has: Vec<Vec<bool>> = columns.iter().map(|column| turning.has(column, &lines)).collect();
     let mut rows = vec![];
     for (l, (line, amplitudes)) in lines.iter().zip(turning.amplitudes(&columns, &lines)).enumerate() {
-        for (c, ((unit, column), amplitude)) in shown.iter().zip(amplitudes).enumerate() {
+        for (c, (((unit, factor), column), amplitude)) in shown.iter().zip(amplitudes).enumerate() {
             if !has[c][l] {
                 continue;
             }
             let numbers = [line.harmonic as f64, f64::from(line.sideband)].map(Cell::Number);
-            let rest = [line.order, line.frequency, amplitude].map(Cell::Number);
+            let rest = [line.order, line.frequency, factor * amplitude].map(Cell::Number);
             let mut row = vec![Cell::text(&*column.name), Cell::text(line.mesh)];
             row.extend(numbers);
             row.push(Cell::text(line.rotor.unwrap_or("-")));

@@ -2,6 +2,7 @@
 //!
 //! Level of an amplitude A: 20 lg(A/A0) dB re A0. Level of a density P: 10 lg(P/(A0²/Hz)) dB re A0²/Hz.
 
+use crate::analysis::orders::PROMINENCE;
 use crate::analysis::spectrum::Spectrum;
 use crate::plot::figure::{Axis, Series, extremes};
 use crate::plot::outputs::{engineering, sized};
@@ -52,6 +53,15 @@ impl Shown {
             (Some((_, a0)), false) => spectrum.rms().map(|rms| 20.0 * (amplitude(rms) / a0).log10()).collect(),
             (None, true) => spectrum.density.iter().map(|p| p * self.factor * self.factor).collect(),
             (None, false) => spectrum.rms().map(|rms| amplitude(rms) * self.factor).collect(),
+        }
+    }
+
+    /// The value of a line whose amplitude is [`PROMINENCE`] times that of the value `median`.
+    pub(super) fn prominent(&self, median: f64) -> f64 {
+        match (&self.reference, self.kind == SpectrumKind::Psd) {
+            (Some(_), _) => median + 20.0 * PROMINENCE.log10(),
+            (None, true) => PROMINENCE * PROMINENCE * median,
+            (None, false) => PROMINENCE * median,
         }
     }
 
