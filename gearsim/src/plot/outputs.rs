@@ -50,12 +50,13 @@ pub(super) fn scale(series: &mut [Series], unit: &'static str) -> &'static str {
     shown
 }
 
-/// The recorded outputs with the SI unit `unit`: those of meshes first, components of forces last.
+/// The recorded outputs with the SI unit `unit`: those of meshes first, of planets those of the first one,
+/// components of forces last.
 pub(super) fn of_unit(run: &Trajectory, unit: &str) -> Vec<&'static Output> {
     let mut all: Vec<&'static Output> = run.outputs.iter().map(|(output, _)| *output).collect();
     all.retain(|output| output.unit == unit);
     let component = |name: &str| ["_x", "_y", "_radial", "_tangential"].iter().any(|axis| name.ends_with(axis));
-    all.sort_by_key(|output| (!is_first(output.name), component(output.name)));
+    all.sort_by_key(|output| (!is_first(output.name), component(output.name), is_further_planet(output.name)));
     all
 }
 
@@ -95,12 +96,12 @@ fn of_one(run: &Run<'_>) -> (Vec<Panel>, usize) {
     for (unit, quantity, ..) in UNITS {
         let mut of_unit = of_unit(run.trajectory, unit);
         of_unit.retain(|output| output.is_power() == (quantity == POWER) && acts(run, output));
-        left_out += of_unit.len().saturating_sub(MOST);
-        let mut series = vec![];
-        for output in of_unit.iter().take(MOST) {
-            let Some(column) = run.trajectory.output(output.name) else { continue };
-            series.push(Series::new(series.len(), output.name, run.trajectory.t.clone(), column.to_vec()));
-        }
+        let apart = apart(run.trajectory, &of_unit);
+        left_out += apart.iter().skip(MOST).map(|(names, _)| names.len()).sum::<usize>();
+        let curve = |(i, (names, column)): (usize, &(Vec<&str>, &[f64]))| {
+            Series::new(i, names.join(" = "), run.trajectory.t.clone(), column.to_vec())
+        };
+        let mut series: Vec<Series> = apart.iter().take(MOST).enumerate().map(curve).collect();
         let shown = scale(&mut series, unit);
         // Angles, such as twists, only where no length tells as much.
         let told = unit == "rad" && run.trajectory.outputs.iter().any(|(output, _)| output.unit == "m");
@@ -109,6 +110,42 @@ fn of_one(run: &Run<'_>) -> (Vec<Panel>, usize) {
         }
     }
     (panels, left_out)
+}
+
+/// Columns that differ by less than this part of their largest value are drawn as one curve: it is a fraction of a line width.
+const SAME: f64 = 1e-3;
+
+/// Whether two columns are the same curve in a plot.
+pub(crate) fn same(a: &[f64], b: &[f64]) -> bool {
+    let largest = a.iter().fold(0.0, |most: f64, x| most.max(x.abs()));
+    a.iter().zip(b).all(|(a, b)| (a - b).abs() <= SAME * largest)
+}
+
+/// The curves of some outputs, each with the names of those that are the same curve.
+fn apart<'a>(run: &'a Trajectory, outputs: &[&'static Output]) -> Vec<(Vec<&'static str>, &'a [f64])> {
+    let mut apart: Vec<(Vec<&'static str>, &'a [f64])> = vec![];
+    for output in outputs {
+        let Some(column) = run.output(output.name) else { continue };
+        match apart.iter_mut().find(|(_, known)| same(known, column)) {
+            Some((names, _)) => names.push(output.name),
+            None => apart.push((vec![output.name], column)),
+        }
+    }
+    apart
+}
+
+/// Whether an output is that of a planet's mesh, but not of the first planet: `mesh_force_s2`. The first stands for all.
+pub(crate) fn is_further_planet(output: &str) -> bool {
+    let part = output.rsplit('_').next().unwrap_or_default();
+    let number = part.strip_prefix(['s', 'r']).and_then(|number| number.parse::<usize>().ok());
+    number.is_some_and(|number| number > 1)
+}
+
+#[test]
+fn further_planets_come_after_all_other_meshes() {
+    for (output, further) in [("mesh_force_s1", false), ("dte_p_r12", true), ("mesh_force_12", false), ("speed_s", false)] {
+        assert_eq!(is_further_planet(output), further, "{output}");
+    }
 }
 
 #[test]

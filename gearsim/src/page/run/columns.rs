@@ -3,6 +3,8 @@
 use std::borrow::Cow;
 
 use crate::output::OutputError;
+use crate::output::unit::readable;
+use crate::plot::outputs::{is_further_planet, same};
 use crate::plot::rotates;
 use crate::trajectory::Trajectory;
 
@@ -36,6 +38,8 @@ pub(super) struct Named<'a> {
     pub name: Cow<'static, str>,
     pub doc: String,
     pub values: Cow<'a, [f64]>,
+    /// Whether a column of the group before it is the same curve.
+    pub again: bool,
 }
 
 /// Units of outputs in the order in which people look at them: speeds, forces, transmission errors, loss of contact. Others follow.
@@ -81,15 +85,28 @@ impl Group<'_> {
         }
     }
 
-    /// Whether the `index`-th of its columns is drawn at first: the first few that vary, of kinds that people look at first.
+    /// The unit of its plot, and the factor to it from the SI unit: speeds of rotors in revolutions a minute, else what suits the size of the
+    /// curves that are drawn at first.
+    pub fn shown_unit(&self) -> (&str, f64) {
+        if self.unit == "rad/s" && self.kind != Kind::Signal {
+            return ("rad/s", 1.0);
+        }
+        let shown = self.columns.iter().enumerate().filter(|(i, _)| self.shown(*i));
+        let largest = shown.flat_map(|(_, column)| column.values.iter()).fold(0.0, |most: f64, x| most.max(x.abs()));
+        readable(&self.unit, largest)
+    }
+
+    /// Whether the `index`-th of its columns is drawn at first: the first few that vary, of kinds that people look at
+    /// first. Of those that are the same curve the first one.
     pub fn shown(&self, index: usize) -> bool {
-        let varies = |column: &Named<'_>| column.values.iter().any(|x| *x != column.values[0]);
+        let varies = |column: &Named<'_>| !column.again && column.values.iter().any(|x| *x != column.values[0]);
         let before = self.columns[..index].iter().filter(|column| varies(column)).count();
         !matches!(self.kind, Kind::Rate | Kind::Rotation) && before < FIRST && varies(&self.columns[index])
     }
 }
 
-/// The columns of the run in groups of one kind and unit, in the order of [`Kind`]; in each group those of meshes first.
+/// The columns of the run in groups of one kind and unit, in the order of [`Kind`]; in each group those of meshes first, of
+/// planets those of the first one.
 ///
 /// Errors: [`OutputError::Ragged`] if they differ in length.
 pub(super) fn groups(trajectory: &Trajectory) -> Result<Vec<Group<'_>>, OutputError> {
@@ -100,7 +117,7 @@ pub(super) fn groups(trajectory: &Trajectory) -> Result<Vec<Group<'_>>, OutputEr
             let (column, rows) = (series.name.to_string(), series.rows());
             OutputError::Ragged { column, rows, expected: trajectory.len() }
         })?;
-        let named = Named { name: series.name, doc, values };
+        let named = Named { name: series.name, doc, values, again: false };
         match groups.iter_mut().find(|group| (group.kind, &group.unit) == (kind, &series.unit)) {
             Some(group) => group.columns.push(named),
             None => groups.push(Group { kind, unit: series.unit, columns: vec![named] }),
@@ -108,7 +125,16 @@ pub(super) fn groups(trajectory: &Trajectory) -> Result<Vec<Group<'_>>, OutputEr
     }
     let unit = |group: &Group<'_>| UNITS.iter().position(|unit| *unit == group.unit).unwrap_or(UNITS.len());
     groups.sort_by_key(|group| (group.kind, if group.kind == Kind::Signal { unit(group) } else { 0 }));
-    groups.iter_mut().for_each(|group| group.columns.sort_by_key(|column| !column.name.starts_with("mesh_")));
+    for group in &mut groups {
+        group.columns.sort_by_key(|column| (!column.name.starts_with("mesh_"), is_further_planet(&column.name)));
+        for i in 1..group.columns.len() {
+            let (before, rest) = group.columns.split_at_mut(i);
+            if let Some(known) = before.iter().find(|known| !known.again && same(&known.values, &rest[0].values)) {
+                rest[0].again = true;
+                rest[0].doc = format!("the same as {}; {}", known.name, rest[0].doc);
+            }
+        }
+    }
     Ok(groups)
 }
 

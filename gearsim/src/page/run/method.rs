@@ -3,6 +3,7 @@
 use super::Report;
 use crate::output::number::{short, time};
 use crate::output::summary::{Mesh, Observed};
+use crate::output::unit::readable;
 use crate::page::html::{Cell, Html};
 
 /// Writes the section.
@@ -40,14 +41,31 @@ pub(super) fn fill(report: &Report<'_>, html: &mut Html) {
 /// Writes the loads of the meshes, which a gear engineer asks for first.
 fn meshes(report: &Report<'_>, html: &mut Html) {
     let row = |(law, mesh): (&String, &Mesh)| {
-        let texts = [law, &mesh.force, &mesh.unit].map(|text| Cell::text(text.as_str()));
-        let numbers = [mesh.largest, mesh.at_rest, mesh.dynamic_factor, mesh.kv_iso6336].map(|x| Cell::Number(x.0));
+        let (unit, factor) = readable(&mesh.unit, mesh.largest.0);
+        let texts = [law, &mesh.force, unit].map(Cell::text);
+        let forces = [mesh.largest, mesh.at_rest].map(|x| factor * x.0);
+        let numbers = forces.into_iter().chain([mesh.dynamic_factor.0, mesh.kv_iso6336.0]).map(Cell::Number);
         texts.into_iter().chain(numbers).collect::<Vec<_>>()
     };
     let rows: Vec<_> = report.run.summary.meshes.iter().map(row).collect();
     if !rows.is_empty() {
         let head = ["mesh", "force", "unit", "largest", "static", "dynamic factor", "K_v, ISO 6336-1 B"];
         html.table("Loads of the meshes", &head, &rows);
+        let reason = |law: &str, value: &str| report.run.summary.missing.get(&format!("meshes.{law}.{value}"));
+        let mut reasons: Vec<(String, Vec<&str>)> = vec![];
+        for law in report.run.summary.meshes.keys() {
+            for (value, name) in [("dynamic_factor", "dynamic factor"), ("kv_iso6336", "K_v")] {
+                let Some(why) = reason(law, value) else { continue };
+                let says = format!("No {name}: {why}");
+                match reasons.iter_mut().find(|(known, _)| *known == says) {
+                    Some((_, laws)) => laws.push(law),
+                    None => reasons.push((says, vec![law])),
+                }
+            }
+        }
+        for (says, laws) in reasons {
+            html.paragraph(&format!("{}: {says}.", laws.join(", ")));
+        }
     }
 }
 
