@@ -166,6 +166,17 @@ def every_plot_is_drawn(browser, path, settings, scheme):
             if figure.locator(".frame").is_visible():
                 figure.locator(".main-svg").first.wait_for()
         assert page.evaluate("document.documentElement.scrollWidth") <= settings["viewport"]["width"]
+        # Exponents and indices too can be read.
+        sizes = page.evaluate("Array.from(document.querySelectorAll('.canvas tspan'), (part) => parseFloat(getComputedStyle(part).fontSize))")
+        assert min(sizes) >= 11, min(sizes)
+
+
+def tables_say_units_and_reasons(browser, path):
+    """Tables are in the units of the plots, and say why a number does not exist."""
+    with opened_file(browser, path, **LAPTOP) as page:
+        cells = page.locator("#numbers td:nth-child(2)").all_text_contents()
+        assert "rpm" in cells and "um" in cells, set(cells)
+        assert "No K_v: the scene gives the stiffness k12 without teeth" in page.locator("#method").text_content()
 
 
 def labels_of_lines_stand_apart(browser, path, settings):
@@ -216,6 +227,7 @@ def tests(gearsim, folder, pictures):
     stages = run(gearsim, SCENES / "two_stage.toml", folder / "stages")
     for size in (LAPTOP, PHONE):
         yield labels_of_lines_stand_apart, (stages, size), "stages"
+    yield tables_say_units_and_reasons, (stages,), "stages"
     yield hostile_names_stay_text, (gearsim, folder), "hostile"
 
 

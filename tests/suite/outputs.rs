@@ -282,7 +282,10 @@ fn bearings_do_not_change_the_factor_of_the_standard() {
     for (torque, speed, expected) in [(200.0, 3000.0, 1.0499), (200.0, 18500.0, 1.2980), (200.0, 25000.0, 0.7799)] {
         for (name, more) in [("gear_pair_shafts", shafts), ("gear_pair_bearings", bearings)] {
             let scene = Scene::from_toml(name, &text(name, more, torque, speed)).unwrap();
-            let kv = dynamic_factor::of(&scene, model(name), &run(&scene).trajectory, scene.output.from)[0].iso6336.clone().unwrap();
+            let kv = dynamic_factor::of(&scene, model(name), &run(&scene).trajectory, scene.output.from)[0]
+                .iso6336
+                .clone()
+                .unwrap();
             // The speed varies by a few ten-thousandths over the short run.
             assert!((kv - expected).abs() < 1e-3, "{name} at {speed} rpm: {kv}, not {expected}");
         }

@@ -39,11 +39,7 @@ pub(crate) fn trajectory(
 
 /// Writes the plots `names` of `runs` as SVG and PNG. A plot that cannot be drawn does not end the command: the return value has a warning
 /// for each.
-pub(crate) fn plots(
-    folder: &mut OutputFolder,
-    names: &[String],
-    runs: &[Run<'_>],
-) -> Result<Vec<String>, OutputError> {
+pub(crate) fn plots(folder: &mut OutputFolder, names: &[String], runs: &[Run<'_>]) -> Result<Vec<String>, OutputError> {
     let mut warnings = vec![];
     for name in names {
         match draw(name, runs) {
@@ -103,7 +99,8 @@ fn load_spectra(scene: &Scene, run: &Trajectory) -> IndexMap<String, LoadSpectru
 /// The summary of a run that wrote `files`.
 pub(crate) fn summary(scene: &Scene, outcome: &Outcome, files: Vec<String>) -> Summary {
     let run = &outcome.trajectory;
-    let meshes = crate::known::of(scene).map_or(vec![], |entry| dynamic_factor::of(scene, entry, run, scene.output.from));
+    let meshes =
+        crate::known::of(scene).map_or(vec![], |entry| dynamic_factor::of(scene, entry, run, scene.output.from));
     let meshes: Vec<_> = meshes.iter().map(|mesh| (mesh.law.name, Mesh::of(mesh))).collect();
     let mut summary = Summary {
         outputs: Observed::all(run, scene.output.from),

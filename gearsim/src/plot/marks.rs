@@ -45,8 +45,7 @@ pub(super) fn marks(
     // Rotors have the same symbols in all panels.
     let (mut all, mut number) = (vec![], 0);
     for (m, mesh) in meshes.iter().enumerate() {
-        let places: Vec<f64> =
-            (1..=most).map(|n| n as f64 * mesh.frequency / unit).filter(|x| *x <= end).collect();
+        let places: Vec<f64> = (1..=most).map(|n| n as f64 * mesh.frequency / unit).filter(|x| *x <= end).collect();
         let (colour, dashes) = LINES[m % LINES.len()];
         all.push(Series {
             label: if places.is_empty() { String::new() } else { format!("1 to {} × {}", places.len(), mesh.name) },

@@ -125,4 +125,29 @@ mod tests {
         assert!(marked.iter().any(|x| (x - 24.0).abs() < 1e-6), "{marked:?}");
         assert!(!marked.iter().any(|x| (x - 45.0).abs() < 1e-6), "{marked:?}");
     }
+
+    /// Noise has lines that are higher than their neighbours; only one that stands out of it is marked.
+    #[test]
+    fn lines_of_the_noise_are_not_marked() {
+        let mut recorded = geared(&[(1.0, 1.0), (1.0 + 1.0 / 23.0, 0.01)]);
+        let mut state = 1_u64;
+        for x in &mut recorded.outputs[1].1 {
+            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            *x += 0.1 * ((state >> 33) as f64 / f64::from(1_u32 << 31) - 0.5);
+        }
+        let figure = draw(&[run("exact", &recorded)]).unwrap();
+        let symbols: Vec<_> = figure.panels[0].series.iter().filter(|s| s.style.width == 0.0).collect();
+        assert_eq!(symbols.len(), 1);
+        assert!(symbols[0].label.ends_with("above 3 × the median about them"), "{}", symbols[0].label);
+        assert!(symbols[0].x.len() == 1 && (symbols[0].x[0] - 24.0).abs() < 1e-6, "{:?}", symbols[0].x);
+    }
+
+    /// All multiples of the mesh order that the axis shows are marked.
+    #[test]
+    fn multiples_are_marked_as_far_as_the_axis_reaches() {
+        let recorded = geared(&[(1.0, 1.0), (12.0, 2.0)]);
+        let figure = draw(&[run("exact", &recorded)]).unwrap();
+        assert_eq!(figure.panels[0].series[0].label, "1 to 13 × k");
+        assert_eq!(figure.panels[0].series[0].x.len(), 3 * 13);
+    }
 }

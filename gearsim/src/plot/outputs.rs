@@ -143,7 +143,9 @@ pub(crate) fn is_further_planet(output: &str) -> bool {
 
 #[test]
 fn further_planets_come_after_all_other_meshes() {
-    for (output, further) in [("mesh_force_s1", false), ("dte_p_r12", true), ("mesh_force_12", false), ("speed_s", false)] {
+    for (output, further) in
+        [("mesh_force_s1", false), ("dte_p_r12", true), ("mesh_force_12", false), ("speed_s", false)]
+    {
         assert_eq!(is_further_planet(output), further, "{output}");
     }
 }

@@ -5,6 +5,7 @@ use std::f64::consts::TAU;
 use super::*;
 use crate::model::{Law, Model, Role};
 use crate::output::fixture::{MODEL, REFERENCE, oscillator};
+use crate::output::lines::Lines;
 use crate::scene::Spectrum;
 use crate::sweep::row::{Row, Status};
 use crate::sweep::spectra::NamedSpectrum;
@@ -296,16 +297,48 @@ fn sweep_of(vary: &[&str], samples: Option<usize>) -> Manifest {
     Manifest::new(&Sweep::load(&scene, crate::generated::MODELS, &request).unwrap(), &request, None)
 }
 
+/// The same mesh while its speed rises to the threefold.
+fn run_up() -> Trajectory {
+    let mut up = geared(&[(1.0, 1.0)]);
+    up.q[0] = up.t.iter().map(|t| TAU * 230.0 * t * (0.5 + 0.25 * t)).collect();
+    up.q_dot[0] = up.t.iter().map(|t| TAU * 230.0 * (0.5 + 0.5 * t)).collect();
+    up.outputs[0].1 = up.t.iter().map(|t| TAU * 10.0 * (0.5 + 0.5 * t)).collect();
+    up
+}
+
+/// Lines of a run-up have orders, but no frequency; those at constant speed have both.
+#[test]
+fn lines_have_a_frequency_where_the_speed_is_constant() {
+    for (run, steady) in [(geared(&[(1.0, 1.0)]), true), (run_up(), false)] {
+        let lines = Lines::of(&run, &Spectrum::DEFAULT).unwrap().unwrap();
+        let table = lines.table(&Spectrum::DEFAULT).unwrap();
+        let all = |name: &str| table.numbers(name).unwrap().iter().all(|x| x.is_finite());
+        assert!(all("order_of_rotor_speed") && all("frequency") == steady, "{steady}");
+    }
+}
+
+/// Outputs that differ by less than a line width are one curve with all their names.
+#[test]
+fn equal_outputs_are_one_curve() {
+    static TWICE: std::sync::LazyLock<[crate::model::Output; 3]> = std::sync::LazyLock::new(|| {
+        ["mesh_deflection", "dte", "other"].map(|name| crate::model::Output { name, ..MODEL.outputs[1] })
+    });
+    let mut recorded = oscillator(200);
+    let column = recorded.outputs[1].1.clone();
+    let scaled = |factor: f64| column.iter().map(|x| factor * x).collect();
+    recorded.outputs = vec![(&TWICE[0], column.clone()), (&TWICE[1], scaled(1.0005)), (&TWICE[2], scaled(1.1))];
+    let figure = (outputs::PLOT.draw)(&[run("exact", &recorded)]).unwrap();
+    let names: Vec<_> = figure.panels[0].series.iter().map(|series| &*series.label).collect();
+    assert_eq!(names, ["mesh_deflection = dte", "other"]);
+}
+
 /// A run-up has order cuts in place of a spectrum by default, a run at constant speed a spectrum; plots that a scene names stay.
 #[test]
 fn a_run_up_has_order_cuts_by_default() {
     let named = Output { plots: vec!["orders".into(), "spectrum".into()], ..ASKED.clone() };
     let asked = Output { default_plots: true, ..named.clone() };
     let steady = geared(&[(1.0, 1.0)]);
-    let mut up = steady.clone();
-    up.q[0] = up.t.iter().map(|t| TAU * 230.0 * t * (0.5 + 0.25 * t)).collect();
-    up.q_dot[0] = up.t.iter().map(|t| TAU * 230.0 * (0.5 + 0.5 * t)).collect();
-    up.outputs[0].1 = up.t.iter().map(|t| TAU * 10.0 * (0.5 + 0.5 * t)).collect();
+    let up = run_up();
     let chosen = |trajectory, asked| chosen(&[Run { asked, ..run("exact", trajectory) }]);
     assert_eq!(chosen(&up, &asked), ["orders", "order_cuts"]);
     assert_eq!(chosen(&steady, &asked), ["orders", "spectrum"]);

@@ -8,7 +8,12 @@ use super::{field, keys, spectrum};
 /// Keys of the table.
 pub(super) const KEYS: &[Key] = &[
     key("of", Kind::List(&Kind::Name(spectrum::SIGNAL)), REQUIRED, "signals to write"),
-    key("stretch", Kind::Number, "1", "playing time over model time: 10 plays 10 times slower, and divides each frequency by 10"),
+    key(
+        "stretch",
+        Kind::Number,
+        "1",
+        "playing time over model time: 10 plays 10 times slower, and divides each frequency by 10",
+    ),
 ];
 /// Factors by which time may be stretched \[1\]: beyond them nothing can be heard.
 const STRETCHES: std::ops::RangeInclusive<f64> = 1e-3..=1e6;

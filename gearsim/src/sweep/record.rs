@@ -15,11 +15,16 @@ use crate::scene::Scene;
 use crate::trajectory::Trajectory;
 
 /// All groups, in the order of their columns.
-pub const GROUPS: &[Group] =
-    &[
-        events::GROUP, state::GROUP, digits::GROUP, energy::GROUP, extremes::GROUP, peak::GROUP, outputs::GROUP,
-        meshes::GROUP,
-    ];
+pub const GROUPS: &[Group] = &[
+    events::GROUP,
+    state::GROUP,
+    digits::GROUP,
+    energy::GROUP,
+    extremes::GROUP,
+    peak::GROUP,
+    outputs::GROUP,
+    meshes::GROUP,
+];
 
 /// Quantities that are recorded together.
 #[derive(Clone, Copy)]

@@ -32,6 +32,8 @@ const HEIGHT = 196, TOP = 10, BOTTOM = 44;
 const SQUARE = 420;
 // Size of the numbers and names at the axes, and of their titles.
 const FONT = 12, TITLE = 14;
+// Least width of a name along x that stands upright.
+const UPRIGHT = 15;
 // Screens narrower than this [px] are those of phones.
 const NARROW = 600;
 // Width left of the frames, the same for all plots so that their times stand below each other.
@@ -141,6 +143,12 @@ class Panel {
       ariaLabel: `${caption.textContent}. Arrow keys move the cursor, plus and minus zoom, 0 shows all.`,
     });
     this.canvas = element("div", { className: "canvas" });
+    // Names along x need a width each; a narrow screen scrolls.
+    const names = this.plot.x.names?.length ?? 0;
+    if (names) {
+      this.canvas.style.minWidth = `${names * UPRIGHT + MARGIN + 14}px`;
+      this.frame.style.overflow = "auto hidden";
+    }
     this.line = element("div", { className: "cursor", hidden: true });
     this.frame.append(this.canvas, this.line);
     this.figure.append(head, key, this.frame);

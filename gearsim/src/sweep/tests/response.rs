@@ -1,6 +1,7 @@
 //! Tests of response curves: against closed forms, and at speeds where two steady motions exist.
 
 use super::*;
+use crate::plot::Marker;
 use crate::sweep::Status;
 use crate::sweep::response::{Hold, Response};
 use crate::tolerance::analysis::SPEED_NOT_HELD;
@@ -65,6 +66,10 @@ fn a_linear_response_is_that_of_the_closed_form_on_both_ways() {
 fn contact_loss_gives_two_motions_at_one_speed() {
     let over = "start.speed=2600 rpm:4200 rpm:5";
     let response = response("response", over, 0.1, &["output.record=[\"dte_12\",\"mesh_force_12\"]"]);
+    let figure = crate::plot::response::figure("response", &response, "rms");
+    assert_eq!((&*figure.x.label, &*figure.x.unit), ("speed", "rpm"));
+    let markers: Vec<_> = figure.panels[0].series.iter().map(|series| series.style.marker).collect();
+    assert_eq!(markers, [Marker::Dot, Marker::Square]);
     let at = |upward: bool, i: usize| {
         let mut points: Vec<_> = response.points.iter().filter(|point| point.upward == upward).collect();
         points.sort_by(|a, b| a.value.total_cmp(&b.value));
