@@ -356,6 +356,12 @@ class Panel {
     const logarithmic = { type: "log", dtick: undefined, nticks: 7, exponentformat: "power", minexponent: 2 };
     if (this.plot.y.log) Object.assign(y, logarithmic);
     if (this.plot.y.range) y.range = this.plot.y.range.map((value) => this.plot.y.log ? Math.log10(this.factor * value) : this.factor * value);
+    if (this.plot.square) {
+      // Zooms of x are those of y, about its middle.
+      const [low, high] = this.plot.y.range;
+      const half = (high - low) / 2 * (range[1] - range[0]) / (this.group.all[1] - this.group.all[0]);
+      Object.assign(y, { range: [(low + high) / 2 - half, (low + high) / 2 + half], uirevision: this.group.revision });
+    }
     const line = ({ x }) => ({ type: "line", x0: x, x1: x, y0: 0, y1: 1, yref: "paper", line: { color: css("--muted"), width: 1, dash: "dot" } });
     const data = (x) => this.plot.x.log ? 10 ** x : x;
     const lines = this.plot.lines.filter(({ x }) => x > range[0] && x < range[1]);

@@ -8,6 +8,9 @@ use crate::plot::Axis;
 /// Most panels of one kind.
 const MOST: usize = 3;
 
+/// Whether an output is of a kind, and most panels of this kind.
+type Kind = (fn(&Output) -> bool, usize);
+
 /// The panels, and how many outputs they leave out.
 pub fn panels(runs: &[Run<'_>]) -> (Vec<Panel>, usize) {
     let Some(run) = runs.first() else { return (vec![], 0) };
@@ -28,8 +31,7 @@ pub fn panels(runs: &[Run<'_>]) -> (Vec<Panel>, usize) {
 
 /// Those of the outputs `all` at which engineers look first, in this order: forces of meshes, transmission errors, a speed.
 pub fn first<'a>(all: &[&'a Output]) -> Vec<&'a Output> {
-    let kinds: [(fn(&Output) -> bool, usize); 3] =
-        [(is_mesh_force, MOST), (is_error, MOST), (|output| output.unit == "rad/s", 1)];
+    let kinds: [Kind; 3] = [(is_mesh_force, MOST), (is_error, MOST), (|output| output.unit == "rad/s", 1)];
     kinds.iter().flat_map(|(kind, most)| all.iter().filter(|output| kind(output)).take(*most)).copied().collect()
 }
 
