@@ -22,7 +22,7 @@ pub(crate) fn reference() -> String {
 
 struct Reference {
     text: String,
-    /// Tables written so far: titles and keys.
+    /// Tables written so far: where, and keys.
     written: Vec<(String, Vec<Key>)>,
 }
 
@@ -41,16 +41,39 @@ impl Reference {
         self.rows(title, path, keys.iter().map(|key| (key.name, key.kind, key.default, key.doc)).collect());
     }
 
+    /// Writes a heading and the rows of a table, then the tables in it.
     fn rows(&mut self, title: &str, path: &str, rows: Vec<Row>) {
-        let _ =
-            write!(self.text, "\n## {title}\n\n| key | value | without it | meaning |\n| --- | --- | --- | --- |\n");
-        for (name, kind, default, doc) in &rows {
+        let _ = write!(self.text, "\n## {title}\n");
+        self.table(&rows);
+        self.below(path, &rows);
+    }
+
+    fn table(&mut self, rows: &[Row]) {
+        self.text += "\n| key | value | without it | meaning |\n| --- | --- | --- | --- |\n";
+        for (name, kind, default, doc) in rows {
             let _ = writeln!(self.text, "| `{name}` | {} | {default} | {doc} |", words(*kind));
         }
+    }
+
+    fn below(&mut self, path: &str, rows: &[Row]) {
         for (name, kind, ..) in rows {
             let path = if path.is_empty() { name.to_string() } else { format!("{path}.{name}") };
-            self.inside(kind, &path, &format!("`[{path}]`"));
+            self.inside(*kind, &path, &format!("`[{path}]`"));
         }
+    }
+
+    /// Writes the tables of which a value may be one, below one heading.
+    fn one_of(&mut self, title: &str, path: &str, tables: &[&[&[Key]]]) {
+        let _ = write!(self.text, "\n## {title}\n\nOne of {} tables.\n", tables.len());
+        let mut all = vec![];
+        for (i, keys) in tables.iter().enumerate() {
+            let keys: Vec<Key> = keys.concat();
+            let rows: Vec<Row> = keys.iter().map(|key| (key.name, key.kind, key.default, key.doc)).collect();
+            self.table(&rows);
+            self.written.push((format!("table {} of {title}", i + 1), keys));
+            all.extend(rows);
+        }
+        self.below(path, &all);
     }
 
     /// Writes the tables that a value may have.
@@ -58,7 +81,15 @@ impl Reference {
         match kind {
             Kind::Table(keys) => self.section(title, path, keys),
             Kind::List(Kind::Table(keys)) => self.section(&format!("An entry of `{path}`"), path, keys),
-            Kind::Either(kinds) => kinds.iter().for_each(|kind| self.inside(*kind, path, title)),
+            Kind::Either(kinds) => {
+                let table = |kind: &Kind| if let Kind::Table(keys) = kind { Some(*keys) } else { None };
+                let tables: Vec<&[&[Key]]> = kinds.iter().filter_map(table).collect();
+                if tables.len() > 1 {
+                    self.one_of(title, path, &tables);
+                }
+                let several = |kind: &&Kind| tables.len() < 2 || table(kind).is_none();
+                kinds.iter().filter(several).for_each(|kind| self.inside(*kind, path, title));
+            }
             Kind::Named(all) => self.rows(title, path, all.iter().map(row).collect()),
             _ => {}
         }
@@ -82,5 +113,14 @@ fn words(kind: Kind) -> String {
         Kind::List(kind) => format!("list: {}", words(*kind)),
         Kind::Table(_) | Kind::Named(_) => "table".into(),
         Kind::Either(kinds) => kinds.iter().map(|kind| words(*kind)).collect::<Vec<_>>().join("; or "),
+    }
+}
+
+#[test]
+fn each_heading_occurs_once() {
+    let text = reference();
+    let headings: Vec<&str> = text.lines().filter(|line| line.starts_with("## ")).collect();
+    for heading in &headings {
+        assert_eq!(headings.iter().filter(|other| *other == heading).count(), 1, "{heading}");
     }
 }
