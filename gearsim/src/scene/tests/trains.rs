@@ -92,6 +92,13 @@ fn planets(places: &str, sun: &str, ring: &str) -> String {
     )
 }
 
+#[test]
+fn rigid_planets_are_refused_once_with_what_is_allowed() {
+    let shown = refused(&planets("count = 3", "\"rigid\"", "\"400 MN/m\""), &[]);
+    assert!(shown.contains("scene has a mistake") || shown.matches("×").count() == 1, "{shown}");
+    assert!(shown.contains("`sun_stiffness` of [planets.p] is \"rigid\"") && shown.contains("\"500 MN/m\""), "{shown}");
+}
+
 /// 27 + 99 teeth: planets fit at multiples of 360/126 deg.
 #[test]
 fn planets_that_cannot_be_assembled_are_refused_where_phases_follow_from_their_places() {

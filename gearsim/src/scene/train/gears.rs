@@ -44,6 +44,11 @@ const MESH: &[Key] = &[
 /// A law of a mesh, or its constant value.
 pub(super) const LAW: Kind = Kind::Either(&[laws::VALUE, Kind::Table(laws::STIFFNESS)]);
 
+/// Whether a stiffness is stated to be rigid.
+pub(super) fn is_rigid(stiffness: &Node) -> bool {
+    matches!(&stiffness.value, Value::Text(text) if text == "rigid")
+}
+
 impl Reader<'_> {
     pub(super) fn mesh(&mut self, item: &Item<'_>) {
         self.known(item, MESH);
@@ -57,8 +62,7 @@ impl Reader<'_> {
         if internal {
             self.draft.rings.push((item.place.clone(), item.title(), teeth.clone()));
         }
-        let rigid = matches!(item.get("stiffness").map(|node| &node.value), Some(Value::Text(text)) if text == "rigid");
-        if rigid {
+        if item.get("stiffness").is_some_and(is_rigid) {
             return self.rigid(item, ends, teeth);
         }
         let law = |name: &str, key: &str| item.get(key).map(|node| (named(name, item.name), node.clone()));

@@ -1,7 +1,7 @@
 //! Planet sets: a sun, a ring and a carrier, and planets whose centres are fixed to the carrier.
 
 use super::draft::{DraftPart, Gear, Geometry, Rotor, Term, named};
-use super::gears::LAW;
+use super::gears::{LAW, is_rigid};
 use super::read::{Item, Reader};
 use super::{ELSEWHERE, ROTOR, axial, bodies};
 use crate::model::GearData;
@@ -59,6 +59,11 @@ pub(crate) fn in_place_of(model: &str) -> Option<String> {
     (1.0..=PLANETS).contains(&planets.into()).then(said)
 }
 
+/// Any stiffness, so that a refused one gives no further mistakes.
+fn in_place_of_rigid(node: &Node) -> Node {
+    Node { value: Value::Text("1 N/m".into()), place: node.place.clone() }
+}
+
 impl Reader<'_> {
     /// Adds the planets of a set, and their meshes.
     pub(super) fn planets(&mut self, item: &Item<'_>) {
@@ -99,8 +104,15 @@ impl Reader<'_> {
                 ("r", ["ring_stiffness", "ring_error"], [of_planet, gear(ring, z_r, -1.0)]),
             ];
             for (with, keys, gears) in pairs {
+                if i == 0 {
+                    self.not_rigid(item, keys[0]);
+                }
                 let name = format!("{set}_{with}{}", i + 1);
-                let law = |key| item.get(key).map(|node| shifted(node, with, place, &self.draft.values, &names));
+                let law = |key| {
+                    let stated = item.get(key)?;
+                    let stated = if key == keys[0] && is_rigid(stated) { in_place_of_rigid(stated) } else { stated.clone() };
+                    Some(shifted(&stated, with, place, &self.draft.values, &names))
+                };
                 let [stiffness, error] = keys.map(law);
                 self.friction(item, &name, stiffness.as_ref());
                 let laws = [("k", stiffness), ("e", error)].map(|(of, law)| Some((named(of, &name), law?)));
@@ -138,6 +150,16 @@ impl Reader<'_> {
             called,
             without: None,
         });
+    }
+
+    /// Refuses a mesh of the set that is stated to be rigid.
+    fn not_rigid(&mut self, item: &Item<'_>, key: &str) {
+        if let Some(node) = item.get(key).filter(|node| is_rigid(node)) {
+            let message = format!("`{key}` of {} is \"rigid\"", item.title());
+            let help = "give a stiffness, e.g. \"500 MN/m\", or its law: { steps = [...] }, { teeth = {...} }; only the gears of [meshes] \
+                        may be \"rigid\"";
+            self.report.add(&node.place, message, "planets are not rigid", help);
+        }
     }
 
     /// Adds planet `i` as a rotor, and returns its index.
