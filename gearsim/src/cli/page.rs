@@ -51,8 +51,16 @@ pub(super) fn asked(html: bool) -> Result<Option<Asked>, Failure> {
     }
     Err(Failure::Impossible {
         what: "this program was built without interactive pages".into(),
-        help: "build it with them: cargo build --release --features html".into(),
+        help: format!("build it with them: cargo build --release --features {}", feature()),
     })
+}
+
+/// The name of the feature `html` for cargo: in a crate with models of its own gearsim is a dependency.
+#[cfg(not(feature = "html"))]
+fn feature() -> &'static str {
+    use crate::generated::MODELS;
+    use crate::known;
+    if known::models().len() > MODELS.len() { "gearsim/html" } else { "html" }
 }
 
 /// The page, if `html` asks for it. Errors: none with the feature `html`.
