@@ -19,6 +19,9 @@ The crate has a model to begin with, a motor that drives a wheel through a gear 
 Its program has all commands of gearsim. Its README.md is a tutorial that changes the model step by
 step.
 
+The crate is compiled with the sources of gearsim: it needs a checkout of gearsim, which must stay
+where it is. The first build takes about 6 minutes of processor time, later ones take seconds.
+
 Examples:
   gearsim new my-axle
   gearsim new drives/hoist --gearsim ../gearsim"
