@@ -62,7 +62,7 @@ pub mod linear {
     /// # Errors
     /// Those of the matrices of the scene.
     pub fn parts(scene: &Scene, entry: &Entry, system: &System) -> Result<Parts, Refusal> {
-        Parts::of(scene, entry, system)
+        Parts::of(scene, entry, system, &|| {})
     }
 
     /// The modes of the cell with the law values `k` \[SI\].
@@ -70,7 +70,7 @@ pub mod linear {
     /// # Errors
     /// Those of [`Modal::of`](super::Modal::of).
     pub fn modes(system: &System, k: &[f64], parts: &Parts) -> Result<CellModes, Refusal> {
-        modes::of(system, k, parts)
+        modes::of(system, k, parts, &|| {})
     }
 
     /// The modes of the cell with these matrices and without laws.
@@ -79,7 +79,7 @@ pub mod linear {
     /// Those of [`Modal::of`](super::Modal::of).
     pub fn modes_of(matrices: &Matrices, parts: &Parts) -> Result<CellModes, Refusal> {
         let laws: [DMatrix<f64>; 0] = [];
-        modes::of_matrices(matrices, &[], &laws, parts)
+        modes::of_matrices(matrices, &[], &laws, parts, &|| {})
     }
 
     /// The stiffnesses of a scene in steady rotation as a function of the time \[s\].

@@ -10,6 +10,7 @@
 //!   the laws. Share of a spring: phi* K_s phi/(phi* K phi), see `springs.rs`.
 //! - Share of an inertia in the kinetic energy: phi* M_j phi/(phi* M phi), between 0 and 1, see `masses.rs`.
 
+mod energies;
 mod general;
 mod linear;
 pub(crate) mod masses;
@@ -29,6 +30,7 @@ use crate::engine::system::{Motion, System};
 use crate::scene::Scene;
 use crate::tolerance::analysis::NEAR_RESONANCE;
 
+use energies::{Form, Forms};
 pub(crate) use parts::Parts;
 
 /// The modes of one cell.
@@ -99,22 +101,23 @@ pub(crate) fn combinations(courses: &[SteadyLaw]) -> Vec<Vec<f64>> {
     (0..count).map(levels).collect()
 }
 
-/// The modes of the cell with law values `k` \[SI\], and the shares of `parts` in their energies.
+/// The modes of the cell with law values `k` \[SI\], and the shares of `parts` in their energies. `watch` is called many times meanwhile.
 ///
 /// # Errors
 /// Those of [`Modal::of`].
-pub(crate) fn of(system: &System, k: &[f64], parts: &Parts) -> Result<CellModes, Refusal> {
+pub(crate) fn of(system: &System, k: &[f64], parts: &Parts, watch: &dyn Fn()) -> Result<CellModes, Refusal> {
     let matrices = system.matrices(k)?;
     let without = |law: usize| {
+        watch();
         let mut k = k.to_vec();
         k[law] = 0.0;
         system.matrices(&k).map(|m| &matrices.stiffness - m.stiffness)
     };
     let laws = (0..k.len()).map(without).collect::<Result<Vec<_>, _>>()?;
     if system.steady().is_some() {
-        return Ok(general::of(&matrices, &system.linearised(k)?, k, (&laws, parts)));
+        return Ok(general::of(&matrices, &system.linearised(k)?, k, (&laws, parts), watch));
     }
-    of_matrices(&matrices, k, &laws, parts)
+    of_matrices(&matrices, k, &laws, parts, watch)
 }
 
 /// The modes of the cell with the given `matrices`; `laws` are the parts of K that come from the laws, whose values are `k`.
@@ -126,10 +129,15 @@ pub(crate) fn of_matrices(
     k: &[f64],
     laws: &[DMatrix<f64>],
     parts: &Parts,
+    watch: &dyn Fn(),
 ) -> Result<CellModes, Refusal> {
-    let modal = Modal::of(matrices)?;
+    let modal = Modal::watched(matrices, watch)?;
     let modes = modal.coupled.as_ref().map_or(&modal.modes, |coupled| &coupled.modes);
-    let vibration = |(i, mode): (usize, &Mode)| vibration(mode, shape(&modal, i, mode), matrices, laws, parts);
+    let forms = Forms::of(laws, parts);
+    let vibration = |(i, mode): (usize, &Mode)| {
+        watch();
+        vibration(mode, shape(&modal, i, mode), matrices, &forms)
+    };
     let modes = modes.iter().enumerate().map(vibration).collect();
     Ok(CellModes::new(k, parts, modes, modal.coupled.is_some()))
 }
@@ -149,30 +157,24 @@ fn shape(modal: &Modal, i: usize, mode: &Mode) -> DVector<Complex<f64>> {
     x1 + x2 * lambda
 }
 
-fn vibration(
-    mode: &Mode,
-    shape: DVector<Complex<f64>>,
-    m: &Matrices,
-    laws: &[DMatrix<f64>],
-    parts: &Parts,
-) -> Vibration {
+fn vibration(mode: &Mode, shape: DVector<Complex<f64>>, m: &Matrices, forms: &Forms) -> Vibration {
     let weight = |i: usize| m.mass[(i, i)].sqrt() * shape[i].norm();
     let heaviest = (0..shape.len()).max_by(|&i, &j| weight(i).total_cmp(&weight(j))).unwrap_or(0);
     let unit = shape[heaviest];
     let shape = shape.map(|x| x / unit);
-    let energy = |a: &DMatrix<f64>| shape.dotc(&(a.map(Complex::from) * &shape)).re;
-    let (kinetic, total) = (energy(&m.mass), energy(&m.stiffness));
+    let energy = |form: &Form| form.energy(&shape);
+    let (kinetic, total) = (energy(&Form::of(&m.mass)), energy(&Form::of(&m.stiffness)));
     let rigid = mode.omega2 == 0.0;
-    let share = |k: &DMatrix<f64>| (!rigid).then(|| if total == 0.0 { 0.0 } else { energy(k) / total });
+    let share = |k: &Form| (!rigid).then(|| if total == 0.0 { 0.0 } else { energy(k) / total });
     let omega = mode.omega2.sqrt();
     Vibration {
         natural: omega / TAU,
         damped: mode.damped_frequency() / TAU,
         zeta: (!rigid).then(|| mode.sigma / omega),
         growth: 0.0,
-        strain: laws.iter().filter_map(share).collect(),
-        springs: parts.springs.iter().filter_map(|spring| share(&spring.stiffness)).collect(),
-        kinetic: parts.masses.iter().map(|mass| energy(&mass.inertia) / kinetic).collect(),
+        strain: forms.laws.iter().filter_map(share).collect(),
+        springs: forms.springs.iter().filter_map(share).collect(),
+        kinetic: forms.masses.iter().map(|mass| energy(mass) / kinetic).collect(),
         shape: shape.iter().copied().collect(),
     }
 }
@@ -201,7 +203,7 @@ pub(crate) fn over_a_turn(scene: &Scene, mut system: System, k: &[f64]) -> Resul
     let Some(Turn { shift, time, .. }) = Turn::of(scene, &system)? else { return Ok(None) };
     let (step, mut natural) = (&shift * (1.0 / f64::from(PLACES)), vec![[f64::INFINITY, 0.0f64]; shift.len()]);
     for _ in 0..PLACES {
-        for (range, mode) in natural.iter_mut().zip(of(&system, k, &Parts::default())?.modes) {
+        for (range, mode) in natural.iter_mut().zip(of(&system, k, &Parts::default(), &|| {})?.modes) {
             *range = [range[0].min(mode.natural), range[1].max(mode.natural)];
         }
         system = system.moved(&step);

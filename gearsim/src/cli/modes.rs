@@ -138,10 +138,10 @@ impl Verb for Modes {
         let refused = |refusal| Failure::Refused { scene: scene.name.clone(), refusal };
         let system = scene.entry()?.about_steady_motion(&scene).map_err(refused)?;
         let courses = steady::courses(&scene, &system).map_err(refused)?;
-        let parts = modes::Parts::of(&scene, scene.entry()?, &system).map_err(refused)?;
-        let chosen = modes::of(&system, &self.levels(&scene, &courses)?, &parts).map_err(refused)?;
+        let parts = modes::Parts::of(&scene, scene.entry()?, &system, &|| {}).map_err(refused)?;
+        let chosen = modes::of(&system, &self.levels(&scene, &courses)?, &parts, &|| {}).map_err(refused)?;
         let cells = modes::combinations(&courses);
-        let cells = cells.iter().map(|k| modes::of(&system, k, &parts)).collect::<Result<Vec<_>, _>>();
+        let cells = cells.iter().map(|k| modes::of(&system, k, &parts, &|| {})).collect::<Result<Vec<_>, _>>();
         let cells = cells.map_err(refused)?;
         let moving = scene.entry()?.about_steady_motion(&scene).map_err(refused)?;
         let turn = modes::over_a_turn(&scene, moving, &chosen.levels).map_err(refused)?;

@@ -57,6 +57,14 @@ impl Modal {
     /// # Errors
     /// If M is not positive definite, K is not positive semidefinite, a number overflows, or the damped modes are defective.
     pub fn of(m: &Matrices) -> Result<Modal, Refusal> {
+        Modal::watched(m, &|| {})
+    }
+
+    /// The same; `watch` is called for each pair of modes that damping couples.
+    ///
+    /// # Errors
+    /// As [`Modal::of`].
+    pub fn watched(m: &Matrices, watch: &dyn Fn()) -> Result<Modal, Refusal> {
         let n = m.load.len();
         let matrices = [&m.mass, &m.mobility, &m.damping, &m.stiffness];
         if matrices.iter().any(|a| a.iter().any(|x| !x.is_finite())) || m.load.iter().any(|x| !x.is_finite()) {
@@ -106,7 +114,7 @@ impl Modal {
         let own: Vec<f64> = (0..n).map(of_shape).collect();
         let significant = significant(&omega2, &damping, &rounding, &own);
         let modes = damped(&omega2, &significant)?;
-        let coupled = if couples(&significant) { Some(Coupled::of(&omega2, &significant)?) } else { None };
+        let coupled = if couples(&significant) { Some(Coupled::of(&omega2, &significant, watch)?) } else { None };
         // Xᵀ K = omega² Xᵀ M.
         let springs = DMatrix::from_fn(n, n, |i, j| omega2[i] * momentum[(i, j)]);
         let load = shapes.transpose() * &m.load;

@@ -22,6 +22,14 @@ impl Scene {
     /// # Errors
     /// As [`Scene::modes`].
     pub fn modes_at(&self, levels: &[f64]) -> Result<CellModes, Error> {
+        self.modes_watched(levels, &|| {})
+    }
+
+    /// The same; `watch` is called many times meanwhile. It ends the analysis by unwinding.
+    ///
+    /// # Errors
+    /// As [`Scene::modes`].
+    pub fn modes_watched(&self, levels: &[f64], watch: &dyn Fn()) -> Result<CellModes, Error> {
         let entry = self.entry()?;
         let laws = self.stiffnesses().count();
         if levels.len() != laws {
@@ -29,8 +37,8 @@ impl Scene {
             return Err(Error::impossible(what, "give one number for each stiffness of the model"));
         }
         let system = entry.about_steady_motion(self).map_err(|refusal| self.refused(refusal))?;
-        let parts = Parts::of(self, entry, &system).map_err(|refusal| self.refused(refusal))?;
-        modes::of(&system, levels, &parts).map_err(|refusal| self.refused(refusal))
+        let parts = Parts::of(self, entry, &system, watch).map_err(|refusal| self.refused(refusal))?;
+        modes::of(&system, levels, &parts, watch).map_err(|refusal| self.refused(refusal))
     }
 
     /// Stability of the steady rotation at the speeds of the start, by Floquet multipliers. Where inertias change along the motion, it is that
@@ -73,5 +81,61 @@ impl Scene {
     /// The error of a scene that cannot be simulated.
     pub(super) fn refused(&self, refusal: Refusal) -> Error {
         Error::Refused { scene: self.name.clone(), refusal }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::cell::Cell;
+    use std::panic::{AssertUnwindSafe, catch_unwind, resume_unwind};
+
+    use crate::Scene;
+
+    /// A row of rotors on shafts with unequal dampers, which couple all modes.
+    fn row(rotors: usize) -> Scene {
+        let mut text = "model = \"train\"\neffects = [\"viscous_friction\"]\n".to_owned();
+        for i in 0..rotors {
+            text += &format!("[rotors.r{i}]\ninertia = \"{} kg*m^2\"\n", 0.01 + 0.001 * (i % 7) as f64);
+        }
+        for i in 1..rotors {
+            let (k, c) = (10.0 + (i % 11) as f64, 1.0 + (i % 5) as f64);
+            text += &format!("[shafts.s{i}]\nbetween = [\"r{}\", \"r{i}\"]\n", i - 1);
+            text += &format!("stiffness = \"{k} kN*m/rad\"\ndamping = \"{c} N*m*s/rad\"\n");
+        }
+        Scene::from_toml("row", &text).unwrap()
+    }
+
+    /// The modes of many rotors: those of a large matrix are found in another way than those of a small one. Shares of energies add up to 1.
+    #[test]
+    fn many_rotors_have_coupled_modes() {
+        let cell = row(40).modes().unwrap();
+        assert!(cell.coupled && cell.modes.len() == 40);
+        let first = cell.modes.iter().filter(|mode| mode.natural == 0.0).count();
+        assert_eq!(first, 1);
+        for mode in &cell.modes {
+            assert!((mode.kinetic.iter().sum::<f64>() - 1.0).abs() < 1e-12);
+            assert!(mode.natural == 0.0 || (mode.springs.iter().sum::<f64>() - 1.0).abs() < 1e-12);
+        }
+    }
+
+    /// It is watched during all of its parts, at least once for each parameter and each mode, and ends when it is asked.
+    #[test]
+    fn modes_can_be_ended() {
+        let scene = row(12);
+        let calls = Cell::new(0);
+        scene.modes_watched(&[], &|| calls.set(calls.get() + 1)).unwrap();
+        let all = calls.get();
+        assert!(all >= 12 + 11 + 2 * 12, "{all}");
+        for most in [1, 20, all] {
+            calls.set(0);
+            let watch = || {
+                calls.set(calls.get() + 1);
+                if calls.get() == most {
+                    resume_unwind(Box::new("ended"));
+                }
+            };
+            assert!(catch_unwind(AssertUnwindSafe(|| scene.modes_watched(&[], &watch))).is_err());
+            assert_eq!(calls.get(), most);
+        }
     }
 }

@@ -174,8 +174,8 @@ fn the_harmonics_that_are_listed_are_drawn_and_their_crossings_marked() {
     let entry = crate::known::of(&scene).unwrap();
     let system = entry.about_steady_motion(&scene).unwrap();
     let courses = crate::analysis::steady::courses(&scene, &system).unwrap();
-    let parts = crate::analysis::modes::Parts::of(&scene, entry, &system).unwrap();
-    let cell = crate::analysis::modes::of(&system, &scene.mid_stiffnesses(), &parts).unwrap();
+    let parts = crate::analysis::modes::Parts::of(&scene, entry, &system, &|| {}).unwrap();
+    let cell = crate::analysis::modes::of(&system, &scene.mid_stiffnesses(), &parts, &|| {}).unwrap();
     let meetings = meetings(&courses, &cell);
     assert!(meetings.iter().any(|meeting| meeting.harmonic > HARMONICS), "{meetings:?}");
     let figure = draw(&scene, &courses, &cell).unwrap();

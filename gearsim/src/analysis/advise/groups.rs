@@ -43,7 +43,7 @@ impl Groups {
         let model = scene.model;
         let courses = steady::courses(scene, system)?;
         let mids = scene.mid_stiffnesses();
-        let cell = modes::of(system, &mids, &modes::Parts::default())?;
+        let cell = modes::of(system, &mids, &modes::Parts::default(), &|| {})?;
         let coordinate = |name: &str| model.coordinates.iter().position(|c| c.name == name).unwrap_or(0);
         let mut meshes = vec![];
         for (i, course) in courses.iter().enumerate().filter(|(_, c)| c.varies) {

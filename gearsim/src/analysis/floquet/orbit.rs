@@ -95,7 +95,7 @@ pub fn of(scene: &Scene, system: &System, about: &Steady, watch: &dyn Fn()) -> R
         return Err(FloquetError::Rigid);
     }
     let levels: Vec<f64> = scene.stiffnesses().map(|(_, law)| law.mean()).collect();
-    let natural = modes::of(system, &levels, &modes::Parts::default())?
+    let natural = modes::of(system, &levels, &modes::Parts::default(), watch)?
         .modes
         .iter()
         .map(|m| m.natural)

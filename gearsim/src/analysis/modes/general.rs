@@ -3,6 +3,7 @@
 
 use nalgebra::{Complex, DMatrix, DVector};
 
+use super::energies::Forms;
 use super::{CellModes, Parts, Vibration, vibration};
 use crate::engine::modal::Matrices;
 use crate::engine::mode::Mode;
@@ -10,16 +11,24 @@ use crate::tolerance::analysis::{EQUAL_EIGENVALUES, RIGID, RIGID_EIGENVALUE};
 
 /// The modes of the `linearised` matrices of a cell with law values `k`; energies and the shares of laws and parts are those of the
 /// `linear` part.
-pub fn of(linear: &Matrices, linearised: &Matrices, k: &[f64], (laws, parts): (&[DMatrix<f64>], &Parts)) -> CellModes {
+pub fn of(
+    linear: &Matrices,
+    linearised: &Matrices,
+    k: &[f64],
+    (laws, parts): (&[DMatrix<f64>], &Parts),
+    watch: &dyn Fn(),
+) -> CellModes {
     let pairs = pairs(linearised);
+    let forms = Forms::of(laws, parts);
     let mut modes: Vec<_> = vec![];
     for (i, &(slow, fast)) in pairs.iter().enumerate() {
+        watch();
         let before = pairs[..i].iter().filter(|(other, _)| (other - slow).norm() <= EQUAL_EIGENVALUES * slow.norm());
         let shape = shape(linearised, slow, before.count());
         let (sigma, omega2) = (-0.5 * (slow + fast).re, (slow * fast).re.max(0.0));
         let rate = slow.re.max(fast.re);
         let growth = if rate > EQUAL_EIGENVALUES * fast.norm() { rate } else { 0.0 };
-        modes.push(Vibration { growth, ..vibration(&Mode::new(sigma, omega2), shape, linear, laws, parts) });
+        modes.push(Vibration { growth, ..vibration(&Mode::new(sigma, omega2), shape, linear, &forms) });
     }
     CellModes::new(k, parts, modes, true)
 }

@@ -7,23 +7,16 @@ use crate::engine::Refusal;
 use crate::scene::Scene;
 use crate::tolerance::analysis::{LINEAR_STIFFNESS, STIFFNESS_ROUNDING};
 
-/// The values of `of` for `scene` with 1, 2 and 3 times a parameter. `None` if a multiple gives no valid equations: the parameter is then
-/// neither a stiffness nor an inertia.
-///
-/// # Errors
-/// The error of the unchanged scene.
-pub(super) fn multiples<T>(
+/// The value of `of` for `scene` with `times` times a parameter. `None` if that gives no valid equations: the parameter is then neither a
+/// stiffness nor an inertia.
+pub(super) fn multiple<T>(
     scene: &Scene,
-    parameter: usize,
+    (parameter, times): (usize, f64),
     of: &dyn Fn(&Scene) -> Result<T, Refusal>,
-) -> Result<Option<[T; 3]>, Refusal> {
-    let at = |times: f64| {
-        let mut scene = scene.clone();
-        scene.parameters[parameter] *= times;
-        of(&scene)
-    };
-    let once = at(1.0)?;
-    Ok(at(2.0).ok().zip(at(3.0).ok()).map(|(twice, thrice)| [once, twice, thrice]))
+) -> Option<T> {
+    let mut scene = scene.clone();
+    scene.parameters[parameter] *= times;
+    of(&scene).ok()
 }
 
 /// The part of a matrix that the parameter gives, and the rounding errors of its elements; `None` if the matrix is not linear in it.

@@ -8,7 +8,7 @@ mod pieces;
 
 use nalgebra::{Complex, DMatrix, DVector};
 
-use super::linear::{multiples, part};
+use super::linear::{multiple, part};
 use crate::engine::Refusal;
 use crate::engine::system::System;
 use crate::engine::vector::Vector;
@@ -43,21 +43,25 @@ pub struct Piece {
     pub sense: DVector<f64>,
 }
 
-/// The inertias of `scene` in the order of its parameters. M is evaluated at the coordinates about which `system` is linearised.
+/// The inertias of `scene` in the order of its parameters. M is evaluated at the coordinates about which `system` is linearised. `watch` is
+/// called for each parameter.
 ///
 /// # Errors
 /// Those of the equations of the scene.
-pub fn of(scene: &Scene, entry: &Entry, system: &System) -> Result<Vec<Mass>, Refusal> {
+pub fn of(scene: &Scene, entry: &Entry, system: &System, watch: &dyn Fn()) -> Result<Vec<Mass>, Refusal> {
     let place = system.steady().map_or_else(|| Vector::zeros(scene.model.coordinates.len()), |about| about.q.clone());
     let mass = |scene: &Scene| Ok(entry.equations(scene)?.mass(&place));
     let rigid = (!scene.model.motions.is_empty()).then(|| DVector::from_column_slice(&system.motion(0)));
+    let once = mass(scene)?;
     let mut masses = vec![];
     for (i, parameter) in scene.model.parameters.iter().enumerate() {
         let is_active = scene.effects.activate(parameter.with, scene.model);
         if scene.parameters[i] == 0.0 || !is_active || !UNITS.contains(&parameter.unit) {
             continue;
         }
-        let Some([once, twice, thrice]) = multiples(scene, i, &mass)? else { continue };
+        watch();
+        let [twice, thrice] = [2.0, 3.0].map(|times| multiple(scene, (i, times), &mass));
+        let Some((twice, thrice)) = twice.zip(thrice) else { continue };
         if let Some((inertia, _)) = part([&once, &twice, &thrice])
             && inertia.amax() > 0.0
         {

@@ -17,11 +17,11 @@ pub struct Parts {
 }
 
 impl Parts {
-    /// The parts of `scene`.
+    /// The parts of `scene`. `watch` is called many times meanwhile.
     ///
     /// # Errors
     /// Those of the matrices of the scene.
-    pub fn of(scene: &Scene, entry: &Entry, system: &System) -> Result<Parts, Refusal> {
-        Ok(Parts { springs: springs::of(scene, entry)?, masses: masses::of(scene, entry, system)? })
+    pub fn of(scene: &Scene, entry: &Entry, system: &System, watch: &dyn Fn()) -> Result<Parts, Refusal> {
+        Ok(Parts { springs: springs::of(scene, entry, watch)?, masses: masses::of(scene, entry, system, watch)? })
     }
 }

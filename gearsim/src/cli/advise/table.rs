@@ -188,8 +188,8 @@ mod tests {
         let groups = Groups::of(&scene, &system).unwrap();
         let courses = steady::courses(&scene, &system).unwrap();
         let mids = scene.mid_stiffnesses();
-        let parts = modes::Parts::of(&scene, known::of(&scene).unwrap(), &system).unwrap();
-        let cell = modes::of(&system, &mids, &parts).unwrap();
+        let parts = modes::Parts::of(&scene, known::of(&scene).unwrap(), &system, &|| {}).unwrap();
+        let cell = modes::of(&system, &mids, &parts, &|| {}).unwrap();
         let (law, meeting) = *groups.meetings.first().expect("a harmonic of the meshes is near a mode");
         let mesh = courses.iter().find(|course| course.name == law).unwrap().mesh_frequency();
         let frequency = cell.modes[meeting.mode].damped;

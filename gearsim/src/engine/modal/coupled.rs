@@ -42,27 +42,27 @@ pub struct Coupled {
 }
 
 impl Coupled {
-    /// The modes of xi'' + G xi' + diag(omega2) xi = g.
+    /// The modes of xi'' + G xi' + diag(omega2) xi = g. `watch` is called for each pair of eigenvalues.
     ///
     /// The errors of eigenvalues are some eps of themselves, or in the worst case of the fastest one. Which pairs are equal is not known
     /// beforehand. Modes that represent every motion ([`verify`]) are right, whichever were taken for equal.
     ///
     /// # Errors
     /// If a pair of complex eigenvalues is defective, the modes are not found, or damping adds energy.
-    pub fn of(omega2: &[f64], damping: &DMatrix<f64>) -> Result<Coupled, Refusal> {
-        let narrow = Coupled::with(omega2, damping, Nearness::NARROW);
-        let wider = |nearness| Coupled::with(omega2, damping, nearness).ok();
+    pub fn of(omega2: &[f64], damping: &DMatrix<f64>, watch: &dyn Fn()) -> Result<Coupled, Refusal> {
+        let narrow = Coupled::with(omega2, damping, Nearness::NARROW, watch);
+        let wider = |nearness| Coupled::with(omega2, damping, nearness, watch).ok();
         narrow.or_else(|refusal| Nearness::WIDER.into_iter().find_map(wider).ok_or(refusal))
     }
 
     /// The modes, if pairs of eigenvalues that are near one another are equal.
-    fn with(omega2: &[f64], damping: &DMatrix<f64>, nearness: Nearness) -> Result<Coupled, Refusal> {
+    fn with(omega2: &[f64], damping: &DMatrix<f64>, nearness: Nearness, watch: &dyn Fn()) -> Result<Coupled, Refusal> {
         let n = omega2.len();
         let mut pairs: Vec<Pair> = vec![];
         for group in groups(damping) {
             let clusters = pairs.iter().map(|p| p.cluster + 1).max().unwrap_or(0);
             let (w, g) = (subspace::pick(omega2, &group), subspace::block(damping, &group));
-            for pair in solve(&w, &g, nearness)? {
+            for pair in solve(&w, &g, nearness, watch)? {
                 let whole = |x: &DVector<f64>| {
                     let mut all = DVector::zeros(n);
                     group.iter().zip(x.iter()).for_each(|(&i, x)| all[i] = *x);
@@ -119,7 +119,7 @@ fn groups(damping: &DMatrix<f64>) -> Vec<Vec<usize>> {
 }
 
 /// The pairs of eigenvalues of one set.
-fn solve(omega2: &[f64], g: &DMatrix<f64>, nearness: Nearness) -> Result<Vec<Pair>, Refusal> {
+fn solve(omega2: &[f64], g: &DMatrix<f64>, nearness: Nearness, watch: &dyn Fn()) -> Result<Vec<Pair>, Refusal> {
     if let [omega2] = omega2 {
         let (x1, x2) = (DVector::from_element(1, 1.0), DVector::zeros(1));
         return Ok(vec![Pair { x1, x2, s: g[(0, 0)], b: *omega2, cluster: 0 }]);
@@ -127,6 +127,7 @@ fn solve(omega2: &[f64], g: &DMatrix<f64>, nearness: Nearness) -> Result<Vec<Pai
     let mut pairs = vec![];
     let mut rigid = (0..omega2.len()).filter(|&i| omega2[i] == 0.0);
     for (cluster, values) in eigenpairs(omega2, g, nearness)?.into_iter().enumerate() {
+        watch();
         let of_rigid = values[0].1 == 0.0;
         let starts = match of_rigid {
             true => subspace::of_rigid(omega2, g, &values, &mut rigid)?,

@@ -118,8 +118,16 @@ fn mean(values: &[(f64, f64)]) -> (f64, f64) {
     (values.iter().map(|v| v.0).sum::<f64>() / count, values.iter().map(|v| v.1).sum::<f64>() / count)
 }
 
+/// Number of rows from which on the null space is found by pivots: a tenth of the time of the singular values, which matters from here on.
+const LARGE: usize = 64;
+
 /// An orthonormal basis of the null space of a matrix, which has the known dimension `size`.
 fn null_space(a: DMatrix<f64>, size: usize) -> Result<Vec<DVector<f64>>, Refusal> {
+    if a.nrows() >= LARGE
+        && let Some(basis) = by_pivots(&a, size)
+    {
+        return Ok(basis);
+    }
     let svd = a.svd(false, true);
     let v = svd.v_t.ok_or(Refusal::Defective { condition: f64::INFINITY })?;
     let mut order: Vec<usize> = (0..v.nrows()).collect();
@@ -129,6 +137,23 @@ fn null_space(a: DMatrix<f64>, size: usize) -> Result<Vec<DVector<f64>>, Refusal
         return Err(Refusal::Defective { condition: 1.0 / largest });
     }
     Ok(order[..size].iter().map(|&i| v.row(i).transpose()).collect())
+}
+
+/// The same from A P = Q R with pivots: with R = [R1, R2; 0, about 0] it is P [-R1⁻¹ R2; 1]. `None` if the matrix does not map these vectors
+/// to zero.
+fn by_pivots(a: &DMatrix<f64>, size: usize) -> Option<Vec<DVector<f64>>> {
+    let n = a.nrows();
+    let rank = n.checked_sub(size)?;
+    let factors = a.clone().col_piv_qr();
+    let r = factors.r();
+    let r1 = r.view((0, 0), (rank, rank));
+    let mut basis = DMatrix::zeros(n, size);
+    basis.view_mut((0, 0), (rank, size)).copy_from(&-r1.solve_upper_triangular(&r.view((0, rank), (rank, size)))?);
+    basis.view_mut((rank, 0), (size, size)).fill_with_identity();
+    factors.p().inv_permute_rows(&mut basis);
+    let basis = basis.qr().q();
+    // The condition is false for NaN.
+    ((a * &basis).norm() <= NULL_SPACE).then(|| basis.column_iter().map(|column| column.into_owned()).collect())
 }
 
 /// An orthonormal basis of the complement, within the span of `basis`, of two orthonormal directions.
@@ -142,4 +167,28 @@ fn without(basis: &[DVector<f64>], taken: &[DVector<f64>; 2]) -> Vec<DVector<f64
         all.push(largest.normalize());
     }
     all.split_off(2)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A matrix with a null space of two dimensions, and elements of very different size: both ways span the same space.
+    #[test]
+    fn pivots_and_singular_values_find_the_same_null_space() {
+        let n = 70;
+        let entry = |i: usize, j: usize| ((i * 37 + j * 61 + i * i * j) % 101) as f64 / 101.0 - 0.5;
+        let full = DMatrix::from_fn(n, n, entry);
+        let (left, right) = (full.clone().qr().q(), full.transpose().qr().q());
+        let sizes = DVector::from_fn(n, |i, _| if i < n - 2 { 10f64.powi(-((i % 5) as i32)) } else { 0.0 });
+        let a = &left * DMatrix::from_diagonal(&sizes) * right.transpose();
+        let found = by_pivots(&a, 2).unwrap();
+        let expected = right.columns(n - 2, 2);
+        for v in &found {
+            assert!((v.norm() - 1.0).abs() < 1e-12 && (&a * v).norm() < 1e-13);
+            assert!((v - expected * (expected.transpose() * v)).norm() < 1e-9);
+        }
+        assert!(found[0].dot(&found[1]).abs() < 1e-12);
+        assert!(by_pivots(&a, 3).is_none(), "the null space has no third dimension");
+    }
 }

@@ -29,9 +29,12 @@ impl<R: Sized64> Geometry<R> {
         let dense = |form: &Form| dense(form, n, parameters);
         let b: Vec<Vec<R>> = train.coordinates.iter().map(&dense).collect();
         let inverse = inverse(&b);
+        // A form has few rotors: only their terms are added up.
         let by_coordinates = |form: &Form| {
             let d = dense(form);
-            (0..n).map(|j| product(&d, |i| inverse[i][j])).collect::<Vec<R>>()
+            let rotors: Vec<usize> = (0..n).filter(|&i| d[i].rounded() != 0.0).collect();
+            let d: Vec<R> = rotors.iter().map(|&i| d[i]).collect();
+            (0..n).map(|j| product(&d, |i| inverse[rotors[i]][j])).collect::<Vec<R>>()
         };
         let row = |row: &Row| match row {
             Row::Coordinate(j) => (0..n).map(|i| R::from(f64::from(u8::from(i == *j)))).collect(),
