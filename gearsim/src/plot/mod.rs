@@ -22,6 +22,7 @@ pub(crate) mod orders;
 pub(crate) mod outputs;
 mod picture;
 mod rainflow;
+mod reduced;
 pub(crate) mod response;
 mod run_up;
 pub(crate) mod spectrum;
