@@ -6,11 +6,12 @@ use serde::Deserialize;
 use toml_edit::{Item, Value};
 
 use super::controls::offered;
-use super::text::{self, Text, with_unit};
+use super::text::with_unit;
 use crate::library::{usual_levels, usual_value};
 use crate::model::Role;
 use crate::page::run::View;
 use crate::scene::quantity::Quantity;
+use crate::scene::text::{self, Text};
 use crate::scene::{Effects, Scene};
 
 /// The state of the page. Values that it does not state are those of the scene.

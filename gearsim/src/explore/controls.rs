@@ -5,11 +5,12 @@ use std::collections::HashMap;
 use serde::Serialize;
 
 use super::choice::si;
-use super::text::{Leaf, Text};
+use super::text::Leaf;
 use crate::library::usual_value;
 use crate::model::{Parameter, Range, Varies};
 use crate::scene::quantity::split;
 use crate::scene::solver::Method;
+use crate::scene::text::Text;
 use crate::scene::{Effects, Scene};
 
 /// A slider and a field for a number.

@@ -33,9 +33,9 @@ pub use server::Service;
 
 use crate::known;
 use crate::library::{Error, Results};
+use crate::scene::text::Text;
 use crate::scene::{Scene, SceneMistakes};
 use choice::Choice;
-use text::Text;
 
 /// A scene that is explored.
 pub struct Explorer {

@@ -6,12 +6,13 @@ use serde::Serialize;
 
 use super::choice::Choice;
 use super::controls::{self, Control, EffectBox, SolverFields};
-use super::text::{Text, key_at};
+use super::text::key_at;
 use super::{Explorer, SOURCE};
 use crate::library::interrupt::interruptible;
 use crate::library::{Error, Results};
 use crate::output::number::{short, time};
 use crate::page;
+use crate::scene::text::Text;
 use crate::scene::{Scene, SceneMistakes};
 
 /// Most rows of a run. A page that redraws them takes some 10 ms for each 100,000.

@@ -1,14 +1,9 @@
-//! The text of a scene as a tree whose values can be changed. Comments and layout stay.
+//! What the text of a scene states: the numbers that sliders change, effects, and the places of values.
 
-use std::fmt;
-
-use toml_edit::{Document, DocumentMut, Item, Table, Value};
+use toml_edit::{Document, Item, Value};
 
 use crate::scene::quantity;
-
-/// The text of a scene.
-#[derive(Debug, Clone)]
-pub(super) struct Text(DocumentMut);
+use crate::scene::text::Text;
 
 /// A number in the text, with or without a unit.
 #[derive(Debug, Clone, PartialEq)]
@@ -31,13 +26,8 @@ impl Leaf {
 }
 
 impl Text {
-    /// Reads a text; `None` if it is not TOML.
-    pub fn parse(text: &str) -> Option<Text> {
-        text.parse().ok().map(Text)
-    }
-
     /// Its numbers, in the order of the text.
-    pub fn leaves(&self) -> Vec<Leaf> {
+    pub(super) fn leaves(&self) -> Vec<Leaf> {
         let mut leaves = vec![];
         visit(self.0.as_item(), &mut vec![], &mut |path, value| {
             let (number, unit, whole) = match value {
@@ -72,30 +62,10 @@ impl Text {
     }
 
     /// Writes a number with the unit that the text has at its place. If the number is the same, nothing is changed.
-    pub fn set(&mut self, leaf: &Leaf, number: f64) {
+    pub(super) fn set(&mut self, leaf: &Leaf, number: f64) {
         if leaf.number != number {
             let path: Vec<_> = leaf.path.iter().map(String::as_str).collect();
             self.put(&path, with_unit(number, &leaf.unit));
-        }
-    }
-
-    /// Writes a value at a path. Missing tables are created; existing items along the path must be tables or entries of arrays.
-    pub fn put(&mut self, path: &[&str], mut value: Value) {
-        if let Some(slot) = find(self.0.as_item_mut(), path) {
-            *value.decor_mut() = slot.decor().clone();
-            *slot = value;
-        } else if let [tables @ .., key] = path {
-            let mut table = Some(self.0.as_table_mut() as &mut dyn toml_edit::TableLike);
-            for name in tables {
-                let next = table.and_then(|table| {
-                    let entry = table.entry(name).or_insert_with(|| Item::Table(Table::new()));
-                    entry.as_table_like_mut()
-                });
-                table = next;
-            }
-            if let Some(table) = table {
-                table.insert(key, Item::Value(value));
-            }
         }
     }
 
@@ -104,12 +74,6 @@ impl Text {
         if let Some(table) = self.0.get_mut(table).and_then(Item::as_table_like_mut) {
             table.remove(key);
         }
-    }
-}
-
-impl fmt::Display for Text {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        self.0.fmt(f)
     }
 }
 
@@ -122,11 +86,6 @@ pub(super) fn with_unit(number: f64, unit: &str) -> Value {
         unit if number == 0.0 || (1e-4..1e15).contains(&size) => Value::from(format!("{number} {unit}")),
         unit => Value::from(format!("{number:e} {unit}")),
     }
-}
-
-/// The value that `text` is in TOML.
-pub(super) fn value(text: &str) -> Option<Value> {
-    text.parse().ok()
 }
 
 /// The key of the innermost value at a byte of a text.
@@ -178,28 +137,5 @@ fn step_all<T>(
         path.push(key.to_string());
         into(entry, path);
         path.pop();
-    }
-}
-
-/// The value at a path.
-fn find<'a>(item: &'a mut Item, path: &[&str]) -> Option<&'a mut Value> {
-    let Some((key, rest)) = path.split_first() else { return item.as_value_mut() };
-    match item {
-        Item::None => None,
-        Item::Value(value) => find_in(value, path),
-        Item::Table(table) => find(table.get_mut(key)?, rest),
-        Item::ArrayOfTables(tables) => {
-            let (next, rest) = rest.split_first()?;
-            find(tables.get_mut(key.parse().ok()?)?.get_mut(next)?, rest)
-        }
-    }
-}
-
-fn find_in<'a>(value: &'a mut Value, path: &[&str]) -> Option<&'a mut Value> {
-    let Some((key, rest)) = path.split_first() else { return Some(value) };
-    match value {
-        Value::InlineTable(table) => find_in(table.get_mut(key)?, rest),
-        Value::Array(array) => find_in(array.get_mut(key.parse().ok()?)?, rest),
-        _ => None,
     }
 }

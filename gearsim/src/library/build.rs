@@ -4,6 +4,7 @@ use std::path::Path;
 
 use super::{Error, Value};
 use crate::known;
+use crate::scene::text::Text;
 use crate::scene::{Scene, Template};
 
 impl Scene {
@@ -30,6 +31,35 @@ impl Scene {
     /// As [`Scene::load`].
     pub fn from_toml_with(name: &str, text: &str, overrides: &[String]) -> Result<Scene, Error> {
         Ok(Template::parse(name, name, text, &[])?.edited(overrides).scene(&[], &known::descriptions())?)
+    }
+
+    /// The text of the scene in TOML, with the values that were set on top of it. Comments and layout stay. The scene that
+    /// [`Scene::from_toml`] reads from it runs to the same bytes. Values that a program wrote into the fields of the scene are not in it.
+    ///
+    /// ```
+    /// use gearsim::Scene;
+    ///
+    /// let text = "model = \"chain_2\"\neffects = []\n\n[parameters]\nI1 = 0.5 # of the motor\nI2 = 0.25\nk1 = \"10 kN*m/rad\"\n";
+    /// let scene = Scene::from_toml("pair", text)?.with("parameters.I1", "600 kg*cm^2")?;
+    /// assert_eq!(scene.to_toml()?, text.replace("I1 = 0.5", "I1 = \"600 kg*cm^2\""));
+    /// # Ok::<(), gearsim::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// If a value was set within an array of arrays, or a part of a train before others, which have no place in the text.
+    pub fn to_toml(&self) -> Result<String, Error> {
+        let cannot = || {
+            let what = format!("the text of scene {} cannot be edited: {}", self.name, self.overrides.join(", "));
+            Error::impossible(what, "set the whole arrays or tables that contain these values")
+        };
+        let mut text = Text::parse(&self.text).ok_or_else(cannot)?;
+        self.overrides.iter().for_each(|setting| text.set_as_option(setting));
+        let text = text.to_string();
+        if Template::again(self, &self.overrides)?.is_same(&text, self.train.is_some()) {
+            Ok(text)
+        } else {
+            Err(cannot())
+        }
     }
 
     /// Begins a scene of a model without a file. Its values are set one by one; all that a scene file may state can be set.
@@ -111,5 +141,81 @@ impl SceneBuilder {
         let values: Vec<_> = values.iter().map(|(key, value)| value.set(key, its_model)).collect();
         let empty = Template::parse(&name, "the scene", &text, &[])?;
         Ok(empty.edited(&values).scene(&[], &models)?)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The columns of a run, bit for bit.
+    fn bits(scene: &Scene) -> Vec<Vec<u64>> {
+        let run = scene.run().unwrap();
+        let run = run.trajectory();
+        run.q.iter().chain(&run.q_dot).map(|column| column.iter().map(|x| x.to_bits()).collect()).collect()
+    }
+
+    /// A scene that was changed, and its text read again, are the same: values, kinds of tables, entries of arrays, new tables.
+    fn assert_same(scene: &Scene) -> String {
+        let text = scene.to_toml().unwrap();
+        let again = Scene::from_toml(&scene.name, &text).unwrap_or_else(|error| panic!("{text}\n{error}"));
+        assert_eq!(bits(scene), bits(&again), "{text}");
+        assert_eq!(again.to_toml().unwrap(), text);
+        text
+    }
+
+    #[test]
+    fn the_text_of_a_changed_scene_is_that_scene() {
+        let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/../models/scenes/");
+        let scene = Scene::load(format!("{folder}two_stage.toml")).unwrap().with("run.t_end", "2 ms").unwrap();
+        assert!(assert_same(&scene).contains("# "), "the comments are gone");
+        let scene = scene.with("parameters.T_motor", 1.0 / 3.0).unwrap().with("output.events", false).unwrap();
+        let law = scene.model.laws[0].name;
+        let scene = scene.with(&format!("laws.{law}.steps.0.width"), "1.7 rad").unwrap();
+        let scene = scene.with("effects", &["stiffness_step", "torques"][..]).unwrap();
+        let text = assert_same(&scene);
+        assert!(text.contains("\"1.7 rad\"") && text.contains("0.3333333333333333"), "{text}");
+        let train = Scene::load(format!("{folder}train_branches.toml")).unwrap().with("run.t_end", "1 ms").unwrap();
+        assert_same(&train.with("shafts.m.stiffness", "11 kN*m/rad").unwrap().with("rotors.1", "3e-5 kg*m^2").unwrap());
+    }
+
+    #[test]
+    fn a_scene_built_in_code_has_a_text() {
+        let scene = Scene::of_model("chain_2").set("parameters.I1", 0.5).set("parameters.I2", 0.25);
+        let scene = scene.set("parameters.k1", 1e4).set("start.theta1_dot", 2.0).set("run", "{ t_end = \"10 ms\" }");
+        assert_same(&scene.build().unwrap());
+    }
+
+    /// A value that is set in a part of a train leaves the part in its place among the others, on which the coordinates depend.
+    #[test]
+    fn parts_of_a_train_keep_their_order() {
+        let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../models/scenes/train_branches.toml");
+        let scene = Scene::load(path).unwrap();
+        let names = |scene: &Scene| scene.model.coordinates.iter().map(|c| c.name).collect::<Vec<_>>();
+        let changed = scene.with("rotors.1", "3e-5 kg*m^2").unwrap();
+        assert_eq!(names(&changed), names(&scene));
+    }
+
+    /// Rotors by their inertias and by tables, in any order, and shafts.
+    #[test]
+    fn a_train_built_in_code_has_a_text() {
+        let train = Scene::of_model("train").set("rotors.a", "1 kg*m^2").set("rotors.c.inertia", "2 kg*m^2");
+        let train = train.set("rotors.b", "3 kg*m^2").set("shafts.ab.between", "[\"a\", \"b\"]");
+        let train = train.set("shafts.ab.stiffness", "1 MN*m/rad").set("shafts.cb.stiffness", "2 MN*m/rad");
+        let train =
+            train.set("shafts.cb.between", "[\"c\", \"b\"]").set("start.speed", "1 rad/s").set("run.t_end", "1 ms");
+        assert_same(&train.build().unwrap());
+    }
+
+    /// Arrays of tables, and tables within a line, into which keys are set that they lack.
+    #[test]
+    fn keys_are_added_within_arrays_of_tables() {
+        let text = "model = \"gear_pair\"\n\n[[laws.k.steps]]\nvalue = 1\n\n[[laws.k.steps]]\nvalue = 2\n\n[laws]\ne = { steps = [{ value = 1 }] }\n";
+        let mut edited = Text::parse(text).unwrap();
+        let settings =
+            ["laws.k.steps.0.width=1.7 rad", "laws.e.steps.0.width=2", "laws.e.pitches=3"].map(str::to_owned);
+        settings.iter().for_each(|setting| edited.set_as_option(setting));
+        let template = Template::parse("scene", "scene", text, &settings).unwrap();
+        assert!(template.is_same(&edited.to_string(), true), "{edited}");
     }
 }

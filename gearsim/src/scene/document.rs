@@ -42,6 +42,38 @@ pub(super) struct Entry {
     pub node: Node,
 }
 
+impl Node {
+    /// Whether two nodes have the same values, whatever their places in their texts and the order of their keys.
+    pub fn is_same(&self, other: &Node) -> bool {
+        match (&self.value, &other.value) {
+            (Value::Text(a), Value::Text(b)) => a == b,
+            (Value::Number(a), Value::Number(b)) => a.to_bits() == b.to_bits(),
+            (Value::Flag(a), Value::Flag(b)) => a == b,
+            (Value::Date, Value::Date) => true,
+            (Value::Array(a), Value::Array(b)) => a.len() == b.len() && a.iter().zip(b).all(|(a, b)| a.is_same(b)),
+            (Value::Table(a), Value::Table(b)) => {
+                let find = |key: &str| b.iter().find(|entry| entry.key == key);
+                a.len() == b.len() && a.iter().all(|own| find(&own.key).is_some_and(|its| own.node.is_same(&its.node)))
+            }
+            _ => false,
+        }
+    }
+
+    /// The keys of each table in this one, in the order of the text.
+    pub fn in_order(&self) -> Vec<(&str, Vec<&str>)> {
+        let Value::Table(tables) = &self.value else { return vec![] };
+        fn keys(entry: &Entry) -> Option<Vec<&str>> {
+            let Value::Table(entries) = &entry.node.value else { return None };
+            let mut entries: Vec<&Entry> = entries.iter().collect();
+            entries.sort_by_key(|entry| (entry.place.source, entry.place.span.start));
+            Some(entries.into_iter().map(|entry| entry.key.as_str()).collect())
+        }
+        let mut all: Vec<_> = tables.iter().filter_map(|entry| Some((entry.key.as_str(), keys(entry)?))).collect();
+        all.sort_unstable();
+        all
+    }
+}
+
 /// Converts positions of the parser to places: the index of the text, and the byte offset of the parsed part within it.
 #[derive(Clone, Copy)]
 pub(crate) struct Origin {

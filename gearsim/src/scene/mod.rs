@@ -45,7 +45,7 @@ mod mesh_phase;
 mod meshes;
 pub(crate) mod mistake;
 mod output;
-mod overrides;
+pub(crate) mod overrides;
 mod parameters;
 mod per_radius;
 pub(crate) mod quantity;
@@ -60,6 +60,7 @@ mod teeth;
 pub(crate) mod template;
 #[cfg(test)]
 mod tests;
+pub(crate) mod text;
 pub mod time_history;
 mod train;
 mod transmission_error;

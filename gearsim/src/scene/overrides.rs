@@ -7,18 +7,20 @@ use super::mistake::Report;
 const MAX_DEPTH: usize = 16;
 
 /// Where overrides come from, as messages show them.
-#[derive(Clone, Copy)]
-pub(super) struct Setting {
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Setting {
     /// Name of the text in messages.
-    source: &'static str,
+    pub source: &'static str,
     /// The option before the value; empty if there is none.
-    option: &'static str,
+    pub option: &'static str,
 }
 
 /// Options of the command line.
 pub(super) const SET: Setting = Setting { source: "command line", option: "--set " };
 /// A point of a sweep.
 pub(super) const VARY: Setting = Setting { source: "command line", option: "--vary " };
+/// A point of a sweep that a program defines.
+pub(super) const AXES: Setting = Setting { source: "axes set in code", option: "" };
 /// A program that uses the library.
 pub(super) const CODE: Setting = Setting { source: "values set in code", option: "" };
 
@@ -29,15 +31,15 @@ pub(super) fn apply(root: &mut Node, from: Setting, text: &str, report: &mut Rep
     let source = report.source(source, &format!("{option}{text}"));
     let origin = Origin { source, offset: option.len() };
     let Some((path, value)) = text.split_once('=') else {
-        let help = "write --set KEY=VALUE, e.g. --set run.t_end=\"1 s\"";
+        let help = format!("write {option}KEY=VALUE, e.g. {option}run.t_end=\"1 s\"");
         return report.add(&origin.place(0..text.len()), "an override without a value", "no `=`", help);
     };
     let Some(keys) = keys(path, origin) else {
         let help = "write the key with its tables, separated by dots: parameters.T0, laws.k.steps.0.value";
         return report.add(&origin.place(0..path.len()), "an override with an invalid key", "not a key", help);
     };
-    if let Some(node) = read_value(value, Origin { source, offset: option.len() + path.len() + 1 }, report) {
-        set(root, &keys, node, report);
+    if let Some(node) = read_value(value, option, Origin { source, offset: option.len() + path.len() + 1 }, report) {
+        set(root, &keys, node, option, report);
     }
 }
 
@@ -59,13 +61,13 @@ fn keys(path: &str, origin: Origin) -> Option<Vec<(&str, Place)>> {
 
 /// Reads a TOML value. A text that is not valid TOML and does not begin like a TOML string, array or table is taken as a string,
 /// because shells remove quotes.
-fn read_value(text: &str, origin: Origin, report: &mut Report) -> Option<Node> {
+fn read_value(text: &str, option: &str, origin: Origin, report: &mut Report) -> Option<Node> {
     let trimmed = text.trim();
     let start = text.len() - text.trim_start().len();
     let origin = Origin { offset: origin.offset + start, ..origin };
     let place = origin.place(0..trimmed.len());
     if trimmed.is_empty() {
-        report.add(&place, "an override without a value", "nothing after `=`", "write --set KEY=VALUE");
+        report.add(&place, "an override without a value", "nothing after `=`", format!("write {option}KEY=VALUE"));
         return None;
     }
     match document::read_value(trimmed, origin) {
@@ -78,7 +80,7 @@ fn read_value(text: &str, origin: Origin, report: &mut Report) -> Option<Node> {
     }
 }
 
-fn set(node: &mut Node, keys: &[(&str, Place)], value: Node, report: &mut Report) {
+fn set(node: &mut Node, keys: &[(&str, Place)], value: Node, option: &str, report: &mut Report) {
     let Some(((key, place), rest)) = keys.split_first() else {
         *node = value;
         return;
@@ -90,18 +92,16 @@ fn set(node: &mut Node, keys: &[(&str, Place)], value: Node, report: &mut Report
                 entries.push(Entry { key: key.to_string(), place: place.clone(), node });
                 entries.len() - 1
             });
-            if rest.is_empty() {
-                entries[index].place = place.clone();
-            }
-            set(&mut entries[index].node, rest, value, report);
+            // An existing key keeps its place: the parts of a train are in the order of the text.
+            set(&mut entries[index].node, rest, value, option, report);
         }
         Value::Array(items) => {
             let count = items.len();
             match key.parse::<usize>().ok().and_then(|index| items.get_mut(index)) {
-                Some(item) => set(item, rest, value, report),
+                Some(item) => set(item, rest, value, option, report),
                 None => {
                     let help = match count {
-                        0 => "set the whole array: --set KEY=[...]".to_string(),
+                        0 => format!("set the whole array: {option}KEY=[...]"),
                         _ => format!("its entries are numbered from 0 to {}", count - 1),
                     };
                     report.add(place, format!("no entry `{key}` in an array of {count}"), "no such entry", help);

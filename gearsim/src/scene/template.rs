@@ -8,7 +8,7 @@ use sha2::{Digest, Sha256};
 
 use super::document::{self, Node, Origin, Place, Value};
 use super::mistake::Report;
-use super::overrides::{CODE, SET, Setting, VARY};
+use super::overrides::{AXES, CODE, SET, Setting, VARY};
 use super::{Scene, SceneMistakes, check, keys, overrides, train};
 use crate::model::Model;
 use crate::tolerance::scene::SCENE_BYTES;
@@ -26,6 +26,8 @@ pub struct Template {
     /// What messages call the text.
     source: Arc<str>,
     overrides: Vec<String>,
+    /// Where the values of axes come from.
+    axes: Setting,
 }
 
 impl Template {
@@ -86,7 +88,17 @@ impl Template {
     /// With values that a program sets.
     pub fn edited(mut self, values: &[String]) -> Template {
         self.set(CODE, values);
+        self.axes = AXES;
         self
+    }
+
+    /// Whether the text `text` has the values of this one with its overrides. In a train the order of the parts counts too.
+    pub fn is_same(&self, text: &str, is_train: bool) -> bool {
+        let same = |other: Template| {
+            let in_order = !is_train || self.root.in_order() == other.root.in_order();
+            in_order && self.root.is_same(&other.root)
+        };
+        Template::read(&self.name, &self.source, text).is_ok_and(same)
     }
 
     fn read(name: &str, source_name: &str, text: &str) -> Result<Template, SceneMistakes> {
@@ -98,7 +110,7 @@ impl Template {
         let end = text.trim_end().len();
         let hash = Sha256::new_with_prefix(text);
         let (name, end, text) = (name.to_string(), origin.place(end..end), text.into());
-        Ok(Template { name, root, end, report, hash, text, source: source_name.into(), overrides: vec![] })
+        Ok(Template { name, root, end, report, hash, text, source: source_name.into(), overrides: vec![], axes: VARY })
     }
 
     /// Checks the scene with `values` (`run.t_end=1 s`, from options `--vary`) applied. Its model must be one of `models`.
@@ -108,8 +120,8 @@ impl Template {
     /// All mistakes in the scene, its overrides and the values.
     pub fn scene(&self, values: &[String], models: &[&'static Model]) -> Result<Scene, SceneMistakes> {
         let mut all = self.clone();
-        all.set(VARY, values);
-        let Template { name, root, end, mut report, hash, text, source, overrides } = all;
+        all.set(all.axes, values);
+        let Template { name, root, end, mut report, hash, text, source, overrides, .. } = all;
         match check::scene(&root, &end, models, &mut report) {
             Some(scene) if report.is_empty() => {
                 let (hash, warnings) = (hexadecimal(hash), report.into_warnings());
@@ -151,6 +163,11 @@ impl Template {
             }
             _ => None,
         }
+    }
+
+    /// Where the values of axes come from, as messages show them.
+    pub(crate) fn axes(&self) -> Setting {
+        self.axes
     }
 
     /// The mistakes found so far, for the caller to add more.
