@@ -176,7 +176,7 @@ def tables_say_units_and_reasons(browser, path):
     with opened_file(browser, path, **LAPTOP) as page:
         cells = page.locator("#numbers td:nth-child(2)").all_text_contents()
         assert "rpm" in cells and "um" in cells, set(cells)
-        assert "No K_v: the scene gives the stiffness k12 without teeth" in page.locator("#method").text_content()
+        assert "k12, k34: no K_v, because the scene gives the stiffness of this mesh without teeth." in page.locator("#method").text_content()
 
 
 def labels_of_lines_stand_apart(browser, path, settings):

@@ -66,8 +66,7 @@ fn iso6336(
     at_rest: f64,
 ) -> Result<f64, String> {
     let law = &scene.model.laws[i];
-    let gears =
-        scene.gears[i].as_ref().ok_or_else(|| format!("the scene gives the stiffness {} without teeth", law.name))?;
+    let gears = scene.gears[i].as_ref().ok_or("the scene gives the stiffness of this mesh without teeth")?;
     let contact = gears.contact().map_err(|e| e.to_string())?;
     // A value in N m is the torque about the axis of the driving gear.
     let force = if law.unit == "N/m" { at_rest } else { at_rest / contact.base[0] };
@@ -90,7 +89,7 @@ fn iso6336(
 
 /// The mean mesh frequency of a run from the time `from` \[s\] on \[Hz\].
 fn mesh_frequency(run: &Trajectory, law: &Law, from: f64) -> Result<f64, String> {
-    let standing = || format!("the mesh {} does not turn", law.name);
+    let standing = || "this mesh does not turn".to_owned();
     let phase = run.model.coordinates.iter().position(|c| c.name == law.phase).ok_or_else(standing)?;
     let (q, first, last) = (&run.q[phase], run.row_from(from), run.len() - 1);
     let frequency = ((q[last] - q[first]) / law.period / (run.t[last] - run.t[first])).abs();

@@ -33,7 +33,7 @@ const SQUARE = 420;
 // Size of the numbers and names at the axes, and of their titles.
 const FONT = 12, TITLE = 14;
 // Least width of a name along x that stands upright.
-const UPRIGHT = 15;
+const UPRIGHT = 18;
 // Screens narrower than this [px] are those of phones.
 const NARROW = 600;
 // Width left of the frames, the same for all plots so that their times stand below each other.
@@ -287,6 +287,12 @@ class Panel {
     return Math.max(HEIGHT, 2 * LABELS.row * Math.max(before, this.after().length));
   }
 
+  /** The part of the width that is as wide as the frame is high. */
+  middle() {
+    const half = this.height() / this.pixels() / 2;
+    return [0.5 - half, 0.5 + half];
+  }
+
   /** The curves with a note to their right. */
   after() { return this.plot.curves.filter(({ note }) => note?.place === "after"); }
 
@@ -374,8 +380,8 @@ class Panel {
       dragmode: touch() ? false : "zoom", paper_bgcolor: "rgba(0,0,0,0)", plot_bgcolor: "rgba(0,0,0,0)",
       font: { family: getComputedStyle(document.body).fontFamily, size: FONT, color: ink },
       modebar: { bgcolor: "rgba(0,0,0,0)", color: css("--muted"), activecolor: ink },
-      xaxis: { ...axis, ...(this.plot.x.log ? logarithmic : {}), ...names(this.plot.x.names), ...(this.upright() ? { tickangle: 90 } : {}), range: [...range], ...(this.plot.square ? { constrain: "domain" } : {}), title: title(words), fixedrange: touch(), uirevision: this.group.revision },
-      yaxis: { ...y, ...(this.plot.square ? { scaleanchor: "x", constrain: "domain" } : {}), fixedrange: touch() },
+      xaxis: { ...axis, ...(this.plot.x.log ? logarithmic : {}), ...names(this.plot.x.names), ...(this.upright() ? { tickangle: 90 } : {}), range: [...range], ...(this.plot.square ? { domain: this.middle() } : {}), title: title(words), fixedrange: touch(), uirevision: this.group.revision },
+      yaxis: { ...y, fixedrange: touch() },
       yaxis2: { overlaying: "y", range: [0, 1], fixedrange: true, visible: false },
     };
   }

@@ -56,7 +56,7 @@ fn meshes(report: &Report<'_>, html: &mut Html) {
         for law in report.run.summary.meshes.keys() {
             for (value, name) in [("dynamic_factor", "dynamic factor"), ("kv_iso6336", "K_v")] {
                 let Some(why) = reason(law, value) else { continue };
-                let says = format!("No {name}: {why}");
+                let says = format!("no {name}, because {why}");
                 match reasons.iter_mut().find(|(known, _)| *known == says) {
                     Some((_, laws)) => laws.push(law),
                     None => reasons.push((says, vec![law])),
