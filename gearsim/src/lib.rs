@@ -83,7 +83,7 @@ pub mod trajectory;
 
 pub use gearsim_macros::equations;
 pub use known::{add as add_models, models};
-pub use library::{Error, Gathering, Job, Results, Rows, SceneBuilder, Value, Variation, starter};
+pub use library::{Comparison, Error, Gathering, Job, Results, Rows, SceneBuilder, Value, Variation, starter};
 pub use run::{Entry, Outcome, Prospect};
 pub use scene::Scene;
 pub use sweep::Design;

@@ -1,6 +1,5 @@
 //! `gearsim compare`: one scene under the exact equations and under two common approximations.
 
-pub(super) mod equations;
 mod table;
 
 use clap::Parser;
@@ -11,11 +10,11 @@ use super::printing::Printing;
 use super::simulate::{Source, simulate};
 use super::{Verb, files, page, report, terminal};
 use crate::library::Results;
+use crate::library::equation_sets::{self, EquationSet};
 use crate::model::Output;
 use crate::output::{OutputFolder, Summary, document};
 use crate::plot;
 use crate::scene::Scene;
-use equations::EquationSet;
 
 /// Run one scene under exact, rigid-kinematic and classical equations, and compare them
 #[derive(Parser)]
@@ -77,7 +76,7 @@ impl Verb for Compare {
     fn run(self) -> Result<(), Failure> {
         let page = self.html.asked()?;
         let scene = self.source.load()?;
-        let scenes = equations::all(&scene)?;
+        let scenes = equation_sets::all(&scene)?;
         let path = self.source.folder(&scene, "_compare")?;
         let mut members = vec![];
         for (set, scene) in scenes {

@@ -105,7 +105,7 @@ impl Verb for ResponseCommand {
         OutputFolder::probe(&path)?;
 
         let mut bar = PointsBar::new(sweep.points * if self.up { 1 } else { 2 }, self.printing.quiet());
-        let response = sweep.response(!self.up, &self.hold(), &mut |done| bar.at(done))?;
+        let response = sweep.response(!self.up, &Hold::named(self.hold.as_deref()), &mut |done| bar.at(done))?;
         drop(bar);
         let mut folder = OutputFolder::create(path)?;
         let table = response.table()?;
@@ -141,14 +141,6 @@ impl Verb for ResponseCommand {
 }
 
 impl ResponseCommand {
-    fn hold(&self) -> Hold {
-        match self.hold.as_deref() {
-            None => Hold::Own,
-            Some("nothing") => Hold::Nothing,
-            Some(parameter) => Hold::By(parameter.into()),
-        }
-    }
-
     /// What holds the speed, what was measured, the largest value of each output on each way, and where it is: names, and what is said of
     /// each.
     fn facts(&self, response: &Response) -> Vec<(String, String)> {

@@ -6,13 +6,13 @@ use std::path::{Path, PathBuf};
 
 use clap::Parser;
 
-use super::compare::equations;
 use super::failure::Failure;
 use super::printing::Printing;
 use super::simulate::simulate;
 use super::{Verb, known, page, report, terminal};
 use crate::analysis::work_precision::{self, Scenes, table};
 use crate::engine::Refusal;
+use crate::library::equation_sets;
 use crate::output::{OutputError, OutputFolder};
 use crate::plot::work_precision::draw;
 use crate::scene::Scene;
@@ -81,7 +81,7 @@ impl WorkPrecision {
     /// Measures one scene.
     fn one(&self, scene: &Scene, folder: PathBuf) -> Result<(), Failure> {
         // The approximate equations need a stiffness that steps, and some effects exclude them.
-        let cheaper = equations::all(scene).unwrap_or_default().into_iter().skip(1);
+        let cheaper = equation_sets::all(scene).unwrap_or_default().into_iter().skip(1);
         let cheaper = cheaper.filter(|(_, scene)| scene.effects.contradictions(scene.model).is_empty());
         let cheaper = cheaper.map(|(set, scene)| (set.equations, scene)).collect();
         let run = |scene: &Scene| match simulate(scene, true) {

@@ -7,6 +7,7 @@ use std::path::Path;
 use super::{Error, packed, provenance};
 use crate::known;
 use crate::output::Table;
+use crate::sweep::answers::limit::{self, Limit};
 use crate::sweep::answers::{Block, sensitivity, statistics};
 use crate::sweep::folder::{self, Folder};
 use crate::sweep::manifest::Layout;
@@ -104,6 +105,18 @@ impl Job {
         }
         let rows = self.complete(table)?;
         Ok(sensitivity::table(&self.layout, &Block::all(&self.layout, &rows))?)
+    }
+
+    /// The probability that each limit, `mesh_force_12_max <= 5 kN`, is broken at a random point, with the ends of its 95 % interval. There
+    /// is one row for each limit at each grid point. Points of a grid without random axes are counted and have no probability. `table` has
+    /// all points of the sweep.
+    ///
+    /// # Errors
+    /// As [`Job::statistics`], and if a limit has no comparison, names no recorded quantity, or has a value of another dimension.
+    pub fn limits(&self, table: &Table, limits: &[&str]) -> Result<Table, Error> {
+        let read = limits.iter().map(|text| Limit::read(text, &self.layout)).collect::<Result<Vec<_>, _>>()?;
+        let rows = self.complete(table)?;
+        Ok(limit::table(&self.layout, &Block::all(&self.layout, &rows), &read)?)
     }
 
     /// The rows of a table of all points.

@@ -18,6 +18,8 @@
 pub mod advise;
 mod analyses;
 mod build;
+mod compare;
+pub(crate) mod equation_sets;
 mod error;
 pub(crate) mod evaluate;
 pub(crate) mod files;
@@ -34,6 +36,7 @@ mod value;
 mod vary;
 
 pub use build::SceneBuilder;
+pub use compare::Comparison;
 pub use error::Error;
 pub use job::{Gathering, Job, Rows};
 pub use results::Results;

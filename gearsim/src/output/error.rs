@@ -15,7 +15,7 @@ pub enum OutputError {
         source: io::Error,
     },
     /// The path of the folder is that of a file.
-    #[error("cannot use {path} as an output folder: it is a file; choose another with --out")]
+    #[error("cannot use {path} as an output folder: it is a file; choose another")]
     NotAFolder {
         /// The path.
         path: PathBuf,
@@ -104,18 +104,18 @@ impl OutputError {
 fn reason(error: &io::Error) -> String {
     use io::ErrorKind::*;
     match error.kind() {
-        PermissionDenied => "permission denied; choose another folder with --out".into(),
-        ReadOnlyFilesystem => "the file system is read-only; choose another folder with --out".into(),
-        NotADirectory | AlreadyExists => "a part of the path is a file, not a folder; choose another with --out".into(),
+        PermissionDenied => "permission denied; choose another folder".into(),
+        ReadOnlyFilesystem => "the file system is read-only; choose another folder".into(),
+        NotADirectory | AlreadyExists => "a part of the path is a file, not a folder; choose another".into(),
         StorageFull | QuotaExceeded => {
-            "no space left; free some, record at a lower rate, or choose another folder with --out".into()
+            "no space left; free some, record at a lower rate, or choose another folder".into()
         }
         FileTooLarge => {
             "it would be larger than a file may be here (`ulimit -f`, or the file system); record at a lower rate, or \
-                         choose another folder with --out"
+                         choose another folder"
                 .into()
         }
-        InvalidFilename => "the name is not valid here; choose another with --out".into(),
+        InvalidFilename => "the name is not valid here; choose another".into(),
         _ => error.to_string(),
     }
 }

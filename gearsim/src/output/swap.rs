@@ -32,7 +32,7 @@ pub(super) fn swap(folder: &Path, staging: &Path, new: &[String], index: &str) -
     for name in new {
         let path = folder.join(name);
         if path.is_dir() {
-            let source = io::Error::other("a folder has this name; remove it, or choose another with --out");
+            let source = io::Error::other("a folder has this name; remove it, or choose another");
             return Err(OutputError::Write { path, source });
         }
     }

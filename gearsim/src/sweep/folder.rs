@@ -58,7 +58,7 @@ impl Folder {
             Ok(()) => {}
             Err(std::fs::TryLockError::WouldBlock) => {
                 let what = format!("another gearsim process writes to {}", path.display());
-                return impossible(what, "wait until it ends, or choose another folder with --out: one per shard");
+                return impossible(what, "wait until it ends, or choose another folder: one per shard");
             }
             // The file system does not support locks: run without one.
             Err(std::fs::TryLockError::Error(_)) => {}
@@ -161,7 +161,7 @@ pub fn refuse_another(path: &Path, manifest: &Manifest) -> Result<(), Error> {
         return Ok(());
     }
     let what = format!("{} holds another sweep\n  {}", path.display(), differences.join("\n  "));
-    impossible(what, "choose another folder with --out, or remove this one")
+    impossible(what, "choose another folder, or remove this one")
 }
 
 /// The rows of the sweep of `manifest` in the folder at `path`, with those in `parts/`.

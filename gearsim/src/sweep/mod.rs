@@ -191,7 +191,7 @@ impl Sweep {
             let scene: Scene = self.template.scene(&trial, &[self.entry.model])?;
             if self.from >= scene.t_end {
                 let what = format!("the statistics begin at {} s, but the run ends at {} s", self.from, scene.t_end);
-                return impossible(what, "choose an earlier --from (--settle of a response), or a later run.t_end");
+                return impossible(what, "choose an earlier start of the statistics, or a later run.t_end");
             }
         }
         Ok(())
@@ -204,7 +204,7 @@ impl Sweep {
 /// All mistakes in their texts.
 pub(crate) fn axes(template: &Template, model: &Model, vary: &[String]) -> Result<Vec<Axis>, SceneMistakes> {
     let mut report = template.report();
-    let axes = parse::axes(vary, model, &mut report);
+    let axes = parse::axes(vary, template.axes(), model, &mut report);
     if report.is_empty() { Ok(axes) } else { Err(report.into_mistakes(template.name())) }
 }
 
@@ -222,7 +222,7 @@ fn key(text: &str) -> &str {
 fn plan(template: &Template, entry: Entry, request: &Request) -> Result<Plan, Error> {
     let axes = axes(template, entry.model, &request.vary)?;
     if axes.is_empty() {
-        return impossible("nothing is varied", "give an axis: --vary parameters.T0=\"1 N*m:100 N*m:50\"");
+        return impossible("nothing is varied", "give an axis: parameters.T0=\"1 N*m:100 N*m:50\"");
     }
     let plan = Plan::new(axes, request.design, request.samples.unwrap_or(1), request.seed);
     let random = plan.sampler.axes;
@@ -231,15 +231,15 @@ fn plan(template: &Template, entry: Entry, request: &Request) -> Result<Plan, Er
         return impossible(what, "fix some of them, or choose another design");
     }
     match (random > 0, request.samples) {
-        (true, None) => impossible("random axes without a number of samples", "give a number: --samples 1000"),
-        (_, Some(0)) => impossible("the number of samples is 0", "take at least one: --samples 1000"),
+        (true, None) => impossible("random axes without a number of samples", "give `samples`, for example 1000"),
+        (_, Some(0)) => impossible("the number of samples is 0", "take at least one, for example 1000"),
         (false, Some(_)) => impossible(
-            "--samples is given, but no axis is random",
-            "remove --samples, or vary at random: --vary parameters.T0=\"uniform:1 N*m:100 N*m\"",
+            "a number of samples is given, but no axis is random",
+            "leave out `samples`, or vary at random: parameters.T0=\"uniform:1 N*m:100 N*m\"",
         ),
         (false, None) if request.design != Design::Random => impossible(
-            format!("--design {} is given, but no axis is random", request.design.name()),
-            "remove --design, or vary at random: --vary parameters.T0=\"uniform:1 N*m:100 N*m\"",
+            format!("the design {} is given, but no axis is random", request.design.name()),
+            "leave out `design`, or vary at random: parameters.T0=\"uniform:1 N*m:100 N*m\"",
         ),
         _ => Ok(plan),
     }

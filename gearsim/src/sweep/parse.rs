@@ -4,6 +4,7 @@ use std::ops::Range;
 
 use crate::model::Model;
 use crate::scene::mistake::{Report, list};
+use crate::scene::overrides::Setting;
 use crate::scene::quantity::{self, Quantity};
 use crate::scene::unit_of;
 
@@ -12,24 +13,22 @@ use super::distribution::Distribution;
 use crate::scene::document::Origin;
 use crate::tolerance::scene::SWEEP_POINTS;
 
-/// Text put before an axis when a message quotes it.
-const OPTION: &str = "--vary ";
 /// Help text: the forms of an axis.
 const FORMS: &str = "write KEY=A:B:N or KEY=log:A:B:N for N values from A to B, KEY=V1,V2,V3 for a list, \
                      KEY=uniform:A:B, KEY=log-uniform:A:B, KEY=normal:MEAN:DEVIATION or \
                      KEY=normal:MEAN:DEVIATION:A:B for random ones";
 
-/// Parses the values `texts` of the options `--vary`, for a scene of `model`. Mistakes go to `report`.
-pub(super) fn axes(texts: &[String], model: &Model, report: &mut Report) -> Vec<Axis> {
+/// Parses the axes `texts`, which come `from` options or a program, for a scene of `model`. Mistakes go to `report`.
+pub(super) fn axes(texts: &[String], from: Setting, model: &Model, report: &mut Report) -> Vec<Axis> {
     let mut axes: Vec<Axis> = vec![];
     for text in texts {
-        let source = report.source("command line", &format!("{OPTION}{text}"));
-        let origin = Origin { source, offset: OPTION.len() };
+        let source = report.source(from.source, &format!("{}{text}", from.option));
+        let origin = Origin { source, offset: from.option.len() };
         let mut reader = Reader { text, origin, model, report };
         let Some(axis) = reader.axis() else { continue };
         if axes.iter().any(|other| other.key == axis.key) {
             let message = format!("`{}` is varied twice", axis.key);
-            reader.add(0..axis.key.len(), message, "again", "write all its values in one --vary");
+            reader.add(0..axis.key.len(), message, "again", "write all its values in one axis");
         }
         axes.push(axis);
     }

@@ -88,7 +88,7 @@ impl Sweep {
         }
         let first = self.scene_at(&texts[0])?;
         if first.output.record.is_empty() {
-            return impossible("the scene records no output", "name one: --output dte_12");
+            return impossible("the scene records no output", "name one in output.record: [\"dte_12\"]");
         }
         let motion = Motion::of(&first, &axis.key, self)?;
         let (handle, holding) = self.handle(&self.scene_at(&texts[texts.len() - 1])?, &axis.key, &motion, hold)?;
@@ -125,7 +125,7 @@ impl Sweep {
         let speed = motion.stated(scene);
         let mut all = match (hold, motion.varied) {
             (Hold::Nothing, _) => return free("it was asked so"),
-            (Hold::Own, None) => return free(&format!("`{key}` is no speed; choose a parameter by --hold")),
+            (Hold::Own, None) => return free(&format!("`{key}` is no speed; choose a parameter that holds it")),
             _ => Handle::all(scene, &self.entry, motion, speed),
         };
         all.retain(|handle| key.strip_prefix("parameters.") != Some(name(handle)));

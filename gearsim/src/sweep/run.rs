@@ -43,7 +43,7 @@ impl Sweep {
     ) -> Result<(), Error> {
         let cannot_start = |error: &dyn std::fmt::Display| Error::Impossible {
             what: format!("cannot start {threads} threads: {error}"),
-            help: "use fewer: --threads 1".into(),
+            help: "use fewer threads".into(),
         };
         let pool = rayon::ThreadPoolBuilder::new().num_threads(threads.get()).build();
         let pool = pool.map_err(|error| cannot_start(&error))?;

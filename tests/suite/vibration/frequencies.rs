@@ -23,7 +23,7 @@ fn of(inertias: &[f64], shafts: &[(usize, usize, f64)]) -> CellModes {
     let diagonal = DVector::from_column_slice(inertias);
     let disc = |i: usize| {
         let inertia = DMatrix::from_fn(n, n, |a, b| if (a, b) == (i, i) { inertias[i] } else { 0.0 });
-        Mass { name: "disc", sense: inertia.column(i).into_owned(), inertia }
+        Mass { name: "disc", sense: inertia.column(i).into_owned(), inertia, pieces: vec![] }
     };
     let parts = Parts { masses: (0..n).map(disc).collect(), springs: vec![] };
     let matrices = Matrices {

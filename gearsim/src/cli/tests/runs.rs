@@ -126,7 +126,7 @@ fn a_folder_that_cannot_be_written_is_an_error_before_the_run() {
     for out in [file.path().to_owned(), file.path().join("below")] {
         let failure = go::<Run>(&out, &["-q"]).unwrap_err();
         assert_eq!(failure.code(), 1);
-        assert!(failure.to_string().contains("--out"), "{failure}");
+        assert!(failure.to_string().contains("choose another"), "{failure}");
     }
 }
 

@@ -3,8 +3,9 @@
 use insta::assert_snapshot;
 
 use super::scene;
-use crate::cli::{compare, models, program, report, simulate, terminal};
+use crate::cli::{models, program, report, simulate, terminal};
 use crate::generated::MODELS;
+use crate::library::equation_sets;
 use crate::output::summary::Number;
 use crate::scene::Scene;
 
@@ -159,18 +160,18 @@ fn the_report_of_a_run_equals_its_snapshot() {
 #[test]
 fn a_comparison_needs_the_effects_that_drop_terms() {
     let scene = load();
-    let sets = compare::equations::all(&scene).unwrap();
+    let sets = equation_sets::all(&scene).unwrap();
     let names: Vec<_> = sets.iter().map(|(_, scene)| scene.effects.names(scene.model).join(" ")).collect();
     assert_eq!(names[0], "stiffness_step damping torques");
     assert_eq!(names[1], "stiffness_step rigid_kinematics damping torques");
     assert_eq!(names[2], "stiffness_step frozen_phase damping torques");
 
     let bare = Scene { effects: crate::scene::Effects::none(scene.model), ..scene };
-    let failure = compare::equations::all(&bare).err().unwrap();
+    let failure = equation_sets::all(&bare).err().unwrap();
     assert!(failure.to_string().contains("lacks the effect `stiffness_step`"), "{failure}");
 
     // A model without the effects that drop terms.
-    let failure = compare::equations::all(&Scene { model: &crate::output::fixture::MODEL, ..bare }).err().unwrap();
+    let failure = equation_sets::all(&Scene { model: &crate::output::fixture::MODEL, ..bare }).err().unwrap();
     assert!(failure.to_string().contains("has no effect that leaves out the impulses of steps"), "{failure}");
 }
 

@@ -110,7 +110,8 @@ impl Reader<'_> {
                 let name = format!("{set}_{with}{}", i + 1);
                 let law = |key| {
                     let stated = item.get(key)?;
-                    let stated = if key == keys[0] && is_rigid(stated) { in_place_of_rigid(stated) } else { stated.clone() };
+                    let stated =
+                        if key == keys[0] && is_rigid(stated) { in_place_of_rigid(stated) } else { stated.clone() };
                     Some(shifted(&stated, with, place, &self.draft.values, &names))
                 };
                 let [stiffness, error] = keys.map(law);

@@ -53,8 +53,8 @@ impl Limit {
     pub fn read(text: &str, layout: &Layout) -> Result<Limit, Error> {
         let Some((sign, keeps)) = SIGNS.into_iter().find(|(sign, _)| text.contains(sign)) else {
             return impossible(
-                format!("--limit \"{text}\" is not a limit"),
-                "write a recorded quantity, <= or >=, and a value: --limit \"mesh_force_12_max <= 5 kN\"",
+                format!("\"{text}\" is not a limit"),
+                "write a recorded quantity, <= or >=, and a value: \"mesh_force_12_max <= 5 kN\"",
             );
         };
         let (name, value) = text.split_once(sign).unwrap_or((text, ""));
@@ -67,10 +67,10 @@ impl Limit {
                 Ok(Limit { text: text.trim().into(), column, keeps, value: read.value })
             }
             Ok(_) => impossible(
-                format!("--limit \"{text}\": `{value}` is no value of `{name}` [{unit}]"),
+                format!("limit \"{text}\": `{value}` is no value of `{name}` [{unit}]"),
                 "write a finite value with its unit",
             ),
-            Err(error) => impossible(format!("--limit \"{text}\": {}", error.message), error.help),
+            Err(error) => impossible(format!("limit \"{text}\": {}", error.message), error.help),
         }
     }
 

@@ -35,6 +35,17 @@ pub enum Hold {
     Nothing,
 }
 
+impl Hold {
+    /// As people name it: a parameter, or `nothing`; without a name, [`Hold::Own`].
+    pub fn named(name: Option<&str>) -> Hold {
+        match name {
+            None => Hold::Own,
+            Some("nothing") => Hold::Nothing,
+            Some(parameter) => Hold::By(parameter.into()),
+        }
+    }
+}
+
 /// A parameter that can hold the speed.
 #[derive(Debug, Clone)]
 pub(super) struct Handle {
@@ -137,7 +148,7 @@ impl Speed {
     /// Why it is not held, in words.
     pub(super) fn unheld(&self, wanted: f64) -> String {
         format!(
-            "the mean speed is {} rad/s instead of {} rad/s, and changes by {} % in the measured time: damping, or a longer --settle, helps",
+            "the mean speed is {} rad/s instead of {} rad/s, and changes by {} % in the measured time: damping, or a longer time to settle, helps",
             short(self.mean),
             short(wanted),
             short(100.0 * self.drift())
