@@ -47,6 +47,8 @@ struct Shown {
     why: String,
     /// Processor time, in words.
     time: String,
+    /// The same [s].
+    seconds: f64,
     /// Energy unaccounted for at the end, in words, and its share of the largest part of the account.
     unaccounted: String,
     share: String,
@@ -176,6 +178,7 @@ fn shown(results: &Results, choice: &Choice, go_on: &dyn Fn() -> bool) -> Result
         method: summary.method.name.clone(),
         why: summary.method.why.clone(),
         time: time(outcome.cpu_seconds),
+        seconds: outcome.cpu_seconds,
         unaccounted: format!("{} J", short(residual)),
         share: if largest > 0.0 { short((residual / largest).abs()) } else { String::new() },
         remarks: stopped.chain(refuted).chain(summary.remarks.iter().cloned()).collect(),

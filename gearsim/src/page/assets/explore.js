@@ -10,6 +10,8 @@ let waiting = false;
 let since = 0;
 let number = 0;
 let timer = null;
+// Processor time of the run that is shown [s], for tests/browser/latency.py.
+let seconds = 0;
 
 async function post(what) {
   const response = await fetch(what, { method: "POST", headers: { "Content-Type": "application/json" }, body: JSON.stringify(choice) });
@@ -93,6 +95,7 @@ function show(answer, from) {
 }
 
 function showRun(run) {
+  seconds = run.seconds;
   byId("about").textContent = run.subtitle;
   put("time", run.time, "");
   put("error", "\u2026", "");
