@@ -13,6 +13,7 @@ use crate::error::{GearsimError, raised};
 use crate::interrupt::detached;
 use crate::scene::{Definition, Scene};
 use crate::table::Table;
+use crate::value;
 
 /// The points of a sweep. A part is a range of their numbers; its rows are sent as bytes with a checksum.
 #[pyclass(frozen, module = "gearsim")]
@@ -78,6 +79,14 @@ impl Job {
     fn sensitivity(&self, py: Python<'_>, table: &Table) -> PyResult<Table> {
         let table = table.inner()?;
         Table::new(py.detach(|| self.inner.sensitivity(&table)).map_err(raised)?)
+    }
+
+    /// The probability that each of the limits, `"mesh_force_12_max <= 5 kN"`, is broken, with its 95 % interval. `table` has all points of
+    /// the sweep.
+    fn limits(&self, py: Python<'_>, table: &Table, limits: &Bound<'_, PyAny>) -> PyResult<Table> {
+        let (table, limits) = (table.inner()?, value::one_or_more(limits, "limits")?);
+        let limits: Vec<&str> = limits.iter().map(String::as_str).collect();
+        Table::new(py.detach(|| self.inner.limits(&table, &limits)).map_err(raised)?)
     }
 
     /// Opens the folder in which finished rows are stored. It may contain points of an earlier run of the same sweep.

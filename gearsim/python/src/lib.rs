@@ -32,6 +32,7 @@ fn _gearsim(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add("SceneError", module.py().get_type::<error::SceneError>())?;
     module.add_class::<scene::Scene>()?;
     module.add_class::<results::Results>()?;
+    module.add_class::<results::Comparison>()?;
     module.add_class::<results::Figure>()?;
     module.add_class::<table::Table>()?;
     module.add_class::<job::Job>()?;

@@ -3,9 +3,10 @@
 use std::path::PathBuf;
 
 use pyo3::prelude::*;
-use pyo3::types::{PyBytes, PyIterator};
+use pyo3::types::{PyBytes, PyDict, PyIterator};
 
 use crate::error::raised;
+use crate::interrupt::detached;
 use crate::scene::Scene;
 use crate::table::Table;
 
@@ -26,7 +27,7 @@ impl Results {
 #[pymethods]
 impl Results {
     /// A recorded column [SI]: `results["mesh_force_12"]`.
-    fn __getitem__<'py>(&self, py: Python<'py>, name: &str) -> PyResult<Bound<'py, PyAny>> {
+    fn __getitem__<'py>(&self, py: Python<'py>, name: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyAny>> {
         Table::__getitem__(self.table.bind(py), name)
     }
 
@@ -97,6 +98,48 @@ impl Results {
     }
 }
 
+/// Number of points in all curves of a figure in a notebook, which keeps its text: 80 kB.
+const SHOWN: usize = 4000;
+
+/// Runs that are compared, by their names.
+#[pyclass(frozen, module = "gearsim")]
+pub struct Comparison {
+    inner: gearsim::Comparison,
+}
+
+#[pymethods]
+impl Comparison {
+    /// Runs scenes one after the other. `progress` is called with the time that the present run has reached [s].
+    #[new]
+    #[pyo3(signature = (scenes, progress=None))]
+    fn new(py: Python<'_>, scenes: Vec<(String, Scene)>, progress: Option<Py<PyAny>>) -> PyResult<Self> {
+        let scenes: Vec<_> = scenes.into_iter().map(|(name, scene)| (name, scene.inner)).collect();
+        let run = detached(py, progress, |watch| gearsim::Comparison::of(scenes, &mut |t| watch.at_or_unwind(t)))?;
+        Ok(Comparison { inner: run.map_err(raised)? })
+    }
+
+    /// The results of each run, by its name.
+    #[getter]
+    fn runs<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
+        let dict = PyDict::new(py);
+        for (name, results) in &self.inner.runs {
+            dict.set_item(name, Results::new(results.clone())?)?;
+        }
+        Ok(dict)
+    }
+
+    /// Draws the curves of all runs over each other: `outputs`, `energy`, `spectrum`, ...
+    #[pyo3(signature = (name="outputs"))]
+    fn plot(&self, py: Python<'_>, name: &str) -> PyResult<Figure> {
+        py.detach(|| self.inner.plot(name)).map(|inner| Figure { inner }).map_err(raised)
+    }
+
+    fn __repr__(&self) -> String {
+        let names: Vec<&str> = self.inner.runs.iter().map(|(name, _)| name.as_str()).collect();
+        format!("gearsim.Comparison of {}", names.join(", "))
+    }
+}
+
 /// A figure.
 #[pyclass(frozen, module = "gearsim")]
 pub struct Figure {
@@ -105,9 +148,14 @@ pub struct Figure {
 
 #[pymethods]
 impl Figure {
-    /// The figure as SVG.
-    fn svg(&self) -> PyResult<String> {
-        self.inner.svg().map_err(|error| raised(error.into()))
+    /// The figure as SVG; with about `points` points in all curves, if given: their extremes stay.
+    #[pyo3(signature = (points=None))]
+    fn svg(&self, points: Option<usize>) -> PyResult<String> {
+        let svg = match points {
+            Some(points) => self.inner.reduced(points).svg(),
+            None => self.inner.svg(),
+        };
+        svg.map_err(|error| raised(error.into()))
     }
 
     /// The figure as PNG.
@@ -117,6 +165,6 @@ impl Figure {
     }
 
     fn _repr_svg_(&self) -> PyResult<String> {
-        self.svg()
+        self.svg(Some(SHOWN))
     }
 }

@@ -4,9 +4,10 @@ use std::cell::RefCell;
 use std::path::PathBuf;
 
 use gearsim::Scene as Inner;
+use gearsim::sweep::response::Hold;
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
-use pyo3::types::{IntoPyDict, PyDict, PyString};
+use pyo3::types::{IntoPyDict, PyDict};
 
 use crate::error::raised;
 use crate::interrupt::detached;
@@ -103,14 +104,29 @@ impl Scene {
         Results::new(run.map_err(raised)?)
     }
 
-    /// Natural frequencies [Hz], damping factors and shapes at the mid stiffnesses, or at `levels` [SI]: a dict a mode. `strain_energy` and
-    /// `kinetic_energy` are dicts too: the shares of stiffnesses and of inertias, by their names in the scene; no strain in a rigid motion.
+    /// The scene as text in TOML, with the values that were set; comments stay. `Scene.from_toml` reads it: both run to the same bytes.
+    fn to_toml(&self) -> PyResult<String> {
+        self.inner.to_toml().map_err(raised)
+    }
+
+    /// The scene under the exact, the rigid kinematic and the classical equations, by the names of these, as `gearsim compare` runs it.
+    fn equation_sets<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
+        let dict = PyDict::new(py);
+        for (name, inner) in self.inner.equation_sets().map_err(raised)? {
+            dict.set_item(name, Scene { inner })?;
+        }
+        Ok(dict)
+    }
+
+    /// Natural frequencies [Hz], damping factors and shapes at the mid stiffnesses, or at `levels` [SI]: a dict a mode. A shape has one number
+    /// for each of the `coordinates` of the scene. `strain_energy` and `kinetic_energy` are dicts too: the shares of stiffnesses and of inertias, by their names in the scene; no strain in a rigid motion.
     #[pyo3(signature = (levels=None))]
     fn modes<'py>(&self, py: Python<'py>, levels: Option<Vec<f64>>) -> PyResult<Vec<Bound<'py, PyDict>>> {
-        let cell = py.detach(|| match levels {
-            Some(levels) => self.inner.modes_at(&levels),
-            None => self.inner.modes(),
-        });
+        let levels = levels.unwrap_or_else(|| self.inner.mid_stiffnesses());
+        let cell = detached(py, None, |watch| {
+            let watch = RefCell::new(watch);
+            self.inner.modes_watched(&levels, &|| watch.borrow_mut().now_or_unwind())
+        })?;
         let cell = cell.map_err(raised)?;
         let elastic: Vec<_> = self.inner.stiffnesses().map(|(law, _)| law.name).chain(cell.springs).collect();
         let mode = |mode: gearsim::analysis::modes::Vibration| {
@@ -156,20 +172,22 @@ impl Scene {
 
     /// The response curve over an axis, upward and downward, of the recorded outputs from `start` [s] of each point on. The axis is a text
     /// as for `--vary`, or a dict of its key and its values, rising: `{"start.speed": numpy.linspace(10.0, 90.0, 50)}`. For each output
-    /// the table has `_mean`, `_rms`, the root mean square about the mean, and `_peak_to_peak`. `progress` is called with the number of
-    /// finished points now and then.
-    #[pyo3(signature = (axis, start=None, progress=None))]
+    /// the table has `_mean`, `_rms`, the root mean square about the mean, and `_peak_to_peak`. `hold` is the parameter that holds the
+    /// speed, or "nothing"; without it, if a speed is varied, the set point of a governor, else a torque. `progress` is called with the
+    /// number of finished points now and then.
+    #[pyo3(signature = (axis, start=None, progress=None, hold=None))]
     fn response(
         &self,
         py: Python<'_>,
         axis: &Bound<'_, PyAny>,
         start: Option<f64>,
         progress: Option<Py<PyAny>>,
+        hold: Option<&str>,
     ) -> PyResult<Table> {
         let [axis] = &value::axes(axis, &self.inner)?[..] else {
             return Err(PyValueError::new_err("a response has one axis: give one key with its values"));
         };
-        let mut variation = self.inner.vary(axis);
+        let mut variation = self.inner.vary(axis).hold(Hold::named(hold));
         if let Some(start) = start {
             variation = variation.from(start);
         }
@@ -194,8 +212,7 @@ impl Scene {
     ) -> PyResult<Job> {
         let design = design.parse().map_err(PyValueError::new_err)?;
         let record = match record {
-            Some(record) if record.is_instance_of::<PyString>() => vec![record.extract()?],
-            Some(record) => value::names(record, "record")?,
+            Some(record) => value::one_or_more(record, "record")?,
             None => vec![],
         };
         let definition = Definition { record, start, samples: samples.map(|samples| (samples, seed)), design };
@@ -225,6 +242,12 @@ impl Scene {
     #[getter]
     fn effects(&self) -> Vec<&'static str> {
         self.inner.effects.names(self.inner.model)
+    }
+
+    /// Names of the coordinates, in the order of the numbers of mode shapes and of `acceleration`.
+    #[getter]
+    fn coordinates(&self) -> Vec<&'static str> {
+        self.inner.model.coordinates.iter().map(|coordinate| coordinate.name).collect()
     }
 
     /// Values of the parameters [SI].

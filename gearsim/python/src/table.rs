@@ -7,7 +7,7 @@ use arrow_array::ffi_stream::FFI_ArrowArrayStream;
 use arrow_array::{ArrayRef, Float64Array, RecordBatch, RecordBatchIterator, StringArray};
 use arrow_schema::{DataType, Field, Schema};
 use gearsim::output::table::Values;
-use pyo3::exceptions::{PyKeyError, PyRuntimeError};
+use pyo3::exceptions::{PyKeyError, PyRuntimeError, PyTypeError};
 use pyo3::prelude::*;
 use pyo3::types::{PyCapsule, PyDict, PyIterator};
 
@@ -93,8 +93,17 @@ impl Table {
     }
 
     /// A column: a NumPy array of numbers, or a list of texts.
-    pub fn __getitem__<'py>(table: &Bound<'py, Self>, name: &str) -> PyResult<Bound<'py, PyAny>> {
+    pub fn __getitem__<'py>(table: &Bound<'py, Self>, name: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyAny>> {
         let this = table.get();
+        let Ok(name) = name.extract::<&str>() else {
+            let (kind, columns) = (name.get_type().name()?, this.columns());
+            let first = columns.first().map_or("t", String::as_str);
+            return Err(PyTypeError::new_err(format!(
+                "columns are read by their names, which are texts, not {kind}: table[{first:?}] is a column, table[{first:?}][0] its number in \
+                 the first row; the columns are {}",
+                columns.join(", ")
+            )));
+        };
         let array = this.batch.column_by_name(name).ok_or_else(|| {
             PyKeyError::new_err(format!("there is no column `{name}`; the columns are {}", this.columns().join(", ")))
         })?;

@@ -81,6 +81,11 @@ fn not_axes(found: &Bound<'_, PyAny>) -> PyErr {
     ))
 }
 
+/// A text, or the texts of a list.
+pub fn one_or_more(list: &Bound<'_, PyAny>, what: &str) -> PyResult<Vec<String>> {
+    if list.is_instance_of::<PyString>() { Ok(vec![list.extract()?]) } else { names(list, what) }
+}
+
 /// The texts of a list such as `effects`. A single text would be taken as a list of letters.
 pub fn names(list: &Bound<'_, PyAny>, what: &str) -> PyResult<Vec<String>> {
     if let Ok(name) = list.cast::<PyString>() {

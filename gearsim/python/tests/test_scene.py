@@ -156,6 +156,110 @@ def test_ctrl_c_ends_floquet():
     assert time.monotonic() - begin < 1.5
 
 
+def row(rotors):
+    """Rotors on shafts, whose dampers couple all modes."""
+    names = [f"r{i}" for i in range(rotors)]
+    shafts = {
+        f"s{i}": {"between": list(pair), "stiffness": "10 kN*m/rad", "damping": f"{1 + i % 5} N*m*s/rad"}
+        for i, pair in enumerate(zip(names, names[1:]))
+    }
+    inertias = {name: f"{0.01 + 0.001 * (i % 7)} kg*m^2" for i, name in enumerate(names)}
+    return gearsim.Scene("train", ["viscous_friction"], rotors=inertias, shafts=shafts)
+
+
+def test_ctrl_c_ends_modes():
+    scene = row(150)
+    begin = time.monotonic()
+    threading.Timer(0.5, signal.raise_signal, [signal.SIGINT]).start()
+    with pytest.raises(KeyboardInterrupt):
+        scene.modes()
+    assert time.monotonic() - begin < 4
+
+
+def test_shapes_have_the_coordinates_of_the_scene():
+    scene = struck()
+    assert scene.coordinates == ["theta1", "theta2"]
+    shape = dict(zip(scene.coordinates, scene.modes()[1]["shape"]))
+    # The momenta are opposite: I1 a1 + I2 a2 = 0.
+    assert 0.5 * shape["theta1"] == pytest.approx(-0.25 * shape["theta2"])
+
+
+@pytest.mark.parametrize(
+    "scene",
+    [
+        lambda: struck().replace({"parameters.I1": 1 / 3}, start={"theta2": "1 mrad"}),
+        lambda: gearsim.load(SCENES / "two_stage.toml").replace({"run.t_end": "2 ms", "effects": ["stiffness_step", "torques"]}),
+        lambda: gearsim.load(SCENES / "train_turbine.toml").replace({"run.t_end": "1 ms", "shafts.low.stiffness": "3 MN*m/rad"}),
+    ],
+    ids=["built", "loaded", "train"],
+)
+def test_the_text_of_a_scene_is_the_scene(scene, tmp_path):
+    scene = scene()
+    path = tmp_path / f"{scene.name}.toml"
+    path.write_text(scene.to_toml())
+    again = gearsim.load(path)
+    first, second = scene.run(), again.run()
+    assert first.keys() == second.keys()
+    for name in first:
+        same = first[name] == second[name] if isinstance(first[name], list) else first[name].tobytes() == second[name].tobytes()
+        assert same, name
+    assert again.to_toml() == scene.to_toml()
+
+
+def test_scenes_and_equations_are_compared():
+    scene = gearsim.load(SCENES / "oh2005" / "energy_300rpm.toml").replace({"run.t_end": "20 ms"})
+    told = []
+    compared = gearsim.compare(scene, progress=told.append)
+    assert list(compared.runs) == ["exact", "rigid kinematic", "classical"] and "classical" in repr(compared)
+    assert "frozen_phase" in compared.runs["classical"].scene.effects
+    # The exact equations have the energy account of the scene; the others leave energy out.
+    exact, rigid, _ = (run.summary["energy"] for run in compared.runs.values())
+    assert exact == scene.run().summary["energy"] and rigid != exact
+    assert "rigid kinematic" in compared.plot("energy").svg()
+    two = gearsim.compare(scene, scene.replace({"parameters.zeta": 0.2}))
+    assert list(two.runs) == ["energy_300rpm 1", "energy_300rpm 2"]
+    named = gearsim.compare(scene, scene.replace({"parameters.zeta": 0.2}), names=["a", "b"])
+    assert list(named.runs) == ["a", "b"] and named.runs["a"]["t"][-1] == 0.02
+    with pytest.raises(ValueError, match="as many different names"):
+        gearsim.compare(scene, scene, names=["a", "a"])
+    with pytest.raises(ValueError, match="give one scene, or several"):
+        gearsim.compare()
+    with pytest.raises(gearsim.GearsimError, match="are no classical|has no effect that"):
+        gearsim.compare(struck())
+
+
+def test_rows_are_not_read_by_numbers():
+    results = struck().run()
+    for columns in (results, results.table):
+        with pytest.raises(TypeError, match=r'names, which are texts, not int: table\["t"\] is a column'):
+            columns[0]
+
+
+def test_messages_have_the_words_of_python(tmp_path):
+    scene = struck()
+    random = "parameters.k1=uniform:1 N*m/rad:2 N*m/rad"
+    calls = [
+        lambda: scene.job(random),
+        lambda: scene.job("parameters.k1=1 N*m/rad", samples=3),
+        lambda: scene.job("parameters.k1=1 N*m/rad", design="sobol"),
+        lambda: scene.job("parameters.k1=1 N*m/rad", start=1.0),
+        lambda: scene.job("parameters.k1=1 N*m/rad:2 m:3"),
+        lambda: scene.job("parameters.k1=1:2"),
+        lambda: scene.job(["parameters.k1=1 N*m/rad", "parameters.k1=1 N*m/rad"]),
+        lambda: scene.job([]),
+        lambda: scene.replace({"": 1}),
+        lambda: scene.replace({"parameters.k1": ""}),
+        lambda: scene.replace({"parameters.k1": "1 m"}),
+        lambda: scene.response({"parameters.k1": [1, 2]}, hold="k9"),
+        lambda: scene.run().write(__file__),
+        lambda: gearsim.limits(scene, random, samples=2, limits="t_end = 3"),
+    ]
+    for number, call in enumerate(calls):
+        with pytest.raises((gearsim.GearsimError, ValueError)) as raised:
+            call()
+        assert "--" not in str(raised.value) and "command line" not in str(raised.value), f"{number}: {raised.value}"
+
+
 @pytest.mark.parametrize(
     "call",
     [
@@ -185,6 +289,9 @@ def test_a_notebook_shows_results():
     results = gearsim.load(SCENES / "two_stage.toml").replace(run={"t_end": "5 ms"}).run()
     shown = results._repr_html_()
     assert "mesh_force_12" in shown and "<svg" in shown
+    whole = gearsim.load(SCENES / "two_stage.toml").run()
+    assert len(whole._repr_html_()) < 100_000 < len(whole.plot().svg())
+    assert len(whole.plot()._repr_svg_()) < 100_000
     assert "<th>theta1 [rad]</th>" in results.table._repr_html_() or "[rad]" in results.table._repr_html_()
     assert "T_motor" in results.scene._repr_html_()
     assert results.plot("energy").png().startswith(b"\x89PNG")

@@ -190,6 +190,30 @@ def test_a_response_goes_up_and_down():
     assert len(table) == 6
 
 
+def test_a_response_holds_the_speed_as_it_is_told():
+    scene = gearsim.load(SCENE.parents[1] / "response.toml")
+    means = {}
+    for hold in (None, "nothing"):
+        means[hold] = scene.response("start.speed=5000 rpm:5100 rpm:2", start=0.05, hold=hold)["mean_speed"]
+    assert len(means[None]) == len(means["nothing"]) == 4
+    with pytest.raises(gearsim.GearsimError, match="no_such"):
+        scene.response("start.speed=5000 rpm:5100 rpm:2", start=0.05, hold="no_such")
+
+
+def test_limits_are_broken_as_often_as_points_say():
+    scene = gearsim.load(SCENE)
+    axis = "run.t_end=uniform:4 ms:5 ms"
+    broken = gearsim.limits(scene, axis, samples=200, record="events", limits=["t_end <= 4.25 ms", "t_end > 1 ms"])
+    assert broken["limit"] == ["t_end <= 4.25 ms", "t_end > 1 ms"]
+    assert broken["points"].tolist() == [200, 200] and broken["broken"][1] == 0
+    assert broken["low_95"][0] < 0.75 < broken["high_95"][0]
+    job = scene.job(axis, record="events", samples=200)
+    table = gearsim.sweep(scene, axis, record="events", samples=200)
+    assert job.limits(table, "t_end <= 4.25 ms")["broken"][0] == (table["t_end"] > 4.25e-3).sum() == broken["broken"][0]
+    with pytest.raises(gearsim.GearsimError, match="is not a limit"):
+        job.limits(table, "t_end = 3")
+
+
 def test_dask_gives_the_same_bytes_though_a_worker_is_killed(scene, tmp_path, bytes_of_the_command_line):
     distributed = pytest.importorskip("distributed")
     with distributed.LocalCluster(n_workers=2, threads_per_worker=1, dashboard_address=None) as cluster:

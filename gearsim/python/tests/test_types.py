@@ -25,6 +25,10 @@ gearsim.sweep(scene, {"run.t_end": [1, 2], "start.speed": np.linspace(1, 2)}, "p
 scene.job({"run": {"t_end": [1, 2]}}).run(0, 1)
 scene.response({"start.speed": np.linspace(1, 2)})
 scene.replace({"run.t_end": np.int64(1), "parameters.zeta": np.float32(0.1), "parameters.T0": Fraction(1, 3)})
+reveal_type(scene.to_toml())  # str
+reveal_type(gearsim.compare(scene, scene, names=["a", "b"]).runs)  # dict[str, gearsim._gearsim.Results]
+reveal_type(gearsim.limits(scene, "run.t_end=1 s,2 s", limits="t_end <= 1 s"))  # gearsim._gearsim.Table
+scene.response({"start.speed": np.linspace(1, 2)}, hold="T0")
 gearsim.sweep(scene, 3)  # incompatible type
 scene.run(progress=1)  # incompatible type
 gearsim.sweep(scene, "run.t_end=1 s,2 s", design="latin")  # incompatible type

@@ -20,6 +20,7 @@ import sys
 
 from gearsim import executors
 from gearsim._gearsim import (
+    Comparison,
     Figure,
     GearsimError,
     Gathering,
@@ -32,10 +33,12 @@ from gearsim._gearsim import (
     command_line,
     models,
 )
+from gearsim._compare import compare
 from gearsim._display import install
-from gearsim._sweep import sensitivity, sweep
+from gearsim._sweep import limits, sensitivity, sweep
 
 __all__ = [
+    "Comparison",
     "Figure",
     "Gathering",
     "GearsimError",
@@ -45,7 +48,9 @@ __all__ = [
     "SceneError",
     "Table",
     "__version__",
+    "compare",
     "executors",
+    "limits",
     "load",
     "models",
     "sensitivity",

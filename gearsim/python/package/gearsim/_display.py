@@ -43,7 +43,7 @@ def _results(self: Results) -> str:
     account = f"unaccounted for {energy['residual']:.1e} J of {energy['largest']:.3g} J, by {summary['method']['name']}"
     state = summary["stopped_by"] or summary["refuted"] or "complete"
     try:
-        plot = self.plot().svg()
+        plot = self.plot()._repr_svg_()
     except Exception as error:  # a run without outputs has no such plot
         plot = f"<p>{html.escape(str(error))}</p>"
     return (

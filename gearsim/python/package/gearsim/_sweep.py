@@ -86,6 +86,33 @@ def sensitivity(
     return job.sensitivity(_run(scene, job, definition, out, executor, points_per_task, threads_per_task, progress))
 
 
+def limits(
+    scene: Scene,
+    *axes: _Axis,
+    limits: str | Sequence[str],
+    samples: int | None = None,
+    record: str | Sequence[str] = (),
+    start: float | None = None,
+    seed: int = 0,
+    design: _Design = "random",
+    out: str | os.PathLike[str] | None = None,
+    executor: Executor | None = None,
+    points_per_task: int = 10_000,
+    threads_per_task: int | None = 1,
+    progress: Callable[[int], object] | None = None,
+) -> Table:
+    """Find how probable it is that limits are broken, e.g. limits=["mesh_force_12_max <= 5 kN"], record=["outputs"].
+
+    Runs a sweep, and returns a table with one row a limit at each point of the axes that are not random: how many points break it, its
+    `probability`, and the ends of the 95 % interval, `low_95` and `high_95`. Without random axes points are counted and have no probability.
+
+    The arguments are those of `sweep`. For the table of the points too: `job = scene.job(axes, ...)`, `sweep(...)`, `job.limits(table, limits)`.
+    """
+    job, definition = _job(scene, axes, record, start, samples, seed, design)
+    table = _run(scene, job, definition, out, executor, points_per_task, threads_per_task, progress)
+    return job.limits(table, limits)
+
+
 def _job(
     scene: Scene,
     axes: Sequence[_Axis],
