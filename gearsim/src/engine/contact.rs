@@ -110,13 +110,14 @@ impl Contact {
             let watches = holds.watches(now);
             let State { q, q_dot, .. } = &now.state;
             let force = now.force() + &holds.centripetal(now);
-            // At the bound of its reaction a deflection stays held: nothing has begun to move it. With no load at all, reaction and bound are
-            // both zero, and a switch that left its hold here would enter it again at once.
+            // A deflection at rest stays held at the bound of its reaction: nothing moves it yet. With no load at all, reaction and bound are both
+            // zero, and a switch that left its hold here would enter it again at once. One that moves does not begin to stick.
+            let rests = |switch: usize| now.switches[switch].is_at_rest(now.equations, (q, q_dot), &now.k);
             let pulls = |watch: &&Watch| {
                 let left = watch.form.value(q, q_dot, || force.clone());
                 match watch.end {
                     End::Hold(_, Ending::Slip) => false,
-                    End::Loose(..) => left < 0.0,
+                    End::Loose(switch, _) => left < 0.0 || left == 0.0 && !rests(switch),
                     _ => left <= 0.0,
                 }
             };

@@ -204,7 +204,7 @@ impl Switch {
     }
 
     /// Whether what it holds is at rest, up to the rounding errors of the speeds.
-    fn is_at_rest(&self, equations: &dyn Equations, q: &[f64], q_dot: &[f64], k: &[f64]) -> bool {
+    pub fn is_at_rest(&self, equations: &dyn Equations, (q, q_dot): (&[f64], &[f64]), k: &[f64]) -> bool {
         let normal = self.held(equations, q, k);
         normal.dot(q_dot).abs() <= rest(equations, (q, q_dot), &normal)
     }
@@ -308,7 +308,7 @@ pub fn settle(
         };
         let exit = match switch.here().held {
             // The reaction is not known before the hold begins. A motion along what is held ends the hold.
-            true if crossed.is_some() || switch.is_at_rest(equations, q, q_dot, k) => {
+            true if crossed.is_some() || switch.is_at_rest(equations, (q, q_dot), k) => {
                 exits.iter().find(|exit| exit.guard.on_reaction == 0.0 && violated(exit))
             }
             true => exits.iter().find(|exit| admits(switch, equations, exit.beyond, (q, q_dot), k)),

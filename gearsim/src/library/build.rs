@@ -39,9 +39,9 @@ impl Scene {
     /// ```
     /// use gearsim::Scene;
     ///
-    /// let text = "model = \"chain_2\"\neffects = []\n\n[parameters]\nI1 = 0.5 # of the motor\nI2 = 0.25\nk1 = \"10 kN*m/rad\"\n";
+    /// let text = "model = \"chain_2\"\neffects = []\n\n[parameters]\nI1 = \"0.5 kg*m^2\" # of the motor\nI2 = \"0.25 kg*m^2\"\nk1 = \"10 kN*m/rad\"\n";
     /// let scene = Scene::from_toml("pair", text)?.with("parameters.I1", "600 kg*cm^2")?;
-    /// assert_eq!(scene.to_toml()?, text.replace("I1 = 0.5", "I1 = \"600 kg*cm^2\""));
+    /// assert_eq!(scene.to_toml()?, text.replace("0.5 kg*m^2", "600 kg*cm^2"));
     /// # Ok::<(), gearsim::Error>(())
     /// ```
     ///
