@@ -4,6 +4,8 @@
 //! coordinates (static condensation: R. J. Guyan, AIAA J. 3(2), 1965). The coordinate is replaced by this form, so that the equations
 //! of motion do not have it. It becomes an output. Damping in proportion to the stiffness is balanced by the same form.
 
+use std::collections::HashSet;
+
 use symbolica::atom::{Atom, AtomCore};
 
 use super::{Model, Output};
@@ -15,13 +17,31 @@ type Form = Vec<(String, Atom)>;
 
 /// Replaces each coordinate without inertia that its springs place. The derivation refuses those that are left, by [`why_not`].
 pub(super) fn eliminate(model: &mut Model) {
-    let next = |model: &Model| {
-        let names = model.coordinates.iter().map(|c| c.name.clone());
-        names.filter_map(|name| placed(model, &name).ok().map(|form| (name, form))).next()
+    let mut left = without_inertia(model);
+    let next = |model: &Model, left: &[String]| {
+        left.iter().enumerate().find_map(|(i, name)| placed(model, name).ok().map(|form| (i, form)))
     };
-    while let Some((name, form)) = next(model) {
-        replace(model, &name, &form);
+    while let Some((i, form)) = next(model, &left) {
+        replace(model, &left.remove(i), &form);
     }
+}
+
+/// The coordinates whose speeds are not in the kinetic energy. Only these are examined further: most models have none.
+fn without_inertia(model: &Model) -> Vec<String> {
+    let mut moving: HashSet<String> = HashSet::new();
+    for (kind, name) in model.kinetic.iter().flat_map(|t| symbols(&t.atom())) {
+        match kind {
+            Kind::Speed => moving.extend([name]),
+            Kind::Rate => {
+                let deflection = model.deflections.iter().find(|d| speed_name(&d.name) == name);
+                let of = deflection.map_or(vec![], |d| symbols(&d.value.dot().atom()));
+                moving.extend(of.into_iter().filter(|s| s.0 == Kind::Speed).map(|s| s.1));
+            }
+            _ => {}
+        }
+    }
+    let names = model.coordinates.iter().map(|c| c.name.clone());
+    names.filter(|name| !moving.contains(&speed_name(name))).collect()
 }
 
 /// Why a coordinate without inertia cannot be eliminated.
