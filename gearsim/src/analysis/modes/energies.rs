@@ -20,7 +20,7 @@ impl Form {
     }
 }
 
-/// The forms of all that has a share in the energies of the modes.
+/// The matrices of the inertias and springs that have shares in the energies of the modes.
 pub(super) struct Forms {
     pub laws: Vec<Form>,
     pub springs: Vec<Form>,

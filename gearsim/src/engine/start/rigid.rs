@@ -16,7 +16,7 @@ pub struct RigidMotions {
     motions: Vec<Vector>,
     /// M r of each.
     momenta: Vec<Vector>,
-    /// The largest force on each that is a rounding error of forces in balance.
+    /// For each motion, the largest force along it that can be a rounding error where the forces are in balance.
     rounding: Vec<f64>,
     /// The holds that prevent a part of the rigid motions: the switch of each, and the gradient of the rate that it holds.
     holds: Vec<(usize, Vector)>,
