@@ -38,6 +38,7 @@ def zoom_shows_detail(browser, path, samples):
     with opened_file(browser, path, **LAPTOP) as page:
         total = page.evaluate("column(panels[0].plot.curves[0].x).values.length")
         assert total >= samples, (total, samples)
+        settle(page)
         before = drawn(page)
         assert len(before) < 5000
         box = frame_of_first_plot(page)
@@ -56,11 +57,15 @@ def zoom_shows_detail(browser, path, samples):
         # The other plots of the group follow.
         others = page.evaluate("panels.filter((p) => p.group === panels[0].group && p.drawn).map((p) => p.canvas._fullLayout.xaxis.range)")
         assert len(others) >= 2 and all(other == [start, end] for other in others), others
-        page.mouse.dblclick(box["x"] + box["width"] / 2, box["y"] + box["height"] / 2)
-        # On a busy machine plotly.js takes the second click late.
-        wait_until(page, "(n) => panels[0].canvas.data[0].x.length === n", len(before))
-        settle(page)
-        assert drawn(page) == before
+        # As a person does, again if the page took the second click too late for a double click.
+        for _ in range(5):
+            page.mouse.dblclick(box["x"] + box["width"] / 2, box["y"] + box["height"] / 2)
+            settle(page)
+            if page.evaluate("panels[0].group.range") != [start, end]:
+                break
+        assert page.evaluate("panels[0].group.range") == page.evaluate("panels[0].group.all")
+        shown = drawn(page)
+        assert shown == before, (len(shown), len(before))
 
 
 def a_zoom_takes_few_of_many_rows(browser, path):

@@ -415,7 +415,8 @@ class Panel {
   }
 }
 
-const settings = { displaylogo: false, responsive: true, scrollZoom: false, doubleClick: false, showTips: false, modeBarButtons: [["zoom2d", "pan2d", "toImage"]] };
+// plotly.js measures the time between clicks when it takes them. A page that is busy with drawing takes the second one late.
+const settings = { displaylogo: false, responsive: true, scrollZoom: false, doubleClick: false, doubleClickDelay: 600, showTips: false, modeBarButtons: [["zoom2d", "pan2d", "toImage"]] };
 
 /** Whether fingers are the pointer: a finger scrolls the page, and buttons zoom. */
 const touch = () => matchMedia("(pointer: coarse)").matches;
