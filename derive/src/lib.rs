@@ -22,6 +22,7 @@ mod model;
 mod print;
 mod program;
 mod proof;
+mod refute;
 mod slip;
 mod squares;
 mod symbols;

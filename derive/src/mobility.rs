@@ -6,6 +6,7 @@ use crate::expr::{Kind, number, set, symbol, symbols};
 use crate::lagrange::{Motion, mobility_symbol};
 use crate::markers::{all_present, terms};
 use crate::model::Model;
+use crate::refute::is_somewhere_nonzero;
 use crate::slip::Slip;
 use crate::tree::Tree;
 use crate::trigonometry::{simplified, without_squared_cosines};
@@ -108,6 +109,9 @@ pub(crate) fn determinant(m: &[Vec<Atom>]) -> Atom {
 /// Whether an expression is identically zero, decided for rational functions of symbols, of roots of rational functions, and of sines
 /// and cosines.
 pub(crate) fn is_zero(e: &Atom) -> bool {
+    if is_somewhere_nonzero(e) {
+        return false;
+    }
     e.expand().is_zero() || e.together().expand().is_zero() || {
         let e = without_squared_cosines(roots_of_fractions(e.as_view()).as_view());
         let numerator = e.together().expand();
