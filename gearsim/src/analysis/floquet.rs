@@ -122,8 +122,11 @@ impl Floquet {
             return Err(Aperiodic::Held.into());
         }
         let (period, stretches) = stretches(&courses)?;
-        let lowest = Modal::of(&system.matrices(&means)?)?.modes.iter().map(|m| m.omega2).find(|w| *w > 0.0);
-        let omega = lowest.ok_or(FloquetError::Rigid)?.sqrt();
+        let modes = Modal::of(&system.matrices(&means)?)?.modes;
+        let omega = || modes.iter().map(|mode| mode.omega2.sqrt()).filter(|omega| *omega > 0.0);
+        let lowest = omega().reduce(f64::min).ok_or(FloquetError::Rigid)?;
+        // In this unit of speed displacements and speeds have values of the same size, and matrices have the norm of the fastest vibration.
+        let unit = omega().fold(lowest, f64::max);
 
         let split = Split::of(system, &stretches)?;
         let size = 2 * split.elastic;
@@ -132,8 +135,8 @@ impl Floquet {
         for stretch in &stretches {
             watch();
             let over = match system.steady() {
-                None if is_stepped => split.reduced(&system.propagator(&stretch.levels, stretch.time)?, omega),
-                _ => about::propagator(system, &courses, stretch, &split, omega, watch)?,
+                None if is_stepped => split.reduced(&system.propagator(&stretch.levels, stretch.time)?, unit),
+                _ => about::propagator(system, &courses, stretch, &split, unit, watch)?,
             };
             monodromy = over * monodromy;
         }
@@ -159,7 +162,7 @@ impl Floquet {
         let rounding = if size == 2 { 0.0 } else { analysis::MULTIPLIER_ROUNDING * monodromy.amax() };
         let unresolved = leave_out(&mut multipliers, rounding);
         let mesh = courses.iter().find(|c| c.varies).map_or(0.0, SteadyLaw::mesh_frequency);
-        let natural = omega / std::f64::consts::TAU;
+        let natural = lowest / std::f64::consts::TAU;
         let steady = system.steady().cloned();
         Ok(Floquet {
             period,
@@ -284,7 +287,7 @@ impl Split {
         Ok(Split { rigid: rigid.ncols(), elastic, drifting, basis, onto })
     }
 
-    /// A propagator of (q, q'), reduced to the motions that are not rigid, (e, e'/omega).
+    /// A propagator of (q, q'), reduced to the motions that are not rigid, (e, e'/omega) with a unit of speed omega [1/s].
     fn reduced(&self, propagator: &DMatrix<f64>, omega: f64) -> DMatrix<f64> {
         let (n, e) = (self.basis.nrows(), self.elastic);
         let mut reduced = DMatrix::zeros(2 * e, 2 * e);

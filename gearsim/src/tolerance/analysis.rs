@@ -107,10 +107,13 @@ pub(crate) const CHAOTIC: f64 = 1e-2;
 pub(crate) const RAMP: f64 = 1e-2;
 pub(crate) const SMALLEST_RAMP: f64 = 1e-12;
 
-/// First steps of the propagator of a linearised system whose coefficients vary [1]: time times the norm of its matrix. Steps are halved until
-/// the error is small. Larger: the series of a step converges slowly. Smaller: more steps.
-pub(crate) const MAGNUS_SPAN: f64 = 1.0;
-/// Most of these steps in a stretch [steps]: a second of computing time.
+/// First steps of the propagator of a linearised system whose coefficients vary [1]: time times the norm of its matrix. Steps are halved where
+/// the error is not small. Larger: the series of a step loses digits. Smaller: more steps.
+pub(crate) const MAGNUS_SPAN: f64 = 2.0;
+/// Smallest share of [`MAGNUS_ERROR`] that a step may have [1]. Larger: many short steps add up to more than that error. Smaller: rounding
+/// errors are taken for it.
+pub(crate) const MAGNUS_SHARE: f64 = 1e-3;
+/// Most steps of one length in a stretch [steps]: a second of computing time.
 pub(crate) const MAGNUS_STEPS: f64 = 1e5;
 /// Two eigenvalues are equal, or one is real, if they differ, or its imaginary part is, less than this [relative]. A double one splits by
 /// the root of a rounding, 1.5e-8. Smaller: its two shapes are one. Larger: neighbours share shapes.

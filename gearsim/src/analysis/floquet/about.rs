@@ -1,4 +1,5 @@
-//! Propagators of small disturbances of a steady motion, z' = A(t) z with z = (e, e'/omega) and the motions e that are not rigid.
+//! Propagators of small disturbances of a steady motion, z' = A(t) z with z = (e, e'/omega), the motions e that are not rigid, and a unit of speed
+//! omega.
 //!
 //! For forces that are not linear, A has their derivatives at the steady motion. If stiffnesses or laws of friction follow curves within a
 //! stretch, A varies there, and its propagator is integrated ([`super::magnus`]).

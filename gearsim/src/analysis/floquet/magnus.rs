@@ -4,7 +4,7 @@
 use nalgebra::DMatrix;
 
 use super::FloquetError;
-use crate::tolerance::analysis::{MAGNUS_ERROR, MAGNUS_SPAN, MAGNUS_STEPS};
+use crate::tolerance::analysis::{MAGNUS_ERROR, MAGNUS_SHARE, MAGNUS_SPAN, MAGNUS_STEPS};
 
 /// Most terms of a series: it is shorter for exponents up to size ten.
 const MOST_TERMS: u32 = 60;
@@ -20,11 +20,11 @@ pub(super) fn advance(at: &[DMatrix<f64>; 3], h: f64, p: &mut DMatrix<f64>) {
     multiply_by_exponential(&exponent(at, h), p);
 }
 
-/// P over the time `span` [s] from `begin` on, in at least `least` steps of equal length. Their number is doubled until P changes by less
-/// than the tolerated error.
+/// P over the time `span` [s] from `begin` on, in at least `least` steps. Where P over a step differs from P over its halves by more than the
+/// tolerated error, the halves are steps: near a pitch point friction changes fast, and elsewhere slowly.
 ///
 /// # Errors
-/// Those of `generator`, which computes A at a time; if P overflows; if the number of steps is not enough.
+/// Those of `generator`, which computes A at a time; if P overflows; if a step would become too short.
 pub(super) fn propagator<E>(
     generator: impl Fn(f64) -> Result<DMatrix<f64>, E>,
     [begin, span]: [f64; 2],
@@ -34,30 +34,54 @@ where
     FloquetError: From<E>,
 {
     let first = generator(begin)?;
-    let in_steps = |steps: f64| {
-        let h = span / steps;
-        let mut p = DMatrix::identity(first.nrows(), first.ncols());
-        for step in 0..steps as usize {
-            let [before, middle, after] = instants(begin + step as f64 * h, h);
-            advance(&[generator(before)?, generator(middle)?, generator(after)?], h, &mut p);
-        }
-        Ok::<_, E>(p)
-    };
-    let mut steps = (span * first.norm() / MAGNUS_SPAN).max(least).ceil().clamp(1.0, MAGNUS_STEPS);
-    let mut coarse = in_steps(steps)?;
-    loop {
-        steps *= 2.0;
-        let fine: DMatrix<f64> = in_steps(steps)?;
+    let steps = (span * first.norm() / MAGNUS_SPAN).max(least).ceil().clamp(1.0, MAGNUS_STEPS);
+    let parts = Parts { generator, span, size: first.nrows() };
+    let h = span / steps;
+    let mut p = DMatrix::identity(parts.size, parts.size);
+    for step in 0..steps as usize {
+        let t = begin + step as f64 * h;
+        p = parts.refined(t, h, parts.step(t, h)?)? * p;
+    }
+    Ok(p)
+}
+
+/// Steps through a stretch of the length `span` \[s\].
+struct Parts<G> {
+    generator: G,
+    span: f64,
+    size: usize,
+}
+
+impl<E, G: Fn(f64) -> Result<DMatrix<f64>, E>> Parts<G>
+where
+    FloquetError: From<E>,
+{
+    /// P over one step.
+    fn step(&self, t: f64, h: f64) -> Result<DMatrix<f64>, FloquetError> {
+        let [before, middle, after] = instants(t, h).map(&self.generator);
+        let mut p = DMatrix::identity(self.size, self.size);
+        advance(&[before?, middle?, after?], h, &mut p);
+        Ok(p)
+    }
+
+    /// P over a step in as many parts as it needs. `coarse` is P in one.
+    fn refined(&self, t: f64, h: f64, coarse: DMatrix<f64>) -> Result<DMatrix<f64>, FloquetError> {
+        let half = 0.5 * h;
+        let [first, second] = [self.step(t, half)?, self.step(t + half, half)?];
+        let fine = &second * &first;
         if fine.iter().any(|x| !x.is_finite()) {
             return Err(FloquetError::Overflow);
         }
-        if (&fine - &coarse).amax() <= MAGNUS_ERROR * fine.amax() {
+        // Each step has its share of the error, as long as rounding errors are smaller.
+        let tolerated = MAGNUS_ERROR * (h / self.span).max(MAGNUS_SHARE);
+        if (&fine - coarse).amax() <= tolerated * fine.amax() {
             return Ok(fine);
         }
-        if steps >= MAGNUS_STEPS {
-            return Err(FloquetError::Unresolved { most: steps });
+        if half * MAGNUS_STEPS < self.span {
+            return Err(FloquetError::Unresolved { most: MAGNUS_STEPS });
         }
-        coarse = fine;
+        let first = self.refined(t, half, first)?;
+        Ok(self.refined(t + half, half, second)? * first)
     }
 }
 
