@@ -5,8 +5,7 @@ use std::f64::consts::TAU;
 use gearsim_derive::{GearData, Model, Range, Start, half};
 
 use crate::components::{
-    Coast, Mesh, Sliding, fan, machine, mesh_stiffness, observed, play, pressure_tangent, sliding_friction,
-    transmission_error,
+    Mesh, Sliding, fan, machine, mesh_stiffness, observed, play, pressure_tangent, sliding_friction, transmission_error,
 };
 
 /// Coordinates: the mean rotation theta and the relative deflection phi, both scaled so that one tooth pitch is 2 pi.
@@ -88,15 +87,8 @@ pub fn gear_pair(m: &mut Model) {
     }
 
     let tau = 2 * pressure_tangent(m) * phi;
-    let mesh = Mesh { stiffness: k.value * gap.touch, delta: gap.over };
-    sliding_friction(
-        m,
-        "",
-        "mesh",
-        "rad",
-        mesh,
-        Sliding { phase: theta, tau, psi: q1 / N1 + q2 / N2, coast: Coast::Mirrored },
-    );
+    let mesh = Mesh { stiffness: k.value * gap.touch, delta: gap.over, flank: None };
+    sliding_friction(m, "", "mesh", "rad", mesh, Sliding { phase: theta, tau, psi: q1 / N1 + q2 / N2 });
 
     // The torque T0 is one for both gears. What depends on speed acts on each gear by itself.
     machine(m, "motor", "driving gear", q1 / N1);

@@ -3,7 +3,7 @@
 use gearsim_derive::{GearData, Model, Start};
 
 use crate::components::{
-    Coast, Direction, Gear, Sliding, bearing, damping, driven, external, external_sliding, loaded, mesh_on_centres,
+    Direction, Flanks, Gear, Sliding, bearing, damping, driven, external, external_sliding, loaded, mesh_in_plane,
     moving_centres, pair, planar_rotor, sliding_friction,
 };
 
@@ -28,17 +28,20 @@ pub fn gear_pair_bearings(m: &mut Model) {
     planar_rotor(m, "2", "driven gear", c2, gears.theta2);
     bearing(m, "1", "bearing of gear 1", c1);
     bearing(m, "2", "bearing of gear 2", c2);
-    // Rolling does not deflect the mesh: of the rotations only s does. The line of action is at the angle -alpha.
+    // Rolling does not deflect the mesh: of the rotations only s does. The lines of action are at the angles -alpha and alpha.
     let (one, two) = (Gear { x: c1[0], y: c1[1], u: gears.s }, Gear { x: c2[0], y: c2[1], u: 0.into() });
-    let line = alpha.mirrored();
+    let lines = [alpha.mirrored(), alpha];
     let apart = [c2[0] - c1[0], c2[1] - c1[1]];
     let bend = moving_centres(m, "12", apart, gears.sum_of_base_radii(), (angle, alpha));
-    let driving = one.across(line) + gears.u1;
-    let mesh = mesh_on_centres(m, "12", "mesh", gears.theta, (external(one, line, two, line), bend), driving);
+    let [drive, coast] = lines.map(|line| external(one, line, two, line));
+    let driving = lines.map(|line| one.across(line) + gears.u1);
+    let mesh = mesh_in_plane(m, "12", "mesh", gears.theta, Flanks::of(drive, coast).bent(bend), driving);
     // The flanks slide when the gears turn relative to each other, and when their centres move across the line of action.
-    let tau = external_sliding(one, line, two, line, alpha.sin / alpha.cos);
+    let tangent = alpha.sin / alpha.cos;
+    let [drive, coast] = [(lines[0], tangent), (lines[1], -tangent)].map(|(l, t)| external_sliding(one, l, two, l, t));
+    let tau = mesh.on_flanks(drive, coast);
     let psi = gears.theta1 + gears.theta2;
-    sliding_friction(m, "12", "mesh", "m", mesh, Sliding { phase: gears.theta, tau, psi, coast: Coast::AsDrive });
+    sliding_friction(m, "12", "mesh", "m", mesh, Sliding { phase: gears.theta, tau, psi });
     driven(m, "motor", "driving gear", gears.theta1);
     loaded(m, "load", "driven gear", gears.theta2);
     damping(m);

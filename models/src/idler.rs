@@ -2,9 +2,7 @@
 
 use gearsim_derive::{GearData, Model, Start};
 
-use crate::components::{
-    Coast, Sliding, damping, driven, loaded, mesh_with_play, pressure_tangent, rotor, sliding_friction,
-};
+use crate::components::{Sliding, damping, driven, loaded, mesh_with_play, pressure_tangent, rotor, sliding_friction};
 
 /// Coordinates: the rotation of the idler times its number of teeth, which is the phase of both meshes, and the deflections of
 /// the two meshes.
@@ -29,7 +27,7 @@ pub fn idler(m: &mut Model) {
     let mesh1 = mesh_with_play(m, "12", "mesh of gears 1 and 2", theta, delta1, h * theta + delta1);
     let mesh2 = mesh_with_play(m, "23", "mesh of gears 2 and 3", theta, delta2, h * theta);
     let tangent = pressure_tangent(m);
-    let sliding = |delta, psi| Sliding { phase: theta, tau: tangent * delta, psi, coast: Coast::Mirrored };
+    let sliding = |delta, psi| Sliding { phase: theta, tau: tangent * delta, psi };
     sliding_friction(m, "12", "mesh of gears 1 and 2", "m", mesh1, sliding(delta1, theta1 + theta / N2));
     sliding_friction(m, "23", "mesh of gears 2 and 3", "m", mesh2, sliding(delta2, theta / N2 + theta3));
     driven(m, "motor", "driving gear", theta1);

@@ -175,8 +175,89 @@ fn the_play_opens_as_the_centres_move_apart() {
         let (found, play) = (t.q[1][met].abs(), t.outputs[0].1[0]);
         println!("v = {v} m/s: contact after {found:e} m, {way:e} by the closed form; opening {play:e}, {opening:e}");
         assert!((found - way).abs() < 1e-12 && (play - opening).abs() < 1e-15, "{found} {way} {play} {opening}");
-        // Without the effect the play does not open, and the coast flank has the line of action of the drive flank.
         assert!(opening > 0.1 * b && (way - 0.5 * b).abs() > 0.1 * b);
+    }
+}
+
+/// In the linear model the play opens in proportion to the distance of the centres, and the motion to either flank is exact.
+#[test]
+fn the_linear_play_opens_by_the_first_order() {
+    let (x, y, b) = (0.4e-3, 0.1e-3, 100e-6);
+    let (across, opening) = (y * ALPHA.cos(), x * ALPHA.sin());
+    for (v, way) in [(1.0, 0.5 * b + across + opening), (-1.0, 0.5 * b - across + opening)] {
+        let scene = scene(
+            &["backlash"],
+            &[
+                "parameters.kb1=0 N/m",
+                "parameters.kb2=0 N/m",
+                &format!("parameters.b12={b} m"),
+                &format!("start.x2={x} m"),
+                &format!("start.y2={y} m"),
+                "start.x1=0 m",
+                "start.y1=0 m",
+                "start.s=0 m",
+                &format!("start.s_dot={v} m/s"),
+                "start.theta_dot=0 rad/s",
+                "run.t_end=1 ms",
+                "output.record=[\"play_opening_12\"]",
+            ],
+        );
+        let outcome = run(&scene);
+        let t = &outcome.trajectory;
+        let met = t.moment.iter().position(|m| *m == Moment::Before).expect("the flanks meet");
+        let (found, play) = (t.q[1][met].abs(), t.outputs[0].1[0]);
+        assert!((found - way).abs() < 1e-15 && (play - opening).abs() < 1e-18, "{found} {way} {play} {opening}");
+    }
+}
+
+/// Seen in a mirror on the line of centres, a pair that drives backward coasts forward: all rotations and y change their sign, x does not. So the
+/// coast flanks push the centres apart, as the drive flanks do.
+#[test]
+fn a_mirror_exchanges_the_flanks() {
+    let pi2 = TAU;
+    let law = |first: (&str, f64), second: &str, mirrored: bool| match (first, mirrored) {
+        ((value, width), false) => format!("{{steps=[{{value={value},width=\"{width} rad\"}},{{value={second}}}]}}"),
+        ((value, width), true) => {
+            format!("{{steps=[{{value={second},width=\"{} rad\"}},{{value={value}}}]}}", pi2 - width)
+        }
+    };
+    for more in [&[][..], &["sliding_friction"], &["moving_centres"]] {
+        let effects: Vec<&str> =
+            ["backlash", "stiffness_step", "torques", "damping"].iter().chain(more).copied().collect();
+        let [drives, coasts] = [false, true].map(|mirrored| {
+            let sign = if mirrored { -1.0 } else { 1.0 };
+            let side = if mirrored { ("1", "-1") } else { ("-1", "1") };
+            let set = [
+                "parameters.b12=60 um".to_string(),
+                "parameters.kb1=5 MN/m".into(),
+                "parameters.kb2=8 MN/m".into(),
+                "parameters.beta_K=2 us".into(),
+                "parameters.mu12=0.1".into(),
+                format!("parameters.T_motor={} N*m", 24.0 * sign),
+                format!("parameters.T_load={} N*m", 96.0 * sign),
+                format!("start.speed={} rpm", 1500.0 * sign),
+                format!("start.s={} um", -60.0 * sign),
+                "run.t_end=4 ms".into(),
+                "run.tolerance=1e-12".into(),
+                format!("laws.k12={}", law(("\"156 MN/m\"", 2.0), "\"80.3 MN/m\"", mirrored)),
+                format!("laws.side12={}", law((side.0, 3.0), side.1, mirrored)),
+                format!("laws.arm12={}", law(("\"2 mm\"", 3.0), "\"3 mm\"", mirrored)),
+            ];
+            let used = |line: &&String| {
+                more.contains(&"sliding_friction")
+                    || !line.contains("mu12") && !line.contains("laws.side") && !line.contains("laws.arm")
+            };
+            run(&scene(&effects, &set.iter().filter(used).map(String::as_str).collect::<Vec<_>>()))
+        });
+        let (a, b) = (&drives.trajectory, &coasts.trajectory);
+        assert!(drives.counts.impacts > 1 && drives.counts.cell_changes > 4, "{:?}", drives.counts);
+        assert_eq!((a.len(), drives.counts.impacts), (b.len(), coasts.counts.impacts), "{more:?}");
+        for (i, sign) in [-1.0, -1.0, 1.0, -1.0, 1.0, -1.0].into_iter().enumerate() {
+            let size = a.q[i].iter().fold(0.0f64, |m, x| m.max(x.abs()));
+            let apart = a.q[i].iter().zip(&b.q[i]).map(|(a, b)| (a - sign * b).abs()).fold(0.0, f64::max);
+            println!("{more:?}, coordinate {i}: {apart:.1e} of {size:.1e}");
+            assert!(apart < 1e-8 * size, "{more:?}, coordinate {i}: {apart:e} of {size:e}");
+        }
     }
 }
 

@@ -5,6 +5,8 @@ mod common;
 mod flanks;
 #[path = "planets/loose.rs"]
 mod loose;
+#[path = "planets/mirrored.rs"]
+mod mirrored;
 
 use gearsim::run::Outcome;
 

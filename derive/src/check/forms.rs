@@ -79,13 +79,13 @@ pub(super) fn linear(model: &Model) -> Result<(), Slip> {
         let bends = functions.iter().all(|f| symbols(&factor(f)).iter().all(may_be_a_factor));
         let parts = functions.iter().map(|f| factor(f) * Atom::var(symbol(f.0, &f.1)));
         let straight = parts.fold(d.value.atom(), |value, part| value - part).expand();
-        let switched = symbols(&straight).iter().any(|s| matches!(s.0, Kind::Function | Kind::Switched));
+        let curved = symbols(&straight).iter().any(|s| s.0 == Kind::Function);
         let value = offsets.iter().fold(straight.clone(), |value, offset| set(&value, *offset, &number(0)));
         let offset = (&straight - &value).expand();
         let scaled = offsets.iter().fold(offset.clone(), |e, o| set(&e, *o, &(Atom::var(*o) * number(2))));
         let rest = slopes(&value).into_iter().fold(value.clone(), |rest, (q, slope)| rest - slope * q);
         if !bends
-            || switched
+            || curved
             || slopes(&value).iter().any(|(_, slope)| moves(slope))
             || !is_zero(&rest)
             || moves(&offset)

@@ -24,18 +24,19 @@ pub(super) fn prove(p: &mut Proof) -> Result<(), Slip> {
 /// deflection at which the guard is zero.
 fn steps(model: &Model, switch: &Switch) -> Vec<Atom> {
     let over = symbol(Kind::Deflection, &switch.over);
-    // The deflection without the offset and the functions of the mode.
+    // The deflection without what the mode adds.
     let x = symbol(Kind::Free, "x");
     let value = |name: &str| model.deflections.iter().find(|d| d.name == name).map_or(number(0), |d| d.value.atom());
     let zero = |e: &Atom| switch.symbols.iter().fold(e.clone(), |e, s| set(&e, symbol(s.kind, &s.name), &number(0)));
     let base = zero(&value(&switch.over));
+    let of_motion = [Kind::Function, Kind::Coordinate, Kind::Constant, Kind::Parameter];
     let plain = |mode: &Mode, e: &Atom| {
         let offset = (switch.within(mode, &value(&switch.over)) - &base).expand();
         let mut e = set(e, over, &(Atom::var(x) + offset));
-        // Other deflections that differ from it by functions of positions.
+        // Other deflections are x and what they differ from it by, of the motion alone.
         for (kind, name) in symbols(&e).into_iter().filter(|s| s.0 == Kind::Deflection) {
             let apart = (value(&name) - &base).expand();
-            if symbols(&apart).iter().all(|s| s.0 == Kind::Function) {
+            if symbols(&apart).iter().all(|s| of_motion.contains(&s.0)) {
                 e = set(&e, symbol(kind, &name), &(Atom::var(x) + apart));
             }
         }

@@ -140,25 +140,25 @@ equations! {
         x_c12 = x2 - x1;
         y_c12 = y2 - y1;
         drive12 = s - open12 - turn12 - e12 + cos_a*y1 - cos_a*y2 + sin_a*x1 - sin_a*x2;
-        coast12 = open12 - turn12 + s - e12 + cos_a*y1 - cos_a*y2 + sin_a*x1 - sin_a*x2;
-        over12 = s - turn12 - edge12 - e12 + cos_a*y1 - cos_a*y2 + sin_a*x1 - sin_a*x2 - flank12*open12;
-        tau12 = cos_a*x2 - cos_a*x1 + sin_a*y1 - sin_a*y2 + sin_a*s/cos_a;
+        coast12 = open12 - turn12 + s - e12 + cos_a*y1 - cos_a*y2 - sin_a*x1 + sin_a*x2;
+        over12 = s - turn12 - edge12 - e12 + cos_a*y1 - cos_a*y2 + sin_a*flank12*x1 - sin_a*flank12*x2 - flank12*open12;
+        tau12 = cos_a*x2 - cos_a*x1 + sin_a*flank12*y1 - sin_a*flank12*y2 + sin_a*flank12*s/cos_a;
         psi12 = s/(2.0*h*N1) - s/(2.0*h*N2) + theta/N1 + theta/N2;
         theta_motor = s/(2.0*h*N1) + theta/N1;
         theta_load = theta/N2 - s/(2.0*h*N2);
     }
     functions {
-        turn12 with moving_centres_12 = R12*(y_c12/(a12 + x_c12)).atan() - cos_a*y_c12 - sin_a*x_c12;
-        turn12_by_x_c12 with moving_centres_12 = -sin_a - R12*y_c12/(y_c12.powi(2) + (a12 + x_c12).powi(2));
+        turn12 with moving_centres_12 = R12*(y_c12/(a12 + x_c12)).atan() - cos_a*y_c12;
+        turn12_by_x_c12 with moving_centres_12 = -R12*y_c12/(y_c12.powi(2) + (a12 + x_c12).powi(2));
         turn12_by_y_c12 with moving_centres_12 = R12*(a12 + x_c12)/(y_c12.powi(2) + (a12 + x_c12).powi(2)) - cos_a;
         turn12_by_x_c12_by_x_c12 with moving_centres_12 = 2.0*R12*y_c12*(a12 + x_c12)/(y_c12.powi(2) + (a12 + x_c12).powi(2)).powi(2);
         turn12_by_x_c12_by_y_c12 with moving_centres_12 = 2.0*R12*y_c12.powi(2)/(y_c12.powi(2) + (a12 + x_c12).powi(2)).powi(2)
             - R12/(y_c12.powi(2) + (a12 + x_c12).powi(2));
         turn12_by_y_c12_by_y_c12 with moving_centres_12 = -2.0*R12*y_c12*(a12 + x_c12)/(y_c12.powi(2) + (a12 + x_c12).powi(2)).powi(2);
         open12 with moving_centres_12 = (y_c12.powi(2) - R12.powi(2) + (a12 + x_c12).powi(2)).sqrt() - R12*inv12
-            - R12*((y_c12.powi(2) - R12.powi(2) + (a12 + x_c12).powi(2)).sqrt()/R12).atan();
+            - R12*((y_c12.powi(2) - R12.powi(2) + (a12 + x_c12).powi(2)).sqrt()/R12).atan() - sin_a*x_c12;
         open12_by_x_c12 with moving_centres_12 = (y_c12.powi(2) - R12.powi(2) + (a12 + x_c12).powi(2)).sqrt()*(a12 + x_c12)
-            /(y_c12.powi(2) + (a12 + x_c12).powi(2));
+            /(y_c12.powi(2) + (a12 + x_c12).powi(2)) - sin_a;
         open12_by_y_c12 with moving_centres_12 = y_c12*(y_c12.powi(2) - R12.powi(2) + (a12 + x_c12).powi(2)).sqrt()
             /(y_c12.powi(2) + (a12 + x_c12).powi(2));
         open12_by_x_c12_by_x_c12 with moving_centres_12 = (a12 + x_c12).powi(2)
@@ -180,10 +180,10 @@ equations! {
         drive12_dot = s_dot + cos_a*y1_dot - cos_a*y2_dot + sin_a*x1_dot - sin_a*x2_dot + open12_by_x_c12*x1_dot - open12_by_x_c12*x2_dot
             + open12_by_y_c12*y1_dot - open12_by_y_c12*y2_dot + turn12_by_x_c12*x1_dot - turn12_by_x_c12*x2_dot + turn12_by_y_c12*y1_dot
             - turn12_by_y_c12*y2_dot;
-        coast12_dot = s_dot + cos_a*y1_dot - cos_a*y2_dot + sin_a*x1_dot - sin_a*x2_dot - open12_by_x_c12*x1_dot + open12_by_x_c12*x2_dot
+        coast12_dot = s_dot + cos_a*y1_dot - cos_a*y2_dot - sin_a*x1_dot + sin_a*x2_dot - open12_by_x_c12*x1_dot + open12_by_x_c12*x2_dot
             - open12_by_y_c12*y1_dot + open12_by_y_c12*y2_dot + turn12_by_x_c12*x1_dot - turn12_by_x_c12*x2_dot + turn12_by_y_c12*y1_dot
             - turn12_by_y_c12*y2_dot;
-        over12_dot = s_dot + cos_a*y1_dot - cos_a*y2_dot + sin_a*x1_dot - sin_a*x2_dot + flank12*open12_by_x_c12*x1_dot
+        over12_dot = s_dot + cos_a*y1_dot - cos_a*y2_dot + sin_a*flank12*x1_dot - sin_a*flank12*x2_dot + flank12*open12_by_x_c12*x1_dot
             - flank12*open12_by_x_c12*x2_dot + flank12*open12_by_y_c12*y1_dot - flank12*open12_by_y_c12*y2_dot + turn12_by_x_c12*x1_dot
             - turn12_by_x_c12*x2_dot + turn12_by_y_c12*y1_dot - turn12_by_y_c12*y2_dot;
     }
@@ -433,7 +433,7 @@ equations! {
         s {
             _ => -k12*touch12*over12;
             backlash_12 => -k12*clip12*touch12*over12;
-            sliding_friction_12 => arm12*F_mu12/(2.0*h*N2) - sin_a*side12*F_mu12/cos_a - arm12*F_mu12/(2.0*h*N1);
+            sliding_friction_12 => arm12*F_mu12/(2.0*h*N2) - sin_a*side12*F_mu12*flank12/cos_a - arm12*F_mu12/(2.0*h*N1);
             torques => (T_motor/(h*N1) + T_load/(h*N2))/2.0;
             speed_governor => (c_motor*n_motor/(h*N1) - c_motor*theta_motor_dot/(h*N1))/2.0;
             dc_motor => (Ts_motor/(h*N1) - Ts_motor*theta_motor_dot/(h*N1*n0_motor))/2.0;
@@ -445,16 +445,16 @@ equations! {
                 - I1*alpha_M*theta_dot/(2.0*h*N1.powi(2));
         }
         x1 {
-            _ => -sin_a*k12*touch12*over12 - kb1*bx1;
+            _ => -sin_a*k12*flank12*touch12*over12 - kb1*bx1;
             viscous_friction_1 => -cb1*bx1_dot;
             moving_centres_12 => -k12*flank12*touch12*open12_by_x_c12*over12 - k12*touch12*turn12_by_x_c12*over12;
             moving_centres_12_and_backlash_12 => -k12*clip12*flank12*touch12*open12_by_x_c12*over12
                 - k12*clip12*touch12*turn12_by_x_c12*over12;
             moving_centres_12_and_damping => -beta_K*k12_mid*damp12*flank12*open12_by_x_c12*over12_dot
                 - beta_K*k12_mid*damp12*turn12_by_x_c12*over12_dot;
-            backlash_12 => -sin_a*k12*clip12*touch12*over12;
+            backlash_12 => -sin_a*k12*clip12*flank12*touch12*over12;
             sliding_friction_12 => cos_a*side12*F_mu12;
-            damping => -sin_a*beta_K*k12_mid*damp12*over12_dot - alpha_M*m1*x1_dot - beta_K*kb1*bx1_dot;
+            damping => -sin_a*beta_K*k12_mid*damp12*flank12*over12_dot - alpha_M*m1*x1_dot - beta_K*kb1*bx1_dot;
         }
         y1 {
             _ => -cos_a*k12*touch12*over12 - kb1*by1;
@@ -465,20 +465,20 @@ equations! {
             moving_centres_12_and_damping => -beta_K*k12_mid*damp12*flank12*open12_by_y_c12*over12_dot
                 - beta_K*k12_mid*damp12*turn12_by_y_c12*over12_dot;
             backlash_12 => -cos_a*k12*clip12*touch12*over12;
-            sliding_friction_12 => -sin_a*side12*F_mu12;
+            sliding_friction_12 => -sin_a*side12*F_mu12*flank12;
             damping => -cos_a*beta_K*k12_mid*damp12*over12_dot - alpha_M*m1*y1_dot - beta_K*kb1*by1_dot;
         }
         x2 {
-            _ => sin_a*k12*touch12*over12 - kb2*bx2;
+            _ => sin_a*k12*flank12*touch12*over12 - kb2*bx2;
             viscous_friction_2 => -cb2*bx2_dot;
             moving_centres_12 => k12*flank12*touch12*open12_by_x_c12*over12 + k12*touch12*turn12_by_x_c12*over12;
             moving_centres_12_and_backlash_12 => k12*clip12*flank12*touch12*open12_by_x_c12*over12
                 + k12*clip12*touch12*turn12_by_x_c12*over12;
             moving_centres_12_and_damping => beta_K*k12_mid*damp12*flank12*open12_by_x_c12*over12_dot
                 + beta_K*k12_mid*damp12*turn12_by_x_c12*over12_dot;
-            backlash_12 => sin_a*k12*clip12*touch12*over12;
+            backlash_12 => sin_a*k12*clip12*flank12*touch12*over12;
             sliding_friction_12 => -cos_a*side12*F_mu12;
-            damping => sin_a*beta_K*k12_mid*damp12*over12_dot - alpha_M*m2*x2_dot - beta_K*kb2*bx2_dot;
+            damping => sin_a*beta_K*k12_mid*damp12*flank12*over12_dot - alpha_M*m2*x2_dot - beta_K*kb2*bx2_dot;
         }
         y2 {
             _ => cos_a*k12*touch12*over12 - kb2*by2;
@@ -489,7 +489,7 @@ equations! {
             moving_centres_12_and_damping => beta_K*k12_mid*damp12*flank12*open12_by_y_c12*over12_dot
                 + beta_K*k12_mid*damp12*turn12_by_y_c12*over12_dot;
             backlash_12 => cos_a*k12*clip12*touch12*over12;
-            sliding_friction_12 => sin_a*side12*F_mu12;
+            sliding_friction_12 => sin_a*side12*F_mu12*flank12;
             damping => cos_a*beta_K*k12_mid*damp12*over12_dot - alpha_M*m2*y2_dot - beta_K*kb2*by2_dot;
         }
     }
@@ -519,12 +519,12 @@ equations! {
         theta theta_load_dot { fan_load => T_fan_load_by_theta_load_dot/N2; }
         s theta {
             transmission_error_12_and_backlash_12_and_moving_phase => k12*de12*clip12*touch12;
-            transmission_error_12_and_sliding_friction_12_and_moving_phase => sin_a*de12*side12*F_mu12_by_over12/cos_a
+            transmission_error_12_and_sliding_friction_12_and_moving_phase => sin_a*de12*side12*F_mu12_by_over12*flank12/cos_a
                 + de12*arm12*F_mu12_by_over12/(2.0*h*N1) - de12*arm12*F_mu12_by_over12/(2.0*h*N2);
             transmission_error_12_and_moving_phase => k12*de12*touch12;
             backlash_12_and_moving_phase => -dk12*clip12*touch12*over12;
-            sliding_friction_12_and_moving_phase => darm12*F_mu12/(2.0*h*N2) - sin_a*dk12*side12*F_mu12_by_k12/cos_a
-                - sin_a*dside12*F_mu12/cos_a - darm12*F_mu12/(2.0*h*N1) - dk12*arm12*F_mu12_by_k12/(2.0*h*N1)
+            sliding_friction_12_and_moving_phase => darm12*F_mu12/(2.0*h*N2) - sin_a*dk12*side12*F_mu12_by_k12*flank12/cos_a
+                - sin_a*dside12*F_mu12*flank12/cos_a - darm12*F_mu12/(2.0*h*N1) - dk12*arm12*F_mu12_by_k12/(2.0*h*N1)
                 + dk12*arm12*F_mu12_by_k12/(2.0*h*N2);
             moving_phase => -dk12*touch12*over12;
         }
@@ -549,12 +549,12 @@ equations! {
         s over12 {
             _ => -k12*touch12;
             backlash_12 => -k12*clip12*touch12;
-            sliding_friction_12 => arm12*F_mu12_by_over12/(2.0*h*N2) - sin_a*side12*F_mu12_by_over12/cos_a
+            sliding_friction_12 => arm12*F_mu12_by_over12/(2.0*h*N2) - sin_a*side12*F_mu12_by_over12*flank12/cos_a
                 - arm12*F_mu12_by_over12/(2.0*h*N1);
         }
         s over12_dot { damping => -beta_K*k12_mid*damp12; }
         s psi12_dot {
-            sliding_friction_12 => arm12*F_mu12_by_psi12_dot/(2.0*h*N2) - sin_a*side12*F_mu12_by_psi12_dot/cos_a
+            sliding_friction_12 => arm12*F_mu12_by_psi12_dot/(2.0*h*N2) - sin_a*side12*F_mu12_by_psi12_dot*flank12/cos_a
                 - arm12*F_mu12_by_psi12_dot/(2.0*h*N1);
         }
         s theta_motor_dot {
@@ -572,12 +572,12 @@ equations! {
             moving_centres_12_and_backlash_12_and_moving_phase => -dk12*clip12*flank12*touch12*open12_by_x_c12*over12
                 - dk12*clip12*touch12*turn12_by_x_c12*over12;
             moving_centres_12_and_moving_phase => -dk12*flank12*touch12*open12_by_x_c12*over12 - dk12*touch12*turn12_by_x_c12*over12;
-            transmission_error_12_and_backlash_12_and_moving_phase => sin_a*k12*de12*clip12*touch12;
+            transmission_error_12_and_backlash_12_and_moving_phase => sin_a*k12*de12*clip12*flank12*touch12;
             transmission_error_12_and_sliding_friction_12_and_moving_phase => -cos_a*de12*side12*F_mu12_by_over12;
-            transmission_error_12_and_moving_phase => sin_a*k12*de12*touch12;
-            backlash_12_and_moving_phase => -sin_a*dk12*clip12*touch12*over12;
+            transmission_error_12_and_moving_phase => sin_a*k12*de12*flank12*touch12;
+            backlash_12_and_moving_phase => -sin_a*dk12*clip12*flank12*touch12*over12;
             sliding_friction_12_and_moving_phase => cos_a*dk12*side12*F_mu12_by_k12 + cos_a*dside12*F_mu12;
-            moving_phase => -sin_a*dk12*touch12*over12;
+            moving_phase => -sin_a*dk12*flank12*touch12*over12;
         }
         x1 x1_dot { damping => -alpha_M*m1; }
         x1 bx1 { _ => -kb1; }
@@ -585,14 +585,14 @@ equations! {
             moving_centres_12 => -k12*flank12*touch12*open12_by_x_c12_by_x_c12*over12 - k12*touch12*turn12_by_x_c12_by_x_c12*over12;
             moving_centres_12_and_backlash_12 => -k12*clip12*flank12*touch12*open12_by_x_c12_by_x_c12*over12
                 - k12*clip12*touch12*turn12_by_x_c12_by_x_c12*over12;
-            moving_centres_12_and_damping => sin_a*beta_K*k12_mid*damp12*flank12*open12_by_x_c12_by_x_c12*x2_dot
-                - sin_a*beta_K*k12_mid*damp12*flank12*open12_by_x_c12_by_x_c12*x1_dot
-                - sin_a*beta_K*k12_mid*damp12*flank12*open12_by_x_c12_by_y_c12*y1_dot
-                + sin_a*beta_K*k12_mid*damp12*flank12*open12_by_x_c12_by_y_c12*y2_dot
-                - sin_a*beta_K*k12_mid*damp12*turn12_by_x_c12_by_x_c12*x1_dot
-                + sin_a*beta_K*k12_mid*damp12*turn12_by_x_c12_by_x_c12*x2_dot
-                - sin_a*beta_K*k12_mid*damp12*turn12_by_x_c12_by_y_c12*y1_dot
-                + sin_a*beta_K*k12_mid*damp12*turn12_by_x_c12_by_y_c12*y2_dot
+            moving_centres_12_and_damping => sin_a*beta_K*k12_mid*damp12*flank12*turn12_by_x_c12_by_x_c12*x2_dot
+                - sin_a*beta_K*k12_mid*damp12*flank12*turn12_by_x_c12_by_x_c12*x1_dot
+                - sin_a*beta_K*k12_mid*damp12*flank12*turn12_by_x_c12_by_y_c12*y1_dot
+                + sin_a*beta_K*k12_mid*damp12*flank12*turn12_by_x_c12_by_y_c12*y2_dot
+                - sin_a*beta_K*k12_mid*damp12*flank12.powi(2)*open12_by_x_c12_by_x_c12*x1_dot
+                + sin_a*beta_K*k12_mid*damp12*flank12.powi(2)*open12_by_x_c12_by_x_c12*x2_dot
+                - sin_a*beta_K*k12_mid*damp12*flank12.powi(2)*open12_by_x_c12_by_y_c12*y1_dot
+                + sin_a*beta_K*k12_mid*damp12*flank12.powi(2)*open12_by_x_c12_by_y_c12*y2_dot
                 - beta_K*k12_mid*damp12*flank12*open12_by_x_c12*turn12_by_x_c12_by_x_c12*x1_dot
                 + beta_K*k12_mid*damp12*flank12*open12_by_x_c12*turn12_by_x_c12_by_x_c12*x2_dot
                 - beta_K*k12_mid*damp12*flank12*open12_by_x_c12*turn12_by_x_c12_by_y_c12*y1_dot
@@ -616,14 +616,14 @@ equations! {
             moving_centres_12 => -k12*flank12*touch12*open12_by_x_c12_by_y_c12*over12 - k12*touch12*turn12_by_x_c12_by_y_c12*over12;
             moving_centres_12_and_backlash_12 => -k12*clip12*flank12*touch12*open12_by_x_c12_by_y_c12*over12
                 - k12*clip12*touch12*turn12_by_x_c12_by_y_c12*over12;
-            moving_centres_12_and_damping => sin_a*beta_K*k12_mid*damp12*flank12*open12_by_x_c12_by_y_c12*x2_dot
-                - sin_a*beta_K*k12_mid*damp12*flank12*open12_by_x_c12_by_y_c12*x1_dot
-                - sin_a*beta_K*k12_mid*damp12*flank12*open12_by_y_c12_by_y_c12*y1_dot
-                + sin_a*beta_K*k12_mid*damp12*flank12*open12_by_y_c12_by_y_c12*y2_dot
-                - sin_a*beta_K*k12_mid*damp12*turn12_by_x_c12_by_y_c12*x1_dot
-                + sin_a*beta_K*k12_mid*damp12*turn12_by_x_c12_by_y_c12*x2_dot
-                - sin_a*beta_K*k12_mid*damp12*turn12_by_y_c12_by_y_c12*y1_dot
-                + sin_a*beta_K*k12_mid*damp12*turn12_by_y_c12_by_y_c12*y2_dot
+            moving_centres_12_and_damping => sin_a*beta_K*k12_mid*damp12*flank12*turn12_by_x_c12_by_y_c12*x2_dot
+                - sin_a*beta_K*k12_mid*damp12*flank12*turn12_by_x_c12_by_y_c12*x1_dot
+                - sin_a*beta_K*k12_mid*damp12*flank12*turn12_by_y_c12_by_y_c12*y1_dot
+                + sin_a*beta_K*k12_mid*damp12*flank12*turn12_by_y_c12_by_y_c12*y2_dot
+                - sin_a*beta_K*k12_mid*damp12*flank12.powi(2)*open12_by_x_c12_by_y_c12*x1_dot
+                + sin_a*beta_K*k12_mid*damp12*flank12.powi(2)*open12_by_x_c12_by_y_c12*x2_dot
+                - sin_a*beta_K*k12_mid*damp12*flank12.powi(2)*open12_by_y_c12_by_y_c12*y1_dot
+                + sin_a*beta_K*k12_mid*damp12*flank12.powi(2)*open12_by_y_c12_by_y_c12*y2_dot
                 - beta_K*k12_mid*damp12*flank12*open12_by_x_c12*turn12_by_x_c12_by_y_c12*x1_dot
                 + beta_K*k12_mid*damp12*flank12*open12_by_x_c12*turn12_by_x_c12_by_y_c12*x2_dot
                 - beta_K*k12_mid*damp12*flank12*open12_by_x_c12*turn12_by_y_c12_by_y_c12*y1_dot
@@ -644,10 +644,10 @@ equations! {
                 + beta_K*k12_mid*damp12*flank12.powi(2)*open12_by_x_c12*open12_by_y_c12_by_y_c12*y2_dot;
         }
         x1 over12 {
-            _ => -sin_a*k12*touch12;
+            _ => -sin_a*k12*flank12*touch12;
             moving_centres_12 => -k12*flank12*touch12*open12_by_x_c12 - k12*touch12*turn12_by_x_c12;
             moving_centres_12_and_backlash_12 => -k12*clip12*flank12*touch12*open12_by_x_c12 - k12*clip12*touch12*turn12_by_x_c12;
-            backlash_12 => -sin_a*k12*clip12*touch12;
+            backlash_12 => -sin_a*k12*clip12*flank12*touch12;
             sliding_friction_12 => cos_a*side12*F_mu12_by_over12;
         }
         x1 bx1_dot {
@@ -656,7 +656,7 @@ equations! {
         }
         x1 over12_dot {
             moving_centres_12_and_damping => -beta_K*k12_mid*damp12*flank12*open12_by_x_c12 - beta_K*k12_mid*damp12*turn12_by_x_c12;
-            damping => -sin_a*beta_K*k12_mid*damp12;
+            damping => -sin_a*beta_K*k12_mid*damp12*flank12;
         }
         x1 psi12_dot { sliding_friction_12 => cos_a*side12*F_mu12_by_psi12_dot; }
         y1 theta {
@@ -668,10 +668,10 @@ equations! {
                 - dk12*clip12*touch12*turn12_by_y_c12*over12;
             moving_centres_12_and_moving_phase => -dk12*flank12*touch12*open12_by_y_c12*over12 - dk12*touch12*turn12_by_y_c12*over12;
             transmission_error_12_and_backlash_12_and_moving_phase => cos_a*k12*de12*clip12*touch12;
-            transmission_error_12_and_sliding_friction_12_and_moving_phase => sin_a*de12*side12*F_mu12_by_over12;
+            transmission_error_12_and_sliding_friction_12_and_moving_phase => sin_a*de12*side12*F_mu12_by_over12*flank12;
             transmission_error_12_and_moving_phase => cos_a*k12*de12*touch12;
             backlash_12_and_moving_phase => -cos_a*dk12*clip12*touch12*over12;
-            sliding_friction_12_and_moving_phase => -sin_a*dk12*side12*F_mu12_by_k12 - sin_a*dside12*F_mu12;
+            sliding_friction_12_and_moving_phase => -sin_a*dk12*side12*F_mu12_by_k12*flank12 - sin_a*dside12*F_mu12*flank12;
             moving_phase => -cos_a*dk12*touch12*over12;
         }
         y1 y1_dot { damping => -alpha_M*m1; }
@@ -743,7 +743,7 @@ equations! {
             moving_centres_12 => -k12*flank12*touch12*open12_by_y_c12 - k12*touch12*turn12_by_y_c12;
             moving_centres_12_and_backlash_12 => -k12*clip12*flank12*touch12*open12_by_y_c12 - k12*clip12*touch12*turn12_by_y_c12;
             backlash_12 => -cos_a*k12*clip12*touch12;
-            sliding_friction_12 => -sin_a*side12*F_mu12_by_over12;
+            sliding_friction_12 => -sin_a*side12*F_mu12_by_over12*flank12;
         }
         y1 by1_dot {
             viscous_friction_1 => -cb1;
@@ -753,7 +753,7 @@ equations! {
             moving_centres_12_and_damping => -beta_K*k12_mid*damp12*flank12*open12_by_y_c12 - beta_K*k12_mid*damp12*turn12_by_y_c12;
             damping => -cos_a*beta_K*k12_mid*damp12;
         }
-        y1 psi12_dot { sliding_friction_12 => -sin_a*side12*F_mu12_by_psi12_dot; }
+        y1 psi12_dot { sliding_friction_12 => -sin_a*side12*F_mu12_by_psi12_dot*flank12; }
         x2 theta {
             moving_centres_12_and_transmission_error_12_and_backlash_12_and_moving_phase => -k12*de12*clip12*flank12*touch12
                 *open12_by_x_c12 - k12*de12*clip12*touch12*turn12_by_x_c12;
@@ -762,12 +762,12 @@ equations! {
             moving_centres_12_and_backlash_12_and_moving_phase => dk12*clip12*flank12*touch12*open12_by_x_c12*over12
                 + dk12*clip12*touch12*turn12_by_x_c12*over12;
             moving_centres_12_and_moving_phase => dk12*flank12*touch12*open12_by_x_c12*over12 + dk12*touch12*turn12_by_x_c12*over12;
-            transmission_error_12_and_backlash_12_and_moving_phase => -sin_a*k12*de12*clip12*touch12;
+            transmission_error_12_and_backlash_12_and_moving_phase => -sin_a*k12*de12*clip12*flank12*touch12;
             transmission_error_12_and_sliding_friction_12_and_moving_phase => cos_a*de12*side12*F_mu12_by_over12;
-            transmission_error_12_and_moving_phase => -sin_a*k12*de12*touch12;
-            backlash_12_and_moving_phase => sin_a*dk12*clip12*touch12*over12;
+            transmission_error_12_and_moving_phase => -sin_a*k12*de12*flank12*touch12;
+            backlash_12_and_moving_phase => sin_a*dk12*clip12*flank12*touch12*over12;
             sliding_friction_12_and_moving_phase => -cos_a*dk12*side12*F_mu12_by_k12 - cos_a*dside12*F_mu12;
-            moving_phase => sin_a*dk12*touch12*over12;
+            moving_phase => sin_a*dk12*flank12*touch12*over12;
         }
         x2 x2_dot { damping => -alpha_M*m2; }
         x2 bx2 { _ => -kb2; }
@@ -775,14 +775,14 @@ equations! {
             moving_centres_12 => k12*flank12*touch12*open12_by_x_c12_by_x_c12*over12 + k12*touch12*turn12_by_x_c12_by_x_c12*over12;
             moving_centres_12_and_backlash_12 => k12*clip12*flank12*touch12*open12_by_x_c12_by_x_c12*over12
                 + k12*clip12*touch12*turn12_by_x_c12_by_x_c12*over12;
-            moving_centres_12_and_damping => sin_a*beta_K*k12_mid*damp12*flank12*open12_by_x_c12_by_x_c12*x1_dot
-                - sin_a*beta_K*k12_mid*damp12*flank12*open12_by_x_c12_by_x_c12*x2_dot
-                + sin_a*beta_K*k12_mid*damp12*flank12*open12_by_x_c12_by_y_c12*y1_dot
-                - sin_a*beta_K*k12_mid*damp12*flank12*open12_by_x_c12_by_y_c12*y2_dot
-                + sin_a*beta_K*k12_mid*damp12*turn12_by_x_c12_by_x_c12*x1_dot
-                - sin_a*beta_K*k12_mid*damp12*turn12_by_x_c12_by_x_c12*x2_dot
-                + sin_a*beta_K*k12_mid*damp12*turn12_by_x_c12_by_y_c12*y1_dot
-                - sin_a*beta_K*k12_mid*damp12*turn12_by_x_c12_by_y_c12*y2_dot
+            moving_centres_12_and_damping => sin_a*beta_K*k12_mid*damp12*flank12*turn12_by_x_c12_by_x_c12*x1_dot
+                - sin_a*beta_K*k12_mid*damp12*flank12*turn12_by_x_c12_by_x_c12*x2_dot
+                + sin_a*beta_K*k12_mid*damp12*flank12*turn12_by_x_c12_by_y_c12*y1_dot
+                - sin_a*beta_K*k12_mid*damp12*flank12*turn12_by_x_c12_by_y_c12*y2_dot
+                + sin_a*beta_K*k12_mid*damp12*flank12.powi(2)*open12_by_x_c12_by_x_c12*x1_dot
+                - sin_a*beta_K*k12_mid*damp12*flank12.powi(2)*open12_by_x_c12_by_x_c12*x2_dot
+                + sin_a*beta_K*k12_mid*damp12*flank12.powi(2)*open12_by_x_c12_by_y_c12*y1_dot
+                - sin_a*beta_K*k12_mid*damp12*flank12.powi(2)*open12_by_x_c12_by_y_c12*y2_dot
                 + beta_K*k12_mid*damp12*flank12*open12_by_x_c12*turn12_by_x_c12_by_x_c12*x1_dot
                 - beta_K*k12_mid*damp12*flank12*open12_by_x_c12*turn12_by_x_c12_by_x_c12*x2_dot
                 + beta_K*k12_mid*damp12*flank12*open12_by_x_c12*turn12_by_x_c12_by_y_c12*y1_dot
@@ -806,14 +806,14 @@ equations! {
             moving_centres_12 => k12*flank12*touch12*open12_by_x_c12_by_y_c12*over12 + k12*touch12*turn12_by_x_c12_by_y_c12*over12;
             moving_centres_12_and_backlash_12 => k12*clip12*flank12*touch12*open12_by_x_c12_by_y_c12*over12
                 + k12*clip12*touch12*turn12_by_x_c12_by_y_c12*over12;
-            moving_centres_12_and_damping => sin_a*beta_K*k12_mid*damp12*flank12*open12_by_x_c12_by_y_c12*x1_dot
-                - sin_a*beta_K*k12_mid*damp12*flank12*open12_by_x_c12_by_y_c12*x2_dot
-                + sin_a*beta_K*k12_mid*damp12*flank12*open12_by_y_c12_by_y_c12*y1_dot
-                - sin_a*beta_K*k12_mid*damp12*flank12*open12_by_y_c12_by_y_c12*y2_dot
-                + sin_a*beta_K*k12_mid*damp12*turn12_by_x_c12_by_y_c12*x1_dot
-                - sin_a*beta_K*k12_mid*damp12*turn12_by_x_c12_by_y_c12*x2_dot
-                + sin_a*beta_K*k12_mid*damp12*turn12_by_y_c12_by_y_c12*y1_dot
-                - sin_a*beta_K*k12_mid*damp12*turn12_by_y_c12_by_y_c12*y2_dot
+            moving_centres_12_and_damping => sin_a*beta_K*k12_mid*damp12*flank12*turn12_by_x_c12_by_y_c12*x1_dot
+                - sin_a*beta_K*k12_mid*damp12*flank12*turn12_by_x_c12_by_y_c12*x2_dot
+                + sin_a*beta_K*k12_mid*damp12*flank12*turn12_by_y_c12_by_y_c12*y1_dot
+                - sin_a*beta_K*k12_mid*damp12*flank12*turn12_by_y_c12_by_y_c12*y2_dot
+                + sin_a*beta_K*k12_mid*damp12*flank12.powi(2)*open12_by_x_c12_by_y_c12*x1_dot
+                - sin_a*beta_K*k12_mid*damp12*flank12.powi(2)*open12_by_x_c12_by_y_c12*x2_dot
+                + sin_a*beta_K*k12_mid*damp12*flank12.powi(2)*open12_by_y_c12_by_y_c12*y1_dot
+                - sin_a*beta_K*k12_mid*damp12*flank12.powi(2)*open12_by_y_c12_by_y_c12*y2_dot
                 + beta_K*k12_mid*damp12*flank12*open12_by_x_c12*turn12_by_x_c12_by_y_c12*x1_dot
                 - beta_K*k12_mid*damp12*flank12*open12_by_x_c12*turn12_by_x_c12_by_y_c12*x2_dot
                 + beta_K*k12_mid*damp12*flank12*open12_by_x_c12*turn12_by_y_c12_by_y_c12*y1_dot
@@ -834,10 +834,10 @@ equations! {
                 - beta_K*k12_mid*damp12*flank12.powi(2)*open12_by_x_c12*open12_by_y_c12_by_y_c12*y2_dot;
         }
         x2 over12 {
-            _ => sin_a*k12*touch12;
+            _ => sin_a*k12*flank12*touch12;
             moving_centres_12 => k12*flank12*touch12*open12_by_x_c12 + k12*touch12*turn12_by_x_c12;
             moving_centres_12_and_backlash_12 => k12*clip12*flank12*touch12*open12_by_x_c12 + k12*clip12*touch12*turn12_by_x_c12;
-            backlash_12 => sin_a*k12*clip12*touch12;
+            backlash_12 => sin_a*k12*clip12*flank12*touch12;
             sliding_friction_12 => -cos_a*side12*F_mu12_by_over12;
         }
         x2 bx2_dot {
@@ -846,7 +846,7 @@ equations! {
         }
         x2 over12_dot {
             moving_centres_12_and_damping => beta_K*k12_mid*damp12*flank12*open12_by_x_c12 + beta_K*k12_mid*damp12*turn12_by_x_c12;
-            damping => sin_a*beta_K*k12_mid*damp12;
+            damping => sin_a*beta_K*k12_mid*damp12*flank12;
         }
         x2 psi12_dot { sliding_friction_12 => -cos_a*side12*F_mu12_by_psi12_dot; }
         y2 theta {
@@ -858,10 +858,10 @@ equations! {
                 + dk12*clip12*touch12*turn12_by_y_c12*over12;
             moving_centres_12_and_moving_phase => dk12*flank12*touch12*open12_by_y_c12*over12 + dk12*touch12*turn12_by_y_c12*over12;
             transmission_error_12_and_backlash_12_and_moving_phase => -cos_a*k12*de12*clip12*touch12;
-            transmission_error_12_and_sliding_friction_12_and_moving_phase => -sin_a*de12*side12*F_mu12_by_over12;
+            transmission_error_12_and_sliding_friction_12_and_moving_phase => -sin_a*de12*side12*F_mu12_by_over12*flank12;
             transmission_error_12_and_moving_phase => -cos_a*k12*de12*touch12;
             backlash_12_and_moving_phase => cos_a*dk12*clip12*touch12*over12;
-            sliding_friction_12_and_moving_phase => sin_a*dk12*side12*F_mu12_by_k12 + sin_a*dside12*F_mu12;
+            sliding_friction_12_and_moving_phase => sin_a*dk12*side12*F_mu12_by_k12*flank12 + sin_a*dside12*F_mu12*flank12;
             moving_phase => cos_a*dk12*touch12*over12;
         }
         y2 y2_dot { damping => -alpha_M*m2; }
@@ -933,7 +933,7 @@ equations! {
             moving_centres_12 => k12*flank12*touch12*open12_by_y_c12 + k12*touch12*turn12_by_y_c12;
             moving_centres_12_and_backlash_12 => k12*clip12*flank12*touch12*open12_by_y_c12 + k12*clip12*touch12*turn12_by_y_c12;
             backlash_12 => cos_a*k12*clip12*touch12;
-            sliding_friction_12 => sin_a*side12*F_mu12_by_over12;
+            sliding_friction_12 => sin_a*side12*F_mu12_by_over12*flank12;
         }
         y2 by2_dot {
             viscous_friction_2 => -cb2;
@@ -943,7 +943,7 @@ equations! {
             moving_centres_12_and_damping => beta_K*k12_mid*damp12*flank12*open12_by_y_c12 + beta_K*k12_mid*damp12*turn12_by_y_c12;
             damping => cos_a*beta_K*k12_mid*damp12;
         }
-        y2 psi12_dot { sliding_friction_12 => sin_a*side12*F_mu12_by_psi12_dot; }
+        y2 psi12_dot { sliding_friction_12 => sin_a*side12*F_mu12_by_psi12_dot*flank12; }
     }
     cell {
         stiffness {
@@ -1063,20 +1063,22 @@ equations! {
             damping => beta_K*k12_mid*damp12*over12_dot;
         }
         mesh_power_12 "W", "power that the first gear gives to the mesh: force times the speed of its flank" {
-            _ => mesh_force_12*(s_dot/2.0 + cos_a*y1_dot + h*theta_dot + sin_a*x1_dot);
+            _ => mesh_force_12*(s_dot/2.0 + cos_a*y1_dot + h*theta_dot + sin_a*flank12*x1_dot);
         }
         mesh_deflection_12 "m", "deflection of the mesh along the line of action, backlash not taken off" {
-            _ => s - turn12 - e12 - (cos_a*y2 + sin_a*x2) + cos_a*y1 + sin_a*x1;
+            _ => (2.0*s - (cos_a*y2 - sin_a*x2) - (cos_a*y2 + sin_a*x2) + 2.0*cos_a*y1)/2.0 - turn12 - e12
+                - (open12 + (s - (s - (cos_a*y2 + sin_a*x2) + cos_a*y1 + sin_a*x1) - (cos_a*y2 - sin_a*x2) + cos_a*y1 - sin_a*x1)/2.0);
         }
         dte_12 "m", "dynamic transmission error of the mesh along the line of action: positive if the driving gear is ahead" {
-            _ => s - turn12 - (cos_a*y2 + sin_a*x2) + cos_a*y1 + sin_a*x1;
+            _ => (2.0*s - (cos_a*y2 - sin_a*x2) - (cos_a*y2 + sin_a*x2) + 2.0*cos_a*y1)/2.0 - turn12
+                - (open12 + (s - (s - (cos_a*y2 + sin_a*x2) + cos_a*y1 + sin_a*x1) - (cos_a*y2 - sin_a*x2) + cos_a*y1 - sin_a*x1)/2.0);
         }
         mesh_loss_12 "W", "power that the damper of the mesh takes" {
             backlash_12 => k12*clip12*touch12*over12*over12_dot;
             damping => beta_K*k12_mid*damp12*over12_dot.powi(2);
         }
-        play_opening_12 "m" with moving_centres_12, "half the opening of the play of the mesh by the motion of the gears' centres" {
-            _ => open12;
+        play_opening_12 "m" with backlash_12, "half the opening of the play of the mesh by the motion of the gears' centres" {
+            _ => open12 + (s - (s - (cos_a*y2 + sin_a*x2) + cos_a*y1 + sin_a*x1) - (cos_a*y2 - sin_a*x2) + cos_a*y1 - sin_a*x1)/2.0;
         }
         power_slide12 "W" with sliding_friction_12,
             "power of the friction of the mesh, through the sliding of the flanks at the pitch point: positive if it drives" {
@@ -1155,5 +1157,5 @@ equations! {
 // | --- | --- | --- | --- |
 // | constants (once a scene) | 2 | 6 | 2 |
 // | named forces | 21 | 63 | 8 |
-// | force | 40 | 296 | 0 |
+// | force | 40 | 305 | 0 |
 // | energy steps, all laws | 1 | 11 | 0 |

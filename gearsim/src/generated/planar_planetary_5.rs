@@ -425,42 +425,42 @@ equations! {
         roll_r = h/r_p - 1.0/Z_r;
         cos_c1 = psi1.cos();
         sin_c1 = psi1.sin();
-        cos_s1 = (psi1 - alpha).cos();
-        sin_s1 = (psi1 - alpha).sin();
-        cos_r1 = (alpha + psi1).cos();
-        sin_r1 = (alpha + psi1).sin();
+        cc1 = cos_a*cos_c1;
+        ss1 = sin_a*sin_c1;
+        sc1 = cos_a*sin_c1;
+        cs1 = cos_c1*sin_a;
         tiny_s1 = 1.0/1000000000000.0;
         tiny_r1 = 1.0/1000000000000.0;
         cos_c2 = psi2.cos();
         sin_c2 = psi2.sin();
-        cos_s2 = (psi2 - alpha).cos();
-        sin_s2 = (psi2 - alpha).sin();
-        cos_r2 = (alpha + psi2).cos();
-        sin_r2 = (alpha + psi2).sin();
+        cc2 = cos_a*cos_c2;
+        ss2 = sin_a*sin_c2;
+        sc2 = cos_a*sin_c2;
+        cs2 = cos_c2*sin_a;
         tiny_s2 = 1.0/1000000000000.0;
         tiny_r2 = 1.0/1000000000000.0;
         cos_c3 = psi3.cos();
         sin_c3 = psi3.sin();
-        cos_s3 = (psi3 - alpha).cos();
-        sin_s3 = (psi3 - alpha).sin();
-        cos_r3 = (alpha + psi3).cos();
-        sin_r3 = (alpha + psi3).sin();
+        cc3 = cos_a*cos_c3;
+        ss3 = sin_a*sin_c3;
+        sc3 = cos_a*sin_c3;
+        cs3 = cos_c3*sin_a;
         tiny_s3 = 1.0/1000000000000.0;
         tiny_r3 = 1.0/1000000000000.0;
         cos_c4 = psi4.cos();
         sin_c4 = psi4.sin();
-        cos_s4 = (psi4 - alpha).cos();
-        sin_s4 = (psi4 - alpha).sin();
-        cos_r4 = (alpha + psi4).cos();
-        sin_r4 = (alpha + psi4).sin();
+        cc4 = cos_a*cos_c4;
+        ss4 = sin_a*sin_c4;
+        sc4 = cos_a*sin_c4;
+        cs4 = cos_c4*sin_a;
         tiny_s4 = 1.0/1000000000000.0;
         tiny_r4 = 1.0/1000000000000.0;
         cos_c5 = psi5.cos();
         sin_c5 = psi5.sin();
-        cos_s5 = (psi5 - alpha).cos();
-        sin_s5 = (psi5 - alpha).sin();
-        cos_r5 = (alpha + psi5).cos();
-        sin_r5 = (alpha + psi5).sin();
+        cc5 = cos_a*cos_c5;
+        ss5 = sin_a*sin_c5;
+        sc5 = cos_a*sin_c5;
+        cs5 = cos_c5*sin_a;
         tiny_s5 = 1.0/1000000000000.0;
         tiny_r5 = 1.0/1000000000000.0;
         per_wb_motor = Tp_motor/Pp_motor;
@@ -477,48 +477,73 @@ equations! {
         twist_c = theta_c + theta/Z_r;
         radial1 = cos_c1*x_c - zeta1 + sin_c1*y_c;
         tangential1 = cos_c1*y_c - eta1 - sin_c1*x_c;
-        overs1 = u1 - edges1 - e_s1 - cos_a*eta1 + cos_s1*y_s - sin_a*zeta1 - sin_s1*x_s;
-        tau_s1 = cos_a*zeta1 - cos_s1*x_s - sin_a*eta1 - sin_s1*y_s + sin_a*u1/cos_a;
+        drives1 = u1 - e_s1 + cc1*y_s - cos_a*eta1 + cs1*x_s - sc1*x_s - sin_a*zeta1 + ss1*y_s;
+        coasts1 = u1 - e_s1 + cc1*y_s - cos_a*eta1 - cs1*x_s - sc1*x_s + sin_a*zeta1 - ss1*y_s;
+        overs1 = u1 - edges1 - e_s1 + cc1*y_s - cos_a*eta1 + cs1*flanks1*x_s - sc1*x_s - sin_a*flanks1*zeta1 + ss1*flanks1*y_s;
+        tau_s1 = cos_a*zeta1 - cc1*x_s + cs1*flanks1*y_s - sc1*y_s - sin_a*flanks1*eta1 - ss1*flanks1*x_s + sin_a*flanks1*u1/cos_a;
         psi_s1 = roll_s*theta - u1/r_p;
-        overr1 = cos_r1*y_r - u1 - edger1 - e_r1 - cos_a*eta1 - h*Z_r*theta_c + h*Z_r*theta_r + sin_a*zeta1 - sin_r1*x_r;
-        tau_r1 = cos_r1*x_r - cos_a*zeta1 - sin_a*eta1 + sin_r1*y_r - h*sin_a*Z_r*theta_c/cos_a + h*sin_a*Z_r*theta_r/cos_a
-            - sin_a*u1/cos_a;
+        driver1 = cc1*y_r - u1 - e_r1 - cos_a*eta1 - cs1*x_r - h*Z_r*theta_c + h*Z_r*theta_r - sc1*x_r + sin_a*zeta1 - ss1*y_r;
+        coastr1 = cc1*y_r - u1 - e_r1 - cos_a*eta1 + cs1*x_r - h*Z_r*theta_c + h*Z_r*theta_r - sc1*x_r - sin_a*zeta1 + ss1*y_r;
+        overr1 = cc1*y_r - u1 - edger1 - e_r1 - cos_a*eta1 - cs1*flankr1*x_r - h*Z_r*theta_c + h*Z_r*theta_r - sc1*x_r
+            + sin_a*flankr1*zeta1 - ss1*flankr1*y_r;
+        tau_r1 = cc1*x_r - cos_a*zeta1 + cs1*flankr1*y_r + sc1*y_r - sin_a*flankr1*eta1 - ss1*flankr1*x_r
+            - h*sin_a*Z_r*flankr1*theta_c/cos_a + h*sin_a*Z_r*flankr1*theta_r/cos_a - sin_a*flankr1*u1/cos_a;
         psi_r1 = theta_r - theta_c + roll_r*theta - u1/r_p;
         radial2 = cos_c2*x_c - zeta2 + sin_c2*y_c;
         tangential2 = cos_c2*y_c - eta2 - sin_c2*x_c;
-        overs2 = u2 - edges2 - e_s2 - cos_a*eta2 + cos_s2*y_s - sin_a*zeta2 - sin_s2*x_s;
-        tau_s2 = cos_a*zeta2 - cos_s2*x_s - sin_a*eta2 - sin_s2*y_s + sin_a*u2/cos_a;
+        drives2 = u2 - e_s2 + cc2*y_s - cos_a*eta2 + cs2*x_s - sc2*x_s - sin_a*zeta2 + ss2*y_s;
+        coasts2 = u2 - e_s2 + cc2*y_s - cos_a*eta2 - cs2*x_s - sc2*x_s + sin_a*zeta2 - ss2*y_s;
+        overs2 = u2 - edges2 - e_s2 + cc2*y_s - cos_a*eta2 + cs2*flanks2*x_s - sc2*x_s - sin_a*flanks2*zeta2 + ss2*flanks2*y_s;
+        tau_s2 = cos_a*zeta2 - cc2*x_s + cs2*flanks2*y_s - sc2*y_s - sin_a*flanks2*eta2 - ss2*flanks2*x_s + sin_a*flanks2*u2/cos_a;
         psi_s2 = roll_s*theta - u2/r_p;
-        overr2 = cos_r2*y_r - u2 - edger2 - e_r2 - cos_a*eta2 - h*Z_r*theta_c + h*Z_r*theta_r + sin_a*zeta2 - sin_r2*x_r;
-        tau_r2 = cos_r2*x_r - cos_a*zeta2 - sin_a*eta2 + sin_r2*y_r - h*sin_a*Z_r*theta_c/cos_a + h*sin_a*Z_r*theta_r/cos_a
-            - sin_a*u2/cos_a;
+        driver2 = cc2*y_r - u2 - e_r2 - cos_a*eta2 - cs2*x_r - h*Z_r*theta_c + h*Z_r*theta_r - sc2*x_r + sin_a*zeta2 - ss2*y_r;
+        coastr2 = cc2*y_r - u2 - e_r2 - cos_a*eta2 + cs2*x_r - h*Z_r*theta_c + h*Z_r*theta_r - sc2*x_r - sin_a*zeta2 + ss2*y_r;
+        overr2 = cc2*y_r - u2 - edger2 - e_r2 - cos_a*eta2 - cs2*flankr2*x_r - h*Z_r*theta_c + h*Z_r*theta_r - sc2*x_r
+            + sin_a*flankr2*zeta2 - ss2*flankr2*y_r;
+        tau_r2 = cc2*x_r - cos_a*zeta2 + cs2*flankr2*y_r + sc2*y_r - sin_a*flankr2*eta2 - ss2*flankr2*x_r
+            - h*sin_a*Z_r*flankr2*theta_c/cos_a + h*sin_a*Z_r*flankr2*theta_r/cos_a - sin_a*flankr2*u2/cos_a;
         psi_r2 = theta_r - theta_c + roll_r*theta - u2/r_p;
         radial3 = cos_c3*x_c - zeta3 + sin_c3*y_c;
         tangential3 = cos_c3*y_c - eta3 - sin_c3*x_c;
-        overs3 = u3 - edges3 - e_s3 - cos_a*eta3 + cos_s3*y_s - sin_a*zeta3 - sin_s3*x_s;
-        tau_s3 = cos_a*zeta3 - cos_s3*x_s - sin_a*eta3 - sin_s3*y_s + sin_a*u3/cos_a;
+        drives3 = u3 - e_s3 + cc3*y_s - cos_a*eta3 + cs3*x_s - sc3*x_s - sin_a*zeta3 + ss3*y_s;
+        coasts3 = u3 - e_s3 + cc3*y_s - cos_a*eta3 - cs3*x_s - sc3*x_s + sin_a*zeta3 - ss3*y_s;
+        overs3 = u3 - edges3 - e_s3 + cc3*y_s - cos_a*eta3 + cs3*flanks3*x_s - sc3*x_s - sin_a*flanks3*zeta3 + ss3*flanks3*y_s;
+        tau_s3 = cos_a*zeta3 - cc3*x_s + cs3*flanks3*y_s - sc3*y_s - sin_a*flanks3*eta3 - ss3*flanks3*x_s + sin_a*flanks3*u3/cos_a;
         psi_s3 = roll_s*theta - u3/r_p;
-        overr3 = cos_r3*y_r - u3 - edger3 - e_r3 - cos_a*eta3 - h*Z_r*theta_c + h*Z_r*theta_r + sin_a*zeta3 - sin_r3*x_r;
-        tau_r3 = cos_r3*x_r - cos_a*zeta3 - sin_a*eta3 + sin_r3*y_r - h*sin_a*Z_r*theta_c/cos_a + h*sin_a*Z_r*theta_r/cos_a
-            - sin_a*u3/cos_a;
+        driver3 = cc3*y_r - u3 - e_r3 - cos_a*eta3 - cs3*x_r - h*Z_r*theta_c + h*Z_r*theta_r - sc3*x_r + sin_a*zeta3 - ss3*y_r;
+        coastr3 = cc3*y_r - u3 - e_r3 - cos_a*eta3 + cs3*x_r - h*Z_r*theta_c + h*Z_r*theta_r - sc3*x_r - sin_a*zeta3 + ss3*y_r;
+        overr3 = cc3*y_r - u3 - edger3 - e_r3 - cos_a*eta3 - cs3*flankr3*x_r - h*Z_r*theta_c + h*Z_r*theta_r - sc3*x_r
+            + sin_a*flankr3*zeta3 - ss3*flankr3*y_r;
+        tau_r3 = cc3*x_r - cos_a*zeta3 + cs3*flankr3*y_r + sc3*y_r - sin_a*flankr3*eta3 - ss3*flankr3*x_r
+            - h*sin_a*Z_r*flankr3*theta_c/cos_a + h*sin_a*Z_r*flankr3*theta_r/cos_a - sin_a*flankr3*u3/cos_a;
         psi_r3 = theta_r - theta_c + roll_r*theta - u3/r_p;
         radial4 = cos_c4*x_c - zeta4 + sin_c4*y_c;
         tangential4 = cos_c4*y_c - eta4 - sin_c4*x_c;
-        overs4 = u4 - edges4 - e_s4 - cos_a*eta4 + cos_s4*y_s - sin_a*zeta4 - sin_s4*x_s;
-        tau_s4 = cos_a*zeta4 - cos_s4*x_s - sin_a*eta4 - sin_s4*y_s + sin_a*u4/cos_a;
+        drives4 = u4 - e_s4 + cc4*y_s - cos_a*eta4 + cs4*x_s - sc4*x_s - sin_a*zeta4 + ss4*y_s;
+        coasts4 = u4 - e_s4 + cc4*y_s - cos_a*eta4 - cs4*x_s - sc4*x_s + sin_a*zeta4 - ss4*y_s;
+        overs4 = u4 - edges4 - e_s4 + cc4*y_s - cos_a*eta4 + cs4*flanks4*x_s - sc4*x_s - sin_a*flanks4*zeta4 + ss4*flanks4*y_s;
+        tau_s4 = cos_a*zeta4 - cc4*x_s + cs4*flanks4*y_s - sc4*y_s - sin_a*flanks4*eta4 - ss4*flanks4*x_s + sin_a*flanks4*u4/cos_a;
         psi_s4 = roll_s*theta - u4/r_p;
-        overr4 = cos_r4*y_r - u4 - edger4 - e_r4 - cos_a*eta4 - h*Z_r*theta_c + h*Z_r*theta_r + sin_a*zeta4 - sin_r4*x_r;
-        tau_r4 = cos_r4*x_r - cos_a*zeta4 - sin_a*eta4 + sin_r4*y_r - h*sin_a*Z_r*theta_c/cos_a + h*sin_a*Z_r*theta_r/cos_a
-            - sin_a*u4/cos_a;
+        driver4 = cc4*y_r - u4 - e_r4 - cos_a*eta4 - cs4*x_r - h*Z_r*theta_c + h*Z_r*theta_r - sc4*x_r + sin_a*zeta4 - ss4*y_r;
+        coastr4 = cc4*y_r - u4 - e_r4 - cos_a*eta4 + cs4*x_r - h*Z_r*theta_c + h*Z_r*theta_r - sc4*x_r - sin_a*zeta4 + ss4*y_r;
+        overr4 = cc4*y_r - u4 - edger4 - e_r4 - cos_a*eta4 - cs4*flankr4*x_r - h*Z_r*theta_c + h*Z_r*theta_r - sc4*x_r
+            + sin_a*flankr4*zeta4 - ss4*flankr4*y_r;
+        tau_r4 = cc4*x_r - cos_a*zeta4 + cs4*flankr4*y_r + sc4*y_r - sin_a*flankr4*eta4 - ss4*flankr4*x_r
+            - h*sin_a*Z_r*flankr4*theta_c/cos_a + h*sin_a*Z_r*flankr4*theta_r/cos_a - sin_a*flankr4*u4/cos_a;
         psi_r4 = theta_r - theta_c + roll_r*theta - u4/r_p;
         radial5 = cos_c5*x_c - zeta5 + sin_c5*y_c;
         tangential5 = cos_c5*y_c - eta5 - sin_c5*x_c;
-        overs5 = u5 - edges5 - e_s5 - cos_a*eta5 + cos_s5*y_s - sin_a*zeta5 - sin_s5*x_s;
-        tau_s5 = cos_a*zeta5 - cos_s5*x_s - sin_a*eta5 - sin_s5*y_s + sin_a*u5/cos_a;
+        drives5 = u5 - e_s5 + cc5*y_s - cos_a*eta5 + cs5*x_s - sc5*x_s - sin_a*zeta5 + ss5*y_s;
+        coasts5 = u5 - e_s5 + cc5*y_s - cos_a*eta5 - cs5*x_s - sc5*x_s + sin_a*zeta5 - ss5*y_s;
+        overs5 = u5 - edges5 - e_s5 + cc5*y_s - cos_a*eta5 + cs5*flanks5*x_s - sc5*x_s - sin_a*flanks5*zeta5 + ss5*flanks5*y_s;
+        tau_s5 = cos_a*zeta5 - cc5*x_s + cs5*flanks5*y_s - sc5*y_s - sin_a*flanks5*eta5 - ss5*flanks5*x_s + sin_a*flanks5*u5/cos_a;
         psi_s5 = roll_s*theta - u5/r_p;
-        overr5 = cos_r5*y_r - u5 - edger5 - e_r5 - cos_a*eta5 - h*Z_r*theta_c + h*Z_r*theta_r + sin_a*zeta5 - sin_r5*x_r;
-        tau_r5 = cos_r5*x_r - cos_a*zeta5 - sin_a*eta5 + sin_r5*y_r - h*sin_a*Z_r*theta_c/cos_a + h*sin_a*Z_r*theta_r/cos_a
-            - sin_a*u5/cos_a;
+        driver5 = cc5*y_r - u5 - e_r5 - cos_a*eta5 - cs5*x_r - h*Z_r*theta_c + h*Z_r*theta_r - sc5*x_r + sin_a*zeta5 - ss5*y_r;
+        coastr5 = cc5*y_r - u5 - e_r5 - cos_a*eta5 + cs5*x_r - h*Z_r*theta_c + h*Z_r*theta_r - sc5*x_r - sin_a*zeta5 + ss5*y_r;
+        overr5 = cc5*y_r - u5 - edger5 - e_r5 - cos_a*eta5 - cs5*flankr5*x_r - h*Z_r*theta_c + h*Z_r*theta_r - sc5*x_r
+            + sin_a*flankr5*zeta5 - ss5*flankr5*y_r;
+        tau_r5 = cc5*x_r - cos_a*zeta5 + cs5*flankr5*y_r + sc5*y_r - sin_a*flankr5*eta5 - ss5*flankr5*x_r
+            - h*sin_a*Z_r*flankr5*theta_c/cos_a + h*sin_a*Z_r*flankr5*theta_r/cos_a - sin_a*flankr5*u5/cos_a;
         psi_r5 = theta_r - theta_c + roll_r*theta - u5/r_p;
         theta_motor = theta_c + theta/Z_r + theta/Z_s;
         theta_load = theta_c + theta/Z_r;
@@ -836,8 +861,8 @@ equations! {
         }
     }
     switches {
-        overs1 "m" (touchs1 1.0, edges1 0.0, damps1 1.0, clips1 0.0) with backlash_s1, "play of the mesh of sun and planet 1" {
-            upper (1.0, b_s1/2.0, 1.0, 0.0) rests counts "flanks met" {
+        overs1 "m" (touchs1 1.0, edges1 0.0, damps1 1.0, clips1 0.0, flanks1 1.0) with backlash_s1, "play of the mesh of sun and planet 1" {
+            upper (1.0, b_s1/2.0, 1.0, 0.0, 1.0) rests counts "flanks met" {
                 unless free { overs1 { _ => 1.0; } }
                 until upper_loose {
                     overs1 { _ => k_s1; }
@@ -848,7 +873,7 @@ equations! {
                     overs1_dot { damping => -beta_K*k_s1_mid; }
                 }
             }
-            lower (1.0, -b_s1/2.0, 1.0, 0.0) rests counts "flanks met" {
+            lower (1.0, -b_s1/2.0, 1.0, 0.0, -1.0) rests counts "flanks met" {
                 unless free { overs1 { _ => -1.0; } }
                 until lower_loose {
                     overs1 { _ => -k_s1; }
@@ -859,38 +884,38 @@ equations! {
                     overs1_dot { damping => beta_K*k_s1_mid; }
                 }
             }
-            free (0.0, 0.0, 0.0, 0.0) rests {
+            free (0.0, 0.0, 0.0, 0.0, 0.0) rests {
                 until upper {
-                    overs1 { _ => -1.0; }
+                    drives1 { _ => -1.0; }
                     one { _ => b_s1/2.0; }
                 }
                 until lower {
-                    overs1 { _ => 1.0; }
+                    coasts1 { _ => 1.0; }
                     one { _ => b_s1/2.0; }
                 }
             }
-            upper_hit (1.0, b_s1/2.0, 0.0, 1.0) counts "flanks met" {
+            upper_hit (1.0, b_s1/2.0, 0.0, 1.0, 1.0) counts "flanks met" {
                 unless free { overs1 { _ => 1.0; } }
                 until upper {
                     overs1 { _ => -k_s1; }
                     overs1_dot { damping => beta_K*k_s1_mid; }
                 }
             }
-            lower_hit (1.0, -b_s1/2.0, 0.0, 1.0) counts "flanks met" {
+            lower_hit (1.0, -b_s1/2.0, 0.0, 1.0, -1.0) counts "flanks met" {
                 unless free { overs1 { _ => -1.0; } }
                 until lower {
                     overs1 { _ => k_s1; }
                     overs1_dot { damping => -beta_K*k_s1_mid; }
                 }
             }
-            upper_loose (1.0, b_s1/2.0, 0.0, -1.0) counts "flanks met" {
+            upper_loose (1.0, b_s1/2.0, 0.0, -1.0, 1.0) counts "flanks met" {
                 until free { overs1 { _ => 1.0; } }
                 until upper {
                     overs1 { _ => -k_s1; }
                     overs1_dot { damping => -beta_K*k_s1_mid; }
                 }
             }
-            lower_loose (1.0, -b_s1/2.0, 0.0, -1.0) counts "flanks met" {
+            lower_loose (1.0, -b_s1/2.0, 0.0, -1.0, -1.0) counts "flanks met" {
                 until free { overs1 { _ => -1.0; } }
                 until lower {
                     overs1 { _ => k_s1; }
@@ -951,8 +976,9 @@ equations! {
                 }
             }
         }
-        overr1 "m" (touchr1 1.0, edger1 0.0, dampr1 1.0, clipr1 0.0) with backlash_r1, "play of the mesh of ring and planet 1" {
-            upper (1.0, b_r1/2.0, 1.0, 0.0) rests counts "flanks met" {
+        overr1 "m" (touchr1 1.0, edger1 0.0, dampr1 1.0, clipr1 0.0, flankr1 1.0) with backlash_r1,
+            "play of the mesh of ring and planet 1" {
+            upper (1.0, b_r1/2.0, 1.0, 0.0, 1.0) rests counts "flanks met" {
                 unless free { overr1 { _ => 1.0; } }
                 until upper_loose {
                     overr1 { _ => k_r1; }
@@ -963,7 +989,7 @@ equations! {
                     overr1_dot { damping => -beta_K*k_r1_mid; }
                 }
             }
-            lower (1.0, -b_r1/2.0, 1.0, 0.0) rests counts "flanks met" {
+            lower (1.0, -b_r1/2.0, 1.0, 0.0, -1.0) rests counts "flanks met" {
                 unless free { overr1 { _ => -1.0; } }
                 until lower_loose {
                     overr1 { _ => -k_r1; }
@@ -974,38 +1000,38 @@ equations! {
                     overr1_dot { damping => beta_K*k_r1_mid; }
                 }
             }
-            free (0.0, 0.0, 0.0, 0.0) rests {
+            free (0.0, 0.0, 0.0, 0.0, 0.0) rests {
                 until upper {
-                    overr1 { _ => -1.0; }
+                    driver1 { _ => -1.0; }
                     one { _ => b_r1/2.0; }
                 }
                 until lower {
-                    overr1 { _ => 1.0; }
+                    coastr1 { _ => 1.0; }
                     one { _ => b_r1/2.0; }
                 }
             }
-            upper_hit (1.0, b_r1/2.0, 0.0, 1.0) counts "flanks met" {
+            upper_hit (1.0, b_r1/2.0, 0.0, 1.0, 1.0) counts "flanks met" {
                 unless free { overr1 { _ => 1.0; } }
                 until upper {
                     overr1 { _ => -k_r1; }
                     overr1_dot { damping => beta_K*k_r1_mid; }
                 }
             }
-            lower_hit (1.0, -b_r1/2.0, 0.0, 1.0) counts "flanks met" {
+            lower_hit (1.0, -b_r1/2.0, 0.0, 1.0, -1.0) counts "flanks met" {
                 unless free { overr1 { _ => -1.0; } }
                 until lower {
                     overr1 { _ => k_r1; }
                     overr1_dot { damping => -beta_K*k_r1_mid; }
                 }
             }
-            upper_loose (1.0, b_r1/2.0, 0.0, -1.0) counts "flanks met" {
+            upper_loose (1.0, b_r1/2.0, 0.0, -1.0, 1.0) counts "flanks met" {
                 until free { overr1 { _ => 1.0; } }
                 until upper {
                     overr1 { _ => -k_r1; }
                     overr1_dot { damping => -beta_K*k_r1_mid; }
                 }
             }
-            lower_loose (1.0, -b_r1/2.0, 0.0, -1.0) counts "flanks met" {
+            lower_loose (1.0, -b_r1/2.0, 0.0, -1.0, -1.0) counts "flanks met" {
                 until free { overr1 { _ => -1.0; } }
                 until lower {
                     overr1 { _ => k_r1; }
@@ -1066,8 +1092,8 @@ equations! {
                 }
             }
         }
-        overs2 "m" (touchs2 1.0, edges2 0.0, damps2 1.0, clips2 0.0) with backlash_s2, "play of the mesh of sun and planet 2" {
-            upper (1.0, b_s2/2.0, 1.0, 0.0) rests counts "flanks met" {
+        overs2 "m" (touchs2 1.0, edges2 0.0, damps2 1.0, clips2 0.0, flanks2 1.0) with backlash_s2, "play of the mesh of sun and planet 2" {
+            upper (1.0, b_s2/2.0, 1.0, 0.0, 1.0) rests counts "flanks met" {
                 unless free { overs2 { _ => 1.0; } }
                 until upper_loose {
                     overs2 { _ => k_s2; }
@@ -1078,7 +1104,7 @@ equations! {
                     overs2_dot { damping => -beta_K*k_s2_mid; }
                 }
             }
-            lower (1.0, -b_s2/2.0, 1.0, 0.0) rests counts "flanks met" {
+            lower (1.0, -b_s2/2.0, 1.0, 0.0, -1.0) rests counts "flanks met" {
                 unless free { overs2 { _ => -1.0; } }
                 until lower_loose {
                     overs2 { _ => -k_s2; }
@@ -1089,38 +1115,38 @@ equations! {
                     overs2_dot { damping => beta_K*k_s2_mid; }
                 }
             }
-            free (0.0, 0.0, 0.0, 0.0) rests {
+            free (0.0, 0.0, 0.0, 0.0, 0.0) rests {
                 until upper {
-                    overs2 { _ => -1.0; }
+                    drives2 { _ => -1.0; }
                     one { _ => b_s2/2.0; }
                 }
                 until lower {
-                    overs2 { _ => 1.0; }
+                    coasts2 { _ => 1.0; }
                     one { _ => b_s2/2.0; }
                 }
             }
-            upper_hit (1.0, b_s2/2.0, 0.0, 1.0) counts "flanks met" {
+            upper_hit (1.0, b_s2/2.0, 0.0, 1.0, 1.0) counts "flanks met" {
                 unless free { overs2 { _ => 1.0; } }
                 until upper {
                     overs2 { _ => -k_s2; }
                     overs2_dot { damping => beta_K*k_s2_mid; }
                 }
             }
-            lower_hit (1.0, -b_s2/2.0, 0.0, 1.0) counts "flanks met" {
+            lower_hit (1.0, -b_s2/2.0, 0.0, 1.0, -1.0) counts "flanks met" {
                 unless free { overs2 { _ => -1.0; } }
                 until lower {
                     overs2 { _ => k_s2; }
                     overs2_dot { damping => -beta_K*k_s2_mid; }
                 }
             }
-            upper_loose (1.0, b_s2/2.0, 0.0, -1.0) counts "flanks met" {
+            upper_loose (1.0, b_s2/2.0, 0.0, -1.0, 1.0) counts "flanks met" {
                 until free { overs2 { _ => 1.0; } }
                 until upper {
                     overs2 { _ => -k_s2; }
                     overs2_dot { damping => -beta_K*k_s2_mid; }
                 }
             }
-            lower_loose (1.0, -b_s2/2.0, 0.0, -1.0) counts "flanks met" {
+            lower_loose (1.0, -b_s2/2.0, 0.0, -1.0, -1.0) counts "flanks met" {
                 until free { overs2 { _ => -1.0; } }
                 until lower {
                     overs2 { _ => k_s2; }
@@ -1181,8 +1207,9 @@ equations! {
                 }
             }
         }
-        overr2 "m" (touchr2 1.0, edger2 0.0, dampr2 1.0, clipr2 0.0) with backlash_r2, "play of the mesh of ring and planet 2" {
-            upper (1.0, b_r2/2.0, 1.0, 0.0) rests counts "flanks met" {
+        overr2 "m" (touchr2 1.0, edger2 0.0, dampr2 1.0, clipr2 0.0, flankr2 1.0) with backlash_r2,
+            "play of the mesh of ring and planet 2" {
+            upper (1.0, b_r2/2.0, 1.0, 0.0, 1.0) rests counts "flanks met" {
                 unless free { overr2 { _ => 1.0; } }
                 until upper_loose {
                     overr2 { _ => k_r2; }
@@ -1193,7 +1220,7 @@ equations! {
                     overr2_dot { damping => -beta_K*k_r2_mid; }
                 }
             }
-            lower (1.0, -b_r2/2.0, 1.0, 0.0) rests counts "flanks met" {
+            lower (1.0, -b_r2/2.0, 1.0, 0.0, -1.0) rests counts "flanks met" {
                 unless free { overr2 { _ => -1.0; } }
                 until lower_loose {
                     overr2 { _ => -k_r2; }
@@ -1204,38 +1231,38 @@ equations! {
                     overr2_dot { damping => beta_K*k_r2_mid; }
                 }
             }
-            free (0.0, 0.0, 0.0, 0.0) rests {
+            free (0.0, 0.0, 0.0, 0.0, 0.0) rests {
                 until upper {
-                    overr2 { _ => -1.0; }
+                    driver2 { _ => -1.0; }
                     one { _ => b_r2/2.0; }
                 }
                 until lower {
-                    overr2 { _ => 1.0; }
+                    coastr2 { _ => 1.0; }
                     one { _ => b_r2/2.0; }
                 }
             }
-            upper_hit (1.0, b_r2/2.0, 0.0, 1.0) counts "flanks met" {
+            upper_hit (1.0, b_r2/2.0, 0.0, 1.0, 1.0) counts "flanks met" {
                 unless free { overr2 { _ => 1.0; } }
                 until upper {
                     overr2 { _ => -k_r2; }
                     overr2_dot { damping => beta_K*k_r2_mid; }
                 }
             }
-            lower_hit (1.0, -b_r2/2.0, 0.0, 1.0) counts "flanks met" {
+            lower_hit (1.0, -b_r2/2.0, 0.0, 1.0, -1.0) counts "flanks met" {
                 unless free { overr2 { _ => -1.0; } }
                 until lower {
                     overr2 { _ => k_r2; }
                     overr2_dot { damping => -beta_K*k_r2_mid; }
                 }
             }
-            upper_loose (1.0, b_r2/2.0, 0.0, -1.0) counts "flanks met" {
+            upper_loose (1.0, b_r2/2.0, 0.0, -1.0, 1.0) counts "flanks met" {
                 until free { overr2 { _ => 1.0; } }
                 until upper {
                     overr2 { _ => -k_r2; }
                     overr2_dot { damping => -beta_K*k_r2_mid; }
                 }
             }
-            lower_loose (1.0, -b_r2/2.0, 0.0, -1.0) counts "flanks met" {
+            lower_loose (1.0, -b_r2/2.0, 0.0, -1.0, -1.0) counts "flanks met" {
                 until free { overr2 { _ => -1.0; } }
                 until lower {
                     overr2 { _ => k_r2; }
@@ -1296,8 +1323,8 @@ equations! {
                 }
             }
         }
-        overs3 "m" (touchs3 1.0, edges3 0.0, damps3 1.0, clips3 0.0) with backlash_s3, "play of the mesh of sun and planet 3" {
-            upper (1.0, b_s3/2.0, 1.0, 0.0) rests counts "flanks met" {
+        overs3 "m" (touchs3 1.0, edges3 0.0, damps3 1.0, clips3 0.0, flanks3 1.0) with backlash_s3, "play of the mesh of sun and planet 3" {
+            upper (1.0, b_s3/2.0, 1.0, 0.0, 1.0) rests counts "flanks met" {
                 unless free { overs3 { _ => 1.0; } }
                 until upper_loose {
                     overs3 { _ => k_s3; }
@@ -1308,7 +1335,7 @@ equations! {
                     overs3_dot { damping => -beta_K*k_s3_mid; }
                 }
             }
-            lower (1.0, -b_s3/2.0, 1.0, 0.0) rests counts "flanks met" {
+            lower (1.0, -b_s3/2.0, 1.0, 0.0, -1.0) rests counts "flanks met" {
                 unless free { overs3 { _ => -1.0; } }
                 until lower_loose {
                     overs3 { _ => -k_s3; }
@@ -1319,38 +1346,38 @@ equations! {
                     overs3_dot { damping => beta_K*k_s3_mid; }
                 }
             }
-            free (0.0, 0.0, 0.0, 0.0) rests {
+            free (0.0, 0.0, 0.0, 0.0, 0.0) rests {
                 until upper {
-                    overs3 { _ => -1.0; }
+                    drives3 { _ => -1.0; }
                     one { _ => b_s3/2.0; }
                 }
                 until lower {
-                    overs3 { _ => 1.0; }
+                    coasts3 { _ => 1.0; }
                     one { _ => b_s3/2.0; }
                 }
             }
-            upper_hit (1.0, b_s3/2.0, 0.0, 1.0) counts "flanks met" {
+            upper_hit (1.0, b_s3/2.0, 0.0, 1.0, 1.0) counts "flanks met" {
                 unless free { overs3 { _ => 1.0; } }
                 until upper {
                     overs3 { _ => -k_s3; }
                     overs3_dot { damping => beta_K*k_s3_mid; }
                 }
             }
-            lower_hit (1.0, -b_s3/2.0, 0.0, 1.0) counts "flanks met" {
+            lower_hit (1.0, -b_s3/2.0, 0.0, 1.0, -1.0) counts "flanks met" {
                 unless free { overs3 { _ => -1.0; } }
                 until lower {
                     overs3 { _ => k_s3; }
                     overs3_dot { damping => -beta_K*k_s3_mid; }
                 }
             }
-            upper_loose (1.0, b_s3/2.0, 0.0, -1.0) counts "flanks met" {
+            upper_loose (1.0, b_s3/2.0, 0.0, -1.0, 1.0) counts "flanks met" {
                 until free { overs3 { _ => 1.0; } }
                 until upper {
                     overs3 { _ => -k_s3; }
                     overs3_dot { damping => -beta_K*k_s3_mid; }
                 }
             }
-            lower_loose (1.0, -b_s3/2.0, 0.0, -1.0) counts "flanks met" {
+            lower_loose (1.0, -b_s3/2.0, 0.0, -1.0, -1.0) counts "flanks met" {
                 until free { overs3 { _ => -1.0; } }
                 until lower {
                     overs3 { _ => k_s3; }
@@ -1411,8 +1438,9 @@ equations! {
                 }
             }
         }
-        overr3 "m" (touchr3 1.0, edger3 0.0, dampr3 1.0, clipr3 0.0) with backlash_r3, "play of the mesh of ring and planet 3" {
-            upper (1.0, b_r3/2.0, 1.0, 0.0) rests counts "flanks met" {
+        overr3 "m" (touchr3 1.0, edger3 0.0, dampr3 1.0, clipr3 0.0, flankr3 1.0) with backlash_r3,
+            "play of the mesh of ring and planet 3" {
+            upper (1.0, b_r3/2.0, 1.0, 0.0, 1.0) rests counts "flanks met" {
                 unless free { overr3 { _ => 1.0; } }
                 until upper_loose {
                     overr3 { _ => k_r3; }
@@ -1423,7 +1451,7 @@ equations! {
                     overr3_dot { damping => -beta_K*k_r3_mid; }
                 }
             }
-            lower (1.0, -b_r3/2.0, 1.0, 0.0) rests counts "flanks met" {
+            lower (1.0, -b_r3/2.0, 1.0, 0.0, -1.0) rests counts "flanks met" {
                 unless free { overr3 { _ => -1.0; } }
                 until lower_loose {
                     overr3 { _ => -k_r3; }
@@ -1434,38 +1462,38 @@ equations! {
                     overr3_dot { damping => beta_K*k_r3_mid; }
                 }
             }
-            free (0.0, 0.0, 0.0, 0.0) rests {
+            free (0.0, 0.0, 0.0, 0.0, 0.0) rests {
                 until upper {
-                    overr3 { _ => -1.0; }
+                    driver3 { _ => -1.0; }
                     one { _ => b_r3/2.0; }
                 }
                 until lower {
-                    overr3 { _ => 1.0; }
+                    coastr3 { _ => 1.0; }
                     one { _ => b_r3/2.0; }
                 }
             }
-            upper_hit (1.0, b_r3/2.0, 0.0, 1.0) counts "flanks met" {
+            upper_hit (1.0, b_r3/2.0, 0.0, 1.0, 1.0) counts "flanks met" {
                 unless free { overr3 { _ => 1.0; } }
                 until upper {
                     overr3 { _ => -k_r3; }
                     overr3_dot { damping => beta_K*k_r3_mid; }
                 }
             }
-            lower_hit (1.0, -b_r3/2.0, 0.0, 1.0) counts "flanks met" {
+            lower_hit (1.0, -b_r3/2.0, 0.0, 1.0, -1.0) counts "flanks met" {
                 unless free { overr3 { _ => -1.0; } }
                 until lower {
                     overr3 { _ => k_r3; }
                     overr3_dot { damping => -beta_K*k_r3_mid; }
                 }
             }
-            upper_loose (1.0, b_r3/2.0, 0.0, -1.0) counts "flanks met" {
+            upper_loose (1.0, b_r3/2.0, 0.0, -1.0, 1.0) counts "flanks met" {
                 until free { overr3 { _ => 1.0; } }
                 until upper {
                     overr3 { _ => -k_r3; }
                     overr3_dot { damping => -beta_K*k_r3_mid; }
                 }
             }
-            lower_loose (1.0, -b_r3/2.0, 0.0, -1.0) counts "flanks met" {
+            lower_loose (1.0, -b_r3/2.0, 0.0, -1.0, -1.0) counts "flanks met" {
                 until free { overr3 { _ => -1.0; } }
                 until lower {
                     overr3 { _ => k_r3; }
@@ -1526,8 +1554,8 @@ equations! {
                 }
             }
         }
-        overs4 "m" (touchs4 1.0, edges4 0.0, damps4 1.0, clips4 0.0) with backlash_s4, "play of the mesh of sun and planet 4" {
-            upper (1.0, b_s4/2.0, 1.0, 0.0) rests counts "flanks met" {
+        overs4 "m" (touchs4 1.0, edges4 0.0, damps4 1.0, clips4 0.0, flanks4 1.0) with backlash_s4, "play of the mesh of sun and planet 4" {
+            upper (1.0, b_s4/2.0, 1.0, 0.0, 1.0) rests counts "flanks met" {
                 unless free { overs4 { _ => 1.0; } }
                 until upper_loose {
                     overs4 { _ => k_s4; }
@@ -1538,7 +1566,7 @@ equations! {
                     overs4_dot { damping => -beta_K*k_s4_mid; }
                 }
             }
-            lower (1.0, -b_s4/2.0, 1.0, 0.0) rests counts "flanks met" {
+            lower (1.0, -b_s4/2.0, 1.0, 0.0, -1.0) rests counts "flanks met" {
                 unless free { overs4 { _ => -1.0; } }
                 until lower_loose {
                     overs4 { _ => -k_s4; }
@@ -1549,38 +1577,38 @@ equations! {
                     overs4_dot { damping => beta_K*k_s4_mid; }
                 }
             }
-            free (0.0, 0.0, 0.0, 0.0) rests {
+            free (0.0, 0.0, 0.0, 0.0, 0.0) rests {
                 until upper {
-                    overs4 { _ => -1.0; }
+                    drives4 { _ => -1.0; }
                     one { _ => b_s4/2.0; }
                 }
                 until lower {
-                    overs4 { _ => 1.0; }
+                    coasts4 { _ => 1.0; }
                     one { _ => b_s4/2.0; }
                 }
             }
-            upper_hit (1.0, b_s4/2.0, 0.0, 1.0) counts "flanks met" {
+            upper_hit (1.0, b_s4/2.0, 0.0, 1.0, 1.0) counts "flanks met" {
                 unless free { overs4 { _ => 1.0; } }
                 until upper {
                     overs4 { _ => -k_s4; }
                     overs4_dot { damping => beta_K*k_s4_mid; }
                 }
             }
-            lower_hit (1.0, -b_s4/2.0, 0.0, 1.0) counts "flanks met" {
+            lower_hit (1.0, -b_s4/2.0, 0.0, 1.0, -1.0) counts "flanks met" {
                 unless free { overs4 { _ => -1.0; } }
                 until lower {
                     overs4 { _ => k_s4; }
                     overs4_dot { damping => -beta_K*k_s4_mid; }
                 }
             }
-            upper_loose (1.0, b_s4/2.0, 0.0, -1.0) counts "flanks met" {
+            upper_loose (1.0, b_s4/2.0, 0.0, -1.0, 1.0) counts "flanks met" {
                 until free { overs4 { _ => 1.0; } }
                 until upper {
                     overs4 { _ => -k_s4; }
                     overs4_dot { damping => -beta_K*k_s4_mid; }
                 }
             }
-            lower_loose (1.0, -b_s4/2.0, 0.0, -1.0) counts "flanks met" {
+            lower_loose (1.0, -b_s4/2.0, 0.0, -1.0, -1.0) counts "flanks met" {
                 until free { overs4 { _ => -1.0; } }
                 until lower {
                     overs4 { _ => k_s4; }
@@ -1641,8 +1669,9 @@ equations! {
                 }
             }
         }
-        overr4 "m" (touchr4 1.0, edger4 0.0, dampr4 1.0, clipr4 0.0) with backlash_r4, "play of the mesh of ring and planet 4" {
-            upper (1.0, b_r4/2.0, 1.0, 0.0) rests counts "flanks met" {
+        overr4 "m" (touchr4 1.0, edger4 0.0, dampr4 1.0, clipr4 0.0, flankr4 1.0) with backlash_r4,
+            "play of the mesh of ring and planet 4" {
+            upper (1.0, b_r4/2.0, 1.0, 0.0, 1.0) rests counts "flanks met" {
                 unless free { overr4 { _ => 1.0; } }
                 until upper_loose {
                     overr4 { _ => k_r4; }
@@ -1653,7 +1682,7 @@ equations! {
                     overr4_dot { damping => -beta_K*k_r4_mid; }
                 }
             }
-            lower (1.0, -b_r4/2.0, 1.0, 0.0) rests counts "flanks met" {
+            lower (1.0, -b_r4/2.0, 1.0, 0.0, -1.0) rests counts "flanks met" {
                 unless free { overr4 { _ => -1.0; } }
                 until lower_loose {
                     overr4 { _ => -k_r4; }
@@ -1664,38 +1693,38 @@ equations! {
                     overr4_dot { damping => beta_K*k_r4_mid; }
                 }
             }
-            free (0.0, 0.0, 0.0, 0.0) rests {
+            free (0.0, 0.0, 0.0, 0.0, 0.0) rests {
                 until upper {
-                    overr4 { _ => -1.0; }
+                    driver4 { _ => -1.0; }
                     one { _ => b_r4/2.0; }
                 }
                 until lower {
-                    overr4 { _ => 1.0; }
+                    coastr4 { _ => 1.0; }
                     one { _ => b_r4/2.0; }
                 }
             }
-            upper_hit (1.0, b_r4/2.0, 0.0, 1.0) counts "flanks met" {
+            upper_hit (1.0, b_r4/2.0, 0.0, 1.0, 1.0) counts "flanks met" {
                 unless free { overr4 { _ => 1.0; } }
                 until upper {
                     overr4 { _ => -k_r4; }
                     overr4_dot { damping => beta_K*k_r4_mid; }
                 }
             }
-            lower_hit (1.0, -b_r4/2.0, 0.0, 1.0) counts "flanks met" {
+            lower_hit (1.0, -b_r4/2.0, 0.0, 1.0, -1.0) counts "flanks met" {
                 unless free { overr4 { _ => -1.0; } }
                 until lower {
                     overr4 { _ => k_r4; }
                     overr4_dot { damping => -beta_K*k_r4_mid; }
                 }
             }
-            upper_loose (1.0, b_r4/2.0, 0.0, -1.0) counts "flanks met" {
+            upper_loose (1.0, b_r4/2.0, 0.0, -1.0, 1.0) counts "flanks met" {
                 until free { overr4 { _ => 1.0; } }
                 until upper {
                     overr4 { _ => -k_r4; }
                     overr4_dot { damping => -beta_K*k_r4_mid; }
                 }
             }
-            lower_loose (1.0, -b_r4/2.0, 0.0, -1.0) counts "flanks met" {
+            lower_loose (1.0, -b_r4/2.0, 0.0, -1.0, -1.0) counts "flanks met" {
                 until free { overr4 { _ => -1.0; } }
                 until lower {
                     overr4 { _ => k_r4; }
@@ -1756,8 +1785,8 @@ equations! {
                 }
             }
         }
-        overs5 "m" (touchs5 1.0, edges5 0.0, damps5 1.0, clips5 0.0) with backlash_s5, "play of the mesh of sun and planet 5" {
-            upper (1.0, b_s5/2.0, 1.0, 0.0) rests counts "flanks met" {
+        overs5 "m" (touchs5 1.0, edges5 0.0, damps5 1.0, clips5 0.0, flanks5 1.0) with backlash_s5, "play of the mesh of sun and planet 5" {
+            upper (1.0, b_s5/2.0, 1.0, 0.0, 1.0) rests counts "flanks met" {
                 unless free { overs5 { _ => 1.0; } }
                 until upper_loose {
                     overs5 { _ => k_s5; }
@@ -1768,7 +1797,7 @@ equations! {
                     overs5_dot { damping => -beta_K*k_s5_mid; }
                 }
             }
-            lower (1.0, -b_s5/2.0, 1.0, 0.0) rests counts "flanks met" {
+            lower (1.0, -b_s5/2.0, 1.0, 0.0, -1.0) rests counts "flanks met" {
                 unless free { overs5 { _ => -1.0; } }
                 until lower_loose {
                     overs5 { _ => -k_s5; }
@@ -1779,38 +1808,38 @@ equations! {
                     overs5_dot { damping => beta_K*k_s5_mid; }
                 }
             }
-            free (0.0, 0.0, 0.0, 0.0) rests {
+            free (0.0, 0.0, 0.0, 0.0, 0.0) rests {
                 until upper {
-                    overs5 { _ => -1.0; }
+                    drives5 { _ => -1.0; }
                     one { _ => b_s5/2.0; }
                 }
                 until lower {
-                    overs5 { _ => 1.0; }
+                    coasts5 { _ => 1.0; }
                     one { _ => b_s5/2.0; }
                 }
             }
-            upper_hit (1.0, b_s5/2.0, 0.0, 1.0) counts "flanks met" {
+            upper_hit (1.0, b_s5/2.0, 0.0, 1.0, 1.0) counts "flanks met" {
                 unless free { overs5 { _ => 1.0; } }
                 until upper {
                     overs5 { _ => -k_s5; }
                     overs5_dot { damping => beta_K*k_s5_mid; }
                 }
             }
-            lower_hit (1.0, -b_s5/2.0, 0.0, 1.0) counts "flanks met" {
+            lower_hit (1.0, -b_s5/2.0, 0.0, 1.0, -1.0) counts "flanks met" {
                 unless free { overs5 { _ => -1.0; } }
                 until lower {
                     overs5 { _ => k_s5; }
                     overs5_dot { damping => -beta_K*k_s5_mid; }
                 }
             }
-            upper_loose (1.0, b_s5/2.0, 0.0, -1.0) counts "flanks met" {
+            upper_loose (1.0, b_s5/2.0, 0.0, -1.0, 1.0) counts "flanks met" {
                 until free { overs5 { _ => 1.0; } }
                 until upper {
                     overs5 { _ => -k_s5; }
                     overs5_dot { damping => -beta_K*k_s5_mid; }
                 }
             }
-            lower_loose (1.0, -b_s5/2.0, 0.0, -1.0) counts "flanks met" {
+            lower_loose (1.0, -b_s5/2.0, 0.0, -1.0, -1.0) counts "flanks met" {
                 until free { overs5 { _ => -1.0; } }
                 until lower {
                     overs5 { _ => k_s5; }
@@ -1871,8 +1900,9 @@ equations! {
                 }
             }
         }
-        overr5 "m" (touchr5 1.0, edger5 0.0, dampr5 1.0, clipr5 0.0) with backlash_r5, "play of the mesh of ring and planet 5" {
-            upper (1.0, b_r5/2.0, 1.0, 0.0) rests counts "flanks met" {
+        overr5 "m" (touchr5 1.0, edger5 0.0, dampr5 1.0, clipr5 0.0, flankr5 1.0) with backlash_r5,
+            "play of the mesh of ring and planet 5" {
+            upper (1.0, b_r5/2.0, 1.0, 0.0, 1.0) rests counts "flanks met" {
                 unless free { overr5 { _ => 1.0; } }
                 until upper_loose {
                     overr5 { _ => k_r5; }
@@ -1883,7 +1913,7 @@ equations! {
                     overr5_dot { damping => -beta_K*k_r5_mid; }
                 }
             }
-            lower (1.0, -b_r5/2.0, 1.0, 0.0) rests counts "flanks met" {
+            lower (1.0, -b_r5/2.0, 1.0, 0.0, -1.0) rests counts "flanks met" {
                 unless free { overr5 { _ => -1.0; } }
                 until lower_loose {
                     overr5 { _ => -k_r5; }
@@ -1894,38 +1924,38 @@ equations! {
                     overr5_dot { damping => beta_K*k_r5_mid; }
                 }
             }
-            free (0.0, 0.0, 0.0, 0.0) rests {
+            free (0.0, 0.0, 0.0, 0.0, 0.0) rests {
                 until upper {
-                    overr5 { _ => -1.0; }
+                    driver5 { _ => -1.0; }
                     one { _ => b_r5/2.0; }
                 }
                 until lower {
-                    overr5 { _ => 1.0; }
+                    coastr5 { _ => 1.0; }
                     one { _ => b_r5/2.0; }
                 }
             }
-            upper_hit (1.0, b_r5/2.0, 0.0, 1.0) counts "flanks met" {
+            upper_hit (1.0, b_r5/2.0, 0.0, 1.0, 1.0) counts "flanks met" {
                 unless free { overr5 { _ => 1.0; } }
                 until upper {
                     overr5 { _ => -k_r5; }
                     overr5_dot { damping => beta_K*k_r5_mid; }
                 }
             }
-            lower_hit (1.0, -b_r5/2.0, 0.0, 1.0) counts "flanks met" {
+            lower_hit (1.0, -b_r5/2.0, 0.0, 1.0, -1.0) counts "flanks met" {
                 unless free { overr5 { _ => -1.0; } }
                 until lower {
                     overr5 { _ => k_r5; }
                     overr5_dot { damping => -beta_K*k_r5_mid; }
                 }
             }
-            upper_loose (1.0, b_r5/2.0, 0.0, -1.0) counts "flanks met" {
+            upper_loose (1.0, b_r5/2.0, 0.0, -1.0, 1.0) counts "flanks met" {
                 until free { overr5 { _ => 1.0; } }
                 until upper {
                     overr5 { _ => -k_r5; }
                     overr5_dot { damping => -beta_K*k_r5_mid; }
                 }
             }
-            lower_loose (1.0, -b_r5/2.0, 0.0, -1.0) counts "flanks met" {
+            lower_loose (1.0, -b_r5/2.0, 0.0, -1.0, -1.0) counts "flanks met" {
                 until free { overr5 { _ => -1.0; } }
                 until lower {
                     overr5 { _ => k_r5; }
@@ -2223,15 +2253,15 @@ equations! {
             torsional_support_c => -k_c*twist_c;
             torsional_support_c_and_damping => -beta_K*k_c*twist_c_dot;
             backlash_r1 => h*Z_r*k_r1*clipr1*touchr1*overr1;
-            sliding_friction_r1 => arm_r1*F_mu_r1 + h*sin_a*Z_r*side_r1*F_mu_r1/cos_a;
+            sliding_friction_r1 => arm_r1*F_mu_r1 + h*sin_a*Z_r*side_r1*F_mu_r1*flankr1/cos_a;
             backlash_r2 => h*Z_r*k_r2*clipr2*touchr2*overr2;
-            sliding_friction_r2 => arm_r2*F_mu_r2 + h*sin_a*Z_r*side_r2*F_mu_r2/cos_a;
+            sliding_friction_r2 => arm_r2*F_mu_r2 + h*sin_a*Z_r*side_r2*F_mu_r2*flankr2/cos_a;
             backlash_r3 => h*Z_r*k_r3*clipr3*touchr3*overr3;
-            sliding_friction_r3 => arm_r3*F_mu_r3 + h*sin_a*Z_r*side_r3*F_mu_r3/cos_a;
+            sliding_friction_r3 => arm_r3*F_mu_r3 + h*sin_a*Z_r*side_r3*F_mu_r3*flankr3/cos_a;
             backlash_r4 => h*Z_r*k_r4*clipr4*touchr4*overr4;
-            sliding_friction_r4 => arm_r4*F_mu_r4 + h*sin_a*Z_r*side_r4*F_mu_r4/cos_a;
+            sliding_friction_r4 => arm_r4*F_mu_r4 + h*sin_a*Z_r*side_r4*F_mu_r4*flankr4/cos_a;
             backlash_r5 => h*Z_r*k_r5*clipr5*touchr5*overr5;
-            sliding_friction_r5 => arm_r5*F_mu_r5 + h*sin_a*Z_r*side_r5*F_mu_r5/cos_a;
+            sliding_friction_r5 => arm_r5*F_mu_r5 + h*sin_a*Z_r*side_r5*F_mu_r5*flankr5/cos_a;
             torques => T_motor - T_load;
             speed_governor => c_motor*n_motor - c_motor*theta_motor_dot;
             dc_motor => Ts_motor - Ts_motor*theta_motor_dot/n0_motor;
@@ -2251,54 +2281,60 @@ equations! {
             _ => -h*Z_r*k_r1*touchr1*overr1 - h*Z_r*k_r2*touchr2*overr2 - h*Z_r*k_r3*touchr3*overr3 - h*Z_r*k_r4*touchr4*overr4
                 - h*Z_r*k_r5*touchr5*overr5 - k_r*twist_r;
             backlash_r1 => -h*Z_r*k_r1*clipr1*touchr1*overr1;
-            sliding_friction_r1 => -arm_r1*F_mu_r1 - h*sin_a*Z_r*side_r1*F_mu_r1/cos_a;
+            sliding_friction_r1 => -arm_r1*F_mu_r1 - h*sin_a*Z_r*side_r1*F_mu_r1*flankr1/cos_a;
             backlash_r2 => -h*Z_r*k_r2*clipr2*touchr2*overr2;
-            sliding_friction_r2 => -arm_r2*F_mu_r2 - h*sin_a*Z_r*side_r2*F_mu_r2/cos_a;
+            sliding_friction_r2 => -arm_r2*F_mu_r2 - h*sin_a*Z_r*side_r2*F_mu_r2*flankr2/cos_a;
             backlash_r3 => -h*Z_r*k_r3*clipr3*touchr3*overr3;
-            sliding_friction_r3 => -arm_r3*F_mu_r3 - h*sin_a*Z_r*side_r3*F_mu_r3/cos_a;
+            sliding_friction_r3 => -arm_r3*F_mu_r3 - h*sin_a*Z_r*side_r3*F_mu_r3*flankr3/cos_a;
             backlash_r4 => -h*Z_r*k_r4*clipr4*touchr4*overr4;
-            sliding_friction_r4 => -arm_r4*F_mu_r4 - h*sin_a*Z_r*side_r4*F_mu_r4/cos_a;
+            sliding_friction_r4 => -arm_r4*F_mu_r4 - h*sin_a*Z_r*side_r4*F_mu_r4*flankr4/cos_a;
             backlash_r5 => -h*Z_r*k_r5*clipr5*touchr5*overr5;
-            sliding_friction_r5 => -arm_r5*F_mu_r5 - h*sin_a*Z_r*side_r5*F_mu_r5/cos_a;
+            sliding_friction_r5 => -arm_r5*F_mu_r5 - h*sin_a*Z_r*side_r5*F_mu_r5*flankr5/cos_a;
             damping => -h*Z_r*beta_K*k_r1_mid*dampr1*overr1_dot - h*Z_r*beta_K*k_r2_mid*dampr2*overr2_dot
                 - h*Z_r*beta_K*k_r3_mid*dampr3*overr3_dot - h*Z_r*beta_K*k_r4_mid*dampr4*overr4_dot
                 - h*Z_r*beta_K*k_r5_mid*dampr5*overr5_dot - I_r*alpha_M*theta_r_dot - beta_K*k_r*twist_r_dot;
         }
         x_s {
-            _ => sin_s1*k_s1*touchs1*overs1 + sin_s2*k_s2*touchs2*overs2 + sin_s3*k_s3*touchs3*overs3 + sin_s4*k_s4*touchs4*overs4
-                + sin_s5*k_s5*touchs5*overs5 - kb_s*bx_s;
+            _ => sc1*k_s1*touchs1*overs1 - cs1*k_s1*flanks1*touchs1*overs1 - cs2*k_s2*flanks2*touchs2*overs2
+                - cs3*k_s3*flanks3*touchs3*overs3 - cs4*k_s4*flanks4*touchs4*overs4 - cs5*k_s5*flanks5*touchs5*overs5
+                + sc2*k_s2*touchs2*overs2 + sc3*k_s3*touchs3*overs3 + sc4*k_s4*touchs4*overs4 + sc5*k_s5*touchs5*overs5 - kb_s*bx_s;
             viscous_friction_s => -cb_s*bx_s_dot;
-            backlash_s1 => sin_s1*k_s1*clips1*touchs1*overs1;
-            sliding_friction_s1 => cos_s1*side_s1*F_mu_s1;
-            backlash_s2 => sin_s2*k_s2*clips2*touchs2*overs2;
-            sliding_friction_s2 => cos_s2*side_s2*F_mu_s2;
-            backlash_s3 => sin_s3*k_s3*clips3*touchs3*overs3;
-            sliding_friction_s3 => cos_s3*side_s3*F_mu_s3;
-            backlash_s4 => sin_s4*k_s4*clips4*touchs4*overs4;
-            sliding_friction_s4 => cos_s4*side_s4*F_mu_s4;
-            backlash_s5 => sin_s5*k_s5*clips5*touchs5*overs5;
-            sliding_friction_s5 => cos_s5*side_s5*F_mu_s5;
-            damping => sin_s1*beta_K*k_s1_mid*damps1*overs1_dot + sin_s2*beta_K*k_s2_mid*damps2*overs2_dot
-                + sin_s3*beta_K*k_s3_mid*damps3*overs3_dot + sin_s4*beta_K*k_s4_mid*damps4*overs4_dot
-                + sin_s5*beta_K*k_s5_mid*damps5*overs5_dot - alpha_M*m_s*x_s_dot - beta_K*kb_s*bx_s_dot;
+            backlash_s1 => sc1*k_s1*clips1*touchs1*overs1 - cs1*k_s1*clips1*flanks1*touchs1*overs1;
+            sliding_friction_s1 => cc1*side_s1*F_mu_s1 + ss1*side_s1*F_mu_s1*flanks1;
+            backlash_s2 => sc2*k_s2*clips2*touchs2*overs2 - cs2*k_s2*clips2*flanks2*touchs2*overs2;
+            sliding_friction_s2 => cc2*side_s2*F_mu_s2 + ss2*side_s2*F_mu_s2*flanks2;
+            backlash_s3 => sc3*k_s3*clips3*touchs3*overs3 - cs3*k_s3*clips3*flanks3*touchs3*overs3;
+            sliding_friction_s3 => cc3*side_s3*F_mu_s3 + ss3*side_s3*F_mu_s3*flanks3;
+            backlash_s4 => sc4*k_s4*clips4*touchs4*overs4 - cs4*k_s4*clips4*flanks4*touchs4*overs4;
+            sliding_friction_s4 => cc4*side_s4*F_mu_s4 + ss4*side_s4*F_mu_s4*flanks4;
+            backlash_s5 => sc5*k_s5*clips5*touchs5*overs5 - cs5*k_s5*clips5*flanks5*touchs5*overs5;
+            sliding_friction_s5 => cc5*side_s5*F_mu_s5 + ss5*side_s5*F_mu_s5*flanks5;
+            damping => sc1*beta_K*k_s1_mid*damps1*overs1_dot - cs1*beta_K*k_s1_mid*damps1*flanks1*overs1_dot
+                - cs2*beta_K*k_s2_mid*damps2*flanks2*overs2_dot - cs3*beta_K*k_s3_mid*damps3*flanks3*overs3_dot
+                - cs4*beta_K*k_s4_mid*damps4*flanks4*overs4_dot - cs5*beta_K*k_s5_mid*damps5*flanks5*overs5_dot
+                + sc2*beta_K*k_s2_mid*damps2*overs2_dot + sc3*beta_K*k_s3_mid*damps3*overs3_dot + sc4*beta_K*k_s4_mid*damps4*overs4_dot
+                + sc5*beta_K*k_s5_mid*damps5*overs5_dot - alpha_M*m_s*x_s_dot - beta_K*kb_s*bx_s_dot;
         }
         y_s {
-            _ => -cos_s1*k_s1*touchs1*overs1 - cos_s2*k_s2*touchs2*overs2 - cos_s3*k_s3*touchs3*overs3 - cos_s4*k_s4*touchs4*overs4
-                - cos_s5*k_s5*touchs5*overs5 - kb_s*by_s;
+            _ => -cc1*k_s1*touchs1*overs1 - cc2*k_s2*touchs2*overs2 - cc3*k_s3*touchs3*overs3 - cc4*k_s4*touchs4*overs4
+                - cc5*k_s5*touchs5*overs5 - ss1*k_s1*flanks1*touchs1*overs1 - ss2*k_s2*flanks2*touchs2*overs2
+                - ss3*k_s3*flanks3*touchs3*overs3 - ss4*k_s4*flanks4*touchs4*overs4 - ss5*k_s5*flanks5*touchs5*overs5 - kb_s*by_s;
             viscous_friction_s => -cb_s*by_s_dot;
-            backlash_s1 => -cos_s1*k_s1*clips1*touchs1*overs1;
-            sliding_friction_s1 => sin_s1*side_s1*F_mu_s1;
-            backlash_s2 => -cos_s2*k_s2*clips2*touchs2*overs2;
-            sliding_friction_s2 => sin_s2*side_s2*F_mu_s2;
-            backlash_s3 => -cos_s3*k_s3*clips3*touchs3*overs3;
-            sliding_friction_s3 => sin_s3*side_s3*F_mu_s3;
-            backlash_s4 => -cos_s4*k_s4*clips4*touchs4*overs4;
-            sliding_friction_s4 => sin_s4*side_s4*F_mu_s4;
-            backlash_s5 => -cos_s5*k_s5*clips5*touchs5*overs5;
-            sliding_friction_s5 => sin_s5*side_s5*F_mu_s5;
-            damping => -cos_s1*beta_K*k_s1_mid*damps1*overs1_dot - cos_s2*beta_K*k_s2_mid*damps2*overs2_dot
-                - cos_s3*beta_K*k_s3_mid*damps3*overs3_dot - cos_s4*beta_K*k_s4_mid*damps4*overs4_dot
-                - cos_s5*beta_K*k_s5_mid*damps5*overs5_dot - alpha_M*m_s*y_s_dot - beta_K*kb_s*by_s_dot;
+            backlash_s1 => -cc1*k_s1*clips1*touchs1*overs1 - ss1*k_s1*clips1*flanks1*touchs1*overs1;
+            sliding_friction_s1 => sc1*side_s1*F_mu_s1 - cs1*side_s1*F_mu_s1*flanks1;
+            backlash_s2 => -cc2*k_s2*clips2*touchs2*overs2 - ss2*k_s2*clips2*flanks2*touchs2*overs2;
+            sliding_friction_s2 => sc2*side_s2*F_mu_s2 - cs2*side_s2*F_mu_s2*flanks2;
+            backlash_s3 => -cc3*k_s3*clips3*touchs3*overs3 - ss3*k_s3*clips3*flanks3*touchs3*overs3;
+            sliding_friction_s3 => sc3*side_s3*F_mu_s3 - cs3*side_s3*F_mu_s3*flanks3;
+            backlash_s4 => -cc4*k_s4*clips4*touchs4*overs4 - ss4*k_s4*clips4*flanks4*touchs4*overs4;
+            sliding_friction_s4 => sc4*side_s4*F_mu_s4 - cs4*side_s4*F_mu_s4*flanks4;
+            backlash_s5 => -cc5*k_s5*clips5*touchs5*overs5 - ss5*k_s5*clips5*flanks5*touchs5*overs5;
+            sliding_friction_s5 => sc5*side_s5*F_mu_s5 - cs5*side_s5*F_mu_s5*flanks5;
+            damping => -cc1*beta_K*k_s1_mid*damps1*overs1_dot - cc2*beta_K*k_s2_mid*damps2*overs2_dot
+                - cc3*beta_K*k_s3_mid*damps3*overs3_dot - cc4*beta_K*k_s4_mid*damps4*overs4_dot - cc5*beta_K*k_s5_mid*damps5*overs5_dot
+                - ss1*beta_K*k_s1_mid*damps1*flanks1*overs1_dot - ss2*beta_K*k_s2_mid*damps2*flanks2*overs2_dot
+                - ss3*beta_K*k_s3_mid*damps3*flanks3*overs3_dot - ss4*beta_K*k_s4_mid*damps4*flanks4*overs4_dot
+                - ss5*beta_K*k_s5_mid*damps5*flanks5*overs5_dot - alpha_M*m_s*y_s_dot - beta_K*kb_s*by_s_dot;
         }
         x_c {
             _ => sin_c1*kb_p*tangential1 - cos_c1*kb_p*radial1 - cos_c2*kb_p*radial2 - cos_c3*kb_p*radial3 - cos_c4*kb_p*radial4
@@ -2327,57 +2363,63 @@ equations! {
                 - sin_c5*beta_K*kb_p*radial5_dot - alpha_M*m_c*y_c_dot - beta_K*kb_c*by_c_dot;
         }
         x_r {
-            _ => sin_r1*k_r1*touchr1*overr1 + sin_r2*k_r2*touchr2*overr2 + sin_r3*k_r3*touchr3*overr3 + sin_r4*k_r4*touchr4*overr4
-                + sin_r5*k_r5*touchr5*overr5 - kb_r*bx_r;
+            _ => cs1*k_r1*flankr1*touchr1*overr1 + cs2*k_r2*flankr2*touchr2*overr2 + cs3*k_r3*flankr3*touchr3*overr3
+                + cs4*k_r4*flankr4*touchr4*overr4 + cs5*k_r5*flankr5*touchr5*overr5 + sc1*k_r1*touchr1*overr1 + sc2*k_r2*touchr2*overr2
+                + sc3*k_r3*touchr3*overr3 + sc4*k_r4*touchr4*overr4 + sc5*k_r5*touchr5*overr5 - kb_r*bx_r;
             viscous_friction_r => -cb_r*bx_r_dot;
-            backlash_r1 => sin_r1*k_r1*clipr1*touchr1*overr1;
-            sliding_friction_r1 => -cos_r1*side_r1*F_mu_r1;
-            backlash_r2 => sin_r2*k_r2*clipr2*touchr2*overr2;
-            sliding_friction_r2 => -cos_r2*side_r2*F_mu_r2;
-            backlash_r3 => sin_r3*k_r3*clipr3*touchr3*overr3;
-            sliding_friction_r3 => -cos_r3*side_r3*F_mu_r3;
-            backlash_r4 => sin_r4*k_r4*clipr4*touchr4*overr4;
-            sliding_friction_r4 => -cos_r4*side_r4*F_mu_r4;
-            backlash_r5 => sin_r5*k_r5*clipr5*touchr5*overr5;
-            sliding_friction_r5 => -cos_r5*side_r5*F_mu_r5;
-            damping => sin_r1*beta_K*k_r1_mid*dampr1*overr1_dot + sin_r2*beta_K*k_r2_mid*dampr2*overr2_dot
-                + sin_r3*beta_K*k_r3_mid*dampr3*overr3_dot + sin_r4*beta_K*k_r4_mid*dampr4*overr4_dot
-                + sin_r5*beta_K*k_r5_mid*dampr5*overr5_dot - alpha_M*m_r*x_r_dot - beta_K*kb_r*bx_r_dot;
+            backlash_r1 => cs1*k_r1*clipr1*flankr1*touchr1*overr1 + sc1*k_r1*clipr1*touchr1*overr1;
+            sliding_friction_r1 => ss1*side_r1*F_mu_r1*flankr1 - cc1*side_r1*F_mu_r1;
+            backlash_r2 => cs2*k_r2*clipr2*flankr2*touchr2*overr2 + sc2*k_r2*clipr2*touchr2*overr2;
+            sliding_friction_r2 => ss2*side_r2*F_mu_r2*flankr2 - cc2*side_r2*F_mu_r2;
+            backlash_r3 => cs3*k_r3*clipr3*flankr3*touchr3*overr3 + sc3*k_r3*clipr3*touchr3*overr3;
+            sliding_friction_r3 => ss3*side_r3*F_mu_r3*flankr3 - cc3*side_r3*F_mu_r3;
+            backlash_r4 => cs4*k_r4*clipr4*flankr4*touchr4*overr4 + sc4*k_r4*clipr4*touchr4*overr4;
+            sliding_friction_r4 => ss4*side_r4*F_mu_r4*flankr4 - cc4*side_r4*F_mu_r4;
+            backlash_r5 => cs5*k_r5*clipr5*flankr5*touchr5*overr5 + sc5*k_r5*clipr5*touchr5*overr5;
+            sliding_friction_r5 => ss5*side_r5*F_mu_r5*flankr5 - cc5*side_r5*F_mu_r5;
+            damping => cs1*beta_K*k_r1_mid*dampr1*flankr1*overr1_dot + cs2*beta_K*k_r2_mid*dampr2*flankr2*overr2_dot
+                + cs3*beta_K*k_r3_mid*dampr3*flankr3*overr3_dot + cs4*beta_K*k_r4_mid*dampr4*flankr4*overr4_dot
+                + cs5*beta_K*k_r5_mid*dampr5*flankr5*overr5_dot + sc1*beta_K*k_r1_mid*dampr1*overr1_dot
+                + sc2*beta_K*k_r2_mid*dampr2*overr2_dot + sc3*beta_K*k_r3_mid*dampr3*overr3_dot + sc4*beta_K*k_r4_mid*dampr4*overr4_dot
+                + sc5*beta_K*k_r5_mid*dampr5*overr5_dot - alpha_M*m_r*x_r_dot - beta_K*kb_r*bx_r_dot;
         }
         y_r {
-            _ => -cos_r1*k_r1*touchr1*overr1 - cos_r2*k_r2*touchr2*overr2 - cos_r3*k_r3*touchr3*overr3 - cos_r4*k_r4*touchr4*overr4
-                - cos_r5*k_r5*touchr5*overr5 - kb_r*by_r;
+            _ => ss1*k_r1*flankr1*touchr1*overr1 - cc1*k_r1*touchr1*overr1 - cc2*k_r2*touchr2*overr2 - cc3*k_r3*touchr3*overr3
+                - cc4*k_r4*touchr4*overr4 - cc5*k_r5*touchr5*overr5 + ss2*k_r2*flankr2*touchr2*overr2 + ss3*k_r3*flankr3*touchr3*overr3
+                + ss4*k_r4*flankr4*touchr4*overr4 + ss5*k_r5*flankr5*touchr5*overr5 - kb_r*by_r;
             viscous_friction_r => -cb_r*by_r_dot;
-            backlash_r1 => -cos_r1*k_r1*clipr1*touchr1*overr1;
-            sliding_friction_r1 => -sin_r1*side_r1*F_mu_r1;
-            backlash_r2 => -cos_r2*k_r2*clipr2*touchr2*overr2;
-            sliding_friction_r2 => -sin_r2*side_r2*F_mu_r2;
-            backlash_r3 => -cos_r3*k_r3*clipr3*touchr3*overr3;
-            sliding_friction_r3 => -sin_r3*side_r3*F_mu_r3;
-            backlash_r4 => -cos_r4*k_r4*clipr4*touchr4*overr4;
-            sliding_friction_r4 => -sin_r4*side_r4*F_mu_r4;
-            backlash_r5 => -cos_r5*k_r5*clipr5*touchr5*overr5;
-            sliding_friction_r5 => -sin_r5*side_r5*F_mu_r5;
-            damping => -cos_r1*beta_K*k_r1_mid*dampr1*overr1_dot - cos_r2*beta_K*k_r2_mid*dampr2*overr2_dot
-                - cos_r3*beta_K*k_r3_mid*dampr3*overr3_dot - cos_r4*beta_K*k_r4_mid*dampr4*overr4_dot
-                - cos_r5*beta_K*k_r5_mid*dampr5*overr5_dot - alpha_M*m_r*y_r_dot - beta_K*kb_r*by_r_dot;
+            backlash_r1 => ss1*k_r1*clipr1*flankr1*touchr1*overr1 - cc1*k_r1*clipr1*touchr1*overr1;
+            sliding_friction_r1 => -cs1*side_r1*F_mu_r1*flankr1 - sc1*side_r1*F_mu_r1;
+            backlash_r2 => ss2*k_r2*clipr2*flankr2*touchr2*overr2 - cc2*k_r2*clipr2*touchr2*overr2;
+            sliding_friction_r2 => -cs2*side_r2*F_mu_r2*flankr2 - sc2*side_r2*F_mu_r2;
+            backlash_r3 => ss3*k_r3*clipr3*flankr3*touchr3*overr3 - cc3*k_r3*clipr3*touchr3*overr3;
+            sliding_friction_r3 => -cs3*side_r3*F_mu_r3*flankr3 - sc3*side_r3*F_mu_r3;
+            backlash_r4 => ss4*k_r4*clipr4*flankr4*touchr4*overr4 - cc4*k_r4*clipr4*touchr4*overr4;
+            sliding_friction_r4 => -cs4*side_r4*F_mu_r4*flankr4 - sc4*side_r4*F_mu_r4;
+            backlash_r5 => ss5*k_r5*clipr5*flankr5*touchr5*overr5 - cc5*k_r5*clipr5*touchr5*overr5;
+            sliding_friction_r5 => -cs5*side_r5*F_mu_r5*flankr5 - sc5*side_r5*F_mu_r5;
+            damping => ss1*beta_K*k_r1_mid*dampr1*flankr1*overr1_dot - cc1*beta_K*k_r1_mid*dampr1*overr1_dot
+                - cc2*beta_K*k_r2_mid*dampr2*overr2_dot - cc3*beta_K*k_r3_mid*dampr3*overr3_dot - cc4*beta_K*k_r4_mid*dampr4*overr4_dot
+                - cc5*beta_K*k_r5_mid*dampr5*overr5_dot + ss2*beta_K*k_r2_mid*dampr2*flankr2*overr2_dot
+                + ss3*beta_K*k_r3_mid*dampr3*flankr3*overr3_dot + ss4*beta_K*k_r4_mid*dampr4*flankr4*overr4_dot
+                + ss5*beta_K*k_r5_mid*dampr5*flankr5*overr5_dot - alpha_M*m_r*y_r_dot - beta_K*kb_r*by_r_dot;
         }
         zeta1 {
-            _ => sin_a*k_s1*touchs1*overs1 - sin_a*k_r1*touchr1*overr1 + kb_p*radial1;
-            backlash_s1 => sin_a*k_s1*clips1*touchs1*overs1;
+            _ => sin_a*k_s1*flanks1*touchs1*overs1 - sin_a*k_r1*flankr1*touchr1*overr1 + kb_p*radial1;
+            backlash_s1 => sin_a*k_s1*clips1*flanks1*touchs1*overs1;
             sliding_friction_s1 => -cos_a*side_s1*F_mu_s1;
-            backlash_r1 => -sin_a*k_r1*clipr1*touchr1*overr1;
+            backlash_r1 => -sin_a*k_r1*clipr1*flankr1*touchr1*overr1;
             sliding_friction_r1 => cos_a*side_r1*F_mu_r1;
             viscous_friction_p => cb_p*radial1_dot;
-            damping => sin_a*beta_K*k_s1_mid*damps1*overs1_dot - sin_a*beta_K*k_r1_mid*dampr1*overr1_dot - alpha_M*m_p*zeta1_dot
-                + beta_K*kb_p*radial1_dot;
+            damping => sin_a*beta_K*k_s1_mid*damps1*flanks1*overs1_dot - sin_a*beta_K*k_r1_mid*dampr1*flankr1*overr1_dot
+                - alpha_M*m_p*zeta1_dot + beta_K*kb_p*radial1_dot;
         }
         eta1 {
             _ => cos_a*k_r1*touchr1*overr1 + cos_a*k_s1*touchs1*overs1 + kb_p*tangential1;
             backlash_s1 => cos_a*k_s1*clips1*touchs1*overs1;
-            sliding_friction_s1 => sin_a*side_s1*F_mu_s1;
+            sliding_friction_s1 => sin_a*side_s1*F_mu_s1*flanks1;
             backlash_r1 => cos_a*k_r1*clipr1*touchr1*overr1;
-            sliding_friction_r1 => sin_a*side_r1*F_mu_r1;
+            sliding_friction_r1 => sin_a*side_r1*F_mu_r1*flankr1;
             viscous_friction_p => cb_p*tangential1_dot;
             damping => cos_a*beta_K*k_r1_mid*dampr1*overr1_dot - a*alpha_M*m_p*theta_c_dot - a*alpha_M*m_p*theta_dot/Z_r
                 + cos_a*beta_K*k_s1_mid*damps1*overs1_dot - alpha_M*m_p*eta1_dot + beta_K*kb_p*tangential1_dot;
@@ -2385,28 +2427,28 @@ equations! {
         u1 {
             _ => k_r1*touchr1*overr1 - k_s1*touchs1*overs1;
             backlash_s1 => -k_s1*clips1*touchs1*overs1;
-            sliding_friction_s1 => arm_s1*F_mu_s1/r_p - sin_a*side_s1*F_mu_s1/cos_a;
+            sliding_friction_s1 => arm_s1*F_mu_s1/r_p - sin_a*side_s1*F_mu_s1*flanks1/cos_a;
             backlash_r1 => k_r1*clipr1*touchr1*overr1;
-            sliding_friction_r1 => sin_a*side_r1*F_mu_r1/cos_a + arm_r1*F_mu_r1/r_p;
+            sliding_friction_r1 => sin_a*side_r1*F_mu_r1*flankr1/cos_a + arm_r1*F_mu_r1/r_p;
             damping => h*I_p*alpha_M*theta_dot/r_p.powi(2) + beta_K*k_r1_mid*dampr1*overr1_dot - beta_K*k_s1_mid*damps1*overs1_dot
                 - I_p*alpha_M*u1_dot/r_p.powi(2) - I_p*alpha_M*theta_c_dot/r_p - I_p*alpha_M*theta_dot/(r_p*Z_r);
         }
         zeta2 {
-            _ => sin_a*k_s2*touchs2*overs2 - sin_a*k_r2*touchr2*overr2 + kb_p*radial2;
-            backlash_s2 => sin_a*k_s2*clips2*touchs2*overs2;
+            _ => sin_a*k_s2*flanks2*touchs2*overs2 - sin_a*k_r2*flankr2*touchr2*overr2 + kb_p*radial2;
+            backlash_s2 => sin_a*k_s2*clips2*flanks2*touchs2*overs2;
             sliding_friction_s2 => -cos_a*side_s2*F_mu_s2;
-            backlash_r2 => -sin_a*k_r2*clipr2*touchr2*overr2;
+            backlash_r2 => -sin_a*k_r2*clipr2*flankr2*touchr2*overr2;
             sliding_friction_r2 => cos_a*side_r2*F_mu_r2;
             viscous_friction_p => cb_p*radial2_dot;
-            damping => sin_a*beta_K*k_s2_mid*damps2*overs2_dot - sin_a*beta_K*k_r2_mid*dampr2*overr2_dot - alpha_M*m_p*zeta2_dot
-                + beta_K*kb_p*radial2_dot;
+            damping => sin_a*beta_K*k_s2_mid*damps2*flanks2*overs2_dot - sin_a*beta_K*k_r2_mid*dampr2*flankr2*overr2_dot
+                - alpha_M*m_p*zeta2_dot + beta_K*kb_p*radial2_dot;
         }
         eta2 {
             _ => cos_a*k_r2*touchr2*overr2 + cos_a*k_s2*touchs2*overs2 + kb_p*tangential2;
             backlash_s2 => cos_a*k_s2*clips2*touchs2*overs2;
-            sliding_friction_s2 => sin_a*side_s2*F_mu_s2;
+            sliding_friction_s2 => sin_a*side_s2*F_mu_s2*flanks2;
             backlash_r2 => cos_a*k_r2*clipr2*touchr2*overr2;
-            sliding_friction_r2 => sin_a*side_r2*F_mu_r2;
+            sliding_friction_r2 => sin_a*side_r2*F_mu_r2*flankr2;
             viscous_friction_p => cb_p*tangential2_dot;
             damping => cos_a*beta_K*k_r2_mid*dampr2*overr2_dot - a*alpha_M*m_p*theta_c_dot - a*alpha_M*m_p*theta_dot/Z_r
                 + cos_a*beta_K*k_s2_mid*damps2*overs2_dot - alpha_M*m_p*eta2_dot + beta_K*kb_p*tangential2_dot;
@@ -2414,28 +2456,28 @@ equations! {
         u2 {
             _ => k_r2*touchr2*overr2 - k_s2*touchs2*overs2;
             backlash_s2 => -k_s2*clips2*touchs2*overs2;
-            sliding_friction_s2 => arm_s2*F_mu_s2/r_p - sin_a*side_s2*F_mu_s2/cos_a;
+            sliding_friction_s2 => arm_s2*F_mu_s2/r_p - sin_a*side_s2*F_mu_s2*flanks2/cos_a;
             backlash_r2 => k_r2*clipr2*touchr2*overr2;
-            sliding_friction_r2 => sin_a*side_r2*F_mu_r2/cos_a + arm_r2*F_mu_r2/r_p;
+            sliding_friction_r2 => sin_a*side_r2*F_mu_r2*flankr2/cos_a + arm_r2*F_mu_r2/r_p;
             damping => h*I_p*alpha_M*theta_dot/r_p.powi(2) + beta_K*k_r2_mid*dampr2*overr2_dot - beta_K*k_s2_mid*damps2*overs2_dot
                 - I_p*alpha_M*u2_dot/r_p.powi(2) - I_p*alpha_M*theta_c_dot/r_p - I_p*alpha_M*theta_dot/(r_p*Z_r);
         }
         zeta3 {
-            _ => sin_a*k_s3*touchs3*overs3 - sin_a*k_r3*touchr3*overr3 + kb_p*radial3;
-            backlash_s3 => sin_a*k_s3*clips3*touchs3*overs3;
+            _ => sin_a*k_s3*flanks3*touchs3*overs3 - sin_a*k_r3*flankr3*touchr3*overr3 + kb_p*radial3;
+            backlash_s3 => sin_a*k_s3*clips3*flanks3*touchs3*overs3;
             sliding_friction_s3 => -cos_a*side_s3*F_mu_s3;
-            backlash_r3 => -sin_a*k_r3*clipr3*touchr3*overr3;
+            backlash_r3 => -sin_a*k_r3*clipr3*flankr3*touchr3*overr3;
             sliding_friction_r3 => cos_a*side_r3*F_mu_r3;
             viscous_friction_p => cb_p*radial3_dot;
-            damping => sin_a*beta_K*k_s3_mid*damps3*overs3_dot - sin_a*beta_K*k_r3_mid*dampr3*overr3_dot - alpha_M*m_p*zeta3_dot
-                + beta_K*kb_p*radial3_dot;
+            damping => sin_a*beta_K*k_s3_mid*damps3*flanks3*overs3_dot - sin_a*beta_K*k_r3_mid*dampr3*flankr3*overr3_dot
+                - alpha_M*m_p*zeta3_dot + beta_K*kb_p*radial3_dot;
         }
         eta3 {
             _ => cos_a*k_r3*touchr3*overr3 + cos_a*k_s3*touchs3*overs3 + kb_p*tangential3;
             backlash_s3 => cos_a*k_s3*clips3*touchs3*overs3;
-            sliding_friction_s3 => sin_a*side_s3*F_mu_s3;
+            sliding_friction_s3 => sin_a*side_s3*F_mu_s3*flanks3;
             backlash_r3 => cos_a*k_r3*clipr3*touchr3*overr3;
-            sliding_friction_r3 => sin_a*side_r3*F_mu_r3;
+            sliding_friction_r3 => sin_a*side_r3*F_mu_r3*flankr3;
             viscous_friction_p => cb_p*tangential3_dot;
             damping => cos_a*beta_K*k_r3_mid*dampr3*overr3_dot - a*alpha_M*m_p*theta_c_dot - a*alpha_M*m_p*theta_dot/Z_r
                 + cos_a*beta_K*k_s3_mid*damps3*overs3_dot - alpha_M*m_p*eta3_dot + beta_K*kb_p*tangential3_dot;
@@ -2443,28 +2485,28 @@ equations! {
         u3 {
             _ => k_r3*touchr3*overr3 - k_s3*touchs3*overs3;
             backlash_s3 => -k_s3*clips3*touchs3*overs3;
-            sliding_friction_s3 => arm_s3*F_mu_s3/r_p - sin_a*side_s3*F_mu_s3/cos_a;
+            sliding_friction_s3 => arm_s3*F_mu_s3/r_p - sin_a*side_s3*F_mu_s3*flanks3/cos_a;
             backlash_r3 => k_r3*clipr3*touchr3*overr3;
-            sliding_friction_r3 => sin_a*side_r3*F_mu_r3/cos_a + arm_r3*F_mu_r3/r_p;
+            sliding_friction_r3 => sin_a*side_r3*F_mu_r3*flankr3/cos_a + arm_r3*F_mu_r3/r_p;
             damping => h*I_p*alpha_M*theta_dot/r_p.powi(2) + beta_K*k_r3_mid*dampr3*overr3_dot - beta_K*k_s3_mid*damps3*overs3_dot
                 - I_p*alpha_M*u3_dot/r_p.powi(2) - I_p*alpha_M*theta_c_dot/r_p - I_p*alpha_M*theta_dot/(r_p*Z_r);
         }
         zeta4 {
-            _ => sin_a*k_s4*touchs4*overs4 - sin_a*k_r4*touchr4*overr4 + kb_p*radial4;
-            backlash_s4 => sin_a*k_s4*clips4*touchs4*overs4;
+            _ => sin_a*k_s4*flanks4*touchs4*overs4 - sin_a*k_r4*flankr4*touchr4*overr4 + kb_p*radial4;
+            backlash_s4 => sin_a*k_s4*clips4*flanks4*touchs4*overs4;
             sliding_friction_s4 => -cos_a*side_s4*F_mu_s4;
-            backlash_r4 => -sin_a*k_r4*clipr4*touchr4*overr4;
+            backlash_r4 => -sin_a*k_r4*clipr4*flankr4*touchr4*overr4;
             sliding_friction_r4 => cos_a*side_r4*F_mu_r4;
             viscous_friction_p => cb_p*radial4_dot;
-            damping => sin_a*beta_K*k_s4_mid*damps4*overs4_dot - sin_a*beta_K*k_r4_mid*dampr4*overr4_dot - alpha_M*m_p*zeta4_dot
-                + beta_K*kb_p*radial4_dot;
+            damping => sin_a*beta_K*k_s4_mid*damps4*flanks4*overs4_dot - sin_a*beta_K*k_r4_mid*dampr4*flankr4*overr4_dot
+                - alpha_M*m_p*zeta4_dot + beta_K*kb_p*radial4_dot;
         }
         eta4 {
             _ => cos_a*k_r4*touchr4*overr4 + cos_a*k_s4*touchs4*overs4 + kb_p*tangential4;
             backlash_s4 => cos_a*k_s4*clips4*touchs4*overs4;
-            sliding_friction_s4 => sin_a*side_s4*F_mu_s4;
+            sliding_friction_s4 => sin_a*side_s4*F_mu_s4*flanks4;
             backlash_r4 => cos_a*k_r4*clipr4*touchr4*overr4;
-            sliding_friction_r4 => sin_a*side_r4*F_mu_r4;
+            sliding_friction_r4 => sin_a*side_r4*F_mu_r4*flankr4;
             viscous_friction_p => cb_p*tangential4_dot;
             damping => cos_a*beta_K*k_r4_mid*dampr4*overr4_dot - a*alpha_M*m_p*theta_c_dot - a*alpha_M*m_p*theta_dot/Z_r
                 + cos_a*beta_K*k_s4_mid*damps4*overs4_dot - alpha_M*m_p*eta4_dot + beta_K*kb_p*tangential4_dot;
@@ -2472,28 +2514,28 @@ equations! {
         u4 {
             _ => k_r4*touchr4*overr4 - k_s4*touchs4*overs4;
             backlash_s4 => -k_s4*clips4*touchs4*overs4;
-            sliding_friction_s4 => arm_s4*F_mu_s4/r_p - sin_a*side_s4*F_mu_s4/cos_a;
+            sliding_friction_s4 => arm_s4*F_mu_s4/r_p - sin_a*side_s4*F_mu_s4*flanks4/cos_a;
             backlash_r4 => k_r4*clipr4*touchr4*overr4;
-            sliding_friction_r4 => sin_a*side_r4*F_mu_r4/cos_a + arm_r4*F_mu_r4/r_p;
+            sliding_friction_r4 => sin_a*side_r4*F_mu_r4*flankr4/cos_a + arm_r4*F_mu_r4/r_p;
             damping => h*I_p*alpha_M*theta_dot/r_p.powi(2) + beta_K*k_r4_mid*dampr4*overr4_dot - beta_K*k_s4_mid*damps4*overs4_dot
                 - I_p*alpha_M*u4_dot/r_p.powi(2) - I_p*alpha_M*theta_c_dot/r_p - I_p*alpha_M*theta_dot/(r_p*Z_r);
         }
         zeta5 {
-            _ => sin_a*k_s5*touchs5*overs5 - sin_a*k_r5*touchr5*overr5 + kb_p*radial5;
-            backlash_s5 => sin_a*k_s5*clips5*touchs5*overs5;
+            _ => sin_a*k_s5*flanks5*touchs5*overs5 - sin_a*k_r5*flankr5*touchr5*overr5 + kb_p*radial5;
+            backlash_s5 => sin_a*k_s5*clips5*flanks5*touchs5*overs5;
             sliding_friction_s5 => -cos_a*side_s5*F_mu_s5;
-            backlash_r5 => -sin_a*k_r5*clipr5*touchr5*overr5;
+            backlash_r5 => -sin_a*k_r5*clipr5*flankr5*touchr5*overr5;
             sliding_friction_r5 => cos_a*side_r5*F_mu_r5;
             viscous_friction_p => cb_p*radial5_dot;
-            damping => sin_a*beta_K*k_s5_mid*damps5*overs5_dot - sin_a*beta_K*k_r5_mid*dampr5*overr5_dot - alpha_M*m_p*zeta5_dot
-                + beta_K*kb_p*radial5_dot;
+            damping => sin_a*beta_K*k_s5_mid*damps5*flanks5*overs5_dot - sin_a*beta_K*k_r5_mid*dampr5*flankr5*overr5_dot
+                - alpha_M*m_p*zeta5_dot + beta_K*kb_p*radial5_dot;
         }
         eta5 {
             _ => cos_a*k_r5*touchr5*overr5 + cos_a*k_s5*touchs5*overs5 + kb_p*tangential5;
             backlash_s5 => cos_a*k_s5*clips5*touchs5*overs5;
-            sliding_friction_s5 => sin_a*side_s5*F_mu_s5;
+            sliding_friction_s5 => sin_a*side_s5*F_mu_s5*flanks5;
             backlash_r5 => cos_a*k_r5*clipr5*touchr5*overr5;
-            sliding_friction_r5 => sin_a*side_r5*F_mu_r5;
+            sliding_friction_r5 => sin_a*side_r5*F_mu_r5*flankr5;
             viscous_friction_p => cb_p*tangential5_dot;
             damping => cos_a*beta_K*k_r5_mid*dampr5*overr5_dot - a*alpha_M*m_p*theta_c_dot - a*alpha_M*m_p*theta_dot/Z_r
                 + cos_a*beta_K*k_s5_mid*damps5*overs5_dot - alpha_M*m_p*eta5_dot + beta_K*kb_p*tangential5_dot;
@@ -2501,9 +2543,9 @@ equations! {
         u5 {
             _ => k_r5*touchr5*overr5 - k_s5*touchs5*overs5;
             backlash_s5 => -k_s5*clips5*touchs5*overs5;
-            sliding_friction_s5 => arm_s5*F_mu_s5/r_p - sin_a*side_s5*F_mu_s5/cos_a;
+            sliding_friction_s5 => arm_s5*F_mu_s5/r_p - sin_a*side_s5*F_mu_s5*flanks5/cos_a;
             backlash_r5 => k_r5*clipr5*touchr5*overr5;
-            sliding_friction_r5 => sin_a*side_r5*F_mu_r5/cos_a + arm_r5*F_mu_r5/r_p;
+            sliding_friction_r5 => sin_a*side_r5*F_mu_r5*flankr5/cos_a + arm_r5*F_mu_r5/r_p;
             damping => h*I_p*alpha_M*theta_dot/r_p.powi(2) + beta_K*k_r5_mid*dampr5*overr5_dot - beta_K*k_s5_mid*damps5*overs5_dot
                 - I_p*alpha_M*u5_dot/r_p.powi(2) - I_p*alpha_M*theta_c_dot/r_p - I_p*alpha_M*theta_dot/(r_p*Z_r);
         }
@@ -2648,39 +2690,39 @@ equations! {
         theta_c theta {
             transmission_error_r1_and_backlash_r1_and_moving_phase => -h*Z_r*k_r1*de_r1*clipr1*touchr1;
             transmission_error_r1_and_sliding_friction_r1_and_moving_phase => -de_r1*arm_r1*F_mu_r1_by_overr1
-                - h*sin_a*Z_r*de_r1*side_r1*F_mu_r1_by_overr1/cos_a;
+                - h*sin_a*Z_r*de_r1*side_r1*F_mu_r1_by_overr1*flankr1/cos_a;
             transmission_error_r1_and_moving_phase => -h*Z_r*k_r1*de_r1*touchr1;
             backlash_r1_and_moving_phase => h*Z_r*dk_r1*clipr1*touchr1*overr1;
             sliding_friction_r1_and_moving_phase => darm_r1*F_mu_r1 + dk_r1*arm_r1*F_mu_r1_by_k_r1
-                + h*sin_a*Z_r*dk_r1*side_r1*F_mu_r1_by_k_r1/cos_a + h*sin_a*Z_r*dside_r1*F_mu_r1/cos_a;
+                + h*sin_a*Z_r*dk_r1*side_r1*F_mu_r1_by_k_r1*flankr1/cos_a + h*sin_a*Z_r*dside_r1*F_mu_r1*flankr1/cos_a;
             transmission_error_r2_and_backlash_r2_and_moving_phase => -h*Z_r*k_r2*de_r2*clipr2*touchr2;
             transmission_error_r2_and_sliding_friction_r2_and_moving_phase => -de_r2*arm_r2*F_mu_r2_by_overr2
-                - h*sin_a*Z_r*de_r2*side_r2*F_mu_r2_by_overr2/cos_a;
+                - h*sin_a*Z_r*de_r2*side_r2*F_mu_r2_by_overr2*flankr2/cos_a;
             transmission_error_r2_and_moving_phase => -h*Z_r*k_r2*de_r2*touchr2;
             backlash_r2_and_moving_phase => h*Z_r*dk_r2*clipr2*touchr2*overr2;
             sliding_friction_r2_and_moving_phase => darm_r2*F_mu_r2 + dk_r2*arm_r2*F_mu_r2_by_k_r2
-                + h*sin_a*Z_r*dk_r2*side_r2*F_mu_r2_by_k_r2/cos_a + h*sin_a*Z_r*dside_r2*F_mu_r2/cos_a;
+                + h*sin_a*Z_r*dk_r2*side_r2*F_mu_r2_by_k_r2*flankr2/cos_a + h*sin_a*Z_r*dside_r2*F_mu_r2*flankr2/cos_a;
             transmission_error_r3_and_backlash_r3_and_moving_phase => -h*Z_r*k_r3*de_r3*clipr3*touchr3;
             transmission_error_r3_and_sliding_friction_r3_and_moving_phase => -de_r3*arm_r3*F_mu_r3_by_overr3
-                - h*sin_a*Z_r*de_r3*side_r3*F_mu_r3_by_overr3/cos_a;
+                - h*sin_a*Z_r*de_r3*side_r3*F_mu_r3_by_overr3*flankr3/cos_a;
             transmission_error_r3_and_moving_phase => -h*Z_r*k_r3*de_r3*touchr3;
             backlash_r3_and_moving_phase => h*Z_r*dk_r3*clipr3*touchr3*overr3;
             sliding_friction_r3_and_moving_phase => darm_r3*F_mu_r3 + dk_r3*arm_r3*F_mu_r3_by_k_r3
-                + h*sin_a*Z_r*dk_r3*side_r3*F_mu_r3_by_k_r3/cos_a + h*sin_a*Z_r*dside_r3*F_mu_r3/cos_a;
+                + h*sin_a*Z_r*dk_r3*side_r3*F_mu_r3_by_k_r3*flankr3/cos_a + h*sin_a*Z_r*dside_r3*F_mu_r3*flankr3/cos_a;
             transmission_error_r4_and_backlash_r4_and_moving_phase => -h*Z_r*k_r4*de_r4*clipr4*touchr4;
             transmission_error_r4_and_sliding_friction_r4_and_moving_phase => -de_r4*arm_r4*F_mu_r4_by_overr4
-                - h*sin_a*Z_r*de_r4*side_r4*F_mu_r4_by_overr4/cos_a;
+                - h*sin_a*Z_r*de_r4*side_r4*F_mu_r4_by_overr4*flankr4/cos_a;
             transmission_error_r4_and_moving_phase => -h*Z_r*k_r4*de_r4*touchr4;
             backlash_r4_and_moving_phase => h*Z_r*dk_r4*clipr4*touchr4*overr4;
             sliding_friction_r4_and_moving_phase => darm_r4*F_mu_r4 + dk_r4*arm_r4*F_mu_r4_by_k_r4
-                + h*sin_a*Z_r*dk_r4*side_r4*F_mu_r4_by_k_r4/cos_a + h*sin_a*Z_r*dside_r4*F_mu_r4/cos_a;
+                + h*sin_a*Z_r*dk_r4*side_r4*F_mu_r4_by_k_r4*flankr4/cos_a + h*sin_a*Z_r*dside_r4*F_mu_r4*flankr4/cos_a;
             transmission_error_r5_and_backlash_r5_and_moving_phase => -h*Z_r*k_r5*de_r5*clipr5*touchr5;
             transmission_error_r5_and_sliding_friction_r5_and_moving_phase => -de_r5*arm_r5*F_mu_r5_by_overr5
-                - h*sin_a*Z_r*de_r5*side_r5*F_mu_r5_by_overr5/cos_a;
+                - h*sin_a*Z_r*de_r5*side_r5*F_mu_r5_by_overr5*flankr5/cos_a;
             transmission_error_r5_and_moving_phase => -h*Z_r*k_r5*de_r5*touchr5;
             backlash_r5_and_moving_phase => h*Z_r*dk_r5*clipr5*touchr5*overr5;
             sliding_friction_r5_and_moving_phase => darm_r5*F_mu_r5 + dk_r5*arm_r5*F_mu_r5_by_k_r5
-                + h*sin_a*Z_r*dk_r5*side_r5*F_mu_r5_by_k_r5/cos_a + h*sin_a*Z_r*dside_r5*F_mu_r5/cos_a;
+                + h*sin_a*Z_r*dk_r5*side_r5*F_mu_r5_by_k_r5*flankr5/cos_a + h*sin_a*Z_r*dside_r5*F_mu_r5*flankr5/cos_a;
             moving_phase => h*Z_r*dk_r1*touchr1*overr1 + h*Z_r*dk_r2*touchr2*overr2 + h*Z_r*dk_r3*touchr3*overr3
                 + h*Z_r*dk_r4*touchr4*overr4 + h*Z_r*dk_r5*touchr5*overr5;
         }
@@ -2704,40 +2746,50 @@ equations! {
         theta_c overr1 {
             _ => h*Z_r*k_r1*touchr1;
             backlash_r1 => h*Z_r*k_r1*clipr1*touchr1;
-            sliding_friction_r1 => arm_r1*F_mu_r1_by_overr1 + h*sin_a*Z_r*side_r1*F_mu_r1_by_overr1/cos_a;
+            sliding_friction_r1 => arm_r1*F_mu_r1_by_overr1 + h*sin_a*Z_r*side_r1*F_mu_r1_by_overr1*flankr1/cos_a;
         }
         theta_c overr2 {
             _ => h*Z_r*k_r2*touchr2;
             backlash_r2 => h*Z_r*k_r2*clipr2*touchr2;
-            sliding_friction_r2 => arm_r2*F_mu_r2_by_overr2 + h*sin_a*Z_r*side_r2*F_mu_r2_by_overr2/cos_a;
+            sliding_friction_r2 => arm_r2*F_mu_r2_by_overr2 + h*sin_a*Z_r*side_r2*F_mu_r2_by_overr2*flankr2/cos_a;
         }
         theta_c overr3 {
             _ => h*Z_r*k_r3*touchr3;
             backlash_r3 => h*Z_r*k_r3*clipr3*touchr3;
-            sliding_friction_r3 => arm_r3*F_mu_r3_by_overr3 + h*sin_a*Z_r*side_r3*F_mu_r3_by_overr3/cos_a;
+            sliding_friction_r3 => arm_r3*F_mu_r3_by_overr3 + h*sin_a*Z_r*side_r3*F_mu_r3_by_overr3*flankr3/cos_a;
         }
         theta_c overr4 {
             _ => h*Z_r*k_r4*touchr4;
             backlash_r4 => h*Z_r*k_r4*clipr4*touchr4;
-            sliding_friction_r4 => arm_r4*F_mu_r4_by_overr4 + h*sin_a*Z_r*side_r4*F_mu_r4_by_overr4/cos_a;
+            sliding_friction_r4 => arm_r4*F_mu_r4_by_overr4 + h*sin_a*Z_r*side_r4*F_mu_r4_by_overr4*flankr4/cos_a;
         }
         theta_c overr5 {
             _ => h*Z_r*k_r5*touchr5;
             backlash_r5 => h*Z_r*k_r5*clipr5*touchr5;
-            sliding_friction_r5 => arm_r5*F_mu_r5_by_overr5 + h*sin_a*Z_r*side_r5*F_mu_r5_by_overr5/cos_a;
+            sliding_friction_r5 => arm_r5*F_mu_r5_by_overr5 + h*sin_a*Z_r*side_r5*F_mu_r5_by_overr5*flankr5/cos_a;
         }
         theta_c twist_s_dot { torsional_support_s_and_damping => -beta_K*k_s; }
         theta_c twist_c_dot { torsional_support_c_and_damping => -beta_K*k_c; }
         theta_c overr1_dot { damping => h*Z_r*beta_K*k_r1_mid*dampr1; }
-        theta_c psi_r1_dot { sliding_friction_r1 => arm_r1*F_mu_r1_by_psi_r1_dot + h*sin_a*Z_r*side_r1*F_mu_r1_by_psi_r1_dot/cos_a; }
+        theta_c psi_r1_dot {
+            sliding_friction_r1 => arm_r1*F_mu_r1_by_psi_r1_dot + h*sin_a*Z_r*side_r1*F_mu_r1_by_psi_r1_dot*flankr1/cos_a;
+        }
         theta_c overr2_dot { damping => h*Z_r*beta_K*k_r2_mid*dampr2; }
-        theta_c psi_r2_dot { sliding_friction_r2 => arm_r2*F_mu_r2_by_psi_r2_dot + h*sin_a*Z_r*side_r2*F_mu_r2_by_psi_r2_dot/cos_a; }
+        theta_c psi_r2_dot {
+            sliding_friction_r2 => arm_r2*F_mu_r2_by_psi_r2_dot + h*sin_a*Z_r*side_r2*F_mu_r2_by_psi_r2_dot*flankr2/cos_a;
+        }
         theta_c overr3_dot { damping => h*Z_r*beta_K*k_r3_mid*dampr3; }
-        theta_c psi_r3_dot { sliding_friction_r3 => arm_r3*F_mu_r3_by_psi_r3_dot + h*sin_a*Z_r*side_r3*F_mu_r3_by_psi_r3_dot/cos_a; }
+        theta_c psi_r3_dot {
+            sliding_friction_r3 => arm_r3*F_mu_r3_by_psi_r3_dot + h*sin_a*Z_r*side_r3*F_mu_r3_by_psi_r3_dot*flankr3/cos_a;
+        }
         theta_c overr4_dot { damping => h*Z_r*beta_K*k_r4_mid*dampr4; }
-        theta_c psi_r4_dot { sliding_friction_r4 => arm_r4*F_mu_r4_by_psi_r4_dot + h*sin_a*Z_r*side_r4*F_mu_r4_by_psi_r4_dot/cos_a; }
+        theta_c psi_r4_dot {
+            sliding_friction_r4 => arm_r4*F_mu_r4_by_psi_r4_dot + h*sin_a*Z_r*side_r4*F_mu_r4_by_psi_r4_dot*flankr4/cos_a;
+        }
         theta_c overr5_dot { damping => h*Z_r*beta_K*k_r5_mid*dampr5; }
-        theta_c psi_r5_dot { sliding_friction_r5 => arm_r5*F_mu_r5_by_psi_r5_dot + h*sin_a*Z_r*side_r5*F_mu_r5_by_psi_r5_dot/cos_a; }
+        theta_c psi_r5_dot {
+            sliding_friction_r5 => arm_r5*F_mu_r5_by_psi_r5_dot + h*sin_a*Z_r*side_r5*F_mu_r5_by_psi_r5_dot*flankr5/cos_a;
+        }
         theta_c theta_motor_dot {
             speed_governor => -c_motor;
             dc_motor => -Ts_motor/n0_motor;
@@ -2748,39 +2800,39 @@ equations! {
         theta_r theta {
             transmission_error_r1_and_backlash_r1_and_moving_phase => h*Z_r*k_r1*de_r1*clipr1*touchr1;
             transmission_error_r1_and_sliding_friction_r1_and_moving_phase => de_r1*arm_r1*F_mu_r1_by_overr1
-                + h*sin_a*Z_r*de_r1*side_r1*F_mu_r1_by_overr1/cos_a;
+                + h*sin_a*Z_r*de_r1*side_r1*F_mu_r1_by_overr1*flankr1/cos_a;
             transmission_error_r1_and_moving_phase => h*Z_r*k_r1*de_r1*touchr1;
             backlash_r1_and_moving_phase => -h*Z_r*dk_r1*clipr1*touchr1*overr1;
             sliding_friction_r1_and_moving_phase => -darm_r1*F_mu_r1 - dk_r1*arm_r1*F_mu_r1_by_k_r1
-                - h*sin_a*Z_r*dk_r1*side_r1*F_mu_r1_by_k_r1/cos_a - h*sin_a*Z_r*dside_r1*F_mu_r1/cos_a;
+                - h*sin_a*Z_r*dk_r1*side_r1*F_mu_r1_by_k_r1*flankr1/cos_a - h*sin_a*Z_r*dside_r1*F_mu_r1*flankr1/cos_a;
             transmission_error_r2_and_backlash_r2_and_moving_phase => h*Z_r*k_r2*de_r2*clipr2*touchr2;
             transmission_error_r2_and_sliding_friction_r2_and_moving_phase => de_r2*arm_r2*F_mu_r2_by_overr2
-                + h*sin_a*Z_r*de_r2*side_r2*F_mu_r2_by_overr2/cos_a;
+                + h*sin_a*Z_r*de_r2*side_r2*F_mu_r2_by_overr2*flankr2/cos_a;
             transmission_error_r2_and_moving_phase => h*Z_r*k_r2*de_r2*touchr2;
             backlash_r2_and_moving_phase => -h*Z_r*dk_r2*clipr2*touchr2*overr2;
             sliding_friction_r2_and_moving_phase => -darm_r2*F_mu_r2 - dk_r2*arm_r2*F_mu_r2_by_k_r2
-                - h*sin_a*Z_r*dk_r2*side_r2*F_mu_r2_by_k_r2/cos_a - h*sin_a*Z_r*dside_r2*F_mu_r2/cos_a;
+                - h*sin_a*Z_r*dk_r2*side_r2*F_mu_r2_by_k_r2*flankr2/cos_a - h*sin_a*Z_r*dside_r2*F_mu_r2*flankr2/cos_a;
             transmission_error_r3_and_backlash_r3_and_moving_phase => h*Z_r*k_r3*de_r3*clipr3*touchr3;
             transmission_error_r3_and_sliding_friction_r3_and_moving_phase => de_r3*arm_r3*F_mu_r3_by_overr3
-                + h*sin_a*Z_r*de_r3*side_r3*F_mu_r3_by_overr3/cos_a;
+                + h*sin_a*Z_r*de_r3*side_r3*F_mu_r3_by_overr3*flankr3/cos_a;
             transmission_error_r3_and_moving_phase => h*Z_r*k_r3*de_r3*touchr3;
             backlash_r3_and_moving_phase => -h*Z_r*dk_r3*clipr3*touchr3*overr3;
             sliding_friction_r3_and_moving_phase => -darm_r3*F_mu_r3 - dk_r3*arm_r3*F_mu_r3_by_k_r3
-                - h*sin_a*Z_r*dk_r3*side_r3*F_mu_r3_by_k_r3/cos_a - h*sin_a*Z_r*dside_r3*F_mu_r3/cos_a;
+                - h*sin_a*Z_r*dk_r3*side_r3*F_mu_r3_by_k_r3*flankr3/cos_a - h*sin_a*Z_r*dside_r3*F_mu_r3*flankr3/cos_a;
             transmission_error_r4_and_backlash_r4_and_moving_phase => h*Z_r*k_r4*de_r4*clipr4*touchr4;
             transmission_error_r4_and_sliding_friction_r4_and_moving_phase => de_r4*arm_r4*F_mu_r4_by_overr4
-                + h*sin_a*Z_r*de_r4*side_r4*F_mu_r4_by_overr4/cos_a;
+                + h*sin_a*Z_r*de_r4*side_r4*F_mu_r4_by_overr4*flankr4/cos_a;
             transmission_error_r4_and_moving_phase => h*Z_r*k_r4*de_r4*touchr4;
             backlash_r4_and_moving_phase => -h*Z_r*dk_r4*clipr4*touchr4*overr4;
             sliding_friction_r4_and_moving_phase => -darm_r4*F_mu_r4 - dk_r4*arm_r4*F_mu_r4_by_k_r4
-                - h*sin_a*Z_r*dk_r4*side_r4*F_mu_r4_by_k_r4/cos_a - h*sin_a*Z_r*dside_r4*F_mu_r4/cos_a;
+                - h*sin_a*Z_r*dk_r4*side_r4*F_mu_r4_by_k_r4*flankr4/cos_a - h*sin_a*Z_r*dside_r4*F_mu_r4*flankr4/cos_a;
             transmission_error_r5_and_backlash_r5_and_moving_phase => h*Z_r*k_r5*de_r5*clipr5*touchr5;
             transmission_error_r5_and_sliding_friction_r5_and_moving_phase => de_r5*arm_r5*F_mu_r5_by_overr5
-                + h*sin_a*Z_r*de_r5*side_r5*F_mu_r5_by_overr5/cos_a;
+                + h*sin_a*Z_r*de_r5*side_r5*F_mu_r5_by_overr5*flankr5/cos_a;
             transmission_error_r5_and_moving_phase => h*Z_r*k_r5*de_r5*touchr5;
             backlash_r5_and_moving_phase => -h*Z_r*dk_r5*clipr5*touchr5*overr5;
             sliding_friction_r5_and_moving_phase => -darm_r5*F_mu_r5 - dk_r5*arm_r5*F_mu_r5_by_k_r5
-                - h*sin_a*Z_r*dk_r5*side_r5*F_mu_r5_by_k_r5/cos_a - h*sin_a*Z_r*dside_r5*F_mu_r5/cos_a;
+                - h*sin_a*Z_r*dk_r5*side_r5*F_mu_r5_by_k_r5*flankr5/cos_a - h*sin_a*Z_r*dside_r5*F_mu_r5*flankr5/cos_a;
             moving_phase => -h*Z_r*dk_r1*touchr1*overr1 - h*Z_r*dk_r2*touchr2*overr2 - h*Z_r*dk_r3*touchr3*overr3
                 - h*Z_r*dk_r4*touchr4*overr4 - h*Z_r*dk_r5*touchr5*overr5;
         }
@@ -2789,179 +2841,211 @@ equations! {
         theta_r overr1 {
             _ => -h*Z_r*k_r1*touchr1;
             backlash_r1 => -h*Z_r*k_r1*clipr1*touchr1;
-            sliding_friction_r1 => -arm_r1*F_mu_r1_by_overr1 - h*sin_a*Z_r*side_r1*F_mu_r1_by_overr1/cos_a;
+            sliding_friction_r1 => -arm_r1*F_mu_r1_by_overr1 - h*sin_a*Z_r*side_r1*F_mu_r1_by_overr1*flankr1/cos_a;
         }
         theta_r overr2 {
             _ => -h*Z_r*k_r2*touchr2;
             backlash_r2 => -h*Z_r*k_r2*clipr2*touchr2;
-            sliding_friction_r2 => -arm_r2*F_mu_r2_by_overr2 - h*sin_a*Z_r*side_r2*F_mu_r2_by_overr2/cos_a;
+            sliding_friction_r2 => -arm_r2*F_mu_r2_by_overr2 - h*sin_a*Z_r*side_r2*F_mu_r2_by_overr2*flankr2/cos_a;
         }
         theta_r overr3 {
             _ => -h*Z_r*k_r3*touchr3;
             backlash_r3 => -h*Z_r*k_r3*clipr3*touchr3;
-            sliding_friction_r3 => -arm_r3*F_mu_r3_by_overr3 - h*sin_a*Z_r*side_r3*F_mu_r3_by_overr3/cos_a;
+            sliding_friction_r3 => -arm_r3*F_mu_r3_by_overr3 - h*sin_a*Z_r*side_r3*F_mu_r3_by_overr3*flankr3/cos_a;
         }
         theta_r overr4 {
             _ => -h*Z_r*k_r4*touchr4;
             backlash_r4 => -h*Z_r*k_r4*clipr4*touchr4;
-            sliding_friction_r4 => -arm_r4*F_mu_r4_by_overr4 - h*sin_a*Z_r*side_r4*F_mu_r4_by_overr4/cos_a;
+            sliding_friction_r4 => -arm_r4*F_mu_r4_by_overr4 - h*sin_a*Z_r*side_r4*F_mu_r4_by_overr4*flankr4/cos_a;
         }
         theta_r overr5 {
             _ => -h*Z_r*k_r5*touchr5;
             backlash_r5 => -h*Z_r*k_r5*clipr5*touchr5;
-            sliding_friction_r5 => -arm_r5*F_mu_r5_by_overr5 - h*sin_a*Z_r*side_r5*F_mu_r5_by_overr5/cos_a;
+            sliding_friction_r5 => -arm_r5*F_mu_r5_by_overr5 - h*sin_a*Z_r*side_r5*F_mu_r5_by_overr5*flankr5/cos_a;
         }
         theta_r twist_r_dot { damping => -beta_K*k_r; }
         theta_r overr1_dot { damping => -h*Z_r*beta_K*k_r1_mid*dampr1; }
-        theta_r psi_r1_dot { sliding_friction_r1 => -arm_r1*F_mu_r1_by_psi_r1_dot - h*sin_a*Z_r*side_r1*F_mu_r1_by_psi_r1_dot/cos_a; }
+        theta_r psi_r1_dot {
+            sliding_friction_r1 => -arm_r1*F_mu_r1_by_psi_r1_dot - h*sin_a*Z_r*side_r1*F_mu_r1_by_psi_r1_dot*flankr1/cos_a;
+        }
         theta_r overr2_dot { damping => -h*Z_r*beta_K*k_r2_mid*dampr2; }
-        theta_r psi_r2_dot { sliding_friction_r2 => -arm_r2*F_mu_r2_by_psi_r2_dot - h*sin_a*Z_r*side_r2*F_mu_r2_by_psi_r2_dot/cos_a; }
+        theta_r psi_r2_dot {
+            sliding_friction_r2 => -arm_r2*F_mu_r2_by_psi_r2_dot - h*sin_a*Z_r*side_r2*F_mu_r2_by_psi_r2_dot*flankr2/cos_a;
+        }
         theta_r overr3_dot { damping => -h*Z_r*beta_K*k_r3_mid*dampr3; }
-        theta_r psi_r3_dot { sliding_friction_r3 => -arm_r3*F_mu_r3_by_psi_r3_dot - h*sin_a*Z_r*side_r3*F_mu_r3_by_psi_r3_dot/cos_a; }
+        theta_r psi_r3_dot {
+            sliding_friction_r3 => -arm_r3*F_mu_r3_by_psi_r3_dot - h*sin_a*Z_r*side_r3*F_mu_r3_by_psi_r3_dot*flankr3/cos_a;
+        }
         theta_r overr4_dot { damping => -h*Z_r*beta_K*k_r4_mid*dampr4; }
-        theta_r psi_r4_dot { sliding_friction_r4 => -arm_r4*F_mu_r4_by_psi_r4_dot - h*sin_a*Z_r*side_r4*F_mu_r4_by_psi_r4_dot/cos_a; }
+        theta_r psi_r4_dot {
+            sliding_friction_r4 => -arm_r4*F_mu_r4_by_psi_r4_dot - h*sin_a*Z_r*side_r4*F_mu_r4_by_psi_r4_dot*flankr4/cos_a;
+        }
         theta_r overr5_dot { damping => -h*Z_r*beta_K*k_r5_mid*dampr5; }
-        theta_r psi_r5_dot { sliding_friction_r5 => -arm_r5*F_mu_r5_by_psi_r5_dot - h*sin_a*Z_r*side_r5*F_mu_r5_by_psi_r5_dot/cos_a; }
+        theta_r psi_r5_dot {
+            sliding_friction_r5 => -arm_r5*F_mu_r5_by_psi_r5_dot - h*sin_a*Z_r*side_r5*F_mu_r5_by_psi_r5_dot*flankr5/cos_a;
+        }
         x_s theta {
-            transmission_error_s1_and_backlash_s1_and_moving_phase => -sin_s1*k_s1*de_s1*clips1*touchs1;
-            transmission_error_s1_and_sliding_friction_s1_and_moving_phase => -cos_s1*de_s1*side_s1*F_mu_s1_by_overs1;
-            transmission_error_s1_and_moving_phase => -sin_s1*k_s1*de_s1*touchs1;
-            backlash_s1_and_moving_phase => sin_s1*dk_s1*clips1*touchs1*overs1;
-            sliding_friction_s1_and_moving_phase => cos_s1*dk_s1*side_s1*F_mu_s1_by_k_s1 + cos_s1*dside_s1*F_mu_s1;
-            transmission_error_s2_and_backlash_s2_and_moving_phase => -sin_s2*k_s2*de_s2*clips2*touchs2;
-            transmission_error_s2_and_sliding_friction_s2_and_moving_phase => -cos_s2*de_s2*side_s2*F_mu_s2_by_overs2;
-            transmission_error_s2_and_moving_phase => -sin_s2*k_s2*de_s2*touchs2;
-            backlash_s2_and_moving_phase => sin_s2*dk_s2*clips2*touchs2*overs2;
-            sliding_friction_s2_and_moving_phase => cos_s2*dk_s2*side_s2*F_mu_s2_by_k_s2 + cos_s2*dside_s2*F_mu_s2;
-            transmission_error_s3_and_backlash_s3_and_moving_phase => -sin_s3*k_s3*de_s3*clips3*touchs3;
-            transmission_error_s3_and_sliding_friction_s3_and_moving_phase => -cos_s3*de_s3*side_s3*F_mu_s3_by_overs3;
-            transmission_error_s3_and_moving_phase => -sin_s3*k_s3*de_s3*touchs3;
-            backlash_s3_and_moving_phase => sin_s3*dk_s3*clips3*touchs3*overs3;
-            sliding_friction_s3_and_moving_phase => cos_s3*dk_s3*side_s3*F_mu_s3_by_k_s3 + cos_s3*dside_s3*F_mu_s3;
-            transmission_error_s4_and_backlash_s4_and_moving_phase => -sin_s4*k_s4*de_s4*clips4*touchs4;
-            transmission_error_s4_and_sliding_friction_s4_and_moving_phase => -cos_s4*de_s4*side_s4*F_mu_s4_by_overs4;
-            transmission_error_s4_and_moving_phase => -sin_s4*k_s4*de_s4*touchs4;
-            backlash_s4_and_moving_phase => sin_s4*dk_s4*clips4*touchs4*overs4;
-            sliding_friction_s4_and_moving_phase => cos_s4*dk_s4*side_s4*F_mu_s4_by_k_s4 + cos_s4*dside_s4*F_mu_s4;
-            transmission_error_s5_and_backlash_s5_and_moving_phase => -sin_s5*k_s5*de_s5*clips5*touchs5;
-            transmission_error_s5_and_sliding_friction_s5_and_moving_phase => -cos_s5*de_s5*side_s5*F_mu_s5_by_overs5;
-            transmission_error_s5_and_moving_phase => -sin_s5*k_s5*de_s5*touchs5;
-            backlash_s5_and_moving_phase => sin_s5*dk_s5*clips5*touchs5*overs5;
-            sliding_friction_s5_and_moving_phase => cos_s5*dk_s5*side_s5*F_mu_s5_by_k_s5 + cos_s5*dside_s5*F_mu_s5;
-            moving_phase => sin_s1*dk_s1*touchs1*overs1 + sin_s2*dk_s2*touchs2*overs2 + sin_s3*dk_s3*touchs3*overs3
-                + sin_s4*dk_s4*touchs4*overs4 + sin_s5*dk_s5*touchs5*overs5;
+            transmission_error_s1_and_backlash_s1_and_moving_phase => cs1*k_s1*de_s1*clips1*flanks1*touchs1 - sc1*k_s1*de_s1*clips1*touchs1;
+            transmission_error_s1_and_sliding_friction_s1_and_moving_phase => -cc1*de_s1*side_s1*F_mu_s1_by_overs1
+                - ss1*de_s1*side_s1*F_mu_s1_by_overs1*flanks1;
+            transmission_error_s1_and_moving_phase => cs1*k_s1*de_s1*flanks1*touchs1 - sc1*k_s1*de_s1*touchs1;
+            backlash_s1_and_moving_phase => sc1*dk_s1*clips1*touchs1*overs1 - cs1*dk_s1*clips1*flanks1*touchs1*overs1;
+            sliding_friction_s1_and_moving_phase => cc1*dk_s1*side_s1*F_mu_s1_by_k_s1 + cc1*dside_s1*F_mu_s1
+                + ss1*dk_s1*side_s1*F_mu_s1_by_k_s1*flanks1 + ss1*dside_s1*F_mu_s1*flanks1;
+            transmission_error_s2_and_backlash_s2_and_moving_phase => cs2*k_s2*de_s2*clips2*flanks2*touchs2 - sc2*k_s2*de_s2*clips2*touchs2;
+            transmission_error_s2_and_sliding_friction_s2_and_moving_phase => -cc2*de_s2*side_s2*F_mu_s2_by_overs2
+                - ss2*de_s2*side_s2*F_mu_s2_by_overs2*flanks2;
+            transmission_error_s2_and_moving_phase => cs2*k_s2*de_s2*flanks2*touchs2 - sc2*k_s2*de_s2*touchs2;
+            backlash_s2_and_moving_phase => sc2*dk_s2*clips2*touchs2*overs2 - cs2*dk_s2*clips2*flanks2*touchs2*overs2;
+            sliding_friction_s2_and_moving_phase => cc2*dk_s2*side_s2*F_mu_s2_by_k_s2 + cc2*dside_s2*F_mu_s2
+                + ss2*dk_s2*side_s2*F_mu_s2_by_k_s2*flanks2 + ss2*dside_s2*F_mu_s2*flanks2;
+            transmission_error_s3_and_backlash_s3_and_moving_phase => cs3*k_s3*de_s3*clips3*flanks3*touchs3 - sc3*k_s3*de_s3*clips3*touchs3;
+            transmission_error_s3_and_sliding_friction_s3_and_moving_phase => -cc3*de_s3*side_s3*F_mu_s3_by_overs3
+                - ss3*de_s3*side_s3*F_mu_s3_by_overs3*flanks3;
+            transmission_error_s3_and_moving_phase => cs3*k_s3*de_s3*flanks3*touchs3 - sc3*k_s3*de_s3*touchs3;
+            backlash_s3_and_moving_phase => sc3*dk_s3*clips3*touchs3*overs3 - cs3*dk_s3*clips3*flanks3*touchs3*overs3;
+            sliding_friction_s3_and_moving_phase => cc3*dk_s3*side_s3*F_mu_s3_by_k_s3 + cc3*dside_s3*F_mu_s3
+                + ss3*dk_s3*side_s3*F_mu_s3_by_k_s3*flanks3 + ss3*dside_s3*F_mu_s3*flanks3;
+            transmission_error_s4_and_backlash_s4_and_moving_phase => cs4*k_s4*de_s4*clips4*flanks4*touchs4 - sc4*k_s4*de_s4*clips4*touchs4;
+            transmission_error_s4_and_sliding_friction_s4_and_moving_phase => -cc4*de_s4*side_s4*F_mu_s4_by_overs4
+                - ss4*de_s4*side_s4*F_mu_s4_by_overs4*flanks4;
+            transmission_error_s4_and_moving_phase => cs4*k_s4*de_s4*flanks4*touchs4 - sc4*k_s4*de_s4*touchs4;
+            backlash_s4_and_moving_phase => sc4*dk_s4*clips4*touchs4*overs4 - cs4*dk_s4*clips4*flanks4*touchs4*overs4;
+            sliding_friction_s4_and_moving_phase => cc4*dk_s4*side_s4*F_mu_s4_by_k_s4 + cc4*dside_s4*F_mu_s4
+                + ss4*dk_s4*side_s4*F_mu_s4_by_k_s4*flanks4 + ss4*dside_s4*F_mu_s4*flanks4;
+            transmission_error_s5_and_backlash_s5_and_moving_phase => cs5*k_s5*de_s5*clips5*flanks5*touchs5 - sc5*k_s5*de_s5*clips5*touchs5;
+            transmission_error_s5_and_sliding_friction_s5_and_moving_phase => -cc5*de_s5*side_s5*F_mu_s5_by_overs5
+                - ss5*de_s5*side_s5*F_mu_s5_by_overs5*flanks5;
+            transmission_error_s5_and_moving_phase => cs5*k_s5*de_s5*flanks5*touchs5 - sc5*k_s5*de_s5*touchs5;
+            backlash_s5_and_moving_phase => sc5*dk_s5*clips5*touchs5*overs5 - cs5*dk_s5*clips5*flanks5*touchs5*overs5;
+            sliding_friction_s5_and_moving_phase => cc5*dk_s5*side_s5*F_mu_s5_by_k_s5 + cc5*dside_s5*F_mu_s5
+                + ss5*dk_s5*side_s5*F_mu_s5_by_k_s5*flanks5 + ss5*dside_s5*F_mu_s5*flanks5;
+            moving_phase => sc1*dk_s1*touchs1*overs1 - cs1*dk_s1*flanks1*touchs1*overs1 - cs2*dk_s2*flanks2*touchs2*overs2
+                - cs3*dk_s3*flanks3*touchs3*overs3 - cs4*dk_s4*flanks4*touchs4*overs4 - cs5*dk_s5*flanks5*touchs5*overs5
+                + sc2*dk_s2*touchs2*overs2 + sc3*dk_s3*touchs3*overs3 + sc4*dk_s4*touchs4*overs4 + sc5*dk_s5*touchs5*overs5;
         }
         x_s x_s_dot { damping => -alpha_M*m_s; }
         x_s bx_s { _ => -kb_s; }
         x_s overs1 {
-            _ => sin_s1*k_s1*touchs1;
-            backlash_s1 => sin_s1*k_s1*clips1*touchs1;
-            sliding_friction_s1 => cos_s1*side_s1*F_mu_s1_by_overs1;
+            _ => sc1*k_s1*touchs1 - cs1*k_s1*flanks1*touchs1;
+            backlash_s1 => sc1*k_s1*clips1*touchs1 - cs1*k_s1*clips1*flanks1*touchs1;
+            sliding_friction_s1 => cc1*side_s1*F_mu_s1_by_overs1 + ss1*side_s1*F_mu_s1_by_overs1*flanks1;
         }
         x_s overs2 {
-            _ => sin_s2*k_s2*touchs2;
-            backlash_s2 => sin_s2*k_s2*clips2*touchs2;
-            sliding_friction_s2 => cos_s2*side_s2*F_mu_s2_by_overs2;
+            _ => sc2*k_s2*touchs2 - cs2*k_s2*flanks2*touchs2;
+            backlash_s2 => sc2*k_s2*clips2*touchs2 - cs2*k_s2*clips2*flanks2*touchs2;
+            sliding_friction_s2 => cc2*side_s2*F_mu_s2_by_overs2 + ss2*side_s2*F_mu_s2_by_overs2*flanks2;
         }
         x_s overs3 {
-            _ => sin_s3*k_s3*touchs3;
-            backlash_s3 => sin_s3*k_s3*clips3*touchs3;
-            sliding_friction_s3 => cos_s3*side_s3*F_mu_s3_by_overs3;
+            _ => sc3*k_s3*touchs3 - cs3*k_s3*flanks3*touchs3;
+            backlash_s3 => sc3*k_s3*clips3*touchs3 - cs3*k_s3*clips3*flanks3*touchs3;
+            sliding_friction_s3 => cc3*side_s3*F_mu_s3_by_overs3 + ss3*side_s3*F_mu_s3_by_overs3*flanks3;
         }
         x_s overs4 {
-            _ => sin_s4*k_s4*touchs4;
-            backlash_s4 => sin_s4*k_s4*clips4*touchs4;
-            sliding_friction_s4 => cos_s4*side_s4*F_mu_s4_by_overs4;
+            _ => sc4*k_s4*touchs4 - cs4*k_s4*flanks4*touchs4;
+            backlash_s4 => sc4*k_s4*clips4*touchs4 - cs4*k_s4*clips4*flanks4*touchs4;
+            sliding_friction_s4 => cc4*side_s4*F_mu_s4_by_overs4 + ss4*side_s4*F_mu_s4_by_overs4*flanks4;
         }
         x_s overs5 {
-            _ => sin_s5*k_s5*touchs5;
-            backlash_s5 => sin_s5*k_s5*clips5*touchs5;
-            sliding_friction_s5 => cos_s5*side_s5*F_mu_s5_by_overs5;
+            _ => sc5*k_s5*touchs5 - cs5*k_s5*flanks5*touchs5;
+            backlash_s5 => sc5*k_s5*clips5*touchs5 - cs5*k_s5*clips5*flanks5*touchs5;
+            sliding_friction_s5 => cc5*side_s5*F_mu_s5_by_overs5 + ss5*side_s5*F_mu_s5_by_overs5*flanks5;
         }
         x_s bx_s_dot {
             viscous_friction_s => -cb_s;
             damping => -beta_K*kb_s;
         }
-        x_s overs1_dot { damping => sin_s1*beta_K*k_s1_mid*damps1; }
-        x_s psi_s1_dot { sliding_friction_s1 => cos_s1*side_s1*F_mu_s1_by_psi_s1_dot; }
-        x_s overs2_dot { damping => sin_s2*beta_K*k_s2_mid*damps2; }
-        x_s psi_s2_dot { sliding_friction_s2 => cos_s2*side_s2*F_mu_s2_by_psi_s2_dot; }
-        x_s overs3_dot { damping => sin_s3*beta_K*k_s3_mid*damps3; }
-        x_s psi_s3_dot { sliding_friction_s3 => cos_s3*side_s3*F_mu_s3_by_psi_s3_dot; }
-        x_s overs4_dot { damping => sin_s4*beta_K*k_s4_mid*damps4; }
-        x_s psi_s4_dot { sliding_friction_s4 => cos_s4*side_s4*F_mu_s4_by_psi_s4_dot; }
-        x_s overs5_dot { damping => sin_s5*beta_K*k_s5_mid*damps5; }
-        x_s psi_s5_dot { sliding_friction_s5 => cos_s5*side_s5*F_mu_s5_by_psi_s5_dot; }
+        x_s overs1_dot { damping => sc1*beta_K*k_s1_mid*damps1 - cs1*beta_K*k_s1_mid*damps1*flanks1; }
+        x_s psi_s1_dot { sliding_friction_s1 => cc1*side_s1*F_mu_s1_by_psi_s1_dot + ss1*side_s1*F_mu_s1_by_psi_s1_dot*flanks1; }
+        x_s overs2_dot { damping => sc2*beta_K*k_s2_mid*damps2 - cs2*beta_K*k_s2_mid*damps2*flanks2; }
+        x_s psi_s2_dot { sliding_friction_s2 => cc2*side_s2*F_mu_s2_by_psi_s2_dot + ss2*side_s2*F_mu_s2_by_psi_s2_dot*flanks2; }
+        x_s overs3_dot { damping => sc3*beta_K*k_s3_mid*damps3 - cs3*beta_K*k_s3_mid*damps3*flanks3; }
+        x_s psi_s3_dot { sliding_friction_s3 => cc3*side_s3*F_mu_s3_by_psi_s3_dot + ss3*side_s3*F_mu_s3_by_psi_s3_dot*flanks3; }
+        x_s overs4_dot { damping => sc4*beta_K*k_s4_mid*damps4 - cs4*beta_K*k_s4_mid*damps4*flanks4; }
+        x_s psi_s4_dot { sliding_friction_s4 => cc4*side_s4*F_mu_s4_by_psi_s4_dot + ss4*side_s4*F_mu_s4_by_psi_s4_dot*flanks4; }
+        x_s overs5_dot { damping => sc5*beta_K*k_s5_mid*damps5 - cs5*beta_K*k_s5_mid*damps5*flanks5; }
+        x_s psi_s5_dot { sliding_friction_s5 => cc5*side_s5*F_mu_s5_by_psi_s5_dot + ss5*side_s5*F_mu_s5_by_psi_s5_dot*flanks5; }
         y_s theta {
-            transmission_error_s1_and_backlash_s1_and_moving_phase => cos_s1*k_s1*de_s1*clips1*touchs1;
-            transmission_error_s1_and_sliding_friction_s1_and_moving_phase => -sin_s1*de_s1*side_s1*F_mu_s1_by_overs1;
-            transmission_error_s1_and_moving_phase => cos_s1*k_s1*de_s1*touchs1;
-            backlash_s1_and_moving_phase => -cos_s1*dk_s1*clips1*touchs1*overs1;
-            sliding_friction_s1_and_moving_phase => sin_s1*dk_s1*side_s1*F_mu_s1_by_k_s1 + sin_s1*dside_s1*F_mu_s1;
-            transmission_error_s2_and_backlash_s2_and_moving_phase => cos_s2*k_s2*de_s2*clips2*touchs2;
-            transmission_error_s2_and_sliding_friction_s2_and_moving_phase => -sin_s2*de_s2*side_s2*F_mu_s2_by_overs2;
-            transmission_error_s2_and_moving_phase => cos_s2*k_s2*de_s2*touchs2;
-            backlash_s2_and_moving_phase => -cos_s2*dk_s2*clips2*touchs2*overs2;
-            sliding_friction_s2_and_moving_phase => sin_s2*dk_s2*side_s2*F_mu_s2_by_k_s2 + sin_s2*dside_s2*F_mu_s2;
-            transmission_error_s3_and_backlash_s3_and_moving_phase => cos_s3*k_s3*de_s3*clips3*touchs3;
-            transmission_error_s3_and_sliding_friction_s3_and_moving_phase => -sin_s3*de_s3*side_s3*F_mu_s3_by_overs3;
-            transmission_error_s3_and_moving_phase => cos_s3*k_s3*de_s3*touchs3;
-            backlash_s3_and_moving_phase => -cos_s3*dk_s3*clips3*touchs3*overs3;
-            sliding_friction_s3_and_moving_phase => sin_s3*dk_s3*side_s3*F_mu_s3_by_k_s3 + sin_s3*dside_s3*F_mu_s3;
-            transmission_error_s4_and_backlash_s4_and_moving_phase => cos_s4*k_s4*de_s4*clips4*touchs4;
-            transmission_error_s4_and_sliding_friction_s4_and_moving_phase => -sin_s4*de_s4*side_s4*F_mu_s4_by_overs4;
-            transmission_error_s4_and_moving_phase => cos_s4*k_s4*de_s4*touchs4;
-            backlash_s4_and_moving_phase => -cos_s4*dk_s4*clips4*touchs4*overs4;
-            sliding_friction_s4_and_moving_phase => sin_s4*dk_s4*side_s4*F_mu_s4_by_k_s4 + sin_s4*dside_s4*F_mu_s4;
-            transmission_error_s5_and_backlash_s5_and_moving_phase => cos_s5*k_s5*de_s5*clips5*touchs5;
-            transmission_error_s5_and_sliding_friction_s5_and_moving_phase => -sin_s5*de_s5*side_s5*F_mu_s5_by_overs5;
-            transmission_error_s5_and_moving_phase => cos_s5*k_s5*de_s5*touchs5;
-            backlash_s5_and_moving_phase => -cos_s5*dk_s5*clips5*touchs5*overs5;
-            sliding_friction_s5_and_moving_phase => sin_s5*dk_s5*side_s5*F_mu_s5_by_k_s5 + sin_s5*dside_s5*F_mu_s5;
-            moving_phase => -cos_s1*dk_s1*touchs1*overs1 - cos_s2*dk_s2*touchs2*overs2 - cos_s3*dk_s3*touchs3*overs3
-                - cos_s4*dk_s4*touchs4*overs4 - cos_s5*dk_s5*touchs5*overs5;
+            transmission_error_s1_and_backlash_s1_and_moving_phase => cc1*k_s1*de_s1*clips1*touchs1 + ss1*k_s1*de_s1*clips1*flanks1*touchs1;
+            transmission_error_s1_and_sliding_friction_s1_and_moving_phase => cs1*de_s1*side_s1*F_mu_s1_by_overs1*flanks1
+                - sc1*de_s1*side_s1*F_mu_s1_by_overs1;
+            transmission_error_s1_and_moving_phase => cc1*k_s1*de_s1*touchs1 + ss1*k_s1*de_s1*flanks1*touchs1;
+            backlash_s1_and_moving_phase => -cc1*dk_s1*clips1*touchs1*overs1 - ss1*dk_s1*clips1*flanks1*touchs1*overs1;
+            sliding_friction_s1_and_moving_phase => sc1*dk_s1*side_s1*F_mu_s1_by_k_s1 - cs1*dk_s1*side_s1*F_mu_s1_by_k_s1*flanks1
+                - cs1*dside_s1*F_mu_s1*flanks1 + sc1*dside_s1*F_mu_s1;
+            transmission_error_s2_and_backlash_s2_and_moving_phase => cc2*k_s2*de_s2*clips2*touchs2 + ss2*k_s2*de_s2*clips2*flanks2*touchs2;
+            transmission_error_s2_and_sliding_friction_s2_and_moving_phase => cs2*de_s2*side_s2*F_mu_s2_by_overs2*flanks2
+                - sc2*de_s2*side_s2*F_mu_s2_by_overs2;
+            transmission_error_s2_and_moving_phase => cc2*k_s2*de_s2*touchs2 + ss2*k_s2*de_s2*flanks2*touchs2;
+            backlash_s2_and_moving_phase => -cc2*dk_s2*clips2*touchs2*overs2 - ss2*dk_s2*clips2*flanks2*touchs2*overs2;
+            sliding_friction_s2_and_moving_phase => sc2*dk_s2*side_s2*F_mu_s2_by_k_s2 - cs2*dk_s2*side_s2*F_mu_s2_by_k_s2*flanks2
+                - cs2*dside_s2*F_mu_s2*flanks2 + sc2*dside_s2*F_mu_s2;
+            transmission_error_s3_and_backlash_s3_and_moving_phase => cc3*k_s3*de_s3*clips3*touchs3 + ss3*k_s3*de_s3*clips3*flanks3*touchs3;
+            transmission_error_s3_and_sliding_friction_s3_and_moving_phase => cs3*de_s3*side_s3*F_mu_s3_by_overs3*flanks3
+                - sc3*de_s3*side_s3*F_mu_s3_by_overs3;
+            transmission_error_s3_and_moving_phase => cc3*k_s3*de_s3*touchs3 + ss3*k_s3*de_s3*flanks3*touchs3;
+            backlash_s3_and_moving_phase => -cc3*dk_s3*clips3*touchs3*overs3 - ss3*dk_s3*clips3*flanks3*touchs3*overs3;
+            sliding_friction_s3_and_moving_phase => sc3*dk_s3*side_s3*F_mu_s3_by_k_s3 - cs3*dk_s3*side_s3*F_mu_s3_by_k_s3*flanks3
+                - cs3*dside_s3*F_mu_s3*flanks3 + sc3*dside_s3*F_mu_s3;
+            transmission_error_s4_and_backlash_s4_and_moving_phase => cc4*k_s4*de_s4*clips4*touchs4 + ss4*k_s4*de_s4*clips4*flanks4*touchs4;
+            transmission_error_s4_and_sliding_friction_s4_and_moving_phase => cs4*de_s4*side_s4*F_mu_s4_by_overs4*flanks4
+                - sc4*de_s4*side_s4*F_mu_s4_by_overs4;
+            transmission_error_s4_and_moving_phase => cc4*k_s4*de_s4*touchs4 + ss4*k_s4*de_s4*flanks4*touchs4;
+            backlash_s4_and_moving_phase => -cc4*dk_s4*clips4*touchs4*overs4 - ss4*dk_s4*clips4*flanks4*touchs4*overs4;
+            sliding_friction_s4_and_moving_phase => sc4*dk_s4*side_s4*F_mu_s4_by_k_s4 - cs4*dk_s4*side_s4*F_mu_s4_by_k_s4*flanks4
+                - cs4*dside_s4*F_mu_s4*flanks4 + sc4*dside_s4*F_mu_s4;
+            transmission_error_s5_and_backlash_s5_and_moving_phase => cc5*k_s5*de_s5*clips5*touchs5 + ss5*k_s5*de_s5*clips5*flanks5*touchs5;
+            transmission_error_s5_and_sliding_friction_s5_and_moving_phase => cs5*de_s5*side_s5*F_mu_s5_by_overs5*flanks5
+                - sc5*de_s5*side_s5*F_mu_s5_by_overs5;
+            transmission_error_s5_and_moving_phase => cc5*k_s5*de_s5*touchs5 + ss5*k_s5*de_s5*flanks5*touchs5;
+            backlash_s5_and_moving_phase => -cc5*dk_s5*clips5*touchs5*overs5 - ss5*dk_s5*clips5*flanks5*touchs5*overs5;
+            sliding_friction_s5_and_moving_phase => sc5*dk_s5*side_s5*F_mu_s5_by_k_s5 - cs5*dk_s5*side_s5*F_mu_s5_by_k_s5*flanks5
+                - cs5*dside_s5*F_mu_s5*flanks5 + sc5*dside_s5*F_mu_s5;
+            moving_phase => -cc1*dk_s1*touchs1*overs1 - cc2*dk_s2*touchs2*overs2 - cc3*dk_s3*touchs3*overs3 - cc4*dk_s4*touchs4*overs4
+                - cc5*dk_s5*touchs5*overs5 - ss1*dk_s1*flanks1*touchs1*overs1 - ss2*dk_s2*flanks2*touchs2*overs2
+                - ss3*dk_s3*flanks3*touchs3*overs3 - ss4*dk_s4*flanks4*touchs4*overs4 - ss5*dk_s5*flanks5*touchs5*overs5;
         }
         y_s y_s_dot { damping => -alpha_M*m_s; }
         y_s by_s { _ => -kb_s; }
         y_s overs1 {
-            _ => -cos_s1*k_s1*touchs1;
-            backlash_s1 => -cos_s1*k_s1*clips1*touchs1;
-            sliding_friction_s1 => sin_s1*side_s1*F_mu_s1_by_overs1;
+            _ => -cc1*k_s1*touchs1 - ss1*k_s1*flanks1*touchs1;
+            backlash_s1 => -cc1*k_s1*clips1*touchs1 - ss1*k_s1*clips1*flanks1*touchs1;
+            sliding_friction_s1 => sc1*side_s1*F_mu_s1_by_overs1 - cs1*side_s1*F_mu_s1_by_overs1*flanks1;
         }
         y_s overs2 {
-            _ => -cos_s2*k_s2*touchs2;
-            backlash_s2 => -cos_s2*k_s2*clips2*touchs2;
-            sliding_friction_s2 => sin_s2*side_s2*F_mu_s2_by_overs2;
+            _ => -cc2*k_s2*touchs2 - ss2*k_s2*flanks2*touchs2;
+            backlash_s2 => -cc2*k_s2*clips2*touchs2 - ss2*k_s2*clips2*flanks2*touchs2;
+            sliding_friction_s2 => sc2*side_s2*F_mu_s2_by_overs2 - cs2*side_s2*F_mu_s2_by_overs2*flanks2;
         }
         y_s overs3 {
-            _ => -cos_s3*k_s3*touchs3;
-            backlash_s3 => -cos_s3*k_s3*clips3*touchs3;
-            sliding_friction_s3 => sin_s3*side_s3*F_mu_s3_by_overs3;
+            _ => -cc3*k_s3*touchs3 - ss3*k_s3*flanks3*touchs3;
+            backlash_s3 => -cc3*k_s3*clips3*touchs3 - ss3*k_s3*clips3*flanks3*touchs3;
+            sliding_friction_s3 => sc3*side_s3*F_mu_s3_by_overs3 - cs3*side_s3*F_mu_s3_by_overs3*flanks3;
         }
         y_s overs4 {
-            _ => -cos_s4*k_s4*touchs4;
-            backlash_s4 => -cos_s4*k_s4*clips4*touchs4;
-            sliding_friction_s4 => sin_s4*side_s4*F_mu_s4_by_overs4;
+            _ => -cc4*k_s4*touchs4 - ss4*k_s4*flanks4*touchs4;
+            backlash_s4 => -cc4*k_s4*clips4*touchs4 - ss4*k_s4*clips4*flanks4*touchs4;
+            sliding_friction_s4 => sc4*side_s4*F_mu_s4_by_overs4 - cs4*side_s4*F_mu_s4_by_overs4*flanks4;
         }
         y_s overs5 {
-            _ => -cos_s5*k_s5*touchs5;
-            backlash_s5 => -cos_s5*k_s5*clips5*touchs5;
-            sliding_friction_s5 => sin_s5*side_s5*F_mu_s5_by_overs5;
+            _ => -cc5*k_s5*touchs5 - ss5*k_s5*flanks5*touchs5;
+            backlash_s5 => -cc5*k_s5*clips5*touchs5 - ss5*k_s5*clips5*flanks5*touchs5;
+            sliding_friction_s5 => sc5*side_s5*F_mu_s5_by_overs5 - cs5*side_s5*F_mu_s5_by_overs5*flanks5;
         }
         y_s by_s_dot {
             viscous_friction_s => -cb_s;
             damping => -beta_K*kb_s;
         }
-        y_s overs1_dot { damping => -cos_s1*beta_K*k_s1_mid*damps1; }
-        y_s psi_s1_dot { sliding_friction_s1 => sin_s1*side_s1*F_mu_s1_by_psi_s1_dot; }
-        y_s overs2_dot { damping => -cos_s2*beta_K*k_s2_mid*damps2; }
-        y_s psi_s2_dot { sliding_friction_s2 => sin_s2*side_s2*F_mu_s2_by_psi_s2_dot; }
-        y_s overs3_dot { damping => -cos_s3*beta_K*k_s3_mid*damps3; }
-        y_s psi_s3_dot { sliding_friction_s3 => sin_s3*side_s3*F_mu_s3_by_psi_s3_dot; }
-        y_s overs4_dot { damping => -cos_s4*beta_K*k_s4_mid*damps4; }
-        y_s psi_s4_dot { sliding_friction_s4 => sin_s4*side_s4*F_mu_s4_by_psi_s4_dot; }
-        y_s overs5_dot { damping => -cos_s5*beta_K*k_s5_mid*damps5; }
-        y_s psi_s5_dot { sliding_friction_s5 => sin_s5*side_s5*F_mu_s5_by_psi_s5_dot; }
+        y_s overs1_dot { damping => -cc1*beta_K*k_s1_mid*damps1 - ss1*beta_K*k_s1_mid*damps1*flanks1; }
+        y_s psi_s1_dot { sliding_friction_s1 => sc1*side_s1*F_mu_s1_by_psi_s1_dot - cs1*side_s1*F_mu_s1_by_psi_s1_dot*flanks1; }
+        y_s overs2_dot { damping => -cc2*beta_K*k_s2_mid*damps2 - ss2*beta_K*k_s2_mid*damps2*flanks2; }
+        y_s psi_s2_dot { sliding_friction_s2 => sc2*side_s2*F_mu_s2_by_psi_s2_dot - cs2*side_s2*F_mu_s2_by_psi_s2_dot*flanks2; }
+        y_s overs3_dot { damping => -cc3*beta_K*k_s3_mid*damps3 - ss3*beta_K*k_s3_mid*damps3*flanks3; }
+        y_s psi_s3_dot { sliding_friction_s3 => sc3*side_s3*F_mu_s3_by_psi_s3_dot - cs3*side_s3*F_mu_s3_by_psi_s3_dot*flanks3; }
+        y_s overs4_dot { damping => -cc4*beta_K*k_s4_mid*damps4 - ss4*beta_K*k_s4_mid*damps4*flanks4; }
+        y_s psi_s4_dot { sliding_friction_s4 => sc4*side_s4*F_mu_s4_by_psi_s4_dot - cs4*side_s4*F_mu_s4_by_psi_s4_dot*flanks4; }
+        y_s overs5_dot { damping => -cc5*beta_K*k_s5_mid*damps5 - ss5*beta_K*k_s5_mid*damps5*flanks5; }
+        y_s psi_s5_dot { sliding_friction_s5 => sc5*side_s5*F_mu_s5_by_psi_s5_dot - cs5*side_s5*F_mu_s5_by_psi_s5_dot*flanks5; }
         x_c x_c_dot { damping => -alpha_M*m_c; }
         x_c bx_c { _ => -kb_c; }
         x_c radial1 { _ => -cos_c1*kb_p; }
@@ -3075,189 +3159,216 @@ equations! {
             damping => -cos_c5*beta_K*kb_p;
         }
         x_r theta {
-            transmission_error_r1_and_backlash_r1_and_moving_phase => -sin_r1*k_r1*de_r1*clipr1*touchr1;
-            transmission_error_r1_and_sliding_friction_r1_and_moving_phase => cos_r1*de_r1*side_r1*F_mu_r1_by_overr1;
-            transmission_error_r1_and_moving_phase => -sin_r1*k_r1*de_r1*touchr1;
-            backlash_r1_and_moving_phase => sin_r1*dk_r1*clipr1*touchr1*overr1;
-            sliding_friction_r1_and_moving_phase => -cos_r1*dk_r1*side_r1*F_mu_r1_by_k_r1 - cos_r1*dside_r1*F_mu_r1;
-            transmission_error_r2_and_backlash_r2_and_moving_phase => -sin_r2*k_r2*de_r2*clipr2*touchr2;
-            transmission_error_r2_and_sliding_friction_r2_and_moving_phase => cos_r2*de_r2*side_r2*F_mu_r2_by_overr2;
-            transmission_error_r2_and_moving_phase => -sin_r2*k_r2*de_r2*touchr2;
-            backlash_r2_and_moving_phase => sin_r2*dk_r2*clipr2*touchr2*overr2;
-            sliding_friction_r2_and_moving_phase => -cos_r2*dk_r2*side_r2*F_mu_r2_by_k_r2 - cos_r2*dside_r2*F_mu_r2;
-            transmission_error_r3_and_backlash_r3_and_moving_phase => -sin_r3*k_r3*de_r3*clipr3*touchr3;
-            transmission_error_r3_and_sliding_friction_r3_and_moving_phase => cos_r3*de_r3*side_r3*F_mu_r3_by_overr3;
-            transmission_error_r3_and_moving_phase => -sin_r3*k_r3*de_r3*touchr3;
-            backlash_r3_and_moving_phase => sin_r3*dk_r3*clipr3*touchr3*overr3;
-            sliding_friction_r3_and_moving_phase => -cos_r3*dk_r3*side_r3*F_mu_r3_by_k_r3 - cos_r3*dside_r3*F_mu_r3;
-            transmission_error_r4_and_backlash_r4_and_moving_phase => -sin_r4*k_r4*de_r4*clipr4*touchr4;
-            transmission_error_r4_and_sliding_friction_r4_and_moving_phase => cos_r4*de_r4*side_r4*F_mu_r4_by_overr4;
-            transmission_error_r4_and_moving_phase => -sin_r4*k_r4*de_r4*touchr4;
-            backlash_r4_and_moving_phase => sin_r4*dk_r4*clipr4*touchr4*overr4;
-            sliding_friction_r4_and_moving_phase => -cos_r4*dk_r4*side_r4*F_mu_r4_by_k_r4 - cos_r4*dside_r4*F_mu_r4;
-            transmission_error_r5_and_backlash_r5_and_moving_phase => -sin_r5*k_r5*de_r5*clipr5*touchr5;
-            transmission_error_r5_and_sliding_friction_r5_and_moving_phase => cos_r5*de_r5*side_r5*F_mu_r5_by_overr5;
-            transmission_error_r5_and_moving_phase => -sin_r5*k_r5*de_r5*touchr5;
-            backlash_r5_and_moving_phase => sin_r5*dk_r5*clipr5*touchr5*overr5;
-            sliding_friction_r5_and_moving_phase => -cos_r5*dk_r5*side_r5*F_mu_r5_by_k_r5 - cos_r5*dside_r5*F_mu_r5;
-            moving_phase => sin_r1*dk_r1*touchr1*overr1 + sin_r2*dk_r2*touchr2*overr2 + sin_r3*dk_r3*touchr3*overr3
-                + sin_r4*dk_r4*touchr4*overr4 + sin_r5*dk_r5*touchr5*overr5;
+            transmission_error_r1_and_backlash_r1_and_moving_phase => -cs1*k_r1*de_r1*clipr1*flankr1*touchr1
+                - sc1*k_r1*de_r1*clipr1*touchr1;
+            transmission_error_r1_and_sliding_friction_r1_and_moving_phase => cc1*de_r1*side_r1*F_mu_r1_by_overr1
+                - ss1*de_r1*side_r1*F_mu_r1_by_overr1*flankr1;
+            transmission_error_r1_and_moving_phase => -cs1*k_r1*de_r1*flankr1*touchr1 - sc1*k_r1*de_r1*touchr1;
+            backlash_r1_and_moving_phase => cs1*dk_r1*clipr1*flankr1*touchr1*overr1 + sc1*dk_r1*clipr1*touchr1*overr1;
+            sliding_friction_r1_and_moving_phase => ss1*dk_r1*side_r1*F_mu_r1_by_k_r1*flankr1 - cc1*dk_r1*side_r1*F_mu_r1_by_k_r1
+                - cc1*dside_r1*F_mu_r1 + ss1*dside_r1*F_mu_r1*flankr1;
+            transmission_error_r2_and_backlash_r2_and_moving_phase => -cs2*k_r2*de_r2*clipr2*flankr2*touchr2
+                - sc2*k_r2*de_r2*clipr2*touchr2;
+            transmission_error_r2_and_sliding_friction_r2_and_moving_phase => cc2*de_r2*side_r2*F_mu_r2_by_overr2
+                - ss2*de_r2*side_r2*F_mu_r2_by_overr2*flankr2;
+            transmission_error_r2_and_moving_phase => -cs2*k_r2*de_r2*flankr2*touchr2 - sc2*k_r2*de_r2*touchr2;
+            backlash_r2_and_moving_phase => cs2*dk_r2*clipr2*flankr2*touchr2*overr2 + sc2*dk_r2*clipr2*touchr2*overr2;
+            sliding_friction_r2_and_moving_phase => ss2*dk_r2*side_r2*F_mu_r2_by_k_r2*flankr2 - cc2*dk_r2*side_r2*F_mu_r2_by_k_r2
+                - cc2*dside_r2*F_mu_r2 + ss2*dside_r2*F_mu_r2*flankr2;
+            transmission_error_r3_and_backlash_r3_and_moving_phase => -cs3*k_r3*de_r3*clipr3*flankr3*touchr3
+                - sc3*k_r3*de_r3*clipr3*touchr3;
+            transmission_error_r3_and_sliding_friction_r3_and_moving_phase => cc3*de_r3*side_r3*F_mu_r3_by_overr3
+                - ss3*de_r3*side_r3*F_mu_r3_by_overr3*flankr3;
+            transmission_error_r3_and_moving_phase => -cs3*k_r3*de_r3*flankr3*touchr3 - sc3*k_r3*de_r3*touchr3;
+            backlash_r3_and_moving_phase => cs3*dk_r3*clipr3*flankr3*touchr3*overr3 + sc3*dk_r3*clipr3*touchr3*overr3;
+            sliding_friction_r3_and_moving_phase => ss3*dk_r3*side_r3*F_mu_r3_by_k_r3*flankr3 - cc3*dk_r3*side_r3*F_mu_r3_by_k_r3
+                - cc3*dside_r3*F_mu_r3 + ss3*dside_r3*F_mu_r3*flankr3;
+            transmission_error_r4_and_backlash_r4_and_moving_phase => -cs4*k_r4*de_r4*clipr4*flankr4*touchr4
+                - sc4*k_r4*de_r4*clipr4*touchr4;
+            transmission_error_r4_and_sliding_friction_r4_and_moving_phase => cc4*de_r4*side_r4*F_mu_r4_by_overr4
+                - ss4*de_r4*side_r4*F_mu_r4_by_overr4*flankr4;
+            transmission_error_r4_and_moving_phase => -cs4*k_r4*de_r4*flankr4*touchr4 - sc4*k_r4*de_r4*touchr4;
+            backlash_r4_and_moving_phase => cs4*dk_r4*clipr4*flankr4*touchr4*overr4 + sc4*dk_r4*clipr4*touchr4*overr4;
+            sliding_friction_r4_and_moving_phase => ss4*dk_r4*side_r4*F_mu_r4_by_k_r4*flankr4 - cc4*dk_r4*side_r4*F_mu_r4_by_k_r4
+                - cc4*dside_r4*F_mu_r4 + ss4*dside_r4*F_mu_r4*flankr4;
+            transmission_error_r5_and_backlash_r5_and_moving_phase => -cs5*k_r5*de_r5*clipr5*flankr5*touchr5
+                - sc5*k_r5*de_r5*clipr5*touchr5;
+            transmission_error_r5_and_sliding_friction_r5_and_moving_phase => cc5*de_r5*side_r5*F_mu_r5_by_overr5
+                - ss5*de_r5*side_r5*F_mu_r5_by_overr5*flankr5;
+            transmission_error_r5_and_moving_phase => -cs5*k_r5*de_r5*flankr5*touchr5 - sc5*k_r5*de_r5*touchr5;
+            backlash_r5_and_moving_phase => cs5*dk_r5*clipr5*flankr5*touchr5*overr5 + sc5*dk_r5*clipr5*touchr5*overr5;
+            sliding_friction_r5_and_moving_phase => ss5*dk_r5*side_r5*F_mu_r5_by_k_r5*flankr5 - cc5*dk_r5*side_r5*F_mu_r5_by_k_r5
+                - cc5*dside_r5*F_mu_r5 + ss5*dside_r5*F_mu_r5*flankr5;
+            moving_phase => cs1*dk_r1*flankr1*touchr1*overr1 + cs2*dk_r2*flankr2*touchr2*overr2 + cs3*dk_r3*flankr3*touchr3*overr3
+                + cs4*dk_r4*flankr4*touchr4*overr4 + cs5*dk_r5*flankr5*touchr5*overr5 + sc1*dk_r1*touchr1*overr1
+                + sc2*dk_r2*touchr2*overr2 + sc3*dk_r3*touchr3*overr3 + sc4*dk_r4*touchr4*overr4 + sc5*dk_r5*touchr5*overr5;
         }
         x_r x_r_dot { damping => -alpha_M*m_r; }
         x_r bx_r { _ => -kb_r; }
         x_r overr1 {
-            _ => sin_r1*k_r1*touchr1;
-            backlash_r1 => sin_r1*k_r1*clipr1*touchr1;
-            sliding_friction_r1 => -cos_r1*side_r1*F_mu_r1_by_overr1;
+            _ => cs1*k_r1*flankr1*touchr1 + sc1*k_r1*touchr1;
+            backlash_r1 => cs1*k_r1*clipr1*flankr1*touchr1 + sc1*k_r1*clipr1*touchr1;
+            sliding_friction_r1 => ss1*side_r1*F_mu_r1_by_overr1*flankr1 - cc1*side_r1*F_mu_r1_by_overr1;
         }
         x_r overr2 {
-            _ => sin_r2*k_r2*touchr2;
-            backlash_r2 => sin_r2*k_r2*clipr2*touchr2;
-            sliding_friction_r2 => -cos_r2*side_r2*F_mu_r2_by_overr2;
+            _ => cs2*k_r2*flankr2*touchr2 + sc2*k_r2*touchr2;
+            backlash_r2 => cs2*k_r2*clipr2*flankr2*touchr2 + sc2*k_r2*clipr2*touchr2;
+            sliding_friction_r2 => ss2*side_r2*F_mu_r2_by_overr2*flankr2 - cc2*side_r2*F_mu_r2_by_overr2;
         }
         x_r overr3 {
-            _ => sin_r3*k_r3*touchr3;
-            backlash_r3 => sin_r3*k_r3*clipr3*touchr3;
-            sliding_friction_r3 => -cos_r3*side_r3*F_mu_r3_by_overr3;
+            _ => cs3*k_r3*flankr3*touchr3 + sc3*k_r3*touchr3;
+            backlash_r3 => cs3*k_r3*clipr3*flankr3*touchr3 + sc3*k_r3*clipr3*touchr3;
+            sliding_friction_r3 => ss3*side_r3*F_mu_r3_by_overr3*flankr3 - cc3*side_r3*F_mu_r3_by_overr3;
         }
         x_r overr4 {
-            _ => sin_r4*k_r4*touchr4;
-            backlash_r4 => sin_r4*k_r4*clipr4*touchr4;
-            sliding_friction_r4 => -cos_r4*side_r4*F_mu_r4_by_overr4;
+            _ => cs4*k_r4*flankr4*touchr4 + sc4*k_r4*touchr4;
+            backlash_r4 => cs4*k_r4*clipr4*flankr4*touchr4 + sc4*k_r4*clipr4*touchr4;
+            sliding_friction_r4 => ss4*side_r4*F_mu_r4_by_overr4*flankr4 - cc4*side_r4*F_mu_r4_by_overr4;
         }
         x_r overr5 {
-            _ => sin_r5*k_r5*touchr5;
-            backlash_r5 => sin_r5*k_r5*clipr5*touchr5;
-            sliding_friction_r5 => -cos_r5*side_r5*F_mu_r5_by_overr5;
+            _ => cs5*k_r5*flankr5*touchr5 + sc5*k_r5*touchr5;
+            backlash_r5 => cs5*k_r5*clipr5*flankr5*touchr5 + sc5*k_r5*clipr5*touchr5;
+            sliding_friction_r5 => ss5*side_r5*F_mu_r5_by_overr5*flankr5 - cc5*side_r5*F_mu_r5_by_overr5;
         }
         x_r bx_r_dot {
             viscous_friction_r => -cb_r;
             damping => -beta_K*kb_r;
         }
-        x_r overr1_dot { damping => sin_r1*beta_K*k_r1_mid*dampr1; }
-        x_r psi_r1_dot { sliding_friction_r1 => -cos_r1*side_r1*F_mu_r1_by_psi_r1_dot; }
-        x_r overr2_dot { damping => sin_r2*beta_K*k_r2_mid*dampr2; }
-        x_r psi_r2_dot { sliding_friction_r2 => -cos_r2*side_r2*F_mu_r2_by_psi_r2_dot; }
-        x_r overr3_dot { damping => sin_r3*beta_K*k_r3_mid*dampr3; }
-        x_r psi_r3_dot { sliding_friction_r3 => -cos_r3*side_r3*F_mu_r3_by_psi_r3_dot; }
-        x_r overr4_dot { damping => sin_r4*beta_K*k_r4_mid*dampr4; }
-        x_r psi_r4_dot { sliding_friction_r4 => -cos_r4*side_r4*F_mu_r4_by_psi_r4_dot; }
-        x_r overr5_dot { damping => sin_r5*beta_K*k_r5_mid*dampr5; }
-        x_r psi_r5_dot { sliding_friction_r5 => -cos_r5*side_r5*F_mu_r5_by_psi_r5_dot; }
+        x_r overr1_dot { damping => cs1*beta_K*k_r1_mid*dampr1*flankr1 + sc1*beta_K*k_r1_mid*dampr1; }
+        x_r psi_r1_dot { sliding_friction_r1 => ss1*side_r1*F_mu_r1_by_psi_r1_dot*flankr1 - cc1*side_r1*F_mu_r1_by_psi_r1_dot; }
+        x_r overr2_dot { damping => cs2*beta_K*k_r2_mid*dampr2*flankr2 + sc2*beta_K*k_r2_mid*dampr2; }
+        x_r psi_r2_dot { sliding_friction_r2 => ss2*side_r2*F_mu_r2_by_psi_r2_dot*flankr2 - cc2*side_r2*F_mu_r2_by_psi_r2_dot; }
+        x_r overr3_dot { damping => cs3*beta_K*k_r3_mid*dampr3*flankr3 + sc3*beta_K*k_r3_mid*dampr3; }
+        x_r psi_r3_dot { sliding_friction_r3 => ss3*side_r3*F_mu_r3_by_psi_r3_dot*flankr3 - cc3*side_r3*F_mu_r3_by_psi_r3_dot; }
+        x_r overr4_dot { damping => cs4*beta_K*k_r4_mid*dampr4*flankr4 + sc4*beta_K*k_r4_mid*dampr4; }
+        x_r psi_r4_dot { sliding_friction_r4 => ss4*side_r4*F_mu_r4_by_psi_r4_dot*flankr4 - cc4*side_r4*F_mu_r4_by_psi_r4_dot; }
+        x_r overr5_dot { damping => cs5*beta_K*k_r5_mid*dampr5*flankr5 + sc5*beta_K*k_r5_mid*dampr5; }
+        x_r psi_r5_dot { sliding_friction_r5 => ss5*side_r5*F_mu_r5_by_psi_r5_dot*flankr5 - cc5*side_r5*F_mu_r5_by_psi_r5_dot; }
         y_r theta {
-            transmission_error_r1_and_backlash_r1_and_moving_phase => cos_r1*k_r1*de_r1*clipr1*touchr1;
-            transmission_error_r1_and_sliding_friction_r1_and_moving_phase => sin_r1*de_r1*side_r1*F_mu_r1_by_overr1;
-            transmission_error_r1_and_moving_phase => cos_r1*k_r1*de_r1*touchr1;
-            backlash_r1_and_moving_phase => -cos_r1*dk_r1*clipr1*touchr1*overr1;
-            sliding_friction_r1_and_moving_phase => -sin_r1*dk_r1*side_r1*F_mu_r1_by_k_r1 - sin_r1*dside_r1*F_mu_r1;
-            transmission_error_r2_and_backlash_r2_and_moving_phase => cos_r2*k_r2*de_r2*clipr2*touchr2;
-            transmission_error_r2_and_sliding_friction_r2_and_moving_phase => sin_r2*de_r2*side_r2*F_mu_r2_by_overr2;
-            transmission_error_r2_and_moving_phase => cos_r2*k_r2*de_r2*touchr2;
-            backlash_r2_and_moving_phase => -cos_r2*dk_r2*clipr2*touchr2*overr2;
-            sliding_friction_r2_and_moving_phase => -sin_r2*dk_r2*side_r2*F_mu_r2_by_k_r2 - sin_r2*dside_r2*F_mu_r2;
-            transmission_error_r3_and_backlash_r3_and_moving_phase => cos_r3*k_r3*de_r3*clipr3*touchr3;
-            transmission_error_r3_and_sliding_friction_r3_and_moving_phase => sin_r3*de_r3*side_r3*F_mu_r3_by_overr3;
-            transmission_error_r3_and_moving_phase => cos_r3*k_r3*de_r3*touchr3;
-            backlash_r3_and_moving_phase => -cos_r3*dk_r3*clipr3*touchr3*overr3;
-            sliding_friction_r3_and_moving_phase => -sin_r3*dk_r3*side_r3*F_mu_r3_by_k_r3 - sin_r3*dside_r3*F_mu_r3;
-            transmission_error_r4_and_backlash_r4_and_moving_phase => cos_r4*k_r4*de_r4*clipr4*touchr4;
-            transmission_error_r4_and_sliding_friction_r4_and_moving_phase => sin_r4*de_r4*side_r4*F_mu_r4_by_overr4;
-            transmission_error_r4_and_moving_phase => cos_r4*k_r4*de_r4*touchr4;
-            backlash_r4_and_moving_phase => -cos_r4*dk_r4*clipr4*touchr4*overr4;
-            sliding_friction_r4_and_moving_phase => -sin_r4*dk_r4*side_r4*F_mu_r4_by_k_r4 - sin_r4*dside_r4*F_mu_r4;
-            transmission_error_r5_and_backlash_r5_and_moving_phase => cos_r5*k_r5*de_r5*clipr5*touchr5;
-            transmission_error_r5_and_sliding_friction_r5_and_moving_phase => sin_r5*de_r5*side_r5*F_mu_r5_by_overr5;
-            transmission_error_r5_and_moving_phase => cos_r5*k_r5*de_r5*touchr5;
-            backlash_r5_and_moving_phase => -cos_r5*dk_r5*clipr5*touchr5*overr5;
-            sliding_friction_r5_and_moving_phase => -sin_r5*dk_r5*side_r5*F_mu_r5_by_k_r5 - sin_r5*dside_r5*F_mu_r5;
-            moving_phase => -cos_r1*dk_r1*touchr1*overr1 - cos_r2*dk_r2*touchr2*overr2 - cos_r3*dk_r3*touchr3*overr3
-                - cos_r4*dk_r4*touchr4*overr4 - cos_r5*dk_r5*touchr5*overr5;
+            transmission_error_r1_and_backlash_r1_and_moving_phase => cc1*k_r1*de_r1*clipr1*touchr1 - ss1*k_r1*de_r1*clipr1*flankr1*touchr1;
+            transmission_error_r1_and_sliding_friction_r1_and_moving_phase => cs1*de_r1*side_r1*F_mu_r1_by_overr1*flankr1
+                + sc1*de_r1*side_r1*F_mu_r1_by_overr1;
+            transmission_error_r1_and_moving_phase => cc1*k_r1*de_r1*touchr1 - ss1*k_r1*de_r1*flankr1*touchr1;
+            backlash_r1_and_moving_phase => ss1*dk_r1*clipr1*flankr1*touchr1*overr1 - cc1*dk_r1*clipr1*touchr1*overr1;
+            sliding_friction_r1_and_moving_phase => -cs1*dk_r1*side_r1*F_mu_r1_by_k_r1*flankr1 - cs1*dside_r1*F_mu_r1*flankr1
+                - sc1*dk_r1*side_r1*F_mu_r1_by_k_r1 - sc1*dside_r1*F_mu_r1;
+            transmission_error_r2_and_backlash_r2_and_moving_phase => cc2*k_r2*de_r2*clipr2*touchr2 - ss2*k_r2*de_r2*clipr2*flankr2*touchr2;
+            transmission_error_r2_and_sliding_friction_r2_and_moving_phase => cs2*de_r2*side_r2*F_mu_r2_by_overr2*flankr2
+                + sc2*de_r2*side_r2*F_mu_r2_by_overr2;
+            transmission_error_r2_and_moving_phase => cc2*k_r2*de_r2*touchr2 - ss2*k_r2*de_r2*flankr2*touchr2;
+            backlash_r2_and_moving_phase => ss2*dk_r2*clipr2*flankr2*touchr2*overr2 - cc2*dk_r2*clipr2*touchr2*overr2;
+            sliding_friction_r2_and_moving_phase => -cs2*dk_r2*side_r2*F_mu_r2_by_k_r2*flankr2 - cs2*dside_r2*F_mu_r2*flankr2
+                - sc2*dk_r2*side_r2*F_mu_r2_by_k_r2 - sc2*dside_r2*F_mu_r2;
+            transmission_error_r3_and_backlash_r3_and_moving_phase => cc3*k_r3*de_r3*clipr3*touchr3 - ss3*k_r3*de_r3*clipr3*flankr3*touchr3;
+            transmission_error_r3_and_sliding_friction_r3_and_moving_phase => cs3*de_r3*side_r3*F_mu_r3_by_overr3*flankr3
+                + sc3*de_r3*side_r3*F_mu_r3_by_overr3;
+            transmission_error_r3_and_moving_phase => cc3*k_r3*de_r3*touchr3 - ss3*k_r3*de_r3*flankr3*touchr3;
+            backlash_r3_and_moving_phase => ss3*dk_r3*clipr3*flankr3*touchr3*overr3 - cc3*dk_r3*clipr3*touchr3*overr3;
+            sliding_friction_r3_and_moving_phase => -cs3*dk_r3*side_r3*F_mu_r3_by_k_r3*flankr3 - cs3*dside_r3*F_mu_r3*flankr3
+                - sc3*dk_r3*side_r3*F_mu_r3_by_k_r3 - sc3*dside_r3*F_mu_r3;
+            transmission_error_r4_and_backlash_r4_and_moving_phase => cc4*k_r4*de_r4*clipr4*touchr4 - ss4*k_r4*de_r4*clipr4*flankr4*touchr4;
+            transmission_error_r4_and_sliding_friction_r4_and_moving_phase => cs4*de_r4*side_r4*F_mu_r4_by_overr4*flankr4
+                + sc4*de_r4*side_r4*F_mu_r4_by_overr4;
+            transmission_error_r4_and_moving_phase => cc4*k_r4*de_r4*touchr4 - ss4*k_r4*de_r4*flankr4*touchr4;
+            backlash_r4_and_moving_phase => ss4*dk_r4*clipr4*flankr4*touchr4*overr4 - cc4*dk_r4*clipr4*touchr4*overr4;
+            sliding_friction_r4_and_moving_phase => -cs4*dk_r4*side_r4*F_mu_r4_by_k_r4*flankr4 - cs4*dside_r4*F_mu_r4*flankr4
+                - sc4*dk_r4*side_r4*F_mu_r4_by_k_r4 - sc4*dside_r4*F_mu_r4;
+            transmission_error_r5_and_backlash_r5_and_moving_phase => cc5*k_r5*de_r5*clipr5*touchr5 - ss5*k_r5*de_r5*clipr5*flankr5*touchr5;
+            transmission_error_r5_and_sliding_friction_r5_and_moving_phase => cs5*de_r5*side_r5*F_mu_r5_by_overr5*flankr5
+                + sc5*de_r5*side_r5*F_mu_r5_by_overr5;
+            transmission_error_r5_and_moving_phase => cc5*k_r5*de_r5*touchr5 - ss5*k_r5*de_r5*flankr5*touchr5;
+            backlash_r5_and_moving_phase => ss5*dk_r5*clipr5*flankr5*touchr5*overr5 - cc5*dk_r5*clipr5*touchr5*overr5;
+            sliding_friction_r5_and_moving_phase => -cs5*dk_r5*side_r5*F_mu_r5_by_k_r5*flankr5 - cs5*dside_r5*F_mu_r5*flankr5
+                - sc5*dk_r5*side_r5*F_mu_r5_by_k_r5 - sc5*dside_r5*F_mu_r5;
+            moving_phase => ss1*dk_r1*flankr1*touchr1*overr1 - cc1*dk_r1*touchr1*overr1 - cc2*dk_r2*touchr2*overr2
+                - cc3*dk_r3*touchr3*overr3 - cc4*dk_r4*touchr4*overr4 - cc5*dk_r5*touchr5*overr5 + ss2*dk_r2*flankr2*touchr2*overr2
+                + ss3*dk_r3*flankr3*touchr3*overr3 + ss4*dk_r4*flankr4*touchr4*overr4 + ss5*dk_r5*flankr5*touchr5*overr5;
         }
         y_r y_r_dot { damping => -alpha_M*m_r; }
         y_r by_r { _ => -kb_r; }
         y_r overr1 {
-            _ => -cos_r1*k_r1*touchr1;
-            backlash_r1 => -cos_r1*k_r1*clipr1*touchr1;
-            sliding_friction_r1 => -sin_r1*side_r1*F_mu_r1_by_overr1;
+            _ => ss1*k_r1*flankr1*touchr1 - cc1*k_r1*touchr1;
+            backlash_r1 => ss1*k_r1*clipr1*flankr1*touchr1 - cc1*k_r1*clipr1*touchr1;
+            sliding_friction_r1 => -cs1*side_r1*F_mu_r1_by_overr1*flankr1 - sc1*side_r1*F_mu_r1_by_overr1;
         }
         y_r overr2 {
-            _ => -cos_r2*k_r2*touchr2;
-            backlash_r2 => -cos_r2*k_r2*clipr2*touchr2;
-            sliding_friction_r2 => -sin_r2*side_r2*F_mu_r2_by_overr2;
+            _ => ss2*k_r2*flankr2*touchr2 - cc2*k_r2*touchr2;
+            backlash_r2 => ss2*k_r2*clipr2*flankr2*touchr2 - cc2*k_r2*clipr2*touchr2;
+            sliding_friction_r2 => -cs2*side_r2*F_mu_r2_by_overr2*flankr2 - sc2*side_r2*F_mu_r2_by_overr2;
         }
         y_r overr3 {
-            _ => -cos_r3*k_r3*touchr3;
-            backlash_r3 => -cos_r3*k_r3*clipr3*touchr3;
-            sliding_friction_r3 => -sin_r3*side_r3*F_mu_r3_by_overr3;
+            _ => ss3*k_r3*flankr3*touchr3 - cc3*k_r3*touchr3;
+            backlash_r3 => ss3*k_r3*clipr3*flankr3*touchr3 - cc3*k_r3*clipr3*touchr3;
+            sliding_friction_r3 => -cs3*side_r3*F_mu_r3_by_overr3*flankr3 - sc3*side_r3*F_mu_r3_by_overr3;
         }
         y_r overr4 {
-            _ => -cos_r4*k_r4*touchr4;
-            backlash_r4 => -cos_r4*k_r4*clipr4*touchr4;
-            sliding_friction_r4 => -sin_r4*side_r4*F_mu_r4_by_overr4;
+            _ => ss4*k_r4*flankr4*touchr4 - cc4*k_r4*touchr4;
+            backlash_r4 => ss4*k_r4*clipr4*flankr4*touchr4 - cc4*k_r4*clipr4*touchr4;
+            sliding_friction_r4 => -cs4*side_r4*F_mu_r4_by_overr4*flankr4 - sc4*side_r4*F_mu_r4_by_overr4;
         }
         y_r overr5 {
-            _ => -cos_r5*k_r5*touchr5;
-            backlash_r5 => -cos_r5*k_r5*clipr5*touchr5;
-            sliding_friction_r5 => -sin_r5*side_r5*F_mu_r5_by_overr5;
+            _ => ss5*k_r5*flankr5*touchr5 - cc5*k_r5*touchr5;
+            backlash_r5 => ss5*k_r5*clipr5*flankr5*touchr5 - cc5*k_r5*clipr5*touchr5;
+            sliding_friction_r5 => -cs5*side_r5*F_mu_r5_by_overr5*flankr5 - sc5*side_r5*F_mu_r5_by_overr5;
         }
         y_r by_r_dot {
             viscous_friction_r => -cb_r;
             damping => -beta_K*kb_r;
         }
-        y_r overr1_dot { damping => -cos_r1*beta_K*k_r1_mid*dampr1; }
-        y_r psi_r1_dot { sliding_friction_r1 => -sin_r1*side_r1*F_mu_r1_by_psi_r1_dot; }
-        y_r overr2_dot { damping => -cos_r2*beta_K*k_r2_mid*dampr2; }
-        y_r psi_r2_dot { sliding_friction_r2 => -sin_r2*side_r2*F_mu_r2_by_psi_r2_dot; }
-        y_r overr3_dot { damping => -cos_r3*beta_K*k_r3_mid*dampr3; }
-        y_r psi_r3_dot { sliding_friction_r3 => -sin_r3*side_r3*F_mu_r3_by_psi_r3_dot; }
-        y_r overr4_dot { damping => -cos_r4*beta_K*k_r4_mid*dampr4; }
-        y_r psi_r4_dot { sliding_friction_r4 => -sin_r4*side_r4*F_mu_r4_by_psi_r4_dot; }
-        y_r overr5_dot { damping => -cos_r5*beta_K*k_r5_mid*dampr5; }
-        y_r psi_r5_dot { sliding_friction_r5 => -sin_r5*side_r5*F_mu_r5_by_psi_r5_dot; }
+        y_r overr1_dot { damping => ss1*beta_K*k_r1_mid*dampr1*flankr1 - cc1*beta_K*k_r1_mid*dampr1; }
+        y_r psi_r1_dot { sliding_friction_r1 => -cs1*side_r1*F_mu_r1_by_psi_r1_dot*flankr1 - sc1*side_r1*F_mu_r1_by_psi_r1_dot; }
+        y_r overr2_dot { damping => ss2*beta_K*k_r2_mid*dampr2*flankr2 - cc2*beta_K*k_r2_mid*dampr2; }
+        y_r psi_r2_dot { sliding_friction_r2 => -cs2*side_r2*F_mu_r2_by_psi_r2_dot*flankr2 - sc2*side_r2*F_mu_r2_by_psi_r2_dot; }
+        y_r overr3_dot { damping => ss3*beta_K*k_r3_mid*dampr3*flankr3 - cc3*beta_K*k_r3_mid*dampr3; }
+        y_r psi_r3_dot { sliding_friction_r3 => -cs3*side_r3*F_mu_r3_by_psi_r3_dot*flankr3 - sc3*side_r3*F_mu_r3_by_psi_r3_dot; }
+        y_r overr4_dot { damping => ss4*beta_K*k_r4_mid*dampr4*flankr4 - cc4*beta_K*k_r4_mid*dampr4; }
+        y_r psi_r4_dot { sliding_friction_r4 => -cs4*side_r4*F_mu_r4_by_psi_r4_dot*flankr4 - sc4*side_r4*F_mu_r4_by_psi_r4_dot; }
+        y_r overr5_dot { damping => ss5*beta_K*k_r5_mid*dampr5*flankr5 - cc5*beta_K*k_r5_mid*dampr5; }
+        y_r psi_r5_dot { sliding_friction_r5 => -cs5*side_r5*F_mu_r5_by_psi_r5_dot*flankr5 - sc5*side_r5*F_mu_r5_by_psi_r5_dot; }
         zeta1 theta {
-            transmission_error_s1_and_backlash_s1_and_moving_phase => -sin_a*k_s1*de_s1*clips1*touchs1;
+            transmission_error_s1_and_backlash_s1_and_moving_phase => -sin_a*k_s1*de_s1*clips1*flanks1*touchs1;
             transmission_error_s1_and_sliding_friction_s1_and_moving_phase => cos_a*de_s1*side_s1*F_mu_s1_by_overs1;
-            transmission_error_s1_and_moving_phase => -sin_a*k_s1*de_s1*touchs1;
-            backlash_s1_and_moving_phase => sin_a*dk_s1*clips1*touchs1*overs1;
+            transmission_error_s1_and_moving_phase => -sin_a*k_s1*de_s1*flanks1*touchs1;
+            backlash_s1_and_moving_phase => sin_a*dk_s1*clips1*flanks1*touchs1*overs1;
             sliding_friction_s1_and_moving_phase => -cos_a*dk_s1*side_s1*F_mu_s1_by_k_s1 - cos_a*dside_s1*F_mu_s1;
-            transmission_error_r1_and_backlash_r1_and_moving_phase => sin_a*k_r1*de_r1*clipr1*touchr1;
+            transmission_error_r1_and_backlash_r1_and_moving_phase => sin_a*k_r1*de_r1*clipr1*flankr1*touchr1;
             transmission_error_r1_and_sliding_friction_r1_and_moving_phase => -cos_a*de_r1*side_r1*F_mu_r1_by_overr1;
-            transmission_error_r1_and_moving_phase => sin_a*k_r1*de_r1*touchr1;
-            backlash_r1_and_moving_phase => -sin_a*dk_r1*clipr1*touchr1*overr1;
+            transmission_error_r1_and_moving_phase => sin_a*k_r1*de_r1*flankr1*touchr1;
+            backlash_r1_and_moving_phase => -sin_a*dk_r1*clipr1*flankr1*touchr1*overr1;
             sliding_friction_r1_and_moving_phase => cos_a*dk_r1*side_r1*F_mu_r1_by_k_r1 + cos_a*dside_r1*F_mu_r1;
-            moving_phase => sin_a*dk_s1*touchs1*overs1 - sin_a*dk_r1*touchr1*overr1;
+            moving_phase => sin_a*dk_s1*flanks1*touchs1*overs1 - sin_a*dk_r1*flankr1*touchr1*overr1;
         }
         zeta1 zeta1_dot { damping => -alpha_M*m_p; }
         zeta1 radial1 { _ => kb_p; }
         zeta1 overs1 {
-            _ => sin_a*k_s1*touchs1;
-            backlash_s1 => sin_a*k_s1*clips1*touchs1;
+            _ => sin_a*k_s1*flanks1*touchs1;
+            backlash_s1 => sin_a*k_s1*clips1*flanks1*touchs1;
             sliding_friction_s1 => -cos_a*side_s1*F_mu_s1_by_overs1;
         }
         zeta1 overr1 {
-            _ => -sin_a*k_r1*touchr1;
-            backlash_r1 => -sin_a*k_r1*clipr1*touchr1;
+            _ => -sin_a*k_r1*flankr1*touchr1;
+            backlash_r1 => -sin_a*k_r1*clipr1*flankr1*touchr1;
             sliding_friction_r1 => cos_a*side_r1*F_mu_r1_by_overr1;
         }
         zeta1 radial1_dot {
             viscous_friction_p => cb_p;
             damping => beta_K*kb_p;
         }
-        zeta1 overs1_dot { damping => sin_a*beta_K*k_s1_mid*damps1; }
+        zeta1 overs1_dot { damping => sin_a*beta_K*k_s1_mid*damps1*flanks1; }
         zeta1 psi_s1_dot { sliding_friction_s1 => -cos_a*side_s1*F_mu_s1_by_psi_s1_dot; }
-        zeta1 overr1_dot { damping => -sin_a*beta_K*k_r1_mid*dampr1; }
+        zeta1 overr1_dot { damping => -sin_a*beta_K*k_r1_mid*dampr1*flankr1; }
         zeta1 psi_r1_dot { sliding_friction_r1 => cos_a*side_r1*F_mu_r1_by_psi_r1_dot; }
         eta1 theta {
             transmission_error_s1_and_backlash_s1_and_moving_phase => -cos_a*k_s1*de_s1*clips1*touchs1;
-            transmission_error_s1_and_sliding_friction_s1_and_moving_phase => -sin_a*de_s1*side_s1*F_mu_s1_by_overs1;
+            transmission_error_s1_and_sliding_friction_s1_and_moving_phase => -sin_a*de_s1*side_s1*F_mu_s1_by_overs1*flanks1;
             transmission_error_s1_and_moving_phase => -cos_a*k_s1*de_s1*touchs1;
             backlash_s1_and_moving_phase => cos_a*dk_s1*clips1*touchs1*overs1;
-            sliding_friction_s1_and_moving_phase => sin_a*dk_s1*side_s1*F_mu_s1_by_k_s1 + sin_a*dside_s1*F_mu_s1;
+            sliding_friction_s1_and_moving_phase => sin_a*dk_s1*side_s1*F_mu_s1_by_k_s1*flanks1 + sin_a*dside_s1*F_mu_s1*flanks1;
             transmission_error_r1_and_backlash_r1_and_moving_phase => -cos_a*k_r1*de_r1*clipr1*touchr1;
-            transmission_error_r1_and_sliding_friction_r1_and_moving_phase => -sin_a*de_r1*side_r1*F_mu_r1_by_overr1;
+            transmission_error_r1_and_sliding_friction_r1_and_moving_phase => -sin_a*de_r1*side_r1*F_mu_r1_by_overr1*flankr1;
             transmission_error_r1_and_moving_phase => -cos_a*k_r1*de_r1*touchr1;
             backlash_r1_and_moving_phase => cos_a*dk_r1*clipr1*touchr1*overr1;
-            sliding_friction_r1_and_moving_phase => sin_a*dk_r1*side_r1*F_mu_r1_by_k_r1 + sin_a*dside_r1*F_mu_r1;
+            sliding_friction_r1_and_moving_phase => sin_a*dk_r1*side_r1*F_mu_r1_by_k_r1*flankr1 + sin_a*dside_r1*F_mu_r1*flankr1;
             moving_phase => cos_a*dk_r1*touchr1*overr1 + cos_a*dk_s1*touchs1*overs1;
         }
         eta1 theta_dot { damping => -a*alpha_M*m_p/Z_r; }
@@ -3267,36 +3378,36 @@ equations! {
         eta1 overs1 {
             _ => cos_a*k_s1*touchs1;
             backlash_s1 => cos_a*k_s1*clips1*touchs1;
-            sliding_friction_s1 => sin_a*side_s1*F_mu_s1_by_overs1;
+            sliding_friction_s1 => sin_a*side_s1*F_mu_s1_by_overs1*flanks1;
         }
         eta1 overr1 {
             _ => cos_a*k_r1*touchr1;
             backlash_r1 => cos_a*k_r1*clipr1*touchr1;
-            sliding_friction_r1 => sin_a*side_r1*F_mu_r1_by_overr1;
+            sliding_friction_r1 => sin_a*side_r1*F_mu_r1_by_overr1*flankr1;
         }
         eta1 tangential1_dot {
             viscous_friction_p => cb_p;
             damping => beta_K*kb_p;
         }
         eta1 overs1_dot { damping => cos_a*beta_K*k_s1_mid*damps1; }
-        eta1 psi_s1_dot { sliding_friction_s1 => sin_a*side_s1*F_mu_s1_by_psi_s1_dot; }
+        eta1 psi_s1_dot { sliding_friction_s1 => sin_a*side_s1*F_mu_s1_by_psi_s1_dot*flanks1; }
         eta1 overr1_dot { damping => cos_a*beta_K*k_r1_mid*dampr1; }
-        eta1 psi_r1_dot { sliding_friction_r1 => sin_a*side_r1*F_mu_r1_by_psi_r1_dot; }
+        eta1 psi_r1_dot { sliding_friction_r1 => sin_a*side_r1*F_mu_r1_by_psi_r1_dot*flankr1; }
         u1 theta {
             transmission_error_s1_and_backlash_s1_and_moving_phase => k_s1*de_s1*clips1*touchs1;
-            transmission_error_s1_and_sliding_friction_s1_and_moving_phase => sin_a*de_s1*side_s1*F_mu_s1_by_overs1/cos_a
+            transmission_error_s1_and_sliding_friction_s1_and_moving_phase => sin_a*de_s1*side_s1*F_mu_s1_by_overs1*flanks1/cos_a
                 - de_s1*arm_s1*F_mu_s1_by_overs1/r_p;
             transmission_error_s1_and_moving_phase => k_s1*de_s1*touchs1;
             backlash_s1_and_moving_phase => -dk_s1*clips1*touchs1*overs1;
-            sliding_friction_s1_and_moving_phase => darm_s1*F_mu_s1/r_p - sin_a*dk_s1*side_s1*F_mu_s1_by_k_s1/cos_a
-                - sin_a*dside_s1*F_mu_s1/cos_a + dk_s1*arm_s1*F_mu_s1_by_k_s1/r_p;
+            sliding_friction_s1_and_moving_phase => darm_s1*F_mu_s1/r_p - sin_a*dk_s1*side_s1*F_mu_s1_by_k_s1*flanks1/cos_a
+                - sin_a*dside_s1*F_mu_s1*flanks1/cos_a + dk_s1*arm_s1*F_mu_s1_by_k_s1/r_p;
             transmission_error_r1_and_backlash_r1_and_moving_phase => -k_r1*de_r1*clipr1*touchr1;
-            transmission_error_r1_and_sliding_friction_r1_and_moving_phase => -sin_a*de_r1*side_r1*F_mu_r1_by_overr1/cos_a
+            transmission_error_r1_and_sliding_friction_r1_and_moving_phase => -sin_a*de_r1*side_r1*F_mu_r1_by_overr1*flankr1/cos_a
                 - de_r1*arm_r1*F_mu_r1_by_overr1/r_p;
             transmission_error_r1_and_moving_phase => -k_r1*de_r1*touchr1;
             backlash_r1_and_moving_phase => dk_r1*clipr1*touchr1*overr1;
-            sliding_friction_r1_and_moving_phase => sin_a*dk_r1*side_r1*F_mu_r1_by_k_r1/cos_a + sin_a*dside_r1*F_mu_r1/cos_a
-                + darm_r1*F_mu_r1/r_p + dk_r1*arm_r1*F_mu_r1_by_k_r1/r_p;
+            sliding_friction_r1_and_moving_phase => sin_a*dk_r1*side_r1*F_mu_r1_by_k_r1*flankr1/cos_a
+                + sin_a*dside_r1*F_mu_r1*flankr1/cos_a + darm_r1*F_mu_r1/r_p + dk_r1*arm_r1*F_mu_r1_by_k_r1/r_p;
             moving_phase => dk_r1*touchr1*overr1 - dk_s1*touchs1*overs1;
         }
         u1 theta_dot { damping => h*I_p*alpha_M/r_p.powi(2) - I_p*alpha_M/(r_p*Z_r); }
@@ -3305,61 +3416,61 @@ equations! {
         u1 overs1 {
             _ => -k_s1*touchs1;
             backlash_s1 => -k_s1*clips1*touchs1;
-            sliding_friction_s1 => arm_s1*F_mu_s1_by_overs1/r_p - sin_a*side_s1*F_mu_s1_by_overs1/cos_a;
+            sliding_friction_s1 => arm_s1*F_mu_s1_by_overs1/r_p - sin_a*side_s1*F_mu_s1_by_overs1*flanks1/cos_a;
         }
         u1 overr1 {
             _ => k_r1*touchr1;
             backlash_r1 => k_r1*clipr1*touchr1;
-            sliding_friction_r1 => sin_a*side_r1*F_mu_r1_by_overr1/cos_a + arm_r1*F_mu_r1_by_overr1/r_p;
+            sliding_friction_r1 => sin_a*side_r1*F_mu_r1_by_overr1*flankr1/cos_a + arm_r1*F_mu_r1_by_overr1/r_p;
         }
         u1 overs1_dot { damping => -beta_K*k_s1_mid*damps1; }
-        u1 psi_s1_dot { sliding_friction_s1 => arm_s1*F_mu_s1_by_psi_s1_dot/r_p - sin_a*side_s1*F_mu_s1_by_psi_s1_dot/cos_a; }
+        u1 psi_s1_dot { sliding_friction_s1 => arm_s1*F_mu_s1_by_psi_s1_dot/r_p - sin_a*side_s1*F_mu_s1_by_psi_s1_dot*flanks1/cos_a; }
         u1 overr1_dot { damping => beta_K*k_r1_mid*dampr1; }
-        u1 psi_r1_dot { sliding_friction_r1 => sin_a*side_r1*F_mu_r1_by_psi_r1_dot/cos_a + arm_r1*F_mu_r1_by_psi_r1_dot/r_p; }
+        u1 psi_r1_dot { sliding_friction_r1 => sin_a*side_r1*F_mu_r1_by_psi_r1_dot*flankr1/cos_a + arm_r1*F_mu_r1_by_psi_r1_dot/r_p; }
         zeta2 theta {
-            transmission_error_s2_and_backlash_s2_and_moving_phase => -sin_a*k_s2*de_s2*clips2*touchs2;
+            transmission_error_s2_and_backlash_s2_and_moving_phase => -sin_a*k_s2*de_s2*clips2*flanks2*touchs2;
             transmission_error_s2_and_sliding_friction_s2_and_moving_phase => cos_a*de_s2*side_s2*F_mu_s2_by_overs2;
-            transmission_error_s2_and_moving_phase => -sin_a*k_s2*de_s2*touchs2;
-            backlash_s2_and_moving_phase => sin_a*dk_s2*clips2*touchs2*overs2;
+            transmission_error_s2_and_moving_phase => -sin_a*k_s2*de_s2*flanks2*touchs2;
+            backlash_s2_and_moving_phase => sin_a*dk_s2*clips2*flanks2*touchs2*overs2;
             sliding_friction_s2_and_moving_phase => -cos_a*dk_s2*side_s2*F_mu_s2_by_k_s2 - cos_a*dside_s2*F_mu_s2;
-            transmission_error_r2_and_backlash_r2_and_moving_phase => sin_a*k_r2*de_r2*clipr2*touchr2;
+            transmission_error_r2_and_backlash_r2_and_moving_phase => sin_a*k_r2*de_r2*clipr2*flankr2*touchr2;
             transmission_error_r2_and_sliding_friction_r2_and_moving_phase => -cos_a*de_r2*side_r2*F_mu_r2_by_overr2;
-            transmission_error_r2_and_moving_phase => sin_a*k_r2*de_r2*touchr2;
-            backlash_r2_and_moving_phase => -sin_a*dk_r2*clipr2*touchr2*overr2;
+            transmission_error_r2_and_moving_phase => sin_a*k_r2*de_r2*flankr2*touchr2;
+            backlash_r2_and_moving_phase => -sin_a*dk_r2*clipr2*flankr2*touchr2*overr2;
             sliding_friction_r2_and_moving_phase => cos_a*dk_r2*side_r2*F_mu_r2_by_k_r2 + cos_a*dside_r2*F_mu_r2;
-            moving_phase => sin_a*dk_s2*touchs2*overs2 - sin_a*dk_r2*touchr2*overr2;
+            moving_phase => sin_a*dk_s2*flanks2*touchs2*overs2 - sin_a*dk_r2*flankr2*touchr2*overr2;
         }
         zeta2 zeta2_dot { damping => -alpha_M*m_p; }
         zeta2 radial2 { _ => kb_p; }
         zeta2 overs2 {
-            _ => sin_a*k_s2*touchs2;
-            backlash_s2 => sin_a*k_s2*clips2*touchs2;
+            _ => sin_a*k_s2*flanks2*touchs2;
+            backlash_s2 => sin_a*k_s2*clips2*flanks2*touchs2;
             sliding_friction_s2 => -cos_a*side_s2*F_mu_s2_by_overs2;
         }
         zeta2 overr2 {
-            _ => -sin_a*k_r2*touchr2;
-            backlash_r2 => -sin_a*k_r2*clipr2*touchr2;
+            _ => -sin_a*k_r2*flankr2*touchr2;
+            backlash_r2 => -sin_a*k_r2*clipr2*flankr2*touchr2;
             sliding_friction_r2 => cos_a*side_r2*F_mu_r2_by_overr2;
         }
         zeta2 radial2_dot {
             viscous_friction_p => cb_p;
             damping => beta_K*kb_p;
         }
-        zeta2 overs2_dot { damping => sin_a*beta_K*k_s2_mid*damps2; }
+        zeta2 overs2_dot { damping => sin_a*beta_K*k_s2_mid*damps2*flanks2; }
         zeta2 psi_s2_dot { sliding_friction_s2 => -cos_a*side_s2*F_mu_s2_by_psi_s2_dot; }
-        zeta2 overr2_dot { damping => -sin_a*beta_K*k_r2_mid*dampr2; }
+        zeta2 overr2_dot { damping => -sin_a*beta_K*k_r2_mid*dampr2*flankr2; }
         zeta2 psi_r2_dot { sliding_friction_r2 => cos_a*side_r2*F_mu_r2_by_psi_r2_dot; }
         eta2 theta {
             transmission_error_s2_and_backlash_s2_and_moving_phase => -cos_a*k_s2*de_s2*clips2*touchs2;
-            transmission_error_s2_and_sliding_friction_s2_and_moving_phase => -sin_a*de_s2*side_s2*F_mu_s2_by_overs2;
+            transmission_error_s2_and_sliding_friction_s2_and_moving_phase => -sin_a*de_s2*side_s2*F_mu_s2_by_overs2*flanks2;
             transmission_error_s2_and_moving_phase => -cos_a*k_s2*de_s2*touchs2;
             backlash_s2_and_moving_phase => cos_a*dk_s2*clips2*touchs2*overs2;
-            sliding_friction_s2_and_moving_phase => sin_a*dk_s2*side_s2*F_mu_s2_by_k_s2 + sin_a*dside_s2*F_mu_s2;
+            sliding_friction_s2_and_moving_phase => sin_a*dk_s2*side_s2*F_mu_s2_by_k_s2*flanks2 + sin_a*dside_s2*F_mu_s2*flanks2;
             transmission_error_r2_and_backlash_r2_and_moving_phase => -cos_a*k_r2*de_r2*clipr2*touchr2;
-            transmission_error_r2_and_sliding_friction_r2_and_moving_phase => -sin_a*de_r2*side_r2*F_mu_r2_by_overr2;
+            transmission_error_r2_and_sliding_friction_r2_and_moving_phase => -sin_a*de_r2*side_r2*F_mu_r2_by_overr2*flankr2;
             transmission_error_r2_and_moving_phase => -cos_a*k_r2*de_r2*touchr2;
             backlash_r2_and_moving_phase => cos_a*dk_r2*clipr2*touchr2*overr2;
-            sliding_friction_r2_and_moving_phase => sin_a*dk_r2*side_r2*F_mu_r2_by_k_r2 + sin_a*dside_r2*F_mu_r2;
+            sliding_friction_r2_and_moving_phase => sin_a*dk_r2*side_r2*F_mu_r2_by_k_r2*flankr2 + sin_a*dside_r2*F_mu_r2*flankr2;
             moving_phase => cos_a*dk_r2*touchr2*overr2 + cos_a*dk_s2*touchs2*overs2;
         }
         eta2 theta_dot { damping => -a*alpha_M*m_p/Z_r; }
@@ -3369,36 +3480,36 @@ equations! {
         eta2 overs2 {
             _ => cos_a*k_s2*touchs2;
             backlash_s2 => cos_a*k_s2*clips2*touchs2;
-            sliding_friction_s2 => sin_a*side_s2*F_mu_s2_by_overs2;
+            sliding_friction_s2 => sin_a*side_s2*F_mu_s2_by_overs2*flanks2;
         }
         eta2 overr2 {
             _ => cos_a*k_r2*touchr2;
             backlash_r2 => cos_a*k_r2*clipr2*touchr2;
-            sliding_friction_r2 => sin_a*side_r2*F_mu_r2_by_overr2;
+            sliding_friction_r2 => sin_a*side_r2*F_mu_r2_by_overr2*flankr2;
         }
         eta2 tangential2_dot {
             viscous_friction_p => cb_p;
             damping => beta_K*kb_p;
         }
         eta2 overs2_dot { damping => cos_a*beta_K*k_s2_mid*damps2; }
-        eta2 psi_s2_dot { sliding_friction_s2 => sin_a*side_s2*F_mu_s2_by_psi_s2_dot; }
+        eta2 psi_s2_dot { sliding_friction_s2 => sin_a*side_s2*F_mu_s2_by_psi_s2_dot*flanks2; }
         eta2 overr2_dot { damping => cos_a*beta_K*k_r2_mid*dampr2; }
-        eta2 psi_r2_dot { sliding_friction_r2 => sin_a*side_r2*F_mu_r2_by_psi_r2_dot; }
+        eta2 psi_r2_dot { sliding_friction_r2 => sin_a*side_r2*F_mu_r2_by_psi_r2_dot*flankr2; }
         u2 theta {
             transmission_error_s2_and_backlash_s2_and_moving_phase => k_s2*de_s2*clips2*touchs2;
-            transmission_error_s2_and_sliding_friction_s2_and_moving_phase => sin_a*de_s2*side_s2*F_mu_s2_by_overs2/cos_a
+            transmission_error_s2_and_sliding_friction_s2_and_moving_phase => sin_a*de_s2*side_s2*F_mu_s2_by_overs2*flanks2/cos_a
                 - de_s2*arm_s2*F_mu_s2_by_overs2/r_p;
             transmission_error_s2_and_moving_phase => k_s2*de_s2*touchs2;
             backlash_s2_and_moving_phase => -dk_s2*clips2*touchs2*overs2;
-            sliding_friction_s2_and_moving_phase => darm_s2*F_mu_s2/r_p - sin_a*dk_s2*side_s2*F_mu_s2_by_k_s2/cos_a
-                - sin_a*dside_s2*F_mu_s2/cos_a + dk_s2*arm_s2*F_mu_s2_by_k_s2/r_p;
+            sliding_friction_s2_and_moving_phase => darm_s2*F_mu_s2/r_p - sin_a*dk_s2*side_s2*F_mu_s2_by_k_s2*flanks2/cos_a
+                - sin_a*dside_s2*F_mu_s2*flanks2/cos_a + dk_s2*arm_s2*F_mu_s2_by_k_s2/r_p;
             transmission_error_r2_and_backlash_r2_and_moving_phase => -k_r2*de_r2*clipr2*touchr2;
-            transmission_error_r2_and_sliding_friction_r2_and_moving_phase => -sin_a*de_r2*side_r2*F_mu_r2_by_overr2/cos_a
+            transmission_error_r2_and_sliding_friction_r2_and_moving_phase => -sin_a*de_r2*side_r2*F_mu_r2_by_overr2*flankr2/cos_a
                 - de_r2*arm_r2*F_mu_r2_by_overr2/r_p;
             transmission_error_r2_and_moving_phase => -k_r2*de_r2*touchr2;
             backlash_r2_and_moving_phase => dk_r2*clipr2*touchr2*overr2;
-            sliding_friction_r2_and_moving_phase => sin_a*dk_r2*side_r2*F_mu_r2_by_k_r2/cos_a + sin_a*dside_r2*F_mu_r2/cos_a
-                + darm_r2*F_mu_r2/r_p + dk_r2*arm_r2*F_mu_r2_by_k_r2/r_p;
+            sliding_friction_r2_and_moving_phase => sin_a*dk_r2*side_r2*F_mu_r2_by_k_r2*flankr2/cos_a
+                + sin_a*dside_r2*F_mu_r2*flankr2/cos_a + darm_r2*F_mu_r2/r_p + dk_r2*arm_r2*F_mu_r2_by_k_r2/r_p;
             moving_phase => dk_r2*touchr2*overr2 - dk_s2*touchs2*overs2;
         }
         u2 theta_dot { damping => h*I_p*alpha_M/r_p.powi(2) - I_p*alpha_M/(r_p*Z_r); }
@@ -3407,61 +3518,61 @@ equations! {
         u2 overs2 {
             _ => -k_s2*touchs2;
             backlash_s2 => -k_s2*clips2*touchs2;
-            sliding_friction_s2 => arm_s2*F_mu_s2_by_overs2/r_p - sin_a*side_s2*F_mu_s2_by_overs2/cos_a;
+            sliding_friction_s2 => arm_s2*F_mu_s2_by_overs2/r_p - sin_a*side_s2*F_mu_s2_by_overs2*flanks2/cos_a;
         }
         u2 overr2 {
             _ => k_r2*touchr2;
             backlash_r2 => k_r2*clipr2*touchr2;
-            sliding_friction_r2 => sin_a*side_r2*F_mu_r2_by_overr2/cos_a + arm_r2*F_mu_r2_by_overr2/r_p;
+            sliding_friction_r2 => sin_a*side_r2*F_mu_r2_by_overr2*flankr2/cos_a + arm_r2*F_mu_r2_by_overr2/r_p;
         }
         u2 overs2_dot { damping => -beta_K*k_s2_mid*damps2; }
-        u2 psi_s2_dot { sliding_friction_s2 => arm_s2*F_mu_s2_by_psi_s2_dot/r_p - sin_a*side_s2*F_mu_s2_by_psi_s2_dot/cos_a; }
+        u2 psi_s2_dot { sliding_friction_s2 => arm_s2*F_mu_s2_by_psi_s2_dot/r_p - sin_a*side_s2*F_mu_s2_by_psi_s2_dot*flanks2/cos_a; }
         u2 overr2_dot { damping => beta_K*k_r2_mid*dampr2; }
-        u2 psi_r2_dot { sliding_friction_r2 => sin_a*side_r2*F_mu_r2_by_psi_r2_dot/cos_a + arm_r2*F_mu_r2_by_psi_r2_dot/r_p; }
+        u2 psi_r2_dot { sliding_friction_r2 => sin_a*side_r2*F_mu_r2_by_psi_r2_dot*flankr2/cos_a + arm_r2*F_mu_r2_by_psi_r2_dot/r_p; }
         zeta3 theta {
-            transmission_error_s3_and_backlash_s3_and_moving_phase => -sin_a*k_s3*de_s3*clips3*touchs3;
+            transmission_error_s3_and_backlash_s3_and_moving_phase => -sin_a*k_s3*de_s3*clips3*flanks3*touchs3;
             transmission_error_s3_and_sliding_friction_s3_and_moving_phase => cos_a*de_s3*side_s3*F_mu_s3_by_overs3;
-            transmission_error_s3_and_moving_phase => -sin_a*k_s3*de_s3*touchs3;
-            backlash_s3_and_moving_phase => sin_a*dk_s3*clips3*touchs3*overs3;
+            transmission_error_s3_and_moving_phase => -sin_a*k_s3*de_s3*flanks3*touchs3;
+            backlash_s3_and_moving_phase => sin_a*dk_s3*clips3*flanks3*touchs3*overs3;
             sliding_friction_s3_and_moving_phase => -cos_a*dk_s3*side_s3*F_mu_s3_by_k_s3 - cos_a*dside_s3*F_mu_s3;
-            transmission_error_r3_and_backlash_r3_and_moving_phase => sin_a*k_r3*de_r3*clipr3*touchr3;
+            transmission_error_r3_and_backlash_r3_and_moving_phase => sin_a*k_r3*de_r3*clipr3*flankr3*touchr3;
             transmission_error_r3_and_sliding_friction_r3_and_moving_phase => -cos_a*de_r3*side_r3*F_mu_r3_by_overr3;
-            transmission_error_r3_and_moving_phase => sin_a*k_r3*de_r3*touchr3;
-            backlash_r3_and_moving_phase => -sin_a*dk_r3*clipr3*touchr3*overr3;
+            transmission_error_r3_and_moving_phase => sin_a*k_r3*de_r3*flankr3*touchr3;
+            backlash_r3_and_moving_phase => -sin_a*dk_r3*clipr3*flankr3*touchr3*overr3;
             sliding_friction_r3_and_moving_phase => cos_a*dk_r3*side_r3*F_mu_r3_by_k_r3 + cos_a*dside_r3*F_mu_r3;
-            moving_phase => sin_a*dk_s3*touchs3*overs3 - sin_a*dk_r3*touchr3*overr3;
+            moving_phase => sin_a*dk_s3*flanks3*touchs3*overs3 - sin_a*dk_r3*flankr3*touchr3*overr3;
         }
         zeta3 zeta3_dot { damping => -alpha_M*m_p; }
         zeta3 radial3 { _ => kb_p; }
         zeta3 overs3 {
-            _ => sin_a*k_s3*touchs3;
-            backlash_s3 => sin_a*k_s3*clips3*touchs3;
+            _ => sin_a*k_s3*flanks3*touchs3;
+            backlash_s3 => sin_a*k_s3*clips3*flanks3*touchs3;
             sliding_friction_s3 => -cos_a*side_s3*F_mu_s3_by_overs3;
         }
         zeta3 overr3 {
-            _ => -sin_a*k_r3*touchr3;
-            backlash_r3 => -sin_a*k_r3*clipr3*touchr3;
+            _ => -sin_a*k_r3*flankr3*touchr3;
+            backlash_r3 => -sin_a*k_r3*clipr3*flankr3*touchr3;
             sliding_friction_r3 => cos_a*side_r3*F_mu_r3_by_overr3;
         }
         zeta3 radial3_dot {
             viscous_friction_p => cb_p;
             damping => beta_K*kb_p;
         }
-        zeta3 overs3_dot { damping => sin_a*beta_K*k_s3_mid*damps3; }
+        zeta3 overs3_dot { damping => sin_a*beta_K*k_s3_mid*damps3*flanks3; }
         zeta3 psi_s3_dot { sliding_friction_s3 => -cos_a*side_s3*F_mu_s3_by_psi_s3_dot; }
-        zeta3 overr3_dot { damping => -sin_a*beta_K*k_r3_mid*dampr3; }
+        zeta3 overr3_dot { damping => -sin_a*beta_K*k_r3_mid*dampr3*flankr3; }
         zeta3 psi_r3_dot { sliding_friction_r3 => cos_a*side_r3*F_mu_r3_by_psi_r3_dot; }
         eta3 theta {
             transmission_error_s3_and_backlash_s3_and_moving_phase => -cos_a*k_s3*de_s3*clips3*touchs3;
-            transmission_error_s3_and_sliding_friction_s3_and_moving_phase => -sin_a*de_s3*side_s3*F_mu_s3_by_overs3;
+            transmission_error_s3_and_sliding_friction_s3_and_moving_phase => -sin_a*de_s3*side_s3*F_mu_s3_by_overs3*flanks3;
             transmission_error_s3_and_moving_phase => -cos_a*k_s3*de_s3*touchs3;
             backlash_s3_and_moving_phase => cos_a*dk_s3*clips3*touchs3*overs3;
-            sliding_friction_s3_and_moving_phase => sin_a*dk_s3*side_s3*F_mu_s3_by_k_s3 + sin_a*dside_s3*F_mu_s3;
+            sliding_friction_s3_and_moving_phase => sin_a*dk_s3*side_s3*F_mu_s3_by_k_s3*flanks3 + sin_a*dside_s3*F_mu_s3*flanks3;
             transmission_error_r3_and_backlash_r3_and_moving_phase => -cos_a*k_r3*de_r3*clipr3*touchr3;
-            transmission_error_r3_and_sliding_friction_r3_and_moving_phase => -sin_a*de_r3*side_r3*F_mu_r3_by_overr3;
+            transmission_error_r3_and_sliding_friction_r3_and_moving_phase => -sin_a*de_r3*side_r3*F_mu_r3_by_overr3*flankr3;
             transmission_error_r3_and_moving_phase => -cos_a*k_r3*de_r3*touchr3;
             backlash_r3_and_moving_phase => cos_a*dk_r3*clipr3*touchr3*overr3;
-            sliding_friction_r3_and_moving_phase => sin_a*dk_r3*side_r3*F_mu_r3_by_k_r3 + sin_a*dside_r3*F_mu_r3;
+            sliding_friction_r3_and_moving_phase => sin_a*dk_r3*side_r3*F_mu_r3_by_k_r3*flankr3 + sin_a*dside_r3*F_mu_r3*flankr3;
             moving_phase => cos_a*dk_r3*touchr3*overr3 + cos_a*dk_s3*touchs3*overs3;
         }
         eta3 theta_dot { damping => -a*alpha_M*m_p/Z_r; }
@@ -3471,36 +3582,36 @@ equations! {
         eta3 overs3 {
             _ => cos_a*k_s3*touchs3;
             backlash_s3 => cos_a*k_s3*clips3*touchs3;
-            sliding_friction_s3 => sin_a*side_s3*F_mu_s3_by_overs3;
+            sliding_friction_s3 => sin_a*side_s3*F_mu_s3_by_overs3*flanks3;
         }
         eta3 overr3 {
             _ => cos_a*k_r3*touchr3;
             backlash_r3 => cos_a*k_r3*clipr3*touchr3;
-            sliding_friction_r3 => sin_a*side_r3*F_mu_r3_by_overr3;
+            sliding_friction_r3 => sin_a*side_r3*F_mu_r3_by_overr3*flankr3;
         }
         eta3 tangential3_dot {
             viscous_friction_p => cb_p;
             damping => beta_K*kb_p;
         }
         eta3 overs3_dot { damping => cos_a*beta_K*k_s3_mid*damps3; }
-        eta3 psi_s3_dot { sliding_friction_s3 => sin_a*side_s3*F_mu_s3_by_psi_s3_dot; }
+        eta3 psi_s3_dot { sliding_friction_s3 => sin_a*side_s3*F_mu_s3_by_psi_s3_dot*flanks3; }
         eta3 overr3_dot { damping => cos_a*beta_K*k_r3_mid*dampr3; }
-        eta3 psi_r3_dot { sliding_friction_r3 => sin_a*side_r3*F_mu_r3_by_psi_r3_dot; }
+        eta3 psi_r3_dot { sliding_friction_r3 => sin_a*side_r3*F_mu_r3_by_psi_r3_dot*flankr3; }
         u3 theta {
             transmission_error_s3_and_backlash_s3_and_moving_phase => k_s3*de_s3*clips3*touchs3;
-            transmission_error_s3_and_sliding_friction_s3_and_moving_phase => sin_a*de_s3*side_s3*F_mu_s3_by_overs3/cos_a
+            transmission_error_s3_and_sliding_friction_s3_and_moving_phase => sin_a*de_s3*side_s3*F_mu_s3_by_overs3*flanks3/cos_a
                 - de_s3*arm_s3*F_mu_s3_by_overs3/r_p;
             transmission_error_s3_and_moving_phase => k_s3*de_s3*touchs3;
             backlash_s3_and_moving_phase => -dk_s3*clips3*touchs3*overs3;
-            sliding_friction_s3_and_moving_phase => darm_s3*F_mu_s3/r_p - sin_a*dk_s3*side_s3*F_mu_s3_by_k_s3/cos_a
-                - sin_a*dside_s3*F_mu_s3/cos_a + dk_s3*arm_s3*F_mu_s3_by_k_s3/r_p;
+            sliding_friction_s3_and_moving_phase => darm_s3*F_mu_s3/r_p - sin_a*dk_s3*side_s3*F_mu_s3_by_k_s3*flanks3/cos_a
+                - sin_a*dside_s3*F_mu_s3*flanks3/cos_a + dk_s3*arm_s3*F_mu_s3_by_k_s3/r_p;
             transmission_error_r3_and_backlash_r3_and_moving_phase => -k_r3*de_r3*clipr3*touchr3;
-            transmission_error_r3_and_sliding_friction_r3_and_moving_phase => -sin_a*de_r3*side_r3*F_mu_r3_by_overr3/cos_a
+            transmission_error_r3_and_sliding_friction_r3_and_moving_phase => -sin_a*de_r3*side_r3*F_mu_r3_by_overr3*flankr3/cos_a
                 - de_r3*arm_r3*F_mu_r3_by_overr3/r_p;
             transmission_error_r3_and_moving_phase => -k_r3*de_r3*touchr3;
             backlash_r3_and_moving_phase => dk_r3*clipr3*touchr3*overr3;
-            sliding_friction_r3_and_moving_phase => sin_a*dk_r3*side_r3*F_mu_r3_by_k_r3/cos_a + sin_a*dside_r3*F_mu_r3/cos_a
-                + darm_r3*F_mu_r3/r_p + dk_r3*arm_r3*F_mu_r3_by_k_r3/r_p;
+            sliding_friction_r3_and_moving_phase => sin_a*dk_r3*side_r3*F_mu_r3_by_k_r3*flankr3/cos_a
+                + sin_a*dside_r3*F_mu_r3*flankr3/cos_a + darm_r3*F_mu_r3/r_p + dk_r3*arm_r3*F_mu_r3_by_k_r3/r_p;
             moving_phase => dk_r3*touchr3*overr3 - dk_s3*touchs3*overs3;
         }
         u3 theta_dot { damping => h*I_p*alpha_M/r_p.powi(2) - I_p*alpha_M/(r_p*Z_r); }
@@ -3509,61 +3620,61 @@ equations! {
         u3 overs3 {
             _ => -k_s3*touchs3;
             backlash_s3 => -k_s3*clips3*touchs3;
-            sliding_friction_s3 => arm_s3*F_mu_s3_by_overs3/r_p - sin_a*side_s3*F_mu_s3_by_overs3/cos_a;
+            sliding_friction_s3 => arm_s3*F_mu_s3_by_overs3/r_p - sin_a*side_s3*F_mu_s3_by_overs3*flanks3/cos_a;
         }
         u3 overr3 {
             _ => k_r3*touchr3;
             backlash_r3 => k_r3*clipr3*touchr3;
-            sliding_friction_r3 => sin_a*side_r3*F_mu_r3_by_overr3/cos_a + arm_r3*F_mu_r3_by_overr3/r_p;
+            sliding_friction_r3 => sin_a*side_r3*F_mu_r3_by_overr3*flankr3/cos_a + arm_r3*F_mu_r3_by_overr3/r_p;
         }
         u3 overs3_dot { damping => -beta_K*k_s3_mid*damps3; }
-        u3 psi_s3_dot { sliding_friction_s3 => arm_s3*F_mu_s3_by_psi_s3_dot/r_p - sin_a*side_s3*F_mu_s3_by_psi_s3_dot/cos_a; }
+        u3 psi_s3_dot { sliding_friction_s3 => arm_s3*F_mu_s3_by_psi_s3_dot/r_p - sin_a*side_s3*F_mu_s3_by_psi_s3_dot*flanks3/cos_a; }
         u3 overr3_dot { damping => beta_K*k_r3_mid*dampr3; }
-        u3 psi_r3_dot { sliding_friction_r3 => sin_a*side_r3*F_mu_r3_by_psi_r3_dot/cos_a + arm_r3*F_mu_r3_by_psi_r3_dot/r_p; }
+        u3 psi_r3_dot { sliding_friction_r3 => sin_a*side_r3*F_mu_r3_by_psi_r3_dot*flankr3/cos_a + arm_r3*F_mu_r3_by_psi_r3_dot/r_p; }
         zeta4 theta {
-            transmission_error_s4_and_backlash_s4_and_moving_phase => -sin_a*k_s4*de_s4*clips4*touchs4;
+            transmission_error_s4_and_backlash_s4_and_moving_phase => -sin_a*k_s4*de_s4*clips4*flanks4*touchs4;
             transmission_error_s4_and_sliding_friction_s4_and_moving_phase => cos_a*de_s4*side_s4*F_mu_s4_by_overs4;
-            transmission_error_s4_and_moving_phase => -sin_a*k_s4*de_s4*touchs4;
-            backlash_s4_and_moving_phase => sin_a*dk_s4*clips4*touchs4*overs4;
+            transmission_error_s4_and_moving_phase => -sin_a*k_s4*de_s4*flanks4*touchs4;
+            backlash_s4_and_moving_phase => sin_a*dk_s4*clips4*flanks4*touchs4*overs4;
             sliding_friction_s4_and_moving_phase => -cos_a*dk_s4*side_s4*F_mu_s4_by_k_s4 - cos_a*dside_s4*F_mu_s4;
-            transmission_error_r4_and_backlash_r4_and_moving_phase => sin_a*k_r4*de_r4*clipr4*touchr4;
+            transmission_error_r4_and_backlash_r4_and_moving_phase => sin_a*k_r4*de_r4*clipr4*flankr4*touchr4;
             transmission_error_r4_and_sliding_friction_r4_and_moving_phase => -cos_a*de_r4*side_r4*F_mu_r4_by_overr4;
-            transmission_error_r4_and_moving_phase => sin_a*k_r4*de_r4*touchr4;
-            backlash_r4_and_moving_phase => -sin_a*dk_r4*clipr4*touchr4*overr4;
+            transmission_error_r4_and_moving_phase => sin_a*k_r4*de_r4*flankr4*touchr4;
+            backlash_r4_and_moving_phase => -sin_a*dk_r4*clipr4*flankr4*touchr4*overr4;
             sliding_friction_r4_and_moving_phase => cos_a*dk_r4*side_r4*F_mu_r4_by_k_r4 + cos_a*dside_r4*F_mu_r4;
-            moving_phase => sin_a*dk_s4*touchs4*overs4 - sin_a*dk_r4*touchr4*overr4;
+            moving_phase => sin_a*dk_s4*flanks4*touchs4*overs4 - sin_a*dk_r4*flankr4*touchr4*overr4;
         }
         zeta4 zeta4_dot { damping => -alpha_M*m_p; }
         zeta4 radial4 { _ => kb_p; }
         zeta4 overs4 {
-            _ => sin_a*k_s4*touchs4;
-            backlash_s4 => sin_a*k_s4*clips4*touchs4;
+            _ => sin_a*k_s4*flanks4*touchs4;
+            backlash_s4 => sin_a*k_s4*clips4*flanks4*touchs4;
             sliding_friction_s4 => -cos_a*side_s4*F_mu_s4_by_overs4;
         }
         zeta4 overr4 {
-            _ => -sin_a*k_r4*touchr4;
-            backlash_r4 => -sin_a*k_r4*clipr4*touchr4;
+            _ => -sin_a*k_r4*flankr4*touchr4;
+            backlash_r4 => -sin_a*k_r4*clipr4*flankr4*touchr4;
             sliding_friction_r4 => cos_a*side_r4*F_mu_r4_by_overr4;
         }
         zeta4 radial4_dot {
             viscous_friction_p => cb_p;
             damping => beta_K*kb_p;
         }
-        zeta4 overs4_dot { damping => sin_a*beta_K*k_s4_mid*damps4; }
+        zeta4 overs4_dot { damping => sin_a*beta_K*k_s4_mid*damps4*flanks4; }
         zeta4 psi_s4_dot { sliding_friction_s4 => -cos_a*side_s4*F_mu_s4_by_psi_s4_dot; }
-        zeta4 overr4_dot { damping => -sin_a*beta_K*k_r4_mid*dampr4; }
+        zeta4 overr4_dot { damping => -sin_a*beta_K*k_r4_mid*dampr4*flankr4; }
         zeta4 psi_r4_dot { sliding_friction_r4 => cos_a*side_r4*F_mu_r4_by_psi_r4_dot; }
         eta4 theta {
             transmission_error_s4_and_backlash_s4_and_moving_phase => -cos_a*k_s4*de_s4*clips4*touchs4;
-            transmission_error_s4_and_sliding_friction_s4_and_moving_phase => -sin_a*de_s4*side_s4*F_mu_s4_by_overs4;
+            transmission_error_s4_and_sliding_friction_s4_and_moving_phase => -sin_a*de_s4*side_s4*F_mu_s4_by_overs4*flanks4;
             transmission_error_s4_and_moving_phase => -cos_a*k_s4*de_s4*touchs4;
             backlash_s4_and_moving_phase => cos_a*dk_s4*clips4*touchs4*overs4;
-            sliding_friction_s4_and_moving_phase => sin_a*dk_s4*side_s4*F_mu_s4_by_k_s4 + sin_a*dside_s4*F_mu_s4;
+            sliding_friction_s4_and_moving_phase => sin_a*dk_s4*side_s4*F_mu_s4_by_k_s4*flanks4 + sin_a*dside_s4*F_mu_s4*flanks4;
             transmission_error_r4_and_backlash_r4_and_moving_phase => -cos_a*k_r4*de_r4*clipr4*touchr4;
-            transmission_error_r4_and_sliding_friction_r4_and_moving_phase => -sin_a*de_r4*side_r4*F_mu_r4_by_overr4;
+            transmission_error_r4_and_sliding_friction_r4_and_moving_phase => -sin_a*de_r4*side_r4*F_mu_r4_by_overr4*flankr4;
             transmission_error_r4_and_moving_phase => -cos_a*k_r4*de_r4*touchr4;
             backlash_r4_and_moving_phase => cos_a*dk_r4*clipr4*touchr4*overr4;
-            sliding_friction_r4_and_moving_phase => sin_a*dk_r4*side_r4*F_mu_r4_by_k_r4 + sin_a*dside_r4*F_mu_r4;
+            sliding_friction_r4_and_moving_phase => sin_a*dk_r4*side_r4*F_mu_r4_by_k_r4*flankr4 + sin_a*dside_r4*F_mu_r4*flankr4;
             moving_phase => cos_a*dk_r4*touchr4*overr4 + cos_a*dk_s4*touchs4*overs4;
         }
         eta4 theta_dot { damping => -a*alpha_M*m_p/Z_r; }
@@ -3573,36 +3684,36 @@ equations! {
         eta4 overs4 {
             _ => cos_a*k_s4*touchs4;
             backlash_s4 => cos_a*k_s4*clips4*touchs4;
-            sliding_friction_s4 => sin_a*side_s4*F_mu_s4_by_overs4;
+            sliding_friction_s4 => sin_a*side_s4*F_mu_s4_by_overs4*flanks4;
         }
         eta4 overr4 {
             _ => cos_a*k_r4*touchr4;
             backlash_r4 => cos_a*k_r4*clipr4*touchr4;
-            sliding_friction_r4 => sin_a*side_r4*F_mu_r4_by_overr4;
+            sliding_friction_r4 => sin_a*side_r4*F_mu_r4_by_overr4*flankr4;
         }
         eta4 tangential4_dot {
             viscous_friction_p => cb_p;
             damping => beta_K*kb_p;
         }
         eta4 overs4_dot { damping => cos_a*beta_K*k_s4_mid*damps4; }
-        eta4 psi_s4_dot { sliding_friction_s4 => sin_a*side_s4*F_mu_s4_by_psi_s4_dot; }
+        eta4 psi_s4_dot { sliding_friction_s4 => sin_a*side_s4*F_mu_s4_by_psi_s4_dot*flanks4; }
         eta4 overr4_dot { damping => cos_a*beta_K*k_r4_mid*dampr4; }
-        eta4 psi_r4_dot { sliding_friction_r4 => sin_a*side_r4*F_mu_r4_by_psi_r4_dot; }
+        eta4 psi_r4_dot { sliding_friction_r4 => sin_a*side_r4*F_mu_r4_by_psi_r4_dot*flankr4; }
         u4 theta {
             transmission_error_s4_and_backlash_s4_and_moving_phase => k_s4*de_s4*clips4*touchs4;
-            transmission_error_s4_and_sliding_friction_s4_and_moving_phase => sin_a*de_s4*side_s4*F_mu_s4_by_overs4/cos_a
+            transmission_error_s4_and_sliding_friction_s4_and_moving_phase => sin_a*de_s4*side_s4*F_mu_s4_by_overs4*flanks4/cos_a
                 - de_s4*arm_s4*F_mu_s4_by_overs4/r_p;
             transmission_error_s4_and_moving_phase => k_s4*de_s4*touchs4;
             backlash_s4_and_moving_phase => -dk_s4*clips4*touchs4*overs4;
-            sliding_friction_s4_and_moving_phase => darm_s4*F_mu_s4/r_p - sin_a*dk_s4*side_s4*F_mu_s4_by_k_s4/cos_a
-                - sin_a*dside_s4*F_mu_s4/cos_a + dk_s4*arm_s4*F_mu_s4_by_k_s4/r_p;
+            sliding_friction_s4_and_moving_phase => darm_s4*F_mu_s4/r_p - sin_a*dk_s4*side_s4*F_mu_s4_by_k_s4*flanks4/cos_a
+                - sin_a*dside_s4*F_mu_s4*flanks4/cos_a + dk_s4*arm_s4*F_mu_s4_by_k_s4/r_p;
             transmission_error_r4_and_backlash_r4_and_moving_phase => -k_r4*de_r4*clipr4*touchr4;
-            transmission_error_r4_and_sliding_friction_r4_and_moving_phase => -sin_a*de_r4*side_r4*F_mu_r4_by_overr4/cos_a
+            transmission_error_r4_and_sliding_friction_r4_and_moving_phase => -sin_a*de_r4*side_r4*F_mu_r4_by_overr4*flankr4/cos_a
                 - de_r4*arm_r4*F_mu_r4_by_overr4/r_p;
             transmission_error_r4_and_moving_phase => -k_r4*de_r4*touchr4;
             backlash_r4_and_moving_phase => dk_r4*clipr4*touchr4*overr4;
-            sliding_friction_r4_and_moving_phase => sin_a*dk_r4*side_r4*F_mu_r4_by_k_r4/cos_a + sin_a*dside_r4*F_mu_r4/cos_a
-                + darm_r4*F_mu_r4/r_p + dk_r4*arm_r4*F_mu_r4_by_k_r4/r_p;
+            sliding_friction_r4_and_moving_phase => sin_a*dk_r4*side_r4*F_mu_r4_by_k_r4*flankr4/cos_a
+                + sin_a*dside_r4*F_mu_r4*flankr4/cos_a + darm_r4*F_mu_r4/r_p + dk_r4*arm_r4*F_mu_r4_by_k_r4/r_p;
             moving_phase => dk_r4*touchr4*overr4 - dk_s4*touchs4*overs4;
         }
         u4 theta_dot { damping => h*I_p*alpha_M/r_p.powi(2) - I_p*alpha_M/(r_p*Z_r); }
@@ -3611,61 +3722,61 @@ equations! {
         u4 overs4 {
             _ => -k_s4*touchs4;
             backlash_s4 => -k_s4*clips4*touchs4;
-            sliding_friction_s4 => arm_s4*F_mu_s4_by_overs4/r_p - sin_a*side_s4*F_mu_s4_by_overs4/cos_a;
+            sliding_friction_s4 => arm_s4*F_mu_s4_by_overs4/r_p - sin_a*side_s4*F_mu_s4_by_overs4*flanks4/cos_a;
         }
         u4 overr4 {
             _ => k_r4*touchr4;
             backlash_r4 => k_r4*clipr4*touchr4;
-            sliding_friction_r4 => sin_a*side_r4*F_mu_r4_by_overr4/cos_a + arm_r4*F_mu_r4_by_overr4/r_p;
+            sliding_friction_r4 => sin_a*side_r4*F_mu_r4_by_overr4*flankr4/cos_a + arm_r4*F_mu_r4_by_overr4/r_p;
         }
         u4 overs4_dot { damping => -beta_K*k_s4_mid*damps4; }
-        u4 psi_s4_dot { sliding_friction_s4 => arm_s4*F_mu_s4_by_psi_s4_dot/r_p - sin_a*side_s4*F_mu_s4_by_psi_s4_dot/cos_a; }
+        u4 psi_s4_dot { sliding_friction_s4 => arm_s4*F_mu_s4_by_psi_s4_dot/r_p - sin_a*side_s4*F_mu_s4_by_psi_s4_dot*flanks4/cos_a; }
         u4 overr4_dot { damping => beta_K*k_r4_mid*dampr4; }
-        u4 psi_r4_dot { sliding_friction_r4 => sin_a*side_r4*F_mu_r4_by_psi_r4_dot/cos_a + arm_r4*F_mu_r4_by_psi_r4_dot/r_p; }
+        u4 psi_r4_dot { sliding_friction_r4 => sin_a*side_r4*F_mu_r4_by_psi_r4_dot*flankr4/cos_a + arm_r4*F_mu_r4_by_psi_r4_dot/r_p; }
         zeta5 theta {
-            transmission_error_s5_and_backlash_s5_and_moving_phase => -sin_a*k_s5*de_s5*clips5*touchs5;
+            transmission_error_s5_and_backlash_s5_and_moving_phase => -sin_a*k_s5*de_s5*clips5*flanks5*touchs5;
             transmission_error_s5_and_sliding_friction_s5_and_moving_phase => cos_a*de_s5*side_s5*F_mu_s5_by_overs5;
-            transmission_error_s5_and_moving_phase => -sin_a*k_s5*de_s5*touchs5;
-            backlash_s5_and_moving_phase => sin_a*dk_s5*clips5*touchs5*overs5;
+            transmission_error_s5_and_moving_phase => -sin_a*k_s5*de_s5*flanks5*touchs5;
+            backlash_s5_and_moving_phase => sin_a*dk_s5*clips5*flanks5*touchs5*overs5;
             sliding_friction_s5_and_moving_phase => -cos_a*dk_s5*side_s5*F_mu_s5_by_k_s5 - cos_a*dside_s5*F_mu_s5;
-            transmission_error_r5_and_backlash_r5_and_moving_phase => sin_a*k_r5*de_r5*clipr5*touchr5;
+            transmission_error_r5_and_backlash_r5_and_moving_phase => sin_a*k_r5*de_r5*clipr5*flankr5*touchr5;
             transmission_error_r5_and_sliding_friction_r5_and_moving_phase => -cos_a*de_r5*side_r5*F_mu_r5_by_overr5;
-            transmission_error_r5_and_moving_phase => sin_a*k_r5*de_r5*touchr5;
-            backlash_r5_and_moving_phase => -sin_a*dk_r5*clipr5*touchr5*overr5;
+            transmission_error_r5_and_moving_phase => sin_a*k_r5*de_r5*flankr5*touchr5;
+            backlash_r5_and_moving_phase => -sin_a*dk_r5*clipr5*flankr5*touchr5*overr5;
             sliding_friction_r5_and_moving_phase => cos_a*dk_r5*side_r5*F_mu_r5_by_k_r5 + cos_a*dside_r5*F_mu_r5;
-            moving_phase => sin_a*dk_s5*touchs5*overs5 - sin_a*dk_r5*touchr5*overr5;
+            moving_phase => sin_a*dk_s5*flanks5*touchs5*overs5 - sin_a*dk_r5*flankr5*touchr5*overr5;
         }
         zeta5 zeta5_dot { damping => -alpha_M*m_p; }
         zeta5 radial5 { _ => kb_p; }
         zeta5 overs5 {
-            _ => sin_a*k_s5*touchs5;
-            backlash_s5 => sin_a*k_s5*clips5*touchs5;
+            _ => sin_a*k_s5*flanks5*touchs5;
+            backlash_s5 => sin_a*k_s5*clips5*flanks5*touchs5;
             sliding_friction_s5 => -cos_a*side_s5*F_mu_s5_by_overs5;
         }
         zeta5 overr5 {
-            _ => -sin_a*k_r5*touchr5;
-            backlash_r5 => -sin_a*k_r5*clipr5*touchr5;
+            _ => -sin_a*k_r5*flankr5*touchr5;
+            backlash_r5 => -sin_a*k_r5*clipr5*flankr5*touchr5;
             sliding_friction_r5 => cos_a*side_r5*F_mu_r5_by_overr5;
         }
         zeta5 radial5_dot {
             viscous_friction_p => cb_p;
             damping => beta_K*kb_p;
         }
-        zeta5 overs5_dot { damping => sin_a*beta_K*k_s5_mid*damps5; }
+        zeta5 overs5_dot { damping => sin_a*beta_K*k_s5_mid*damps5*flanks5; }
         zeta5 psi_s5_dot { sliding_friction_s5 => -cos_a*side_s5*F_mu_s5_by_psi_s5_dot; }
-        zeta5 overr5_dot { damping => -sin_a*beta_K*k_r5_mid*dampr5; }
+        zeta5 overr5_dot { damping => -sin_a*beta_K*k_r5_mid*dampr5*flankr5; }
         zeta5 psi_r5_dot { sliding_friction_r5 => cos_a*side_r5*F_mu_r5_by_psi_r5_dot; }
         eta5 theta {
             transmission_error_s5_and_backlash_s5_and_moving_phase => -cos_a*k_s5*de_s5*clips5*touchs5;
-            transmission_error_s5_and_sliding_friction_s5_and_moving_phase => -sin_a*de_s5*side_s5*F_mu_s5_by_overs5;
+            transmission_error_s5_and_sliding_friction_s5_and_moving_phase => -sin_a*de_s5*side_s5*F_mu_s5_by_overs5*flanks5;
             transmission_error_s5_and_moving_phase => -cos_a*k_s5*de_s5*touchs5;
             backlash_s5_and_moving_phase => cos_a*dk_s5*clips5*touchs5*overs5;
-            sliding_friction_s5_and_moving_phase => sin_a*dk_s5*side_s5*F_mu_s5_by_k_s5 + sin_a*dside_s5*F_mu_s5;
+            sliding_friction_s5_and_moving_phase => sin_a*dk_s5*side_s5*F_mu_s5_by_k_s5*flanks5 + sin_a*dside_s5*F_mu_s5*flanks5;
             transmission_error_r5_and_backlash_r5_and_moving_phase => -cos_a*k_r5*de_r5*clipr5*touchr5;
-            transmission_error_r5_and_sliding_friction_r5_and_moving_phase => -sin_a*de_r5*side_r5*F_mu_r5_by_overr5;
+            transmission_error_r5_and_sliding_friction_r5_and_moving_phase => -sin_a*de_r5*side_r5*F_mu_r5_by_overr5*flankr5;
             transmission_error_r5_and_moving_phase => -cos_a*k_r5*de_r5*touchr5;
             backlash_r5_and_moving_phase => cos_a*dk_r5*clipr5*touchr5*overr5;
-            sliding_friction_r5_and_moving_phase => sin_a*dk_r5*side_r5*F_mu_r5_by_k_r5 + sin_a*dside_r5*F_mu_r5;
+            sliding_friction_r5_and_moving_phase => sin_a*dk_r5*side_r5*F_mu_r5_by_k_r5*flankr5 + sin_a*dside_r5*F_mu_r5*flankr5;
             moving_phase => cos_a*dk_r5*touchr5*overr5 + cos_a*dk_s5*touchs5*overs5;
         }
         eta5 theta_dot { damping => -a*alpha_M*m_p/Z_r; }
@@ -3675,36 +3786,36 @@ equations! {
         eta5 overs5 {
             _ => cos_a*k_s5*touchs5;
             backlash_s5 => cos_a*k_s5*clips5*touchs5;
-            sliding_friction_s5 => sin_a*side_s5*F_mu_s5_by_overs5;
+            sliding_friction_s5 => sin_a*side_s5*F_mu_s5_by_overs5*flanks5;
         }
         eta5 overr5 {
             _ => cos_a*k_r5*touchr5;
             backlash_r5 => cos_a*k_r5*clipr5*touchr5;
-            sliding_friction_r5 => sin_a*side_r5*F_mu_r5_by_overr5;
+            sliding_friction_r5 => sin_a*side_r5*F_mu_r5_by_overr5*flankr5;
         }
         eta5 tangential5_dot {
             viscous_friction_p => cb_p;
             damping => beta_K*kb_p;
         }
         eta5 overs5_dot { damping => cos_a*beta_K*k_s5_mid*damps5; }
-        eta5 psi_s5_dot { sliding_friction_s5 => sin_a*side_s5*F_mu_s5_by_psi_s5_dot; }
+        eta5 psi_s5_dot { sliding_friction_s5 => sin_a*side_s5*F_mu_s5_by_psi_s5_dot*flanks5; }
         eta5 overr5_dot { damping => cos_a*beta_K*k_r5_mid*dampr5; }
-        eta5 psi_r5_dot { sliding_friction_r5 => sin_a*side_r5*F_mu_r5_by_psi_r5_dot; }
+        eta5 psi_r5_dot { sliding_friction_r5 => sin_a*side_r5*F_mu_r5_by_psi_r5_dot*flankr5; }
         u5 theta {
             transmission_error_s5_and_backlash_s5_and_moving_phase => k_s5*de_s5*clips5*touchs5;
-            transmission_error_s5_and_sliding_friction_s5_and_moving_phase => sin_a*de_s5*side_s5*F_mu_s5_by_overs5/cos_a
+            transmission_error_s5_and_sliding_friction_s5_and_moving_phase => sin_a*de_s5*side_s5*F_mu_s5_by_overs5*flanks5/cos_a
                 - de_s5*arm_s5*F_mu_s5_by_overs5/r_p;
             transmission_error_s5_and_moving_phase => k_s5*de_s5*touchs5;
             backlash_s5_and_moving_phase => -dk_s5*clips5*touchs5*overs5;
-            sliding_friction_s5_and_moving_phase => darm_s5*F_mu_s5/r_p - sin_a*dk_s5*side_s5*F_mu_s5_by_k_s5/cos_a
-                - sin_a*dside_s5*F_mu_s5/cos_a + dk_s5*arm_s5*F_mu_s5_by_k_s5/r_p;
+            sliding_friction_s5_and_moving_phase => darm_s5*F_mu_s5/r_p - sin_a*dk_s5*side_s5*F_mu_s5_by_k_s5*flanks5/cos_a
+                - sin_a*dside_s5*F_mu_s5*flanks5/cos_a + dk_s5*arm_s5*F_mu_s5_by_k_s5/r_p;
             transmission_error_r5_and_backlash_r5_and_moving_phase => -k_r5*de_r5*clipr5*touchr5;
-            transmission_error_r5_and_sliding_friction_r5_and_moving_phase => -sin_a*de_r5*side_r5*F_mu_r5_by_overr5/cos_a
+            transmission_error_r5_and_sliding_friction_r5_and_moving_phase => -sin_a*de_r5*side_r5*F_mu_r5_by_overr5*flankr5/cos_a
                 - de_r5*arm_r5*F_mu_r5_by_overr5/r_p;
             transmission_error_r5_and_moving_phase => -k_r5*de_r5*touchr5;
             backlash_r5_and_moving_phase => dk_r5*clipr5*touchr5*overr5;
-            sliding_friction_r5_and_moving_phase => sin_a*dk_r5*side_r5*F_mu_r5_by_k_r5/cos_a + sin_a*dside_r5*F_mu_r5/cos_a
-                + darm_r5*F_mu_r5/r_p + dk_r5*arm_r5*F_mu_r5_by_k_r5/r_p;
+            sliding_friction_r5_and_moving_phase => sin_a*dk_r5*side_r5*F_mu_r5_by_k_r5*flankr5/cos_a
+                + sin_a*dside_r5*F_mu_r5*flankr5/cos_a + darm_r5*F_mu_r5/r_p + dk_r5*arm_r5*F_mu_r5_by_k_r5/r_p;
             moving_phase => dk_r5*touchr5*overr5 - dk_s5*touchs5*overs5;
         }
         u5 theta_dot { damping => h*I_p*alpha_M/r_p.powi(2) - I_p*alpha_M/(r_p*Z_r); }
@@ -3713,17 +3824,17 @@ equations! {
         u5 overs5 {
             _ => -k_s5*touchs5;
             backlash_s5 => -k_s5*clips5*touchs5;
-            sliding_friction_s5 => arm_s5*F_mu_s5_by_overs5/r_p - sin_a*side_s5*F_mu_s5_by_overs5/cos_a;
+            sliding_friction_s5 => arm_s5*F_mu_s5_by_overs5/r_p - sin_a*side_s5*F_mu_s5_by_overs5*flanks5/cos_a;
         }
         u5 overr5 {
             _ => k_r5*touchr5;
             backlash_r5 => k_r5*clipr5*touchr5;
-            sliding_friction_r5 => sin_a*side_r5*F_mu_r5_by_overr5/cos_a + arm_r5*F_mu_r5_by_overr5/r_p;
+            sliding_friction_r5 => sin_a*side_r5*F_mu_r5_by_overr5*flankr5/cos_a + arm_r5*F_mu_r5_by_overr5/r_p;
         }
         u5 overs5_dot { damping => -beta_K*k_s5_mid*damps5; }
-        u5 psi_s5_dot { sliding_friction_s5 => arm_s5*F_mu_s5_by_psi_s5_dot/r_p - sin_a*side_s5*F_mu_s5_by_psi_s5_dot/cos_a; }
+        u5 psi_s5_dot { sliding_friction_s5 => arm_s5*F_mu_s5_by_psi_s5_dot/r_p - sin_a*side_s5*F_mu_s5_by_psi_s5_dot*flanks5/cos_a; }
         u5 overr5_dot { damping => beta_K*k_r5_mid*dampr5; }
-        u5 psi_r5_dot { sliding_friction_r5 => sin_a*side_r5*F_mu_r5_by_psi_r5_dot/cos_a + arm_r5*F_mu_r5_by_psi_r5_dot/r_p; }
+        u5 psi_r5_dot { sliding_friction_r5 => sin_a*side_r5*F_mu_r5_by_psi_r5_dot*flankr5/cos_a + arm_r5*F_mu_r5_by_psi_r5_dot/r_p; }
     }
     cell {
         stiffness {
@@ -4156,20 +4267,44 @@ equations! {
             damping => beta_K*k_s1_mid*damps1*overs1_dot;
         }
         mesh_power_s1 "W", "power that the first gear gives to the mesh of sun and planet 1: force times the speed of its flank" {
-            _ => mesh_force_s1*(cos_s1*y_s_dot + h*Z_s*theta_c_dot + h*Z_s*theta_dot*(1.0/Z_r + 1.0/Z_s) - sin_s1*x_s_dot);
+            _ => mesh_force_s1*(h*Z_s*theta_c_dot + h*Z_s*theta_dot*(1.0/Z_r + 1.0/Z_s)
+                + x_s_dot*(((-(cs1 + sc1) - (sc1 - cs1)) + flanks1*(cs1 + sc1 - (sc1 - cs1)))/2.0)
+                + y_s_dot*(cc1 + flanks1*(cc1 + ss1 - (cc1 - ss1))/2.0));
         }
         mesh_deflection_s1 "m", "deflection of the mesh of sun and planet 1 along the line of action, backlash not taken off" {
-            _ => u1 - e_s1 - (cos_a*(eta1 + h*(Z_r + Z_s)*(theta_c + theta/Z_r)/(2.0*cos_a)) + sin_a*zeta1) + cos_s1*y_s
-                + h*Z_s*(theta_c + theta/Z_r + theta/Z_s) - h*theta + h*(Z_r - Z_s)*(theta_c + theta/Z_r)/2.0 - sin_s1*x_s;
+            _ => (2.0*u1 - (cos_a*(eta1 + h*(Z_r + Z_s)*(theta_c + theta/Z_r)/(2.0*cos_a)) - sin_a*zeta1)
+                - (cos_a*(eta1 + h*(Z_r + Z_s)*(theta_c + theta/Z_r)/(2.0*cos_a)) + sin_a*zeta1)
+                + 2.0*h*Z_s*(theta_c + theta/Z_r + theta/Z_s) - 2.0*h*theta + h*(Z_r - Z_s)*(theta_c + theta/Z_r) - x_s*(cs1 + sc1)
+                - x_s*(sc1 - cs1) + y_s*(cc1 + ss1) + y_s*(cc1 - ss1))/2.0 - e_s1
+                - (u1 - (u1 - (cos_a*(eta1 + h*(Z_r + Z_s)*(theta_c + theta/Z_r)/(2.0*cos_a)) + sin_a*zeta1)
+                + h*Z_s*(theta_c + theta/Z_r + theta/Z_s) - h*theta + h*(Z_r - Z_s)*(theta_c + theta/Z_r)/2.0 - x_s*(sc1 - cs1)
+                + y_s*(cc1 + ss1)) - (cos_a*(eta1 + h*(Z_r + Z_s)*(theta_c + theta/Z_r)/(2.0*cos_a)) - sin_a*zeta1)
+                + h*Z_s*(theta_c + theta/Z_r + theta/Z_s) - h*theta + h*(Z_r - Z_s)*(theta_c + theta/Z_r)/2.0 - x_s*(cs1 + sc1)
+                + y_s*(cc1 - ss1))/2.0;
         }
         dte_s1 "m",
             "dynamic transmission error of the mesh of sun and planet 1 along the line of action: positive if the driving gear is ahead" {
-            _ => u1 - (cos_a*(eta1 + h*(Z_r + Z_s)*(theta_c + theta/Z_r)/(2.0*cos_a)) + sin_a*zeta1) + cos_s1*y_s
-                + h*Z_s*(theta_c + theta/Z_r + theta/Z_s) - h*theta + h*(Z_r - Z_s)*(theta_c + theta/Z_r)/2.0 - sin_s1*x_s;
+            _ => ((2.0*u1 - (cos_a*(eta1 + h*(Z_r + Z_s)*(theta_c + theta/Z_r)/(2.0*cos_a)) - sin_a*zeta1)
+                - (cos_a*(eta1 + h*(Z_r + Z_s)*(theta_c + theta/Z_r)/(2.0*cos_a)) + sin_a*zeta1)
+                + 2.0*h*Z_s*(theta_c + theta/Z_r + theta/Z_s) - 2.0*h*theta + h*(Z_r - Z_s)*(theta_c + theta/Z_r) - x_s*(cs1 + sc1)
+                - x_s*(sc1 - cs1) + y_s*(cc1 + ss1) + y_s*(cc1 - ss1))
+                - (u1 - (u1 - (cos_a*(eta1 + h*(Z_r + Z_s)*(theta_c + theta/Z_r)/(2.0*cos_a)) + sin_a*zeta1)
+                + h*Z_s*(theta_c + theta/Z_r + theta/Z_s) - h*theta + h*(Z_r - Z_s)*(theta_c + theta/Z_r)/2.0 - x_s*(sc1 - cs1)
+                + y_s*(cc1 + ss1)) - (cos_a*(eta1 + h*(Z_r + Z_s)*(theta_c + theta/Z_r)/(2.0*cos_a)) - sin_a*zeta1)
+                + h*Z_s*(theta_c + theta/Z_r + theta/Z_s) - h*theta + h*(Z_r - Z_s)*(theta_c + theta/Z_r)/2.0 - x_s*(cs1 + sc1)
+                + y_s*(cc1 - ss1)))/2.0;
         }
         mesh_loss_s1 "W", "power that the damper of the mesh of sun and planet 1 takes" {
             backlash_s1 => k_s1*clips1*touchs1*overs1*overs1_dot;
             damping => beta_K*k_s1_mid*damps1*overs1_dot.powi(2);
+        }
+        play_opening_s1 "m" with backlash_s1,
+            "half the opening of the play of the mesh of sun and planet 1 by the motion of the gears' centres" {
+            _ => (u1 - (u1 - (cos_a*(eta1 + h*(Z_r + Z_s)*(theta_c + theta/Z_r)/(2.0*cos_a)) + sin_a*zeta1)
+                + h*Z_s*(theta_c + theta/Z_r + theta/Z_s) - h*theta + h*(Z_r - Z_s)*(theta_c + theta/Z_r)/2.0 - x_s*(sc1 - cs1)
+                + y_s*(cc1 + ss1)) - (cos_a*(eta1 + h*(Z_r + Z_s)*(theta_c + theta/Z_r)/(2.0*cos_a)) - sin_a*zeta1)
+                + h*Z_s*(theta_c + theta/Z_r + theta/Z_s) - h*theta + h*(Z_r - Z_s)*(theta_c + theta/Z_r)/2.0 - x_s*(cs1 + sc1)
+                + y_s*(cc1 - ss1))/2.0;
         }
         power_slide_s1 "W" with sliding_friction_s1,
             "power of the friction of the mesh of sun and planet 1, through the sliding of the flanks at the pitch point: positive if it \
@@ -4191,20 +4326,40 @@ equations! {
             damping => beta_K*k_r1_mid*dampr1*overr1_dot;
         }
         mesh_power_r1 "W", "power that the first gear gives to the mesh of ring and planet 1: force times the speed of its flank" {
-            _ => mesh_force_r1*(cos_r1*y_r_dot + h*Z_r*theta_r_dot - sin_r1*x_r_dot);
+            _ => mesh_force_r1*(h*Z_r*theta_r_dot + x_r_dot*(((-(cs1 + sc1) - (sc1 - cs1)) + flankr1*(sc1 - cs1 - (cs1 + sc1)))/2.0)
+                + y_r_dot*(cc1 + flankr1*(cc1 - ss1 - (cc1 + ss1))/2.0));
         }
         mesh_deflection_r1 "m", "deflection of the mesh of ring and planet 1 along the line of action, backlash not taken off" {
-            _ => cos_r1*y_r - e_r1 - (u1 - h*theta + h*(Z_r - Z_s)*(theta_c + theta/Z_r)/2.0)
-                - (cos_a*(eta1 + h*(Z_r + Z_s)*(theta_c + theta/Z_r)/(2.0*cos_a)) - sin_a*zeta1) + h*Z_r*theta_r - sin_r1*x_r;
+            _ => (2.0*h*Z_r*theta_r - 2.0*(u1 - h*theta + h*(Z_r - Z_s)*(theta_c + theta/Z_r)/2.0)
+                - (cos_a*(eta1 + h*(Z_r + Z_s)*(theta_c + theta/Z_r)/(2.0*cos_a)) - sin_a*zeta1)
+                - (cos_a*(eta1 + h*(Z_r + Z_s)*(theta_c + theta/Z_r)/(2.0*cos_a)) + sin_a*zeta1) - x_r*(cs1 + sc1) - x_r*(sc1 - cs1)
+                + y_r*(cc1 + ss1) + y_r*(cc1 - ss1))/2.0 - e_r1
+                - (h*Z_r*theta_r - (u1 - h*theta + h*(Z_r - Z_s)*(theta_c + theta/Z_r)/2.0)
+                - (h*Z_r*theta_r - (u1 - h*theta + h*(Z_r - Z_s)*(theta_c + theta/Z_r)/2.0)
+                - (cos_a*(eta1 + h*(Z_r + Z_s)*(theta_c + theta/Z_r)/(2.0*cos_a)) - sin_a*zeta1) - x_r*(cs1 + sc1) + y_r*(cc1 - ss1))
+                - (cos_a*(eta1 + h*(Z_r + Z_s)*(theta_c + theta/Z_r)/(2.0*cos_a)) + sin_a*zeta1) - x_r*(sc1 - cs1) + y_r*(cc1 + ss1))/2.0;
         }
         dte_r1 "m",
             "dynamic transmission error of the mesh of ring and planet 1 along the line of action: positive if the driving gear is ahead" {
-            _ => cos_r1*y_r - (u1 - h*theta + h*(Z_r - Z_s)*(theta_c + theta/Z_r)/2.0)
-                - (cos_a*(eta1 + h*(Z_r + Z_s)*(theta_c + theta/Z_r)/(2.0*cos_a)) - sin_a*zeta1) + h*Z_r*theta_r - sin_r1*x_r;
+            _ => ((2.0*h*Z_r*theta_r - 2.0*(u1 - h*theta + h*(Z_r - Z_s)*(theta_c + theta/Z_r)/2.0)
+                - (cos_a*(eta1 + h*(Z_r + Z_s)*(theta_c + theta/Z_r)/(2.0*cos_a)) - sin_a*zeta1)
+                - (cos_a*(eta1 + h*(Z_r + Z_s)*(theta_c + theta/Z_r)/(2.0*cos_a)) + sin_a*zeta1) - x_r*(cs1 + sc1) - x_r*(sc1 - cs1)
+                + y_r*(cc1 + ss1) + y_r*(cc1 - ss1))
+                - (h*Z_r*theta_r - (u1 - h*theta + h*(Z_r - Z_s)*(theta_c + theta/Z_r)/2.0)
+                - (h*Z_r*theta_r - (u1 - h*theta + h*(Z_r - Z_s)*(theta_c + theta/Z_r)/2.0)
+                - (cos_a*(eta1 + h*(Z_r + Z_s)*(theta_c + theta/Z_r)/(2.0*cos_a)) - sin_a*zeta1) - x_r*(cs1 + sc1) + y_r*(cc1 - ss1))
+                - (cos_a*(eta1 + h*(Z_r + Z_s)*(theta_c + theta/Z_r)/(2.0*cos_a)) + sin_a*zeta1) - x_r*(sc1 - cs1) + y_r*(cc1 + ss1)))/2.0;
         }
         mesh_loss_r1 "W", "power that the damper of the mesh of ring and planet 1 takes" {
             backlash_r1 => k_r1*clipr1*touchr1*overr1*overr1_dot;
             damping => beta_K*k_r1_mid*dampr1*overr1_dot.powi(2);
+        }
+        play_opening_r1 "m" with backlash_r1,
+            "half the opening of the play of the mesh of ring and planet 1 by the motion of the gears' centres" {
+            _ => (h*Z_r*theta_r - (u1 - h*theta + h*(Z_r - Z_s)*(theta_c + theta/Z_r)/2.0)
+                - (h*Z_r*theta_r - (u1 - h*theta + h*(Z_r - Z_s)*(theta_c + theta/Z_r)/2.0)
+                - (cos_a*(eta1 + h*(Z_r + Z_s)*(theta_c + theta/Z_r)/(2.0*cos_a)) - sin_a*zeta1) - x_r*(cs1 + sc1) + y_r*(cc1 - ss1))
+                - (cos_a*(eta1 + h*(Z_r + Z_s)*(theta_c + theta/Z_r)/(2.0*cos_a)) + sin_a*zeta1) - x_r*(sc1 - cs1) + y_r*(cc1 + ss1))/2.0;
         }
         power_slide_r1 "W" with sliding_friction_r1,
             "power of the friction of the mesh of ring and planet 1, through the sliding of the flanks at the pitch point: positive if it \
@@ -4243,20 +4398,44 @@ equations! {
             damping => beta_K*k_s2_mid*damps2*overs2_dot;
         }
         mesh_power_s2 "W", "power that the first gear gives to the mesh of sun and planet 2: force times the speed of its flank" {
-            _ => mesh_force_s2*(cos_s2*y_s_dot + h*Z_s*theta_c_dot + h*Z_s*theta_dot*(1.0/Z_r + 1.0/Z_s) - sin_s2*x_s_dot);
+            _ => mesh_force_s2*(h*Z_s*theta_c_dot + h*Z_s*theta_dot*(1.0/Z_r + 1.0/Z_s)
+                + x_s_dot*(((-(cs2 + sc2) - (sc2 - cs2)) + flanks2*(cs2 + sc2 - (sc2 - cs2)))/2.0)
+                + y_s_dot*(cc2 + flanks2*(cc2 + ss2 - (cc2 - ss2))/2.0));
         }
         mesh_deflection_s2 "m", "deflection of the mesh of sun and planet 2 along the line of action, backlash not taken off" {
-            _ => u2 - e_s2 - (cos_a*(eta2 + h*(Z_r + Z_s)*(theta_c + theta/Z_r)/(2.0*cos_a)) + sin_a*zeta2) + cos_s2*y_s
-                + h*Z_s*(theta_c + theta/Z_r + theta/Z_s) - h*theta + h*(Z_r - Z_s)*(theta_c + theta/Z_r)/2.0 - sin_s2*x_s;
+            _ => (2.0*u2 - (cos_a*(eta2 + h*(Z_r + Z_s)*(theta_c + theta/Z_r)/(2.0*cos_a)) - sin_a*zeta2)
+                - (cos_a*(eta2 + h*(Z_r + Z_s)*(theta_c + theta/Z_r)/(2.0*cos_a)) + sin_a*zeta2)
+                + 2.0*h*Z_s*(theta_c + theta/Z_r + theta/Z_s) - 2.0*h*theta + h*(Z_r - Z_s)*(theta_c + theta/Z_r) - x_s*(cs2 + sc2)
+                - x_s*(sc2 - cs2) + y_s*(cc2 + ss2) + y_s*(cc2 - ss2))/2.0 - e_s2
+                - (u2 - (u2 - (cos_a*(eta2 + h*(Z_r + Z_s)*(theta_c + theta/Z_r)/(2.0*cos_a)) + sin_a*zeta2)
+                + h*Z_s*(theta_c + theta/Z_r + theta/Z_s) - h*theta + h*(Z_r - Z_s)*(theta_c + theta/Z_r)/2.0 - x_s*(sc2 - cs2)
+                + y_s*(cc2 + ss2)) - (cos_a*(eta2 + h*(Z_r + Z_s)*(theta_c + theta/Z_r)/(2.0*cos_a)) - sin_a*zeta2)
+                + h*Z_s*(theta_c + theta/Z_r + theta/Z_s) - h*theta + h*(Z_r - Z_s)*(theta_c + theta/Z_r)/2.0 - x_s*(cs2 + sc2)
+                + y_s*(cc2 - ss2))/2.0;
         }
         dte_s2 "m",
             "dynamic transmission error of the mesh of sun and planet 2 along the line of action: positive if the driving gear is ahead" {
-            _ => u2 - (cos_a*(eta2 + h*(Z_r + Z_s)*(theta_c + theta/Z_r)/(2.0*cos_a)) + sin_a*zeta2) + cos_s2*y_s
-                + h*Z_s*(theta_c + theta/Z_r + theta/Z_s) - h*theta + h*(Z_r - Z_s)*(theta_c + theta/Z_r)/2.0 - sin_s2*x_s;
+            _ => ((2.0*u2 - (cos_a*(eta2 + h*(Z_r + Z_s)*(theta_c + theta/Z_r)/(2.0*cos_a)) - sin_a*zeta2)
+                - (cos_a*(eta2 + h*(Z_r + Z_s)*(theta_c + theta/Z_r)/(2.0*cos_a)) + sin_a*zeta2)
+                + 2.0*h*Z_s*(theta_c + theta/Z_r + theta/Z_s) - 2.0*h*theta + h*(Z_r - Z_s)*(theta_c + theta/Z_r) - x_s*(cs2 + sc2)
+                - x_s*(sc2 - cs2) + y_s*(cc2 + ss2) + y_s*(cc2 - ss2))
+                - (u2 - (u2 - (cos_a*(eta2 + h*(Z_r + Z_s)*(theta_c + theta/Z_r)/(2.0*cos_a)) + sin_a*zeta2)
+                + h*Z_s*(theta_c + theta/Z_r + theta/Z_s) - h*theta + h*(Z_r - Z_s)*(theta_c + theta/Z_r)/2.0 - x_s*(sc2 - cs2)
+                + y_s*(cc2 + ss2)) - (cos_a*(eta2 + h*(Z_r + Z_s)*(theta_c + theta/Z_r)/(2.0*cos_a)) - sin_a*zeta2)
+                + h*Z_s*(theta_c + theta/Z_r + theta/Z_s) - h*theta + h*(Z_r - Z_s)*(theta_c + theta/Z_r)/2.0 - x_s*(cs2 + sc2)
+                + y_s*(cc2 - ss2)))/2.0;
         }
         mesh_loss_s2 "W", "power that the damper of the mesh of sun and planet 2 takes" {
             backlash_s2 => k_s2*clips2*touchs2*overs2*overs2_dot;
             damping => beta_K*k_s2_mid*damps2*overs2_dot.powi(2);
+        }
+        play_opening_s2 "m" with backlash_s2,
+            "half the opening of the play of the mesh of sun and planet 2 by the motion of the gears' centres" {
+            _ => (u2 - (u2 - (cos_a*(eta2 + h*(Z_r + Z_s)*(theta_c + theta/Z_r)/(2.0*cos_a)) + sin_a*zeta2)
+                + h*Z_s*(theta_c + theta/Z_r + theta/Z_s) - h*theta + h*(Z_r - Z_s)*(theta_c + theta/Z_r)/2.0 - x_s*(sc2 - cs2)
+                + y_s*(cc2 + ss2)) - (cos_a*(eta2 + h*(Z_r + Z_s)*(theta_c + theta/Z_r)/(2.0*cos_a)) - sin_a*zeta2)
+                + h*Z_s*(theta_c + theta/Z_r + theta/Z_s) - h*theta + h*(Z_r - Z_s)*(theta_c + theta/Z_r)/2.0 - x_s*(cs2 + sc2)
+                + y_s*(cc2 - ss2))/2.0;
         }
         power_slide_s2 "W" with sliding_friction_s2,
             "power of the friction of the mesh of sun and planet 2, through the sliding of the flanks at the pitch point: positive if it \
@@ -4278,20 +4457,40 @@ equations! {
             damping => beta_K*k_r2_mid*dampr2*overr2_dot;
         }
         mesh_power_r2 "W", "power that the first gear gives to the mesh of ring and planet 2: force times the speed of its flank" {
-            _ => mesh_force_r2*(cos_r2*y_r_dot + h*Z_r*theta_r_dot - sin_r2*x_r_dot);
+            _ => mesh_force_r2*(h*Z_r*theta_r_dot + x_r_dot*(((-(cs2 + sc2) - (sc2 - cs2)) + flankr2*(sc2 - cs2 - (cs2 + sc2)))/2.0)
+                + y_r_dot*(cc2 + flankr2*(cc2 - ss2 - (cc2 + ss2))/2.0));
         }
         mesh_deflection_r2 "m", "deflection of the mesh of ring and planet 2 along the line of action, backlash not taken off" {
-            _ => cos_r2*y_r - e_r2 - (u2 - h*theta + h*(Z_r - Z_s)*(theta_c + theta/Z_r)/2.0)
-                - (cos_a*(eta2 + h*(Z_r + Z_s)*(theta_c + theta/Z_r)/(2.0*cos_a)) - sin_a*zeta2) + h*Z_r*theta_r - sin_r2*x_r;
+            _ => (2.0*h*Z_r*theta_r - 2.0*(u2 - h*theta + h*(Z_r - Z_s)*(theta_c + theta/Z_r)/2.0)
+                - (cos_a*(eta2 + h*(Z_r + Z_s)*(theta_c + theta/Z_r)/(2.0*cos_a)) - sin_a*zeta2)
+                - (cos_a*(eta2 + h*(Z_r + Z_s)*(theta_c + theta/Z_r)/(2.0*cos_a)) + sin_a*zeta2) - x_r*(cs2 + sc2) - x_r*(sc2 - cs2)
+                + y_r*(cc2 + ss2) + y_r*(cc2 - ss2))/2.0 - e_r2
+                - (h*Z_r*theta_r - (u2 - h*theta + h*(Z_r - Z_s)*(theta_c + theta/Z_r)/2.0)
+                - (h*Z_r*theta_r - (u2 - h*theta + h*(Z_r - Z_s)*(theta_c + theta/Z_r)/2.0)
+                - (cos_a*(eta2 + h*(Z_r + Z_s)*(theta_c + theta/Z_r)/(2.0*cos_a)) - sin_a*zeta2) - x_r*(cs2 + sc2) + y_r*(cc2 - ss2))
+                - (cos_a*(eta2 + h*(Z_r + Z_s)*(theta_c + theta/Z_r)/(2.0*cos_a)) + sin_a*zeta2) - x_r*(sc2 - cs2) + y_r*(cc2 + ss2))/2.0;
         }
         dte_r2 "m",
             "dynamic transmission error of the mesh of ring and planet 2 along the line of action: positive if the driving gear is ahead" {
-            _ => cos_r2*y_r - (u2 - h*theta + h*(Z_r - Z_s)*(theta_c + theta/Z_r)/2.0)
-                - (cos_a*(eta2 + h*(Z_r + Z_s)*(theta_c + theta/Z_r)/(2.0*cos_a)) - sin_a*zeta2) + h*Z_r*theta_r - sin_r2*x_r;
+            _ => ((2.0*h*Z_r*theta_r - 2.0*(u2 - h*theta + h*(Z_r - Z_s)*(theta_c + theta/Z_r)/2.0)
+                - (cos_a*(eta2 + h*(Z_r + Z_s)*(theta_c + theta/Z_r)/(2.0*cos_a)) - sin_a*zeta2)
+                - (cos_a*(eta2 + h*(Z_r + Z_s)*(theta_c + theta/Z_r)/(2.0*cos_a)) + sin_a*zeta2) - x_r*(cs2 + sc2) - x_r*(sc2 - cs2)
+                + y_r*(cc2 + ss2) + y_r*(cc2 - ss2))
+                - (h*Z_r*theta_r - (u2 - h*theta + h*(Z_r - Z_s)*(theta_c + theta/Z_r)/2.0)
+                - (h*Z_r*theta_r - (u2 - h*theta + h*(Z_r - Z_s)*(theta_c + theta/Z_r)/2.0)
+                - (cos_a*(eta2 + h*(Z_r + Z_s)*(theta_c + theta/Z_r)/(2.0*cos_a)) - sin_a*zeta2) - x_r*(cs2 + sc2) + y_r*(cc2 - ss2))
+                - (cos_a*(eta2 + h*(Z_r + Z_s)*(theta_c + theta/Z_r)/(2.0*cos_a)) + sin_a*zeta2) - x_r*(sc2 - cs2) + y_r*(cc2 + ss2)))/2.0;
         }
         mesh_loss_r2 "W", "power that the damper of the mesh of ring and planet 2 takes" {
             backlash_r2 => k_r2*clipr2*touchr2*overr2*overr2_dot;
             damping => beta_K*k_r2_mid*dampr2*overr2_dot.powi(2);
+        }
+        play_opening_r2 "m" with backlash_r2,
+            "half the opening of the play of the mesh of ring and planet 2 by the motion of the gears' centres" {
+            _ => (h*Z_r*theta_r - (u2 - h*theta + h*(Z_r - Z_s)*(theta_c + theta/Z_r)/2.0)
+                - (h*Z_r*theta_r - (u2 - h*theta + h*(Z_r - Z_s)*(theta_c + theta/Z_r)/2.0)
+                - (cos_a*(eta2 + h*(Z_r + Z_s)*(theta_c + theta/Z_r)/(2.0*cos_a)) - sin_a*zeta2) - x_r*(cs2 + sc2) + y_r*(cc2 - ss2))
+                - (cos_a*(eta2 + h*(Z_r + Z_s)*(theta_c + theta/Z_r)/(2.0*cos_a)) + sin_a*zeta2) - x_r*(sc2 - cs2) + y_r*(cc2 + ss2))/2.0;
         }
         power_slide_r2 "W" with sliding_friction_r2,
             "power of the friction of the mesh of ring and planet 2, through the sliding of the flanks at the pitch point: positive if it \
@@ -4330,20 +4529,44 @@ equations! {
             damping => beta_K*k_s3_mid*damps3*overs3_dot;
         }
         mesh_power_s3 "W", "power that the first gear gives to the mesh of sun and planet 3: force times the speed of its flank" {
-            _ => mesh_force_s3*(cos_s3*y_s_dot + h*Z_s*theta_c_dot + h*Z_s*theta_dot*(1.0/Z_r + 1.0/Z_s) - sin_s3*x_s_dot);
+            _ => mesh_force_s3*(h*Z_s*theta_c_dot + h*Z_s*theta_dot*(1.0/Z_r + 1.0/Z_s)
+                + x_s_dot*(((-(cs3 + sc3) - (sc3 - cs3)) + flanks3*(cs3 + sc3 - (sc3 - cs3)))/2.0)
+                + y_s_dot*(cc3 + flanks3*(cc3 + ss3 - (cc3 - ss3))/2.0));
         }
         mesh_deflection_s3 "m", "deflection of the mesh of sun and planet 3 along the line of action, backlash not taken off" {
-            _ => u3 - e_s3 - (cos_a*(eta3 + h*(Z_r + Z_s)*(theta_c + theta/Z_r)/(2.0*cos_a)) + sin_a*zeta3) + cos_s3*y_s
-                + h*Z_s*(theta_c + theta/Z_r + theta/Z_s) - h*theta + h*(Z_r - Z_s)*(theta_c + theta/Z_r)/2.0 - sin_s3*x_s;
+            _ => (2.0*u3 - (cos_a*(eta3 + h*(Z_r + Z_s)*(theta_c + theta/Z_r)/(2.0*cos_a)) - sin_a*zeta3)
+                - (cos_a*(eta3 + h*(Z_r + Z_s)*(theta_c + theta/Z_r)/(2.0*cos_a)) + sin_a*zeta3)
+                + 2.0*h*Z_s*(theta_c + theta/Z_r + theta/Z_s) - 2.0*h*theta + h*(Z_r - Z_s)*(theta_c + theta/Z_r) - x_s*(cs3 + sc3)
+                - x_s*(sc3 - cs3) + y_s*(cc3 + ss3) + y_s*(cc3 - ss3))/2.0 - e_s3
+                - (u3 - (u3 - (cos_a*(eta3 + h*(Z_r + Z_s)*(theta_c + theta/Z_r)/(2.0*cos_a)) + sin_a*zeta3)
+                + h*Z_s*(theta_c + theta/Z_r + theta/Z_s) - h*theta + h*(Z_r - Z_s)*(theta_c + theta/Z_r)/2.0 - x_s*(sc3 - cs3)
+                + y_s*(cc3 + ss3)) - (cos_a*(eta3 + h*(Z_r + Z_s)*(theta_c + theta/Z_r)/(2.0*cos_a)) - sin_a*zeta3)
+                + h*Z_s*(theta_c + theta/Z_r + theta/Z_s) - h*theta + h*(Z_r - Z_s)*(theta_c + theta/Z_r)/2.0 - x_s*(cs3 + sc3)
+                + y_s*(cc3 - ss3))/2.0;
         }
         dte_s3 "m",
             "dynamic transmission error of the mesh of sun and planet 3 along the line of action: positive if the driving gear is ahead" {
-            _ => u3 - (cos_a*(eta3 + h*(Z_r + Z_s)*(theta_c + theta/Z_r)/(2.0*cos_a)) + sin_a*zeta3) + cos_s3*y_s
-                + h*Z_s*(theta_c + theta/Z_r + theta/Z_s) - h*theta + h*(Z_r - Z_s)*(theta_c + theta/Z_r)/2.0 - sin_s3*x_s;
+            _ => ((2.0*u3 - (cos_a*(eta3 + h*(Z_r + Z_s)*(theta_c + theta/Z_r)/(2.0*cos_a)) - sin_a*zeta3)
+                - (cos_a*(eta3 + h*(Z_r + Z_s)*(theta_c + theta/Z_r)/(2.0*cos_a)) + sin_a*zeta3)
+                + 2.0*h*Z_s*(theta_c + theta/Z_r + theta/Z_s) - 2.0*h*theta + h*(Z_r - Z_s)*(theta_c + theta/Z_r) - x_s*(cs3 + sc3)
+                - x_s*(sc3 - cs3) + y_s*(cc3 + ss3) + y_s*(cc3 - ss3))
+                - (u3 - (u3 - (cos_a*(eta3 + h*(Z_r + Z_s)*(theta_c + theta/Z_r)/(2.0*cos_a)) + sin_a*zeta3)
+                + h*Z_s*(theta_c + theta/Z_r + theta/Z_s) - h*theta + h*(Z_r - Z_s)*(theta_c + theta/Z_r)/2.0 - x_s*(sc3 - cs3)
+                + y_s*(cc3 + ss3)) - (cos_a*(eta3 + h*(Z_r + Z_s)*(theta_c + theta/Z_r)/(2.0*cos_a)) - sin_a*zeta3)
+                + h*Z_s*(theta_c + theta/Z_r + theta/Z_s) - h*theta + h*(Z_r - Z_s)*(theta_c + theta/Z_r)/2.0 - x_s*(cs3 + sc3)
+                + y_s*(cc3 - ss3)))/2.0;
         }
         mesh_loss_s3 "W", "power that the damper of the mesh of sun and planet 3 takes" {
             backlash_s3 => k_s3*clips3*touchs3*overs3*overs3_dot;
             damping => beta_K*k_s3_mid*damps3*overs3_dot.powi(2);
+        }
+        play_opening_s3 "m" with backlash_s3,
+            "half the opening of the play of the mesh of sun and planet 3 by the motion of the gears' centres" {
+            _ => (u3 - (u3 - (cos_a*(eta3 + h*(Z_r + Z_s)*(theta_c + theta/Z_r)/(2.0*cos_a)) + sin_a*zeta3)
+                + h*Z_s*(theta_c + theta/Z_r + theta/Z_s) - h*theta + h*(Z_r - Z_s)*(theta_c + theta/Z_r)/2.0 - x_s*(sc3 - cs3)
+                + y_s*(cc3 + ss3)) - (cos_a*(eta3 + h*(Z_r + Z_s)*(theta_c + theta/Z_r)/(2.0*cos_a)) - sin_a*zeta3)
+                + h*Z_s*(theta_c + theta/Z_r + theta/Z_s) - h*theta + h*(Z_r - Z_s)*(theta_c + theta/Z_r)/2.0 - x_s*(cs3 + sc3)
+                + y_s*(cc3 - ss3))/2.0;
         }
         power_slide_s3 "W" with sliding_friction_s3,
             "power of the friction of the mesh of sun and planet 3, through the sliding of the flanks at the pitch point: positive if it \
@@ -4365,20 +4588,40 @@ equations! {
             damping => beta_K*k_r3_mid*dampr3*overr3_dot;
         }
         mesh_power_r3 "W", "power that the first gear gives to the mesh of ring and planet 3: force times the speed of its flank" {
-            _ => mesh_force_r3*(cos_r3*y_r_dot + h*Z_r*theta_r_dot - sin_r3*x_r_dot);
+            _ => mesh_force_r3*(h*Z_r*theta_r_dot + x_r_dot*(((-(cs3 + sc3) - (sc3 - cs3)) + flankr3*(sc3 - cs3 - (cs3 + sc3)))/2.0)
+                + y_r_dot*(cc3 + flankr3*(cc3 - ss3 - (cc3 + ss3))/2.0));
         }
         mesh_deflection_r3 "m", "deflection of the mesh of ring and planet 3 along the line of action, backlash not taken off" {
-            _ => cos_r3*y_r - e_r3 - (u3 - h*theta + h*(Z_r - Z_s)*(theta_c + theta/Z_r)/2.0)
-                - (cos_a*(eta3 + h*(Z_r + Z_s)*(theta_c + theta/Z_r)/(2.0*cos_a)) - sin_a*zeta3) + h*Z_r*theta_r - sin_r3*x_r;
+            _ => (2.0*h*Z_r*theta_r - 2.0*(u3 - h*theta + h*(Z_r - Z_s)*(theta_c + theta/Z_r)/2.0)
+                - (cos_a*(eta3 + h*(Z_r + Z_s)*(theta_c + theta/Z_r)/(2.0*cos_a)) - sin_a*zeta3)
+                - (cos_a*(eta3 + h*(Z_r + Z_s)*(theta_c + theta/Z_r)/(2.0*cos_a)) + sin_a*zeta3) - x_r*(cs3 + sc3) - x_r*(sc3 - cs3)
+                + y_r*(cc3 + ss3) + y_r*(cc3 - ss3))/2.0 - e_r3
+                - (h*Z_r*theta_r - (u3 - h*theta + h*(Z_r - Z_s)*(theta_c + theta/Z_r)/2.0)
+                - (h*Z_r*theta_r - (u3 - h*theta + h*(Z_r - Z_s)*(theta_c + theta/Z_r)/2.0)
+                - (cos_a*(eta3 + h*(Z_r + Z_s)*(theta_c + theta/Z_r)/(2.0*cos_a)) - sin_a*zeta3) - x_r*(cs3 + sc3) + y_r*(cc3 - ss3))
+                - (cos_a*(eta3 + h*(Z_r + Z_s)*(theta_c + theta/Z_r)/(2.0*cos_a)) + sin_a*zeta3) - x_r*(sc3 - cs3) + y_r*(cc3 + ss3))/2.0;
         }
         dte_r3 "m",
             "dynamic transmission error of the mesh of ring and planet 3 along the line of action: positive if the driving gear is ahead" {
-            _ => cos_r3*y_r - (u3 - h*theta + h*(Z_r - Z_s)*(theta_c + theta/Z_r)/2.0)
-                - (cos_a*(eta3 + h*(Z_r + Z_s)*(theta_c + theta/Z_r)/(2.0*cos_a)) - sin_a*zeta3) + h*Z_r*theta_r - sin_r3*x_r;
+            _ => ((2.0*h*Z_r*theta_r - 2.0*(u3 - h*theta + h*(Z_r - Z_s)*(theta_c + theta/Z_r)/2.0)
+                - (cos_a*(eta3 + h*(Z_r + Z_s)*(theta_c + theta/Z_r)/(2.0*cos_a)) - sin_a*zeta3)
+                - (cos_a*(eta3 + h*(Z_r + Z_s)*(theta_c + theta/Z_r)/(2.0*cos_a)) + sin_a*zeta3) - x_r*(cs3 + sc3) - x_r*(sc3 - cs3)
+                + y_r*(cc3 + ss3) + y_r*(cc3 - ss3))
+                - (h*Z_r*theta_r - (u3 - h*theta + h*(Z_r - Z_s)*(theta_c + theta/Z_r)/2.0)
+                - (h*Z_r*theta_r - (u3 - h*theta + h*(Z_r - Z_s)*(theta_c + theta/Z_r)/2.0)
+                - (cos_a*(eta3 + h*(Z_r + Z_s)*(theta_c + theta/Z_r)/(2.0*cos_a)) - sin_a*zeta3) - x_r*(cs3 + sc3) + y_r*(cc3 - ss3))
+                - (cos_a*(eta3 + h*(Z_r + Z_s)*(theta_c + theta/Z_r)/(2.0*cos_a)) + sin_a*zeta3) - x_r*(sc3 - cs3) + y_r*(cc3 + ss3)))/2.0;
         }
         mesh_loss_r3 "W", "power that the damper of the mesh of ring and planet 3 takes" {
             backlash_r3 => k_r3*clipr3*touchr3*overr3*overr3_dot;
             damping => beta_K*k_r3_mid*dampr3*overr3_dot.powi(2);
+        }
+        play_opening_r3 "m" with backlash_r3,
+            "half the opening of the play of the mesh of ring and planet 3 by the motion of the gears' centres" {
+            _ => (h*Z_r*theta_r - (u3 - h*theta + h*(Z_r - Z_s)*(theta_c + theta/Z_r)/2.0)
+                - (h*Z_r*theta_r - (u3 - h*theta + h*(Z_r - Z_s)*(theta_c + theta/Z_r)/2.0)
+                - (cos_a*(eta3 + h*(Z_r + Z_s)*(theta_c + theta/Z_r)/(2.0*cos_a)) - sin_a*zeta3) - x_r*(cs3 + sc3) + y_r*(cc3 - ss3))
+                - (cos_a*(eta3 + h*(Z_r + Z_s)*(theta_c + theta/Z_r)/(2.0*cos_a)) + sin_a*zeta3) - x_r*(sc3 - cs3) + y_r*(cc3 + ss3))/2.0;
         }
         power_slide_r3 "W" with sliding_friction_r3,
             "power of the friction of the mesh of ring and planet 3, through the sliding of the flanks at the pitch point: positive if it \
@@ -4417,20 +4660,44 @@ equations! {
             damping => beta_K*k_s4_mid*damps4*overs4_dot;
         }
         mesh_power_s4 "W", "power that the first gear gives to the mesh of sun and planet 4: force times the speed of its flank" {
-            _ => mesh_force_s4*(cos_s4*y_s_dot + h*Z_s*theta_c_dot + h*Z_s*theta_dot*(1.0/Z_r + 1.0/Z_s) - sin_s4*x_s_dot);
+            _ => mesh_force_s4*(h*Z_s*theta_c_dot + h*Z_s*theta_dot*(1.0/Z_r + 1.0/Z_s)
+                + x_s_dot*(((-(cs4 + sc4) - (sc4 - cs4)) + flanks4*(cs4 + sc4 - (sc4 - cs4)))/2.0)
+                + y_s_dot*(cc4 + flanks4*(cc4 + ss4 - (cc4 - ss4))/2.0));
         }
         mesh_deflection_s4 "m", "deflection of the mesh of sun and planet 4 along the line of action, backlash not taken off" {
-            _ => u4 - e_s4 - (cos_a*(eta4 + h*(Z_r + Z_s)*(theta_c + theta/Z_r)/(2.0*cos_a)) + sin_a*zeta4) + cos_s4*y_s
-                + h*Z_s*(theta_c + theta/Z_r + theta/Z_s) - h*theta + h*(Z_r - Z_s)*(theta_c + theta/Z_r)/2.0 - sin_s4*x_s;
+            _ => (2.0*u4 - (cos_a*(eta4 + h*(Z_r + Z_s)*(theta_c + theta/Z_r)/(2.0*cos_a)) - sin_a*zeta4)
+                - (cos_a*(eta4 + h*(Z_r + Z_s)*(theta_c + theta/Z_r)/(2.0*cos_a)) + sin_a*zeta4)
+                + 2.0*h*Z_s*(theta_c + theta/Z_r + theta/Z_s) - 2.0*h*theta + h*(Z_r - Z_s)*(theta_c + theta/Z_r) - x_s*(cs4 + sc4)
+                - x_s*(sc4 - cs4) + y_s*(cc4 + ss4) + y_s*(cc4 - ss4))/2.0 - e_s4
+                - (u4 - (u4 - (cos_a*(eta4 + h*(Z_r + Z_s)*(theta_c + theta/Z_r)/(2.0*cos_a)) + sin_a*zeta4)
+                + h*Z_s*(theta_c + theta/Z_r + theta/Z_s) - h*theta + h*(Z_r - Z_s)*(theta_c + theta/Z_r)/2.0 - x_s*(sc4 - cs4)
+                + y_s*(cc4 + ss4)) - (cos_a*(eta4 + h*(Z_r + Z_s)*(theta_c + theta/Z_r)/(2.0*cos_a)) - sin_a*zeta4)
+                + h*Z_s*(theta_c + theta/Z_r + theta/Z_s) - h*theta + h*(Z_r - Z_s)*(theta_c + theta/Z_r)/2.0 - x_s*(cs4 + sc4)
+                + y_s*(cc4 - ss4))/2.0;
         }
         dte_s4 "m",
             "dynamic transmission error of the mesh of sun and planet 4 along the line of action: positive if the driving gear is ahead" {
-            _ => u4 - (cos_a*(eta4 + h*(Z_r + Z_s)*(theta_c + theta/Z_r)/(2.0*cos_a)) + sin_a*zeta4) + cos_s4*y_s
-                + h*Z_s*(theta_c + theta/Z_r + theta/Z_s) - h*theta + h*(Z_r - Z_s)*(theta_c + theta/Z_r)/2.0 - sin_s4*x_s;
+            _ => ((2.0*u4 - (cos_a*(eta4 + h*(Z_r + Z_s)*(theta_c + theta/Z_r)/(2.0*cos_a)) - sin_a*zeta4)
+                - (cos_a*(eta4 + h*(Z_r + Z_s)*(theta_c + theta/Z_r)/(2.0*cos_a)) + sin_a*zeta4)
+                + 2.0*h*Z_s*(theta_c + theta/Z_r + theta/Z_s) - 2.0*h*theta + h*(Z_r - Z_s)*(theta_c + theta/Z_r) - x_s*(cs4 + sc4)
+                - x_s*(sc4 - cs4) + y_s*(cc4 + ss4) + y_s*(cc4 - ss4))
+                - (u4 - (u4 - (cos_a*(eta4 + h*(Z_r + Z_s)*(theta_c + theta/Z_r)/(2.0*cos_a)) + sin_a*zeta4)
+                + h*Z_s*(theta_c + theta/Z_r + theta/Z_s) - h*theta + h*(Z_r - Z_s)*(theta_c + theta/Z_r)/2.0 - x_s*(sc4 - cs4)
+                + y_s*(cc4 + ss4)) - (cos_a*(eta4 + h*(Z_r + Z_s)*(theta_c + theta/Z_r)/(2.0*cos_a)) - sin_a*zeta4)
+                + h*Z_s*(theta_c + theta/Z_r + theta/Z_s) - h*theta + h*(Z_r - Z_s)*(theta_c + theta/Z_r)/2.0 - x_s*(cs4 + sc4)
+                + y_s*(cc4 - ss4)))/2.0;
         }
         mesh_loss_s4 "W", "power that the damper of the mesh of sun and planet 4 takes" {
             backlash_s4 => k_s4*clips4*touchs4*overs4*overs4_dot;
             damping => beta_K*k_s4_mid*damps4*overs4_dot.powi(2);
+        }
+        play_opening_s4 "m" with backlash_s4,
+            "half the opening of the play of the mesh of sun and planet 4 by the motion of the gears' centres" {
+            _ => (u4 - (u4 - (cos_a*(eta4 + h*(Z_r + Z_s)*(theta_c + theta/Z_r)/(2.0*cos_a)) + sin_a*zeta4)
+                + h*Z_s*(theta_c + theta/Z_r + theta/Z_s) - h*theta + h*(Z_r - Z_s)*(theta_c + theta/Z_r)/2.0 - x_s*(sc4 - cs4)
+                + y_s*(cc4 + ss4)) - (cos_a*(eta4 + h*(Z_r + Z_s)*(theta_c + theta/Z_r)/(2.0*cos_a)) - sin_a*zeta4)
+                + h*Z_s*(theta_c + theta/Z_r + theta/Z_s) - h*theta + h*(Z_r - Z_s)*(theta_c + theta/Z_r)/2.0 - x_s*(cs4 + sc4)
+                + y_s*(cc4 - ss4))/2.0;
         }
         power_slide_s4 "W" with sliding_friction_s4,
             "power of the friction of the mesh of sun and planet 4, through the sliding of the flanks at the pitch point: positive if it \
@@ -4452,20 +4719,40 @@ equations! {
             damping => beta_K*k_r4_mid*dampr4*overr4_dot;
         }
         mesh_power_r4 "W", "power that the first gear gives to the mesh of ring and planet 4: force times the speed of its flank" {
-            _ => mesh_force_r4*(cos_r4*y_r_dot + h*Z_r*theta_r_dot - sin_r4*x_r_dot);
+            _ => mesh_force_r4*(h*Z_r*theta_r_dot + x_r_dot*(((-(cs4 + sc4) - (sc4 - cs4)) + flankr4*(sc4 - cs4 - (cs4 + sc4)))/2.0)
+                + y_r_dot*(cc4 + flankr4*(cc4 - ss4 - (cc4 + ss4))/2.0));
         }
         mesh_deflection_r4 "m", "deflection of the mesh of ring and planet 4 along the line of action, backlash not taken off" {
-            _ => cos_r4*y_r - e_r4 - (u4 - h*theta + h*(Z_r - Z_s)*(theta_c + theta/Z_r)/2.0)
-                - (cos_a*(eta4 + h*(Z_r + Z_s)*(theta_c + theta/Z_r)/(2.0*cos_a)) - sin_a*zeta4) + h*Z_r*theta_r - sin_r4*x_r;
+            _ => (2.0*h*Z_r*theta_r - 2.0*(u4 - h*theta + h*(Z_r - Z_s)*(theta_c + theta/Z_r)/2.0)
+                - (cos_a*(eta4 + h*(Z_r + Z_s)*(theta_c + theta/Z_r)/(2.0*cos_a)) - sin_a*zeta4)
+                - (cos_a*(eta4 + h*(Z_r + Z_s)*(theta_c + theta/Z_r)/(2.0*cos_a)) + sin_a*zeta4) - x_r*(cs4 + sc4) - x_r*(sc4 - cs4)
+                + y_r*(cc4 + ss4) + y_r*(cc4 - ss4))/2.0 - e_r4
+                - (h*Z_r*theta_r - (u4 - h*theta + h*(Z_r - Z_s)*(theta_c + theta/Z_r)/2.0)
+                - (h*Z_r*theta_r - (u4 - h*theta + h*(Z_r - Z_s)*(theta_c + theta/Z_r)/2.0)
+                - (cos_a*(eta4 + h*(Z_r + Z_s)*(theta_c + theta/Z_r)/(2.0*cos_a)) - sin_a*zeta4) - x_r*(cs4 + sc4) + y_r*(cc4 - ss4))
+                - (cos_a*(eta4 + h*(Z_r + Z_s)*(theta_c + theta/Z_r)/(2.0*cos_a)) + sin_a*zeta4) - x_r*(sc4 - cs4) + y_r*(cc4 + ss4))/2.0;
         }
         dte_r4 "m",
             "dynamic transmission error of the mesh of ring and planet 4 along the line of action: positive if the driving gear is ahead" {
-            _ => cos_r4*y_r - (u4 - h*theta + h*(Z_r - Z_s)*(theta_c + theta/Z_r)/2.0)
-                - (cos_a*(eta4 + h*(Z_r + Z_s)*(theta_c + theta/Z_r)/(2.0*cos_a)) - sin_a*zeta4) + h*Z_r*theta_r - sin_r4*x_r;
+            _ => ((2.0*h*Z_r*theta_r - 2.0*(u4 - h*theta + h*(Z_r - Z_s)*(theta_c + theta/Z_r)/2.0)
+                - (cos_a*(eta4 + h*(Z_r + Z_s)*(theta_c + theta/Z_r)/(2.0*cos_a)) - sin_a*zeta4)
+                - (cos_a*(eta4 + h*(Z_r + Z_s)*(theta_c + theta/Z_r)/(2.0*cos_a)) + sin_a*zeta4) - x_r*(cs4 + sc4) - x_r*(sc4 - cs4)
+                + y_r*(cc4 + ss4) + y_r*(cc4 - ss4))
+                - (h*Z_r*theta_r - (u4 - h*theta + h*(Z_r - Z_s)*(theta_c + theta/Z_r)/2.0)
+                - (h*Z_r*theta_r - (u4 - h*theta + h*(Z_r - Z_s)*(theta_c + theta/Z_r)/2.0)
+                - (cos_a*(eta4 + h*(Z_r + Z_s)*(theta_c + theta/Z_r)/(2.0*cos_a)) - sin_a*zeta4) - x_r*(cs4 + sc4) + y_r*(cc4 - ss4))
+                - (cos_a*(eta4 + h*(Z_r + Z_s)*(theta_c + theta/Z_r)/(2.0*cos_a)) + sin_a*zeta4) - x_r*(sc4 - cs4) + y_r*(cc4 + ss4)))/2.0;
         }
         mesh_loss_r4 "W", "power that the damper of the mesh of ring and planet 4 takes" {
             backlash_r4 => k_r4*clipr4*touchr4*overr4*overr4_dot;
             damping => beta_K*k_r4_mid*dampr4*overr4_dot.powi(2);
+        }
+        play_opening_r4 "m" with backlash_r4,
+            "half the opening of the play of the mesh of ring and planet 4 by the motion of the gears' centres" {
+            _ => (h*Z_r*theta_r - (u4 - h*theta + h*(Z_r - Z_s)*(theta_c + theta/Z_r)/2.0)
+                - (h*Z_r*theta_r - (u4 - h*theta + h*(Z_r - Z_s)*(theta_c + theta/Z_r)/2.0)
+                - (cos_a*(eta4 + h*(Z_r + Z_s)*(theta_c + theta/Z_r)/(2.0*cos_a)) - sin_a*zeta4) - x_r*(cs4 + sc4) + y_r*(cc4 - ss4))
+                - (cos_a*(eta4 + h*(Z_r + Z_s)*(theta_c + theta/Z_r)/(2.0*cos_a)) + sin_a*zeta4) - x_r*(sc4 - cs4) + y_r*(cc4 + ss4))/2.0;
         }
         power_slide_r4 "W" with sliding_friction_r4,
             "power of the friction of the mesh of ring and planet 4, through the sliding of the flanks at the pitch point: positive if it \
@@ -4504,20 +4791,44 @@ equations! {
             damping => beta_K*k_s5_mid*damps5*overs5_dot;
         }
         mesh_power_s5 "W", "power that the first gear gives to the mesh of sun and planet 5: force times the speed of its flank" {
-            _ => mesh_force_s5*(cos_s5*y_s_dot + h*Z_s*theta_c_dot + h*Z_s*theta_dot*(1.0/Z_r + 1.0/Z_s) - sin_s5*x_s_dot);
+            _ => mesh_force_s5*(h*Z_s*theta_c_dot + h*Z_s*theta_dot*(1.0/Z_r + 1.0/Z_s)
+                + x_s_dot*(((-(cs5 + sc5) - (sc5 - cs5)) + flanks5*(cs5 + sc5 - (sc5 - cs5)))/2.0)
+                + y_s_dot*(cc5 + flanks5*(cc5 + ss5 - (cc5 - ss5))/2.0));
         }
         mesh_deflection_s5 "m", "deflection of the mesh of sun and planet 5 along the line of action, backlash not taken off" {
-            _ => u5 - e_s5 - (cos_a*(eta5 + h*(Z_r + Z_s)*(theta_c + theta/Z_r)/(2.0*cos_a)) + sin_a*zeta5) + cos_s5*y_s
-                + h*Z_s*(theta_c + theta/Z_r + theta/Z_s) - h*theta + h*(Z_r - Z_s)*(theta_c + theta/Z_r)/2.0 - sin_s5*x_s;
+            _ => (2.0*u5 - (cos_a*(eta5 + h*(Z_r + Z_s)*(theta_c + theta/Z_r)/(2.0*cos_a)) - sin_a*zeta5)
+                - (cos_a*(eta5 + h*(Z_r + Z_s)*(theta_c + theta/Z_r)/(2.0*cos_a)) + sin_a*zeta5)
+                + 2.0*h*Z_s*(theta_c + theta/Z_r + theta/Z_s) - 2.0*h*theta + h*(Z_r - Z_s)*(theta_c + theta/Z_r) - x_s*(cs5 + sc5)
+                - x_s*(sc5 - cs5) + y_s*(cc5 + ss5) + y_s*(cc5 - ss5))/2.0 - e_s5
+                - (u5 - (u5 - (cos_a*(eta5 + h*(Z_r + Z_s)*(theta_c + theta/Z_r)/(2.0*cos_a)) + sin_a*zeta5)
+                + h*Z_s*(theta_c + theta/Z_r + theta/Z_s) - h*theta + h*(Z_r - Z_s)*(theta_c + theta/Z_r)/2.0 - x_s*(sc5 - cs5)
+                + y_s*(cc5 + ss5)) - (cos_a*(eta5 + h*(Z_r + Z_s)*(theta_c + theta/Z_r)/(2.0*cos_a)) - sin_a*zeta5)
+                + h*Z_s*(theta_c + theta/Z_r + theta/Z_s) - h*theta + h*(Z_r - Z_s)*(theta_c + theta/Z_r)/2.0 - x_s*(cs5 + sc5)
+                + y_s*(cc5 - ss5))/2.0;
         }
         dte_s5 "m",
             "dynamic transmission error of the mesh of sun and planet 5 along the line of action: positive if the driving gear is ahead" {
-            _ => u5 - (cos_a*(eta5 + h*(Z_r + Z_s)*(theta_c + theta/Z_r)/(2.0*cos_a)) + sin_a*zeta5) + cos_s5*y_s
-                + h*Z_s*(theta_c + theta/Z_r + theta/Z_s) - h*theta + h*(Z_r - Z_s)*(theta_c + theta/Z_r)/2.0 - sin_s5*x_s;
+            _ => ((2.0*u5 - (cos_a*(eta5 + h*(Z_r + Z_s)*(theta_c + theta/Z_r)/(2.0*cos_a)) - sin_a*zeta5)
+                - (cos_a*(eta5 + h*(Z_r + Z_s)*(theta_c + theta/Z_r)/(2.0*cos_a)) + sin_a*zeta5)
+                + 2.0*h*Z_s*(theta_c + theta/Z_r + theta/Z_s) - 2.0*h*theta + h*(Z_r - Z_s)*(theta_c + theta/Z_r) - x_s*(cs5 + sc5)
+                - x_s*(sc5 - cs5) + y_s*(cc5 + ss5) + y_s*(cc5 - ss5))
+                - (u5 - (u5 - (cos_a*(eta5 + h*(Z_r + Z_s)*(theta_c + theta/Z_r)/(2.0*cos_a)) + sin_a*zeta5)
+                + h*Z_s*(theta_c + theta/Z_r + theta/Z_s) - h*theta + h*(Z_r - Z_s)*(theta_c + theta/Z_r)/2.0 - x_s*(sc5 - cs5)
+                + y_s*(cc5 + ss5)) - (cos_a*(eta5 + h*(Z_r + Z_s)*(theta_c + theta/Z_r)/(2.0*cos_a)) - sin_a*zeta5)
+                + h*Z_s*(theta_c + theta/Z_r + theta/Z_s) - h*theta + h*(Z_r - Z_s)*(theta_c + theta/Z_r)/2.0 - x_s*(cs5 + sc5)
+                + y_s*(cc5 - ss5)))/2.0;
         }
         mesh_loss_s5 "W", "power that the damper of the mesh of sun and planet 5 takes" {
             backlash_s5 => k_s5*clips5*touchs5*overs5*overs5_dot;
             damping => beta_K*k_s5_mid*damps5*overs5_dot.powi(2);
+        }
+        play_opening_s5 "m" with backlash_s5,
+            "half the opening of the play of the mesh of sun and planet 5 by the motion of the gears' centres" {
+            _ => (u5 - (u5 - (cos_a*(eta5 + h*(Z_r + Z_s)*(theta_c + theta/Z_r)/(2.0*cos_a)) + sin_a*zeta5)
+                + h*Z_s*(theta_c + theta/Z_r + theta/Z_s) - h*theta + h*(Z_r - Z_s)*(theta_c + theta/Z_r)/2.0 - x_s*(sc5 - cs5)
+                + y_s*(cc5 + ss5)) - (cos_a*(eta5 + h*(Z_r + Z_s)*(theta_c + theta/Z_r)/(2.0*cos_a)) - sin_a*zeta5)
+                + h*Z_s*(theta_c + theta/Z_r + theta/Z_s) - h*theta + h*(Z_r - Z_s)*(theta_c + theta/Z_r)/2.0 - x_s*(cs5 + sc5)
+                + y_s*(cc5 - ss5))/2.0;
         }
         power_slide_s5 "W" with sliding_friction_s5,
             "power of the friction of the mesh of sun and planet 5, through the sliding of the flanks at the pitch point: positive if it \
@@ -4539,20 +4850,40 @@ equations! {
             damping => beta_K*k_r5_mid*dampr5*overr5_dot;
         }
         mesh_power_r5 "W", "power that the first gear gives to the mesh of ring and planet 5: force times the speed of its flank" {
-            _ => mesh_force_r5*(cos_r5*y_r_dot + h*Z_r*theta_r_dot - sin_r5*x_r_dot);
+            _ => mesh_force_r5*(h*Z_r*theta_r_dot + x_r_dot*(((-(cs5 + sc5) - (sc5 - cs5)) + flankr5*(sc5 - cs5 - (cs5 + sc5)))/2.0)
+                + y_r_dot*(cc5 + flankr5*(cc5 - ss5 - (cc5 + ss5))/2.0));
         }
         mesh_deflection_r5 "m", "deflection of the mesh of ring and planet 5 along the line of action, backlash not taken off" {
-            _ => cos_r5*y_r - e_r5 - (u5 - h*theta + h*(Z_r - Z_s)*(theta_c + theta/Z_r)/2.0)
-                - (cos_a*(eta5 + h*(Z_r + Z_s)*(theta_c + theta/Z_r)/(2.0*cos_a)) - sin_a*zeta5) + h*Z_r*theta_r - sin_r5*x_r;
+            _ => (2.0*h*Z_r*theta_r - 2.0*(u5 - h*theta + h*(Z_r - Z_s)*(theta_c + theta/Z_r)/2.0)
+                - (cos_a*(eta5 + h*(Z_r + Z_s)*(theta_c + theta/Z_r)/(2.0*cos_a)) - sin_a*zeta5)
+                - (cos_a*(eta5 + h*(Z_r + Z_s)*(theta_c + theta/Z_r)/(2.0*cos_a)) + sin_a*zeta5) - x_r*(cs5 + sc5) - x_r*(sc5 - cs5)
+                + y_r*(cc5 + ss5) + y_r*(cc5 - ss5))/2.0 - e_r5
+                - (h*Z_r*theta_r - (u5 - h*theta + h*(Z_r - Z_s)*(theta_c + theta/Z_r)/2.0)
+                - (h*Z_r*theta_r - (u5 - h*theta + h*(Z_r - Z_s)*(theta_c + theta/Z_r)/2.0)
+                - (cos_a*(eta5 + h*(Z_r + Z_s)*(theta_c + theta/Z_r)/(2.0*cos_a)) - sin_a*zeta5) - x_r*(cs5 + sc5) + y_r*(cc5 - ss5))
+                - (cos_a*(eta5 + h*(Z_r + Z_s)*(theta_c + theta/Z_r)/(2.0*cos_a)) + sin_a*zeta5) - x_r*(sc5 - cs5) + y_r*(cc5 + ss5))/2.0;
         }
         dte_r5 "m",
             "dynamic transmission error of the mesh of ring and planet 5 along the line of action: positive if the driving gear is ahead" {
-            _ => cos_r5*y_r - (u5 - h*theta + h*(Z_r - Z_s)*(theta_c + theta/Z_r)/2.0)
-                - (cos_a*(eta5 + h*(Z_r + Z_s)*(theta_c + theta/Z_r)/(2.0*cos_a)) - sin_a*zeta5) + h*Z_r*theta_r - sin_r5*x_r;
+            _ => ((2.0*h*Z_r*theta_r - 2.0*(u5 - h*theta + h*(Z_r - Z_s)*(theta_c + theta/Z_r)/2.0)
+                - (cos_a*(eta5 + h*(Z_r + Z_s)*(theta_c + theta/Z_r)/(2.0*cos_a)) - sin_a*zeta5)
+                - (cos_a*(eta5 + h*(Z_r + Z_s)*(theta_c + theta/Z_r)/(2.0*cos_a)) + sin_a*zeta5) - x_r*(cs5 + sc5) - x_r*(sc5 - cs5)
+                + y_r*(cc5 + ss5) + y_r*(cc5 - ss5))
+                - (h*Z_r*theta_r - (u5 - h*theta + h*(Z_r - Z_s)*(theta_c + theta/Z_r)/2.0)
+                - (h*Z_r*theta_r - (u5 - h*theta + h*(Z_r - Z_s)*(theta_c + theta/Z_r)/2.0)
+                - (cos_a*(eta5 + h*(Z_r + Z_s)*(theta_c + theta/Z_r)/(2.0*cos_a)) - sin_a*zeta5) - x_r*(cs5 + sc5) + y_r*(cc5 - ss5))
+                - (cos_a*(eta5 + h*(Z_r + Z_s)*(theta_c + theta/Z_r)/(2.0*cos_a)) + sin_a*zeta5) - x_r*(sc5 - cs5) + y_r*(cc5 + ss5)))/2.0;
         }
         mesh_loss_r5 "W", "power that the damper of the mesh of ring and planet 5 takes" {
             backlash_r5 => k_r5*clipr5*touchr5*overr5*overr5_dot;
             damping => beta_K*k_r5_mid*dampr5*overr5_dot.powi(2);
+        }
+        play_opening_r5 "m" with backlash_r5,
+            "half the opening of the play of the mesh of ring and planet 5 by the motion of the gears' centres" {
+            _ => (h*Z_r*theta_r - (u5 - h*theta + h*(Z_r - Z_s)*(theta_c + theta/Z_r)/2.0)
+                - (h*Z_r*theta_r - (u5 - h*theta + h*(Z_r - Z_s)*(theta_c + theta/Z_r)/2.0)
+                - (cos_a*(eta5 + h*(Z_r + Z_s)*(theta_c + theta/Z_r)/(2.0*cos_a)) - sin_a*zeta5) - x_r*(cs5 + sc5) + y_r*(cc5 - ss5))
+                - (cos_a*(eta5 + h*(Z_r + Z_s)*(theta_c + theta/Z_r)/(2.0*cos_a)) + sin_a*zeta5) - x_r*(sc5 - cs5) + y_r*(cc5 + ss5))/2.0;
         }
         power_slide_r5 "W" with sliding_friction_r5,
             "power of the friction of the mesh of ring and planet 5, through the sliding of the flanks at the pitch point: positive if it \
@@ -4745,7 +5076,7 @@ equations! {
 //
 // | output | sums | products, quotients | functions, roots |
 // | --- | --- | --- | --- |
-// | constants (once a scene) | 24 | 14 | 32 |
+// | constants (once a scene) | 4 | 34 | 12 |
 // | named forces | 75 | 279 | 53 |
-// | force | 305 | 1542 | 0 |
+// | force | 385 | 1942 | 0 |
 // | energy steps, all laws | 10 | 110 | 0 |

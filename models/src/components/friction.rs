@@ -12,7 +12,7 @@
 //!
 //! F is negative on the coast flank. Its line of action is the mirror image of that of the drive flank about the line of centres. In the mirror
 //! the gears turn backward, and recess is approach: the sliding speed there is -tau' + xi psi', with xi positive in recess as before. Where
-//! gears move in the plane, models keep the line of action of the drive flank for both ([`Coast`]), and |F| stands in place of F.
+//! gears move in the plane, tau is another sum of their motions on the coast flank ([`super::gear`]), and |F| stands in place of F.
 //!
 //! The work is described by two laws of the phase, side and arm, that follow from the tooth geometry. The rolling part dissipates energy in either
 //! direction of rotation; the work over tau changes its sign with the deflection. Sources for this friction in gear dynamics:
@@ -39,21 +39,11 @@ use super::{FLANK_STICTION, Mesh, Stiction, flank_stiction, named};
 pub struct Sliding {
     /// The phase of the mesh, a coordinate \[rad\]; one pitch is 2 pi.
     pub phase: Expr,
-    /// Sliding distance at the pitch point [unit of the mesh deflection], positive if the driving gear is ahead.
+    /// Sliding distance at the pitch point [unit of the mesh deflection], positive if the driving gear is ahead; in a plane mesh that of the flanks
+    /// in contact ([`Mesh::on_flanks`]).
     pub tau: Expr,
     /// The sum of the rotations of both gears \[rad\], each positive in its direction of rotation in normal drive.
     pub psi: Expr,
-    /// The line of action of the coast flanks.
-    pub coast: Coast,
-}
-
-/// The line of action of the coast flanks.
-#[derive(Clone, Copy, PartialEq)]
-pub enum Coast {
-    /// The mirror image of that of the drive flanks.
-    Mirrored,
-    /// That of the drive flanks, as in models in which gears move in the plane: the force of their meshes has this line on either flank.
-    AsDrive,
 }
 
 /// Friction in a mesh whose deflection has the unit `unit`. Declares the laws `side` \[1\] and `arm` [unit], which are periodic in the phase, the
@@ -66,7 +56,7 @@ pub fn sliding_friction(m: &mut Model, part: &str, what: &str, unit: &str, mesh:
         let doc =
             format!("rolling speed omega1 + omega2 of the {what} below which friction decreases to zero (mixed film)");
         let mixed = m.parameter(&named("w_mix", part), "rad/s", Some(0.1), Range::Positive, &doc);
-        let Sliding { phase, tau, psi, coast } = sliding;
+        let Sliding { phase, tau, psi } = sliding;
         let mut law =
             |quantity, unit: &str, which, doc: &str| m.factor_law(&named(quantity, part), unit, phase, TAU, which, doc);
         let doc = format!(
@@ -77,7 +67,7 @@ pub fn sliding_friction(m: &mut Model, part: &str, what: &str, unit: &str, mesh:
         let arm = law("arm", unit, Factor::Arm, &doc);
         let tiny = m.constant(&named("tiny", part), Expr::from(1) / 1_000_000_000_000);
         let tau = m.deflection(&named("tau", part), tau);
-        let stiction = Stiction { psi, tau, side, arm, mu, coast };
+        let stiction = Stiction { psi, tau, side, arm, mu };
         let sticking = flank_stiction(m, part, what, mesh, stiction);
         let psi = sticking.psi;
         let direction = psi.dot() / (psi.dot().sq() + mixed.sq()).sqrt();
@@ -85,10 +75,10 @@ pub fn sliding_friction(m: &mut Model, part: &str, what: &str, unit: &str, mesh:
         let size = mu * mesh.stiffness * distance;
         let smoothed = size * direction;
         let friction = m.force(&named("F_mu", part), smoothed + sticking.instead(m, smoothed, size));
-        let along_tau = match coast {
+        let along_tau = match mesh.flank {
             // With the sign of F: that of the flank in contact.
-            Coast::Mirrored => m.force(&named("F_tau", part), friction * mesh.delta / distance),
-            Coast::AsDrive => friction,
+            None => m.force(&named("F_tau", part), friction * mesh.delta / distance),
+            Some(_) => friction,
         };
         let doc = format!("friction of the {what}, through the sliding of the flanks at the pitch point");
         m.torque(&named("slide", part), -side * along_tau, tau, &doc);

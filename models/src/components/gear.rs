@@ -18,6 +18,9 @@
 //! tau = tan(alpha) (u1 + u2) - (x1 - x2) cos(l) - (y1 - y2) sin(l)     external
 //! tau = tan(alpha) (u1 - u2) + (x1 - x2) cos(l) + (y1 - y2) sin(l)     internal, 1 the ring
 //! ```
+//!
+//! The line of action of the coast flanks is the mirror image about the line of centres, at 2 psi - l. The formulas of delta hold for it. In those of
+//! tau the rotations have the opposite sign there, -tan(alpha).
 
 use gearsim_derive::Expr;
 
@@ -71,7 +74,8 @@ pub fn external(a: Gear, l1: Direction, b: Gear, l2: Direction) -> Expr {
     a.across(l1) - b.across(l2) + a.u + b.u
 }
 
-/// The sliding distance of the flanks of an external mesh at the pitch point \[m\]. `tangent` is the tangent of the pressure angle.
+/// The sliding distance of the flanks of an external mesh at the pitch point \[m\]. `tangent` is the tangent of the pressure angle, negative on the
+/// coast flanks.
 pub fn external_sliding(a: Gear, l1: Direction, b: Gear, l2: Direction, tangent: Expr) -> Expr {
     tangent * (a.u + b.u) - a.along(l1) + b.along(l2)
 }

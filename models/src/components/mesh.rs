@@ -4,7 +4,7 @@ use std::f64::consts::TAU;
 
 use gearsim_derive::{Expr, Model, Stiffness, half};
 
-use super::{Bend, damper, named, observed, play, play_on_centres, steps, transmission_error};
+use super::{Bend, damper, named, observed, play, play_in_plane, steps, transmission_error};
 
 /// The two factors of the spring force of a mesh.
 #[derive(Clone, Copy)]
@@ -13,6 +13,50 @@ pub struct Mesh {
     pub stiffness: Expr,
     /// Deflection in contact: less the transmission error and the edge of the backlash, if the mesh has them.
     pub delta: Expr,
+    /// In a plane mesh 1 while its drive flanks are in contact, -1 while its coast flanks are, else 0.
+    pub flank: Option<Expr>,
+}
+
+impl Mesh {
+    /// A quantity of a plane mesh, linear in the coordinates, that has one form on the drive flanks and another one on the coast flanks.
+    pub fn on_flanks(&self, drive: Expr, coast: Expr) -> Expr {
+        match self.flank {
+            Some(flank) => half(drive + coast) + flank * half(drive - coast),
+            None => drive,
+        }
+    }
+}
+
+/// The deflections of the flanks of a mesh \[m\] without play and transmission error: `mean` - `open` of the drive flanks, `mean` + `open` of the
+/// coast flanks.
+#[derive(Clone, Copy)]
+pub struct Flanks {
+    /// The mean of both.
+    pub mean: Expr,
+    /// Half the opening of the play by the motion of the gears' centres; `None` if these do not move.
+    pub open: Option<Expr>,
+}
+
+impl Flanks {
+    /// Both flanks have the same deflection.
+    pub fn alike(delta: Expr) -> Flanks {
+        Flanks { mean: delta, open: None }
+    }
+
+    /// Each flank has a line of action, along which it has a deflection that is linear in the coordinates.
+    pub fn of(drive: Expr, coast: Expr) -> Flanks {
+        Flanks { mean: half(drive + coast), open: Some(half(coast - drive)) }
+    }
+
+    /// The same with lines of action that turn, and a play that opens, as [`super::moving_centres`] states.
+    pub fn bent(self, bend: Bend) -> Flanks {
+        Flanks { mean: self.mean - bend.turn, open: self.open.map(|open| open + bend.open) }
+    }
+
+    /// The deflection of the drive flanks.
+    fn drive(self) -> Expr {
+        self.open.map_or(self.mean, |open| self.mean - open)
+    }
 }
 
 /// A mesh of two gears. `delta` \[m\] is their relative displacement along the line of action; it is linear in the coordinates. Declares the
@@ -53,31 +97,24 @@ fn meshing(
     let gap = play(m, part, what, "m", delta - error);
     m.potential(half(k * gap.touch * gap.over.sq()));
     observed::mesh(m, part, what, (gap.over, beside), [delta, error], driving);
-    Mesh { stiffness: k * gap.touch, delta: gap.over }
+    Mesh { stiffness: k * gap.touch, delta: gap.over, flank: None }
 }
 
-/// A mesh as [`mesh_with_play`] whose gears' centres move. `bend` has the part of `delta` that the motion of the centres subtracts, and the
-/// opening of the play.
-pub fn mesh_on_centres(
-    m: &mut Model,
-    part: &str,
-    what: &str,
-    phase: Expr,
-    (delta, bend): (Expr, Bend),
-    driving: Expr,
-) -> Mesh {
+/// A mesh as [`mesh_with_play`] whose gears' centres move in the plane, so that its `flanks` have a line of action each. `driving` \[m\] are the
+/// displacements of the first gear's drive flank and of its coast flank along these lines.
+pub fn mesh_in_plane(m: &mut Model, part: &str, what: &str, phase: Expr, flanks: Flanks, driving: [Expr; 2]) -> Mesh {
     let k = stiffness(m, part, what, phase);
     let error = error(m, part, what, phase);
-    let gap = play_on_centres(m, part, what, delta - error, bend);
+    let gap = play_in_plane(m, part, what, Flanks { mean: flanks.mean - error, ..flanks });
     m.potential(half(k * gap.touch * gap.over.sq()));
-    observed::mesh(m, part, what, (gap.over, None), [delta - bend.turn, error], Some(driving));
-    let doc = format!("half the opening of the play of the {what} by the motion of the gears' centres");
-    m.output_with(&named_effect(part), &observed::of_part("play_opening", part), "m", bend.open, &doc);
-    Mesh { stiffness: k * gap.touch, delta: gap.over }
-}
-
-fn named_effect(part: &str) -> String {
-    observed::of_part("moving_centres", part)
+    let mesh = Mesh { stiffness: k * gap.touch, delta: gap.over, flank: gap.flank };
+    let driving = mesh.on_flanks(driving[0], driving[1]);
+    observed::mesh(m, part, what, (gap.over, None), [flanks.drive(), error], Some(driving));
+    if let Some(open) = flanks.open {
+        let doc = format!("half the opening of the play of the {what} by the motion of the gears' centres");
+        m.output_with(&observed::of_part("backlash", part), &observed::of_part("play_opening", part), "m", open, &doc);
+    }
+    mesh
 }
 
 fn error(m: &mut Model, part: &str, what: &str, phase: Expr) -> Expr {

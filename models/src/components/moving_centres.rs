@@ -14,19 +14,19 @@
 //!
 //! as their deflection, where s = r1 theta1 - r2 theta2. So the play opens by 2 R (inv(alpha') - inv(alpha)) along the line of action, which is
 //! 2 w cos(alpha') (inv(alpha') - inv(alpha)): F. L. Litvin & A. Fuentes, Gear Geometry and Applied Theory, 2004, Sec. 10.5; ISO 21771. To
-//! first order in x, y the deflection of the drive flanks is s - y cos(alpha) - x sin(alpha), that of the linear model. The effects on
-//! vibration: W. Kim, H. H. Yoo & J. Chung, J. Sound Vib. 329 (2010).
+//! first order in x, y the deflections are s - y cos(alpha) - x sin(alpha) and s - y cos(alpha) + x sin(alpha), those of the linear model. The
+//! effects on vibration: W. Kim, H. H. Yoo & J. Chung, J. Sound Vib. 329 (2010).
 
 use gearsim_derive::{Expr, Model};
 
 use super::{Direction, named};
 
-/// The change of the deflection of a mesh by moving centres \[m\]: it is subtracted from the linear deflection. It is zero without the effect.
+/// The change of the deflections of a mesh by moving centres beyond the linear ones \[m\], zero without the effect ([`super::Flanks::bent`]).
 #[derive(Clone, Copy)]
 pub struct Bend {
-    /// For both flanks: the line of action turns.
+    /// Subtracted for both flanks: the line of action turns.
     pub turn: Expr,
-    /// For the drive flanks; it is added for the coast flanks. Half the opening of the play.
+    /// Subtracted for the drive flanks, added for the coast flanks: the opening of the play.
     pub open: Expr,
 }
 
@@ -53,14 +53,17 @@ pub fn moving_centres(
         bend.turn = m.function_of(
             &named("turn", part),
             [x, y],
-            |[x, y]| sum * (y / (distance + x)).atan() - y * alpha.cos - x * alpha.sin,
-            |[x, y]| [-sum * y / square([x, y]) - alpha.sin, sum * (distance + x) / square([x, y]) - alpha.cos],
+            |[x, y]| sum * (y / (distance + x)).atan() - y * alpha.cos,
+            |[x, y]| [-sum * y / square([x, y]), sum * (distance + x) / square([x, y]) - alpha.cos],
         );
         bend.open = m.function_of(
             &named("open", part),
             [x, y],
-            |at| tangent(at) - sum * (tangent(at) / sum).atan() - sum * involute,
-            |[x, y]| [x + distance, y].map(|along| tangent([x, y]) * along / square([x, y])),
+            |at| tangent(at) - sum * (tangent(at) / sum).atan() - sum * involute - at[0] * alpha.sin,
+            |[x, y]| {
+                let by = |along: Expr| tangent([x, y]) * along / square([x, y]);
+                [by(x + distance) - alpha.sin, by(y)]
+            },
         );
     });
     bend

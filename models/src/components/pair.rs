@@ -6,7 +6,7 @@
 
 use gearsim_derive::{Expr, GearData, Model, Start};
 
-use super::{Coast, Mesh, Sliding, mesh_with_play, named, sliding_friction};
+use super::{Mesh, Sliding, mesh_with_play, named, sliding_friction};
 
 /// A pair of gears: their rotations and numbers of teeth.
 #[derive(Clone, Copy)]
@@ -60,7 +60,7 @@ impl Pair {
     pub fn mesh(&self, m: &mut Model, part: &str, what: &str, tangent: Expr) -> Mesh {
         let mesh = mesh_with_play(m, part, what, self.theta, self.s, self.u1);
         let (tau, psi) = (tangent * self.s, self.theta1 + self.theta2);
-        let sliding = Sliding { phase: self.theta, tau, psi, coast: Coast::Mirrored };
+        let sliding = Sliding { phase: self.theta, tau, psi };
         sliding_friction(m, part, what, "m", mesh, sliding);
         mesh
     }

@@ -12,8 +12,8 @@ use gearsim_derive::{Expr, GearData, Model, Range, Start, half};
 
 use super::gear::Direction;
 use super::{
-    Coast, Gear, Sliding, bearing_damper, external, external_sliding, internal, internal_sliding, mesh_with_play,
-    observed, sliding_friction,
+    Flanks, Gear, Sliding, bearing_damper, external, external_sliding, internal, internal_sliding, mesh_in_plane,
+    mesh_with_play, observed, sliding_friction,
 };
 
 /// The geometry of a stage and its rotations.
@@ -39,8 +39,6 @@ pub struct Stage {
     r_p: [Expr; 2],
     /// `a` as a named constant.
     named_a: Expr,
-    /// Pressure angle \[rad\].
-    angle: Expr,
     /// The pressure angle as a direction.
     alpha: Direction,
     /// Rolling distance along the line of action \[m\].
@@ -76,7 +74,6 @@ pub fn stage(m: &mut Model) -> Stage {
         per_sun: Z_s * Z_r / (Z_s + Z_r),
         r_p: [r_p, named_r_p],
         named_a,
-        angle,
         alpha,
         rho: h * theta,
         per_theta,
@@ -90,12 +87,11 @@ impl Stage {
     pub fn planets(&self, m: &mut Model, n: usize, theta_r: Expr) {
         let (mass, inertia) = inertia(m);
         m.kinetic(half(n as i64 * mass * (self.named_a * self.theta_c.dot()).sq()));
-        let (sun, ring) = (Gear::centred(self.r_s * self.theta_s), Gear::centred(self.r_r * theta_r));
-        let (l_s, l_r) = (self.alpha.mirrored(), self.alpha);
+        let gears = [Gear::centred(self.r_s * self.theta_s), Gear::centred(self.r_r * theta_r)];
         for i in 1..=n {
             let (beyond, u) = self.rotation(m, i, inertia);
             let planet = Gear { x: 0.into(), y: self.a * self.theta_c, u };
-            self.meshes(m, i, [(sun, l_s), (ring, l_r)], (planet, beyond), theta_r, Coast::Mirrored);
+            self.meshes(m, i, gears, None, (planet, beyond), theta_r);
         }
     }
 
@@ -117,12 +113,14 @@ impl Stage {
             let place = TAU * (i - 1) as f64 / n as f64;
             let doc = format!("angular position of planet {i}");
             let psi = m.parameter(&format!("psi{i}"), "rad", Some(place), Range::Any, &doc);
-            let direction = |m: &mut Model, of: &str, angle: Expr| Direction {
-                cos: m.constant(&format!("cos_{of}{i}"), angle.cos()),
-                sin: m.constant(&format!("sin_{of}{i}"), angle.sin()),
-            };
-            let (l_c, l_s) = (direction(m, "c", psi), direction(m, "s", psi - self.angle));
-            let l_r = direction(m, "r", psi + self.angle);
+            let mut constant = |name: &str, value| m.constant(&format!("{name}{i}"), value);
+            let l_c = Direction { cos: constant("cos_c", psi.cos()), sin: constant("sin_c", psi.sin()) };
+            // The lines of action are at the angles psi - alpha and psi + alpha. Both have these products, with different signs.
+            let Direction { cos, sin } = self.alpha;
+            let (cc, ss) = (constant("cc", l_c.cos * cos), constant("ss", l_c.sin * sin));
+            let (sc, cs) = (constant("sc", l_c.sin * cos), constant("cs", l_c.cos * sin));
+            let l_s = Direction { cos: cc + ss, sin: sc - cs };
+            let l_r = Direction { cos: cc - ss, sin: sc + cs };
             let coordinate =
                 |m: &mut Model, name: &str, doc: &str| m.coordinate(&format!("{name}{i}"), "m", Start::Static, doc);
             let zeta = coordinate(m, "zeta", &format!("radial displacement of planet {i}"));
@@ -138,7 +136,7 @@ impl Stage {
             m.potential(half(kb * tangential.sq()));
             damped.extend([radial, tangential]);
             observed::planet_bearing(m, &i.to_string(), [radial, tangential]);
-            self.meshes(m, i, [(sun, l_s), (ring, l_r)], (planet, beyond), theta_r, Coast::AsDrive);
+            self.meshes(m, i, [sun, ring], Some([l_s, l_r]), (planet, beyond), theta_r);
         }
         bearing_damper(m, "p", "bearing of a planet", &damped);
     }
@@ -153,34 +151,64 @@ impl Stage {
         (beyond, r_p * self.theta_c - self.rho + beyond)
     }
 
-    /// Adds the meshes of planet `i` with sun and ring, each with the direction of its line of action. `beyond` \[m\] is the rotation of the planet
-    /// in excess of rigid rolling, times its base radius. `theta_r` \[rad\] is the rotation of the ring. In the frame of the planet the lines of
-    /// action are at the pressure angle.
+    /// Adds the meshes of planet `i` with sun and ring. `lines` are the directions of the lines of action in the frame of sun and ring, if these move in
+    /// the plane: first at the pressure angle before that of the planet's centre, then beyond it. On the drive flanks the sun's mesh has the first one
+    /// and the ring's mesh the second one, on the coast flanks the other way round. `beyond` \[m\] is the rotation of the planet in excess of
+    /// rigid rolling, times its base radius. `theta_r` \[rad\] is the rotation of the ring.
     fn meshes(
         &self,
         m: &mut Model,
         i: usize,
-        [(sun, at_sun), (ring, at_ring)]: [(Gear, Direction); 2],
+        [sun, ring]: [Gear; 2],
+        lines: Option<[Direction; 2]>,
         (planet, beyond): (Gear, Expr),
         theta_r: Expr,
-        coast: Coast,
     ) {
         let Stage { theta, excess, alpha, per_theta: [roll_s, roll_r], r_p: [_, r_p], .. } = *self;
-        let (tangent, l_s, l_r) = (alpha.sin / alpha.cos, alpha.mirrored(), alpha);
+        // In the frame of the planet the lines of action are at the pressure angle.
+        let own = [alpha.mirrored(), alpha];
+        let (in_plane, lines) = (lines.is_some(), lines.unwrap_or(own));
+        let tangent = alpha.sin / alpha.cos;
         // The rotations against the planet, theta_s - theta_p and theta_r - theta_p, with theta_p = theta_c + (beyond - rho)/r_p.
         let psi_s = roll_s * theta - beyond / r_p;
         let psi_r = theta_r - excess + roll_r * theta - beyond / r_p;
-        let of_sun = (external(sun, at_sun, planet, l_s), external_sliding(sun, at_sun, planet, l_s, tangent), psi_s);
-        let of_ring =
-            (internal(ring, at_ring, planet, l_r), internal_sliding(ring, at_ring, planet, l_r, tangent), psi_r);
-        let flanks = [sun.across(at_sun) + sun.u, ring.across(at_ring) + ring.u];
-        let meshes = [("s", "sun", of_sun), ("r", "ring", of_ring)];
-        for ((part, with, (delta, tau, psi)), driving) in meshes.into_iter().zip(flanks) {
+        let of_sun = |l: usize, tangent: Expr| Side {
+            delta: external(sun, lines[l], planet, own[l]),
+            tau: external_sliding(sun, lines[l], planet, own[l], tangent),
+            driving: sun.across(lines[l]) + sun.u,
+        };
+        let of_ring = |l: usize, tangent: Expr| Side {
+            delta: internal(ring, lines[l], planet, own[l]),
+            tau: internal_sliding(ring, lines[l], planet, own[l], tangent),
+            driving: ring.across(lines[l]) + ring.u,
+        };
+        let meshes = [
+            ("s", "sun", [of_sun(0, tangent), of_sun(1, -tangent)], psi_s),
+            ("r", "ring", [of_ring(1, tangent), of_ring(0, -tangent)], psi_r),
+        ];
+        for (part, with, [drive, coast], psi) in meshes {
             let (part, what) = (format!("{part}{i}"), format!("mesh of {with} and planet {i}"));
-            let mesh = mesh_with_play(m, &part, &what, theta, delta, driving);
-            sliding_friction(m, &part, &what, "m", mesh, Sliding { phase: theta, tau, psi, coast });
+            let mesh = match in_plane {
+                true => {
+                    let flanks = Flanks::of(drive.delta, coast.delta);
+                    mesh_in_plane(m, &part, &what, theta, flanks, [drive.driving, coast.driving])
+                }
+                false => mesh_with_play(m, &part, &what, theta, drive.delta, drive.driving),
+            };
+            let tau = mesh.on_flanks(drive.tau, coast.tau);
+            sliding_friction(m, &part, &what, "m", mesh, Sliding { phase: theta, tau, psi });
         }
     }
+}
+
+/// The motion of a mesh along and across the line of action of one flank \[m\].
+struct Side {
+    /// Its deflection.
+    delta: Expr,
+    /// Its sliding distance at the pitch point.
+    tau: Expr,
+    /// Displacement of the first gear's flank.
+    driving: Expr,
 }
 
 /// Declares mass and moment of inertia of a planet.

@@ -13,7 +13,7 @@
 
 use gearsim_derive::{Expr, Model, Range, half};
 
-use super::{Bend, named, observed};
+use super::{Flanks, named, observed};
 
 /// The symbols of a play.
 #[derive(Clone, Copy)]
@@ -26,6 +26,8 @@ pub struct Play {
     pub damp: Expr,
     /// 1 while the force of the damper is clipped at that of the spring, -1 while it is clipped at the negative of that, else 0.
     pub clip: Expr,
+    /// 1 while the drive flanks are in contact, -1 while the coast flanks are, else 0; `None` if both have the same deflection.
+    pub flank: Option<Expr>,
 }
 
 /// Play of the deflection `delta` [unit], which is linear in the coordinates: free between -b/2 and b/2. Declares its size `b`
@@ -33,22 +35,23 @@ pub struct Play {
 /// damper in the contact as `gap.damp * gap.over.dot().sq()`. Declares the names `over`, `touch`, `edge`, `damp` and `clip`, each
 /// followed by `part`.
 pub fn play(m: &mut Model, part: &str, what: &str, unit: &str, delta: Expr) -> Play {
-    play_of(m, part, what, unit, delta, None)
+    play_of(m, part, what, unit, Flanks::alike(delta))
 }
 
-/// The same for a mesh whose centres move: the play opens with their distance. Declares the names `flank`, `drive` and `coast` too.
-pub fn play_on_centres(m: &mut Model, part: &str, what: &str, delta: Expr, bend: Bend) -> Play {
-    play_of(m, part, what, "m", delta, Some(bend))
+/// The same for a mesh whose centres move: each flank has a line of action, and the play opens with the distance of the centres. Declares the names
+/// `flank`, `drive` and `coast` too.
+pub fn play_in_plane(m: &mut Model, part: &str, what: &str, flanks: Flanks) -> Play {
+    play_of(m, part, what, "m", flanks)
 }
 
-fn play_of(m: &mut Model, part: &str, what: &str, unit: &str, delta: Expr, bend: Option<Bend>) -> Play {
+fn play_of(m: &mut Model, part: &str, what: &str, unit: &str, flanks: Flanks) -> Play {
     let mut size = Expr::from(0);
     let doc = "play between the flanks: contact on the drive or coast flank, free motion between";
     let effect = m.part_effect("backlash", part, doc, |m| {
         let doc = format!("backlash of the {what}: no contact within b/2 to either side");
         size = m.parameter(&named("b", part), unit, None, Range::Positive, &doc);
     });
-    let gap = band(m, part, unit, (delta, bend), half(size), [&effect, &format!("play of the {what}")]);
+    let gap = band(m, part, unit, flanks, half(size), [&effect, &format!("play of the {what}")]);
     // 1 in contact, 0 within the play. Also 0 while the damper cancels the spring's force (`loose`, clip = -1).
     let clip = gap.clip;
     let pressed = gap.touch * (1 + half(clip * (1 - clip)));
@@ -61,61 +64,54 @@ fn play_of(m: &mut Model, part: &str, what: &str, unit: &str, delta: Expr, bend:
 
 /// A dead band of the deflection `delta` [unit], in an effect: there is no force while it is between `-edge` and `edge` [unit].
 pub fn dead_band(m: &mut Model, part: &str, unit: &str, delta: Expr, edge: Expr, effect: &str, doc: &str) -> Play {
-    band(m, part, unit, (delta, None), edge, [effect, doc])
+    band(m, part, unit, Flanks::alike(delta), edge, [effect, doc])
 }
 
-fn band(
-    m: &mut Model,
-    part: &str,
-    unit: &str,
-    (delta, bend): (Expr, Option<Bend>),
-    edge: Expr,
-    [effect, doc]: [&str; 2],
-) -> Play {
+fn band(m: &mut Model, part: &str, unit: &str, flanks: Flanks, edge: Expr, [effect, doc]: [&str; 2]) -> Play {
     let name = |what: &str| format!("{what}{part}");
+    let Flanks { mean, open } = flanks;
     // The deflections of both flanks without play. Contact begins where they reach the edges.
-    let turned = delta - bend.map_or(0.into(), |bend| bend.turn);
-    let sides = bend.map(|bend| {
-        [("drive", turned - bend.open), ("coast", turned + bend.open)].map(|(side, x)| m.deflection(&name(side), x))
-    });
-    let mut gap = m.switch(&name("over"), unit, turned, effect, doc);
+    let sides =
+        open.map(|open| [("drive", mean - open), ("coast", mean + open)].map(|(side, x)| m.deflection(&name(side), x)));
+    let mut gap = m.switch(&name("over"), unit, mean, effect, doc);
     let touch = gap.factor(&name("touch"), 1);
     gap.offset(&name("edge"));
     let damp = gap.factor(&name("damp"), 1);
     let clip = gap.factor(&name("clip"), 0);
     gap.damped(&name("touch"), &name("damp"));
-    // The flanks in contact decide the sign of the opening: 1 drive, -1 coast, 0 none. Without play the drive flanks are in contact.
-    if let Some(bend) = bend {
+    // The flanks in contact decide the line of action: 1 drive, -1 coast, 0 none. Without play the drive flanks are in contact.
+    let flank = open.map(|open| {
         let flank = gap.factor(&name("flank"), 1);
-        gap.bend(flank * bend.open);
-    }
+        gap.bend(flank * open);
+        flank
+    });
     let (over, spring, damper) = (gap.over(), gap.spring(), gap.damper());
 
     let [zero, one] = [0, 1].map(Expr::from);
-    let flanks = [("upper", one), ("lower", -one)];
+    let contacts = [("upper", one), ("lower", -one)];
     let [drive, coast] = sides.unwrap_or([over, over]);
-    let values = |of: [Expr; 4], flank: Expr| of.into_iter().chain(bend.map(|_| flank)).collect::<Vec<_>>();
-    for (flank, side) in flanks {
-        gap.mode(flank, &values([one, side * edge, one, zero], side))
+    let values = |of: [Expr; 4], value: Expr| of.into_iter().chain(flank.map(|_| value)).collect::<Vec<_>>();
+    for (mode, side) in contacts {
+        gap.mode(mode, &values([one, side * edge, one, zero], side))
             .rests()
             .counts("flanks met")
             .unless("free", side * over)
-            .until(&format!("{flank}_loose"), side * (spring + damper))
-            .until(&format!("{flank}_hit"), side * (spring - damper));
+            .until(&format!("{mode}_loose"), side * (spring + damper))
+            .until(&format!("{mode}_hit"), side * (spring - damper));
     }
     gap.mode("free", &values([zero; 4], zero)).rests().until("upper", edge - drive).until("lower", edge + coast);
-    for (flank, side) in flanks {
-        gap.mode(&format!("{flank}_hit"), &values([one, side * edge, zero, one], side))
+    for (mode, side) in contacts {
+        gap.mode(&format!("{mode}_hit"), &values([one, side * edge, zero, one], side))
             .counts("flanks met")
             .unless("free", side * over)
-            .until(flank, side * (damper - spring));
+            .until(mode, side * (damper - spring));
     }
-    for (flank, side) in flanks {
-        gap.mode(&format!("{flank}_loose"), &values([one, side * edge, zero, -one], side))
+    for (mode, side) in contacts {
+        gap.mode(&format!("{mode}_loose"), &values([one, side * edge, zero, -one], side))
             .counts("flanks met")
             .until("free", side * over)
-            .until(flank, -side * (spring + damper));
+            .until(mode, -side * (spring + damper));
     }
     gap.loss(clip * spring);
-    Play { over, touch, damp, clip }
+    Play { over, touch, damp, clip, flank }
 }

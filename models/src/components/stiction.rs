@@ -17,7 +17,7 @@
 
 use gearsim_derive::{Expr, Model, Range};
 
-use super::{Coast, Mesh, named};
+use super::{Mesh, named};
 
 /// Name of the effect.
 pub const FLANK_STICTION: &str = "flank_stiction";
@@ -38,8 +38,6 @@ pub struct Stiction {
     pub arm: Expr,
     /// Coefficient of friction while the flanks slide.
     pub mu: Expr,
-    /// The line of action of the coast flanks.
-    pub coast: Coast,
 }
 
 /// The symbols of flanks that stick.
@@ -55,7 +53,7 @@ pub struct Sticking {
 /// Declares the effect `flank_stiction` of a part, the deflection `psi`, its switch, and the relative excess `mu_rise` of the static
 /// coefficient of friction.
 pub fn flank_stiction(m: &mut Model, part: &str, what: &str, mesh: Mesh, stiction: Stiction) -> Sticking {
-    let Stiction { psi, tau, side, arm, mu, coast } = stiction;
+    let Stiction { psi, tau, side, arm, mu } = stiction;
     let mut rise = Expr::from(0);
     let effect = m.part_effect(FLANK_STICTION, part, DOC, |m| {
         let doc = format!(
@@ -79,7 +77,8 @@ pub fn flank_stiction(m: &mut Model, part: &str, what: &str, mesh: Mesh, stictio
             .until(&format!("backward{flank}"), sign * force + resisted);
     }
     for (flank, other, sign) in flanks {
-        let of_tau = if coast == Coast::Mirrored { sign } else { 1 };
+        // In a plane mesh tau is that of the flanks in contact.
+        let of_tau = if mesh.flank.is_none() { sign } else { 1 };
         let sliding = arm * psi.dot() + of_tau * (side * tau.dot());
         for (mode, sense) in [("forward", 1), ("backward", -1)] {
             slip.mode(&format!("{mode}{flank}"), &[sense.into()])

@@ -3,7 +3,7 @@
 use gearsim_derive::{Expr, Model, Range, Start, half};
 
 use super::{coordinate, damping};
-use crate::components::{self, Coast, Sliding, damped_mesh, pressure_tangent, sliding_friction};
+use crate::components::{self, Sliding, damped_mesh, pressure_tangent, sliding_friction};
 
 /// A torsional shaft.
 pub fn shaft(m: &mut Model) {
@@ -49,7 +49,7 @@ pub fn mesh_with_friction(m: &mut Model) {
     let psi = coordinate(m, "psi", "rad", "rotation of the first gear relative to the second");
     let mesh = damped_mesh(m, "x", "mesh {}", phase, s);
     let tau = pressure_tangent(m) * s;
-    sliding_friction(m, "x", "mesh {}", "m", mesh, Sliding { phase, tau, psi, coast: Coast::Mirrored });
+    sliding_friction(m, "x", "mesh {}", "m", mesh, Sliding { phase, tau, psi });
     damping(m);
 }
 

@@ -30,7 +30,7 @@ pub fn deflection(m: &Model, Assignment { name, value }: &Assignment, offsets: &
             }
             continue;
         }
-        match gated(m).find(|value| named.contains(&value.name.to_string())) {
+        match offset(m, addend) {
             Some(Gated { name: symbol, effect, place, .. }) => {
                 mutable = quote!(mut);
                 let add = quote!(let #symbol = k[#place]; #name = #name #sign #addend;);
@@ -44,6 +44,12 @@ pub fn deflection(m: &Model, Assignment { name, value }: &Assignment, offsets: &
         }
     }
     quote!(let #mutable #name = #always;)
+}
+
+/// The edge or error in an addend, which is absent without its effect. A factor that is 1 without its effect is none.
+pub fn offset<'a>(m: &'a Model, addend: &Expr) -> Option<Gated<'a>> {
+    let named = names(addend);
+    gated(m).find(|value| value.neutral == 0.0 && named.contains(&value.name.to_string()))
 }
 
 /// The addends of a sum, each with whether it is subtracted.

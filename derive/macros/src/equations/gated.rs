@@ -28,12 +28,6 @@ pub fn gated(m: &Model) -> impl Iterator<Item = Gated<'_>> {
     laws.chain(switched)
 }
 
-/// The names of those that may occur in deflections, as offsets: transmission errors and the symbols of switches.
-pub fn offsets(m: &Model) -> impl Iterator<Item = &Ident> {
-    let switched = m.switches.iter().flat_map(|switch| &switch.symbols).map(|(name, _)| name);
-    errors(m).map(|(_, law)| &law.name).chain(switched)
-}
-
 /// The transmission errors, each with its index among the laws.
 pub fn errors(m: &Model) -> impl Iterator<Item = (usize, &Law)> {
     laws(m).filter(|(_, law)| law.role == Role::Error)

@@ -9,7 +9,7 @@ use quote::{ToTokens, quote};
 use syn::Ident;
 
 use crate::equations::cells::any_number;
-use crate::equations::deflections::{Offsets, deflection};
+use crate::equations::deflections::{Offsets, addends, deflection, offset};
 use crate::equations::effects::is_met;
 use crate::equations::gated::{Gated, gated};
 use crate::equations::model::{Assignment, Function, Model, Row};
@@ -111,7 +111,7 @@ fn used<'a>(m: &'a Model, code: &TokenStream) -> Vec<Variable<'a>> {
     used.retain(|variable| {
         let named = names.contains(&variable.name().to_string());
         if named {
-            names.extend(self::names(variable.written()));
+            names.extend(self::names(variable.written(m)));
         }
         named
     });
@@ -145,11 +145,15 @@ impl Variable<'_> {
     }
 
     /// The expressions of its value.
-    fn written(&self) -> TokenStream {
+    fn written(&self, m: &Model) -> TokenStream {
         match self {
             Variable::Gated(_) => quote!(),
             // The offsets are left out: the statements of the deflection add them.
-            Variable::Linear(_) => quote!(),
+            Variable::Linear(linear) => {
+                let lasting =
+                    addends(&linear.value, false).into_iter().filter(|(_, addend)| offset(m, addend).is_none());
+                lasting.map(|(_, addend)| addend.to_token_stream()).collect()
+            }
             Variable::Bent(bent) => bent.value.to_token_stream(),
             Variable::Function(function) => function.value.to_token_stream(),
             Variable::Force(row) => row.sum.iter().map(|term| term.value.to_token_stream()).collect(),

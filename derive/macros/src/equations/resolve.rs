@@ -1,8 +1,10 @@
 //! Resolves the names in every block: a block may use the arguments of its generated function and the numbers of the scene.
 
-use quote::{format_ident, quote};
-use syn::Error;
+use quote::format_ident;
+use syn::{Error, Expr, parse_quote};
 
+use crate::equations::deflections::addends;
+use crate::equations::lets::names;
 use crate::equations::model::{Assignment, Entry, Model, Row};
 use crate::equations::scope::{Scope, speed};
 
@@ -14,18 +16,18 @@ pub fn resolve(m: &mut Model, errors: &mut Vec<Error>) {
         constants.declare(&c.name);
     }
 
-    // Deflections are linear: with speeds in place of coordinates, and edges and errors zero, they give the rates. Errors in them are
+    // Deflections are linear: with speeds in place of coordinates, and without edges and errors, they give the rates. Errors in them are
     // reported once, with the deflections. The file has the rates of bent ones.
     let mut given = std::mem::take(&mut m.rates);
     let bent = Scope::of(m, "rates").coordinates(m, "q").speeds(m).functions(m).gated(m);
     given.iter_mut().for_each(|rate| bent.expression(&mut rate.value, errors));
-    let rates = Scope::of(m, "deflections").coordinates(m, "q_dot").offsets(m, quote!(0.0));
+    let rates = Scope::of(m, "deflections").coordinates(m, "q_dot").gated(m);
     for d in &m.deflections {
         let name = format_ident!("{}", speed(&d.name));
         m.rates.push(match given.iter().position(|rate| rate.name == name) {
             Some(i) => given.swap_remove(i),
             None => {
-                let mut value = d.value.clone();
+                let mut value = moving(m, &d.value);
                 rates.expression(&mut value, &mut vec![]);
                 Assignment { name, value }
             }
@@ -115,4 +117,19 @@ fn rows<'a>(rows: impl IntoIterator<Item = &'a mut Row>, scope: &Scope, errors: 
 
 fn entries<'a>(entries: impl IntoIterator<Item = &'a mut Entry>, scope: &Scope, errors: &mut Vec<Error>) {
     entries.into_iter().for_each(|e| scope.sum(&mut e.sum, errors));
+}
+
+/// The addends of a deflection that move with the coordinates.
+fn moving(m: &Model, value: &Expr) -> Expr {
+    let moves = |addend: &Expr| m.coordinates.iter().any(|c| names(addend).contains(&c.name.to_string()));
+    let all = addends(value, false).into_iter().filter(|(_, addend)| moves(addend));
+    let sum = all.fold(None, |sum: Option<Expr>, (minus, addend)| {
+        Some(match (sum, minus) {
+            (None, false) => addend.clone(),
+            (None, true) => parse_quote!(-#addend),
+            (Some(sum), false) => parse_quote!(#sum + #addend),
+            (Some(sum), true) => parse_quote!(#sum - #addend),
+        })
+    });
+    sum.unwrap_or_else(|| parse_quote!(0.0))
 }

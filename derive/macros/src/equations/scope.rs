@@ -137,14 +137,6 @@ impl Scope {
         Self { block: block.to_string(), names: self.names.clone(), conditions: self.conditions.clone() }
     }
 
-    /// Adds the symbols of switches and the transmission errors, all with the same `value`.
-    pub fn offsets(mut self, model: &Model, value: TokenStream) -> Self {
-        for name in gated::offsets(model) {
-            self.names.insert(name.to_string(), value.clone());
-        }
-        self
-    }
-
     /// Adds the step of the one law that jumps, as `dk`.
     pub fn step(mut self, law: &Ident) -> Self {
         self.names.insert(format!("d{law}"), quote!(dk));

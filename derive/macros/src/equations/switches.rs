@@ -150,26 +150,33 @@ fn deflection(m: &Model) -> Cold {
     let arms = used.map(|(d, (deflection, rate))| {
         let (d, value, slope) = (Index::from(d), &deflection.value, &rate.value);
         let used = names(value);
-        let with = |values: &dyn Fn(&Gated<'_>) -> TokenStream| {
-            let offsets = gated(m).filter(|gated| used.contains(&gated.name.to_string()));
-            let lets = offsets.map(|gated| {
+        let lets = |used: &BTreeSet<String>, values: &dyn Fn(&Gated<'_>) -> TokenStream| -> TokenStream {
+            let lets = gated(m).filter(|gated| used.contains(&gated.name.to_string())).map(|gated| {
                 let (name, value) = (gated.name, values(&gated));
                 quote!(let #name = #value;)
             });
+            lets.collect()
+        };
+        let of_mode = |Gated { effect, place, neutral, .. }: &Gated<'_>| {
+            let met = is_met(effect);
+            quote!(if #met { k[#place] } else { #neutral })
+        };
+        let with = |values: &dyn Fn(&Gated<'_>) -> TokenStream| {
+            let lets = lets(&used, values);
             let functions = m.functions.iter().map(|f| &f.name).filter(|name| used.contains(&name.to_string()));
-            quote!({ #(#lets)* #(let #functions = 0.0;)* let q = [0.0; #n]; #value })
+            quote!({ #lets #(let #functions = 0.0;)* let q = [0.0; #n]; #value })
         };
         let is_error = |name: &Ident| gated::errors(m).any(|(_, law)| law.name == *name);
         if is_bent(m, &deflection.value) {
             return bent(m, d, [&deflection.name, &rate.name], &errors_of(m, &used, &with));
         }
-        let constant = with(&|Gated { name, effect, place, neutral }| {
-            let met = is_met(effect);
-            if is_error(name) { quote!(0.0) } else { quote!(if #met { k[#place] } else { #neutral }) }
-        });
+        let constant = with(&|gated| if is_error(gated.name) { quote!(0.0) } else { of_mode(gated) });
         let errors = errors_of(m, &used, &with);
+        // Its gradient may depend on the mode: each flank of a plane mesh has a line of action.
+        let factors = lets(&names(slope), &of_mode);
         quote! {
             #d => {
+                #factors
                 let normal: [f64; #n] = equations::gradient(&|q_dot: &[f64; #n]| #slope);
                 let mut errors = vec![];
                 #errors
