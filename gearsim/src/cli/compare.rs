@@ -11,7 +11,6 @@ use super::simulate::{Source, simulate};
 use super::{Verb, files, page, report, terminal};
 use crate::library::Results;
 use crate::library::equation_sets::{self, EquationSet};
-use crate::model::Output;
 use crate::output::{OutputFolder, Summary, document};
 use crate::plot;
 use crate::scene::Scene;
@@ -131,13 +130,6 @@ fn write(
 }
 
 impl ComparedRun {
-    /// The recorded outputs at which engineers look first.
-    fn looked_at(&self) -> Vec<&'static Output> {
-        let recorded: Vec<&'static Output> =
-            self.results.outcome.trajectory.outputs.iter().map(|(output, _)| *output).collect();
-        plot::outputs::compared::first(&recorded)
-    }
-
     fn to_draw(&self) -> plot::Run<'_> {
         plot::Run { label: self.set.label, ..self.results.drawn() }
     }

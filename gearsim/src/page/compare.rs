@@ -3,10 +3,8 @@
 use super::Page;
 use super::html::Cell;
 use super::shared::{self, Made, figure};
-use crate::model::Output;
-use crate::output::summary::{Number, Observed};
 use crate::output::{OutputError, Summary};
-use crate::plot::outputs::{compared, engineering};
+use crate::plot::outputs::quantities::{Quantity, quantities};
 use crate::plot::{self, Run};
 
 /// The page of runs of one scene under several sets of equations, with their summaries. Errors: none.
@@ -23,7 +21,7 @@ pub fn page(made: &Made<'_>, runs: &[Run<'_>], summaries: &[Summary]) -> Result<
             }
         }
         let head: Vec<&str> = ["quantity", "unit"].into_iter().chain(labels.iter().copied()).collect();
-        html.table("The runs side by side", &head, &quantities(made, runs, summaries));
+        html.table("The runs side by side", &head, &rows(runs, summaries));
         let method = |(label, summary): (&&str, &Summary)| {
             let effects = format!("effects {}", summary.effects.join(", "));
             ((*label).to_owned(), format!("{}: {}; {effects}", summary.method.name, summary.method.why))
@@ -43,37 +41,28 @@ pub fn page(made: &Made<'_>, runs: &[Run<'_>], summaries: &[Summary]) -> Result<
 }
 
 /// One row a quantity, one column a run.
-fn quantities(made: &Made<'_>, runs: &[Run<'_>], summaries: &[Summary]) -> Vec<Vec<Cell>> {
+fn rows(runs: &[Run<'_>], summaries: &[Summary]) -> Vec<Vec<Cell>> {
     let mut rows = vec![];
-    let mut add = |name: &str, unit: &str, value: &dyn Fn(&Summary) -> f64| {
-        let numbers = summaries.iter().map(|summary| Cell::Number(value(summary)));
-        rows.push([Cell::text(name), Cell::text(unit)].into_iter().chain(numbers).collect());
+    let mut add = |name: &str, unit: &str, values: Vec<f64>| {
+        rows.push(
+            [Cell::text(name), Cell::text(unit)].into_iter().chain(values.into_iter().map(Cell::Number)).collect(),
+        );
     };
-    add("simulated", "s", &|s| s.t_end.0);
-    add("cell changes", "", &|s| s.cell_changes as f64);
-    add("reflections", "", &|s| s.reflections as f64);
-    add("energy at the start", "J", &|s| s.energy.at_start.0);
-    add("kinetic energy at the end", "J", &|s| s.energy.kinetic.0);
-    add("strain energy at the end", "J", &|s| s.energy.strain.0);
-    add("work", "J", &|s| s.energy.work.0);
-    add("lost", "J", &|s| s.energy.dissipated.0);
-    add("unaccounted for", "J", &|s| s.energy.residual.0);
-    add("unaccounted for, over the energy at the start", "", &|s| (s.energy.residual.0 / s.energy.at_start.0).abs());
-    let all: Vec<&Output> = runs.first().map_or(vec![], |run| run.trajectory.outputs.iter().map(|(o, _)| *o).collect());
-    for output in compared::first(&all) {
-        let (unit, scale) = engineering(output.unit);
-        let of = |s: &Summary, value: fn(&Observed) -> Number| {
-            s.outputs.get(output.name).map_or(f64::NAN, |observed| scale * value(observed).0)
-        };
-        add(&format!("{}, mean", output.name), unit, &|s| of(s, |observed| observed.mean));
-        add(&format!("{}, root mean square about the mean", output.name), unit, &|s| of(s, |observed| observed.rms));
+    let of = |value: &dyn Fn(&Summary) -> f64| summaries.iter().map(value).collect::<Vec<_>>();
+    add("simulated", "s", of(&|s| s.t_end.0));
+    add("cell changes", "", of(&|s| s.cell_changes as f64));
+    add("reflections", "", of(&|s| s.reflections as f64));
+    add("energy at the start", "J", of(&|s| s.energy.at_start.0));
+    add("kinetic energy at the end", "J", of(&|s| s.energy.kinetic.0));
+    add("strain energy at the end", "J", of(&|s| s.energy.strain.0));
+    add("work", "J", of(&|s| s.energy.work.0));
+    add("lost", "J", of(&|s| s.energy.dissipated.0));
+    add("unaccounted for", "J", of(&|s| s.energy.residual.0));
+    let part = |s: &Summary| (s.energy.residual.0 / s.energy.at_start.0).abs();
+    add("unaccounted for, over the energy at the start", "", of(&part));
+    for Quantity { name, unit, values } in quantities(runs, summaries) {
+        add(&name, &unit, values);
     }
-    for coordinate in made.scene.model.coordinates {
-        let speed = format!("{}_dot", coordinate.name);
-        let at_end = |name: &str, s: &Summary| s.state.get(name).unwrap_or(f64::NAN);
-        add(&format!("{} at the end", coordinate.name), coordinate.unit, &|s| at_end(coordinate.name, s));
-        add(&format!("{speed} at the end"), &format!("{}/s", coordinate.unit), &|s| at_end(&speed, s));
-    }
-    add("processor time", "s", &|s| s.cpu_seconds.0);
+    add("processor time", "s", of(&|s| s.cpu_seconds.0));
     rows
 }

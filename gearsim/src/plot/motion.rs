@@ -50,11 +50,13 @@ fn panel(
         let name = if runs.len() > 1 { run.label } else { words };
         series.push(Series::new(n, name, recorded.t.clone(), quantity(recorded, i).clone()));
     }
-    let (unit, factor) = match &*unit {
-        // Most angles are rotations, and their speeds are not those of rotors.
-        unit if unit.starts_with("rad") => (unit, 1.0),
-        unit => readable(unit, largest(&series)),
-    };
+    let (unit, factor) = suiting(&unit, largest(&series));
     series.iter_mut().flat_map(|s| &mut s.y).for_each(|y| *y *= factor);
     Panel { y: Axis::linear(label, unit), series }
+}
+
+/// The unit of the motion whose SI unit is `unit`, for values up to `largest`, and the factor to it.
+pub(crate) fn suiting(unit: &str, largest: f64) -> (&str, f64) {
+    // Most angles are rotations, and their speeds are not those of rotors.
+    if unit.starts_with("rad") { (unit, 1.0) } else { readable(unit, largest) }
 }

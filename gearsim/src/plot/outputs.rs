@@ -1,6 +1,7 @@
 //! The recorded outputs against time, in the units of engineers: a panel for each unit, or for each output if several runs are compared.
 
 pub(crate) mod compared;
+pub(crate) mod quantities;
 
 use super::figure::largest;
 use super::{Axis, Figure, Panel, Plot, PlotError, Run, Series, first_run, scene_names, time_axis};

@@ -3,8 +3,7 @@
 use super::ComparedRun;
 use crate::cli::{number, report};
 use crate::output::Summary;
-use crate::output::summary::{Number, Observed};
-use crate::plot::outputs::engineering;
+use crate::plot::outputs::quantities::quantities;
 
 /// The table: one column per set of equations, one line per quantity.
 pub(in crate::cli) fn render(members: &[ComparedRun], summaries: &[Summary]) -> String {
@@ -22,22 +21,16 @@ pub(in crate::cli) fn render(members: &[ComparedRun], summaries: &[Summary]) -> 
         0.0 => "-".into(),
         at_start => number::short((s.energy.residual.0 / at_start).abs()),
     });
-    for output in members.first().map_or(vec![], ComparedRun::looked_at) {
-        let (unit, scale) = engineering(output.unit);
-        let of = |s: &Summary, value: fn(&Observed) -> Number| {
-            s.outputs.get(output.name).map_or("-".into(), |observed| number::short(scale * value(observed).0))
-        };
-        add(&format!("{} mean", output.name), unit, &|s| of(s, |observed| observed.mean));
-        add(&format!("{} rms", output.name), unit, &|s| of(s, |observed| observed.rms));
+    let runs: Vec<_> = members.iter().map(ComparedRun::to_draw).collect();
+    let number = |x: f64| if x.is_nan() { "-".into() } else { number::short(x) };
+    for quantity in quantities(&runs, summaries) {
+        lines.push(line(&quantity.name, &quantity.unit, quantity.values.into_iter().map(number).collect()));
     }
-    for coordinate in members.first().map_or(&[][..], |m| m.results.scene.model.coordinates) {
-        let speed = format!("{}_dot", coordinate.name);
-        let at_end = |name: &str, s: &Summary| s.state.get(name).map_or("-".into(), number::short);
-        add(&format!("{} at end", coordinate.name), coordinate.unit, &|s| at_end(coordinate.name, s));
-        add(&format!("{speed} at end"), &format!("{}/s", coordinate.unit), &|s| at_end(&speed, s));
-    }
-    add("time taken", "", &|s| number::time(s.cpu_seconds.0));
-    add("  per event", "", &|s| report::per_event(s).unwrap_or("-".into()));
+    let mut add = |name: &str, value: &dyn Fn(&Summary) -> String| {
+        lines.push(line(name, "", summaries.iter().map(value).collect()));
+    };
+    add("time taken", &|s| number::time(s.cpu_seconds.0));
+    add("  per event", &|s| report::per_event(s).unwrap_or("-".into()));
     lines.concat()
 }
 
