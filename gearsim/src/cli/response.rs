@@ -13,7 +13,8 @@ use super::{Verb, files, known, number, page, report, terminal};
 use crate::output::unit::in_words;
 use crate::output::{OutputFolder, csv, document, parquet};
 use crate::plot;
-use crate::sweep::response::{Hold, MEASURES, Response};
+use crate::scene::Scene;
+use crate::sweep::response::{Hold, MEASURES, Measure, Response, measure};
 use crate::sweep::{Request, Status, Sweep};
 
 /// Response curves: outputs over a speed or another value, each point from the settled state before it
@@ -28,6 +29,8 @@ A varied speed is held by the scene itself: by the set point of its governor, el
 which is found for each point so that the mean speed stays (--hold). The column mean_speed says
 which speed the train really had, speed_drift by which part it changed. Each point is
 measured over whole periods of the slowest excitation; the columns periods and period_of say which.
+The dynamic factor of a mesh is its largest force over the static one; K_v of ISO 6336-1 is beside
+it if the scene gives the teeth. The force of the mesh must be one of the observed outputs.
 
 Writes response.parquet, response.csv and the plot.
 
@@ -47,7 +50,7 @@ pub(super) struct ResponseCommand {
     #[arg(long, value_name = "NAMES", value_delimiter = ',')]
     output: Vec<String>,
     /// The measure that is drawn
-    #[arg(long, default_value = "rms", value_parser = MEASURES.map(|(name, _)| name))]
+    #[arg(long, default_value = "rms", value_parser = MEASURES.map(|measure| measure.name))]
     measure: String,
     /// Time of each point before it counts as settled; the rest of the run is measured
     #[arg(long, value_name = "TIME")]
@@ -101,6 +104,7 @@ impl Verb for ResponseCommand {
         let vary = vec![self.over.clone()];
         let request = Request { vary, overrides, from: Some(settle), ..Request::default() };
         let sweep = Sweep::load(&self.scene, known::models(), &request)?;
+        let measure = self.measure_of(&sweep.first()?)?;
         let path = self.out.clone().unwrap_or_else(|| Path::new("out").join(format!("{}_response", sweep.scene())));
         OutputFolder::probe(&path)?;
 
@@ -112,16 +116,16 @@ impl Verb for ResponseCommand {
         let provenance = [("scene", sweep.scene().to_owned()), ("scene_sha256", sweep.hash())];
         let pairs = provenance.iter().map(|(name, value)| (*name, value.as_str()));
         folder.write("response.parquet", |sink| parquet::write(&table, pairs, sink))?;
-        let figure = plot::response::figure(sweep.scene(), &response, &self.measure);
+        let figure = plot::response::figure(sweep.scene(), &response, measure);
         let figure = files::figure(&mut folder, "response", Ok(figure), terminal::warn)?;
         folder.write("response.csv", |sink| csv::write(&table, sink))?;
         if let Some(page) = page {
-            page.response(&mut folder, &sweep.first()?, &self.facts(&response), figure.as_ref(), &table)?;
+            page.response(&mut folder, &sweep.first()?, &facts(&response, measure), figure.as_ref(), &table)?;
         }
         folder.commit("response.csv")?;
         let width = terminal::width();
         let text = || {
-            let facts = self.facts(&response);
+            let facts = facts(&response, measure);
             let facts: String = facts.iter().map(|(name, says)| report::line(name, says, width)).collect();
             facts + "\n" + &report::files(folder.path(), folder.files(), width)
         };
@@ -141,27 +145,41 @@ impl Verb for ResponseCommand {
 }
 
 impl ResponseCommand {
-    /// What holds the speed, what was measured, the largest value of each output on each way, and where it is: names, and what is said of
-    /// each.
-    fn facts(&self, response: &Response) -> Vec<(String, String)> {
-        let mut facts = vec![("speed".into(), response.holding.clone()), ("measured".into(), measured(response))];
-        let words = self.measure.replace('_', " ");
-        let Some((_, value)) = MEASURES.iter().find(|(name, _)| *name == self.measure) else { return facts };
-        let (unit, scale) = response.shown_unit();
-        for (i, output) in response.outputs.iter().enumerate() {
-            for (way, upward) in [("up", true), ("down", false)] {
-                let points =
-                    response.points.iter().filter(|point| point.upward == upward && point.status == Status::Done);
-                let values = points.filter_map(|point| Some((value(point.observed[i].as_ref()?), point.value)));
-                if let Some((value, at)) = values.max_by(|a, b| a.0.total_cmp(&b.0)) {
-                    let (value, at) = (in_words(value, output.unit), number::short(scale * at));
-                    let says = format!("largest {words} on the way {way}: {value} at {at} {unit}");
-                    facts.push((output.name.into(), says.trim_end().into()));
-                }
+    /// The measure that is drawn, if one of the observed outputs of the scene has it.
+    fn measure_of(&self, scene: &Scene) -> Result<Measure, Failure> {
+        let mut outputs = scene.output.record.iter().map(|&i| &scene.model.outputs[i]);
+        let has = |measure: &Measure| outputs.any(|output| (measure.is_of)(scene.model, output));
+        measure(&self.measure).filter(has).ok_or_else(|| Failure::Impossible {
+            what: format!("no observed output has a {}", self.measure.replace('_', " ")),
+            help: "observe the force of a mesh, for example --output mesh_force_12".into(),
+        })
+    }
+}
+
+/// What holds the speed, what was measured, the largest value of each output on each way, and where it is: names, and what is said of
+/// each.
+fn facts(response: &Response, measure: Measure) -> Vec<(String, String)> {
+    let mut facts = vec![("speed".into(), response.holding.clone()), ("measured".into(), measured(response))];
+    let words = measure.name.replace('_', " ");
+    let (unit, scale) = response.shown_unit();
+    for (i, output) in response.outputs.iter().enumerate() {
+        if !(measure.is_of)(response.model, output) {
+            continue;
+        }
+        for (way, upward) in [("up", true), ("down", false)] {
+            let points = response.points.iter().filter(|point| point.upward == upward && point.status == Status::Done);
+            let values =
+                points.map(|point| ((measure.value)(point, i), point.value)).filter(|(value, _)| !value.is_nan());
+            if let Some((value, at)) = values.max_by(|a, b| a.0.total_cmp(&b.0)) {
+                let (value, at) = (in_words(value, measure.unit(output)), number::short(scale * at));
+                let says = format!("largest {words} on the way {way}: {value} at {at} {unit}");
+                facts.push((output.name.into(), says.trim_end().into()));
             }
         }
-        facts
+        let why = response.points.iter().find_map(|point| (measure.lacks)(point, i));
+        facts.extend(why.map(|why| (output.name.into(), format!("no {words} at some points: {why}"))));
     }
+    facts
 }
 
 /// What the points were measured over, in words.

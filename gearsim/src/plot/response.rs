@@ -2,24 +2,27 @@
 
 use super::outputs;
 use super::{Axis, Figure, Marker, Panel, Series};
-use crate::sweep::response::{MEASURES, Response};
+use crate::sweep::response::{Measure, Point, Response, measure};
 use crate::sweep::row::Status;
 
 /// Most points that have a marker each: those of more would touch.
 const MARKED: usize = 250;
 
-/// The figure of a response; `measure` is the name of one of [`MEASURES`].
-pub fn figure(scene: &str, response: &Response, measure: &str) -> Figure {
-    let value = MEASURES.iter().find(|(name, _)| *name == measure).map_or(MEASURES[1].1, |(_, value)| *value);
+/// The figure of a response; `measured` is what is drawn of the outputs that have it.
+pub fn figure(scene: &str, response: &Response, measured: Measure) -> Figure {
     let (unit, scale) = response.shown_unit();
     let is_sparse = response.points.len() <= MARKED;
-    let panels = response.outputs.iter().enumerate().map(|(i, output)| {
+    let curve = |i: usize, measure: Measure, upward: bool| {
+        let points = response.points.iter().filter(|point| point.upward == upward && point.status == Status::Done);
+        let place = |point: &Point| (scale * point.value, (measure.value)(point, i));
+        let mut points: Vec<(f64, f64)> = points.map(place).collect();
+        points.sort_by(|a, b| a.0.total_cmp(&b.0));
+        points.into_iter().unzip()
+    };
+    let outputs = response.outputs.iter().enumerate().filter(|(_, output)| (measured.is_of)(response.model, output));
+    let panels = outputs.map(|(i, output)| {
         let way = |n: usize, label: &str, upward: bool| {
-            let points = response.points.iter().filter(|point| point.upward == upward && point.status == Status::Done);
-            let mut points: Vec<(f64, f64)> =
-                points.map(|point| (scale * point.value, point.observed[i].as_ref().map_or(f64::NAN, value))).collect();
-            points.sort_by(|a, b| a.0.total_cmp(&b.0));
-            let (x, y) = points.into_iter().unzip();
+            let (x, y) = curve(i, measured, upward);
             let mut series = Series::new(n, label, x, y);
             if is_sparse {
                 series.style.marker = [Marker::Dot, Marker::Square][n];
@@ -29,8 +32,14 @@ pub fn figure(scene: &str, response: &Response, measure: &str) -> Figure {
         let both = response.points.iter().any(|point| !point.upward);
         let series = [("upward", true), ("downward", false)].into_iter().filter(|(_, upward)| *upward || both);
         let mut series = series.enumerate().map(|(n, (label, upward))| way(n, label, upward)).collect::<Vec<_>>();
-        let shown = outputs::scale(&mut series, output.unit);
-        let words = measure.replace('_', " ");
+        let beside = measured.beside.and_then(|(name, words)| Some((measure(name)?, words)));
+        let beside = beside.map(|(beside, words)| (curve(i, beside, true), words));
+        if let Some(((x, y), words)) = beside.filter(|((_, y), _): &((_, Vec<f64>), _)| y.iter().any(|y| y.is_finite()))
+        {
+            series.push(Series::new(2, words, x, y));
+        }
+        let shown = outputs::scale(&mut series, measured.unit(output));
+        let words = measured.name.replace('_', " ");
         Panel { y: Axis::linear(format!("{} {words}", output.name), shown), series }
     });
     Figure {

@@ -6,10 +6,12 @@
 //! a governor, or a torque, holds it there. Each point is measured over whole periods.
 
 mod hold;
+mod measure;
 mod motion;
 mod span;
 
 use super::{Error, Status, Sweep, axis, impossible};
+use crate::analysis::dynamic_factor::{self, DynamicFactor};
 use crate::analysis::statistics::Statistics;
 use crate::model::{Model, Output};
 use crate::output::table::Values;
@@ -22,6 +24,7 @@ use crate::trajectory::Trajectory;
 
 pub use hold::Hold;
 use hold::{Handle, Speed};
+pub use measure::{MEASURES, Measure, measure};
 use motion::Motion;
 use span::Excitations;
 pub use span::Span;
@@ -38,6 +41,8 @@ pub struct Response {
     pub unit: String,
     /// What it is, in words.
     pub words: String,
+    /// The model.
+    pub model: &'static Model,
     /// The observed outputs.
     pub outputs: Vec<&'static Output>,
     /// The parameter that holds the speed: its name, and its SI unit.
@@ -65,6 +70,8 @@ pub struct Point {
     pub span: Option<Span>,
     /// Statistics of each output over the measured time.
     pub observed: Vec<Option<Statistics>>,
+    /// The dynamic factor of each output that is the force of a mesh, over the measured time.
+    pub factors: Vec<Option<DynamicFactor>>,
     /// How the run ended.
     pub status: Status,
     /// Why it is not `done`; else empty.
@@ -98,7 +105,8 @@ impl Sweep {
             (parameter.name, parameter.unit)
         };
         let (held, unit, words) = (handle.as_ref().map(named), self.unit(), words(&axis.key, first.model));
-        let mut response = Response { key: axis.key.clone(), unit, words, outputs, held, holding, points: vec![] };
+        let (key, model) = (axis.key.clone(), first.model);
+        let mut response = Response { key, unit, words, model, outputs, held, holding, points: vec![] };
         let down = (0..values.len()).rev().filter(|_| both).map(|i| (false, i));
         let (mut before, mut more): (Option<(Trajectory, f64)>, f64) = (None, 0.0);
         for (done, (upward, i)) in (0..values.len()).map(|i| (true, i)).chain(down).enumerate() {
@@ -183,6 +191,9 @@ impl Sweep {
             let Ok(equations) = self.entry.equations(&scene) else { return Ok(None) };
             let span = Excitations::of(&scene, &*equations).span(&run, self.from);
             point.observe(&run, span);
+            let factors = dynamic_factor::of(&scene, &self.entry, &run, span.begin);
+            let of = |output: &Output| factors.iter().find(|factor| factor.force.name == output.name).cloned();
+            point.factors = run.outputs.iter().map(|(output, _)| of(output)).collect();
             if motion.unit.iter().all(|unit| *unit == 0.0) {
                 return Ok(Some(run));
             }
@@ -262,6 +273,7 @@ impl Point {
             hold: f64::NAN,
             span: None,
             observed: vec![None; outputs],
+            factors: vec![None; outputs],
             status: Status::Done,
             reason: String::new(),
         }
@@ -293,9 +305,14 @@ impl Response {
         readable(&self.unit, largest)
     }
 
+    /// What is measured of an output.
+    pub fn measures(&self, output: &Output) -> impl Iterator<Item = Measure> {
+        MEASURES.into_iter().filter(|measure| (measure.is_of)(self.model, output))
+    }
+
     /// The points as a table: `way`, the varied key, `mean_speed`, `speed_drift` over the measured time, the parameter that holds the
     /// speed, `measured_time`, `periods` and their kind (`period_of`), `status`, `reason`, and for each output the mean, the root mean
-    /// square about the mean, and the peak-to-peak value.
+    /// square about the mean, and the peak-to-peak value; of the force of a mesh also its dynamic factor and K_v of ISO 6336-1.
     ///
     /// # Errors
     /// [`OutputError::Ragged`] never happens: all columns have one entry a point.
@@ -318,18 +335,11 @@ impl Response {
         table.push("status", "", texts(&|point| point.status.name().into()))?;
         table.push("reason", "", texts(&|point| point.reason.clone()))?;
         for (i, output) in self.outputs.iter().enumerate() {
-            for (what, value) in MEASURES {
-                let of = |point: &Point| point.observed[i].as_ref().map_or(f64::NAN, value);
-                table.push(&format!("{}_{what}", output.name), output.unit, numbers(&of))?;
+            for measure in self.measures(output) {
+                let name = format!("{}_{}", output.name, measure.name);
+                table.push(&name, measure.unit(output), numbers(&|point| (measure.value)(point, i)))?;
             }
         }
         Ok(table)
     }
 }
-
-/// A measure of an output.
-pub type Measure = fn(&Statistics) -> f64;
-
-/// What is measured of an output: the name, and the value.
-pub const MEASURES: [(&str, Measure); 3] =
-    [("mean", |s| s.mean), ("rms", |s| s.rms), ("peak_to_peak", |s| s.max - s.min)];

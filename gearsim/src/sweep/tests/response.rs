@@ -3,7 +3,7 @@
 use super::*;
 use crate::plot::Marker;
 use crate::sweep::Status;
-use crate::sweep::response::{Hold, Response};
+use crate::sweep::response::{Hold, Response, measure};
 use crate::tolerance::analysis::SPEED_NOT_HELD;
 
 /// The response of a committed scene, its speed held by its own means.
@@ -66,7 +66,7 @@ fn a_linear_response_is_that_of_the_closed_form_on_both_ways() {
 fn contact_loss_gives_two_motions_at_one_speed() {
     let over = "start.speed=2600 rpm:4200 rpm:5";
     let response = response("response", over, 0.1, &["output.record=[\"dte_12\",\"mesh_force_12\"]"]);
-    let figure = crate::plot::response::figure("response", &response, "rms");
+    let figure = crate::plot::response::figure("response", &response, measure("rms").unwrap());
     assert_eq!((&*figure.x.label, &*figure.x.unit), ("speed", "rpm"));
     let markers: Vec<_> = figure.panels[0].series.iter().map(|series| series.style.marker).collect();
     assert_eq!(markers, [Marker::Dot, Marker::Square]);
@@ -152,4 +152,27 @@ fn a_speed_that_is_not_held_is_said() {
     }
     let unheld = response.points.iter().find(|point| point.status == Status::Unheld).expect("such a point");
     assert!(unheld.reason.contains("instead of"), "{}", unheld.reason);
+}
+
+/// The dynamic factor and K_v of a response are those of the group `meshes` of a sweep. Only the torque of the mesh has them.
+#[test]
+fn a_response_has_the_dynamic_factor_of_the_sweep() {
+    let (over, from) = ("start.speed=400 rpm:600 rpm:2", 0.3);
+    let sets = ["output.record=[\"dte\",\"mesh_torque\"]"];
+    let response = held("gear_pair_teeth", over, from, &sets, &Hold::Nothing).unwrap();
+    let request =
+        Request { vary: vec![over.into()], record: vec!["meshes".into()], from: Some(from), ..Request::default() };
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../models/scenes/gear_pair_teeth.toml");
+    let row = Sweep::load(&path, MODELS, &request).unwrap().point(0).numbers;
+    for (name, expected) in ["dynamic_factor", "kv_iso6336"].into_iter().zip(row) {
+        let found = (measure(name).unwrap().value)(&response.points[0], 1);
+        // The vibration of the start has decayed to exp(-zeta w0 0.3 s).
+        assert!(expected > 1.0 && (found / expected - 1.0).abs() < 1e-6, "{name}: {found}, not {expected}");
+    }
+    let table = response.table().unwrap();
+    let of = |name: &str| table.columns().iter().filter(|column| column.name.starts_with(name)).count();
+    assert_eq!([of("dte_"), of("mesh_torque_")], [3, 5]);
+    let figure = crate::plot::response::figure("teeth", &response, measure("dynamic_factor").unwrap());
+    let labels: Vec<_> = figure.panels[0].series.iter().map(|series| series.label.as_str()).collect();
+    assert_eq!((figure.panels.len(), labels), (1, vec!["upward", "downward", "K_v of ISO 6336-1, method B"]));
 }
