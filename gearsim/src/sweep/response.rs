@@ -19,7 +19,7 @@ use crate::output::unit::readable;
 use crate::output::{OutputError, Table};
 use crate::run::Outcome;
 use crate::scene::{Scene, list};
-use crate::tolerance::analysis::SPEED_NOT_HELD;
+use crate::tolerance::analysis::{HELD_PART, SPEED_NOT_HELD};
 use crate::trajectory::Trajectory;
 
 pub use hold::Hold;
@@ -208,6 +208,9 @@ impl Sweep {
                 }
                 return Ok(Some(run));
             }
+            // A train that has come to rest does not tell what braked it.
+            let braked = motion.until_lost(&run, wanted).filter(|_| speed.mean / wanted < HELD_PART);
+            let speed = braked.map_or(speed, |span| Speed::of(&scene, &*equations, motion, &run, &span));
             let [parameter, start] = handle.step(&speed, wanted);
             *more += parameter;
             shift += start;

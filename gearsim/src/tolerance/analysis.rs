@@ -173,6 +173,9 @@ pub(crate) const ORBIT_RANK: f64 = 1e-10;
 pub(crate) const HELD_STEADY: f64 = 1e-4;
 /// And if its mean speed is this close to the wanted one [relative]. Larger: jumps are drawn at other speeds than where they are.
 pub(crate) const HELD_SPEED: f64 = 1e-3;
+/// A run that has less than this part of its wanted speed has lost it [relative]: the force that braked it is measured until then. Larger: less
+/// time to measure it. Smaller: the drag of a speed far from the wanted one.
+pub(crate) const HELD_PART: f64 = 0.5;
 /// A point whose speed was adjusted without success is no result if its mean speed differs by more than this from the wanted one [relative].
 /// Larger: points are drawn at other speeds than theirs. Smaller: points of undamped or chaotic motions near their speed are left out.
 pub(crate) const SPEED_NOT_HELD: f64 = 0.01;

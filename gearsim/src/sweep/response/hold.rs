@@ -10,6 +10,9 @@
 //!
 //! At the speed v the force would be r - c (v - u). The parameter P + (c (v - u) - r)/b makes it zero: Newton's method, one step a run. A
 //! part of v - u is the effect of the force until the middle of the measured time; the speed at the start is shifted by the rest.
+//!
+//! A run that loses its speed before the measured time, under dry friction for example, has r = 0 while it stands. Its r is that from the
+//! start until half of the speed is lost.
 
 use super::motion::Motion;
 use super::span::Span;
@@ -116,7 +119,6 @@ impl Handle {
 impl Speed {
     /// The speed of a run over the measured time.
     pub(super) fn of(scene: &Scene, equations: &dyn Equations, motion: &Motion, run: &Trajectory, span: &Span) -> Self {
-        let last = run.len() - 1;
         let state = |row: usize| -> [Vector; 2] {
             [&run.q, &run.q_dot].map(|columns| Vector::from_fn(columns.len(), |i| columns[i][row]))
         };
@@ -124,9 +126,12 @@ impl Speed {
             let [q, q_dot] = state(row);
             dot(&motion.unit, &(&equations.mass(&q) * &q_dot))
         };
-        let (row, share) = place(&run.t, span.begin);
-        let [before, after] = [momentum(row), momentum(row + 1)];
-        let begin = before + share * (after - before);
+        let at = |t: f64| {
+            let (row, share) = place(&run.t, t);
+            let [before, after] = [momentum(row), momentum(row + 1)];
+            before + share * (after - before)
+        };
+        let last = run.row_from(span.end).min(run.len() - 1);
         let inertia = dot(&motion.unit, &(&equations.mass(&state(last)[0]) * &motion.unit));
         let mean = motion.mean_speed(run, span);
         let near = 1e-3 * mean;
@@ -136,7 +141,7 @@ impl Speed {
             let force = |speed: f64| motion.force(scene, equations, speed);
             (force(mean - near) - force(mean + near)) / (2.0 * near)
         };
-        let force = (momentum(last) - begin) / span.time();
+        let force = (momentum(last) - at(span.begin)) / span.time();
         Speed { mean, force, inertia, drag, times: [span.time(), 0.5 * (span.begin + span.end)] }
     }
 
@@ -147,6 +152,9 @@ impl Speed {
 
     /// Why it is not held, in words.
     pub(super) fn unheld(&self, wanted: f64) -> String {
+        if (self.mean / wanted).abs() < HELD_STEADY {
+            return "the train comes to rest: what holds the speed does not overcome what brakes it".into();
+        }
         format!(
             "the mean speed is {} rad/s instead of {} rad/s, and changes by {} % in the measured time: damping, or a longer time to settle, helps",
             short(self.mean),

@@ -6,6 +6,7 @@ use crate::engine::equations::Equations;
 use crate::engine::vector::{Vector, dot};
 use crate::model::Start;
 use crate::scene::Scene;
+use crate::tolerance::analysis::HELD_PART;
 use crate::trajectory::{Trajectory, value_at};
 
 /// A motion of the model: the speeds of unit size, and the coordinate by which its size is measured.
@@ -41,7 +42,16 @@ impl Motion {
     /// Its mean speed over the measured time of a run.
     pub(super) fn mean_speed(&self, run: &Trajectory, span: &Span) -> f64 {
         let place = &run.q[self.by];
-        (place[place.len() - 1] - value_at(&run.t, place, span.begin)) / span.time() / self.unit[self.by]
+        let last = run.row_from(span.end).min(run.len() - 1);
+        (place[last] - value_at(&run.t, place, span.begin)) / span.time() / self.unit[self.by]
+    }
+
+    /// The time from the start of a run until less than [`HELD_PART`] of the speed `wanted` is left; `None` if it keeps it.
+    pub(super) fn until_lost(&self, run: &Trajectory, wanted: f64) -> Option<Span> {
+        let speeds = run.q_dot[self.by].iter().map(|speed| speed / self.unit[self.by]);
+        let lost = speeds.take(run.len()).position(|speed| speed / wanted < HELD_PART)?;
+        let (begin, end) = (run.t[0], run.t[lost]);
+        (end > begin).then_some(Span { begin, end, periods: 0, of: "" })
     }
 
     /// The generalised force on it at the speed `speed`, with all deflections zero.

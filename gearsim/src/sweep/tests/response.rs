@@ -176,3 +176,27 @@ fn a_response_has_the_dynamic_factor_of_the_sweep() {
     let labels: Vec<_> = figure.panels[0].series.iter().map(|series| series.label.as_str()).collect();
     assert_eq!((figure.panels.len(), labels), (1, vec!["upward", "downward", "K_v of ISO 6336-1, method B"]));
 }
+
+/// Dry friction of twice the torque of the drive stops the train before the measured time. The torque that holds the speed is then that of
+/// the load and the friction, 210 N m/2: known from how fast the train was braked.
+#[test]
+fn a_train_that_dry_friction_stops_is_held() {
+    let text = "model = \"train\"\neffects = [\"stiffness_step\", \"damping\", \"torques\", \"dry_friction\"]\n\
+                rotors = { 1 = \"0.02 kg*m^2\", 2 = \"0.08 kg*m^2\" }\n\
+                meshes.12 = { between = [\"1\", \"2\"], teeth = [20, 40], base_radius = \"28.19 mm\", stiffness = \"300 MN/m\" }\n\
+                bearings.b = { rotor = \"2\", friction = \"200 N*m\" }\n\
+                drives.m = { rotor = \"1\", torque = \"50 N*m\" }\nloads.l = { rotor = \"2\", torque = \"10 N*m\" }\n\
+                parameters.beta_K = \"20 us\"\nstart.speed = \"600 rpm\"\nrun.t_end = \"0.4 s\"\noutput.rate = \"20 kHz\"\n\
+                output.record = [\"mesh_force_12\"]\n";
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("braked.toml");
+    std::fs::write(&path, text).unwrap();
+    let request = Request { vary: vec!["start.speed=300 rpm:900 rpm:3".into()], from: Some(0.2), ..Request::default() };
+    let sweep = Sweep::load(&path, MODELS, &request).unwrap();
+    let response = sweep.response(true, &Hold::Own, &mut |_| {}).unwrap();
+    for point in &response.points {
+        assert_eq!(point.status, Status::Done, "{}: {}", point.value, point.reason);
+        assert!((point.speed / point.value - 1.0).abs() < 2e-3, "{} {}", point.value, point.speed);
+        assert!((point.hold / 105.0 - 1.0).abs() < 2e-3, "{} N m", point.hold);
+    }
+}
