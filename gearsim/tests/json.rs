@@ -121,6 +121,19 @@ fn commands_print_their_results_as_json() {
     assert!(document(&["models"], "models")["models"].as_array().unwrap().len() > 20);
 }
 
+/// One position of a cycle does not tell whether the motion is stable.
+#[test]
+fn modes_at_a_position_have_no_verdict() {
+    let root = tempfile::tempdir().unwrap();
+    let out = root.path().display().to_string();
+    for (scene, has) in [("cardan_drive", true), ("crank_drive", true), ("two_stage", false)] {
+        let text = gearsim(&["modes", &format!("models/scenes/{scene}.toml"), "--out", &out]).stdout;
+        let text = String::from_utf8(text).unwrap();
+        assert!(!text.contains("unstable") && text.contains("at this position of the cycle") == has, "{text}");
+        assert_eq!(text.contains("at this position a disturbance grows"), has, "{text}");
+    }
+}
+
 #[test]
 fn quiet_commands_print_nothing() {
     let root = tempfile::tempdir().unwrap();

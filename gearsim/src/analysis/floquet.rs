@@ -14,7 +14,7 @@ use nalgebra::{Complex, DMatrix};
 use crate::analysis::steady::{self, SteadyLaw};
 use crate::engine::Refusal;
 use crate::engine::modal::Modal;
-use crate::engine::system::{Motion, Steady, System};
+use crate::engine::system::{Steady, System};
 use crate::scene::Scene;
 use crate::tolerance::analysis;
 
@@ -113,7 +113,7 @@ impl Floquet {
     /// # Errors
     /// If the modes of a cell cannot be computed, the stiffnesses have no common period, nothing vibrates, or the multipliers overflow.
     pub(crate) fn of(scene: &Scene, system: &System, watch: &dyn Fn()) -> Result<Floquet, FloquetError> {
-        if let Some(about) = system.steady().filter(|about| about.motion == Motion::Place) {
+        if let Some(about) = system.steady().filter(|about| about.moves()) {
             return orbit::of(scene, system, about, watch);
         }
         let courses = steady::acting(scene, system)?;

@@ -26,7 +26,7 @@ use crate::analysis::turn::Turn;
 use crate::engine::Refusal;
 use crate::engine::modal::{Matrices, Modal};
 use crate::engine::mode::Mode;
-use crate::engine::system::{Motion, System};
+use crate::engine::system::{Steady, System};
 use crate::scene::Scene;
 use crate::tolerance::analysis::NEAR_RESONANCE;
 
@@ -188,6 +188,10 @@ pub(crate) struct OverATurn {
     pub natural: Vec<[f64; 2]>,
 }
 
+/// What is said of modes whose coefficients change along the motion.
+pub(crate) const AT_A_PLACE: &str = "Coefficients change along the motion: these are the modes at this position of the cycle. They do not tell \
+     whether the motion is stable; gearsim floquet does.";
+
 /// Number of places of a turn: the inertia of a crank has few harmonics.
 const PLACES: u32 = 72;
 
@@ -197,7 +201,7 @@ const PLACES: u32 = 72;
 /// # Errors
 /// Those of [`of`].
 pub(crate) fn over_a_turn(scene: &Scene, mut system: System, k: &[f64]) -> Result<Option<OverATurn>, Refusal> {
-    if system.steady().is_none_or(|about| about.motion != Motion::Place) {
+    if !system.steady().is_some_and(Steady::moves) {
         return Ok(None);
     }
     let Some(Turn { shift, time, .. }) = Turn::of(scene, &system)? else { return Ok(None) };

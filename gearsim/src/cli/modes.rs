@@ -12,6 +12,7 @@ use super::simulate::Source;
 use super::{Verb, files, page, provenance, report, terminal};
 use crate::analysis::modes::{self, CellModes, OverATurn, Parts};
 use crate::analysis::steady::{self, SteadyLaw};
+use crate::engine::system::Steady;
 use crate::output::summary::Provenance;
 use crate::output::{OutputFolder, document};
 use crate::plot;
@@ -28,7 +29,8 @@ frequencies of all others.
 
 Nonlinear equations are linearised: about the equilibrium if nothing turns, else about the steady
 motion at the speeds of the start. Where inertias change along the motion, the modes are those of
-the place of the start; the range of each natural frequency over a turn follows.
+the place of the start; the range of each natural frequency over a turn follows. They do not tell
+whether the motion is stable: see gearsim floquet.
 
 Writes modes.json with all results, a plot of the modes by energy, and, if meshes turn, a Campbell
 diagram: natural frequencies and mesh orders over the speed. Modes have the same numbers everywhere:
@@ -144,6 +146,7 @@ impl Verb for Modes {
         let cells = cells.iter().map(|k| modes::of(&system, k, &parts, &|| {})).collect::<Result<Vec<_>, _>>();
         let cells = cells.map_err(refused)?;
         let moving = scene.entry()?.about_steady_motion(&scene).map_err(refused)?;
+        let moves = system.steady().is_some_and(Steady::moves);
         let turn = modes::over_a_turn(&scene, moving, &chosen.levels).map_err(refused)?;
         let path = self.source.folder(&scene, "_modes")?;
         let mut folder = OutputFolder::create(path)?;
@@ -155,7 +158,7 @@ impl Verb for Modes {
         }
         if let Some(page) = page {
             let figures: Vec<_> = figures.into_iter().flatten().collect();
-            page.modes(&mut folder, &scene, &parts, &chosen, &cells, &figures)?;
+            page.modes(&mut folder, &scene, moves, &parts, (&chosen, &cells), &figures)?;
         }
         let linearised = Linearised::of(&scene, system.steady());
         let json = self.json(&scene, &courses, &parts, (&chosen, &cells, linearised, turn.as_ref()), folder.files())?;
@@ -163,7 +166,7 @@ impl Verb for Modes {
         folder.commit("modes.json")?;
         let width = terminal::width();
         let text = || {
-            let mut text = table::render(&scene, &courses, &parts, &chosen, &cells, width);
+            let mut text = table::render((&scene, moves), &courses, &parts, &chosen, &cells, width);
             text += &turn.as_ref().map_or(String::new(), table::over_a_turn);
             let written = report::files(folder.path(), folder.files(), width);
             let head = report::scene(&scene, width)

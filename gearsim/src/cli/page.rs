@@ -122,8 +122,8 @@ pages! {
         page::work_precision::page(&made(scene, "each method in turn", files), measured);
     response of "response.csv" in OutputFolder(scene: &Scene, facts: &[(String, String)], drawn: Option<&Figure>, points: &Table) => |files|
         page::response::page(&made(scene, "run by run, each from the end of the one before it", files), facts, drawn, points);
-    modes of "modes.json" in OutputFolder(scene: &Scene, parts: &Parts, chosen: &CellModes, cells: &[CellModes], figures: &[Figure]) => |files|
-        page::modes::page(&made(scene, "modes of linear cells", files), &page::modes::Modes { parts, chosen, cells, figures });
+    modes of "modes.json" in OutputFolder(scene: &Scene, moves: bool, parts: &Parts, cells: (&CellModes, &[CellModes]), figures: &[Figure]) => |files|
+        page::modes::page(&made(scene, "modes of linear cells", files), &page::modes::Modes { moves, parts, chosen: cells.0, cells: cells.1, figures });
     floquet of "floquet.json" in OutputFolder(scene: &Scene, words: &str, floquet: &Floquet, chart: Option<(&Chart, &Table)>) => |files|
         page::floquet::page(&made(scene, "product of exact cell propagators", files), words, floquet, chart);
     compare of "compare.json" in OutputFolder(scene: &Scene, runs: &[Run<'_>], summaries: &[Summary]) => |files|

@@ -4,13 +4,15 @@ use super::Page;
 use super::html::{Cell, Html};
 use super::shared::{self, Made, figure};
 use crate::analysis::modes::masses::bodies;
-use crate::analysis::modes::{CellModes, Parts, Vibration};
+use crate::analysis::modes::{AT_A_PLACE, CellModes, Parts, Vibration};
 use crate::output::OutputError;
 use crate::plot::Figure;
 use crate::scene::Scene;
 
 /// The modes of a scene.
 pub struct Modes<'a> {
+    /// Whether coefficients change along the motion, so that these are the modes at one position.
+    pub moves: bool,
     /// Its springs and inertias.
     pub parts: &'a Parts,
     /// The cell shown in full.
@@ -29,7 +31,10 @@ pub fn page(made: &Made<'_>, modes: &Modes<'_>) -> Result<Page, OutputError> {
         if !left_out.is_empty() {
             html.note(&format!("Left out, because modes are linear: {}.", left_out.join(", ")));
         }
-        frequencies(html, made.scene, modes.chosen);
+        if modes.moves {
+            html.note(AT_A_PLACE);
+        }
+        frequencies(html, made.scene, modes);
     });
     page.section("plots", "Plots", |html| {
         for (drawn, group) in modes.figures.iter().zip(["first", "second"]) {
@@ -47,7 +52,7 @@ fn laws(scene: &Scene) -> Vec<String> {
     scene.stiffnesses().map(|(law, _)| format!("{} [{}]", law.name, law.unit)).collect()
 }
 
-fn frequencies(html: &mut Html, scene: &Scene, cell: &CellModes) {
+fn frequencies(html: &mut Html, scene: &Scene, Modes { moves, chosen: cell, .. }: &Modes<'_>) {
     let levels = laws(scene).into_iter().zip(&cell.levels);
     html.pairs(levels.map(|(law, level)| (law, crate::output::number::short(*level))));
     if cell.coupled {
@@ -56,6 +61,7 @@ fn frequencies(html: &mut Html, scene: &Scene, cell: &CellModes) {
     let row = |(i, mode): (usize, &Vibration)| {
         let numbers = [i as f64, mode.natural, mode.damped, mode.zeta.unwrap_or(f64::NAN)];
         let kind = match (mode.natural > 0.0, mode.damped > 0.0) {
+            (false, _) if mode.growth > 0.0 && *moves => "grows at this position",
             (false, _) if mode.growth > 0.0 => "unstable",
             (false, _) => "rigid motion",
             (true, true) => "vibrates",

@@ -5,7 +5,7 @@ use std::hash::Hash;
 
 use indexmap::IndexMap;
 
-use crate::analysis::modes::{CellModes, HARMONICS, MOST_CELLS, OverATurn, Parts, Vibration, meetings};
+use crate::analysis::modes::{AT_A_PLACE, CellModes, HARMONICS, MOST_CELLS, OverATurn, Parts, Vibration, meetings};
 use crate::analysis::steady::SteadyLaw;
 use crate::cli::number::short;
 use crate::cli::terminal;
@@ -17,9 +17,9 @@ const LEAST: f64 = 0.005;
 /// Maximum number of components of a mode shape that are printed, the largest ones.
 const PARTS: usize = 6;
 
-/// The whole text.
+/// The whole text; `moves`: the coefficients change along the motion.
 pub(super) fn render(
-    scene: &Scene,
+    (scene, moves): (&Scene, bool),
     courses: &[SteadyLaw],
     parts: &Parts,
     chosen: &CellModes,
@@ -27,11 +27,15 @@ pub(super) fn render(
     width: usize,
 ) -> String {
     let mut text = format!("modes at {}\n\n", levels(scene, &chosen.levels));
+    if moves {
+        text += &terminal::wrap(AT_A_PLACE, width);
+        text += "\n\n";
+    }
     if chosen.coupled {
         text += "Damping couples the modes: shapes are complex; each component has an amplitude and a phase.\n\n";
     }
     for (i, mode) in chosen.modes.iter().enumerate() {
-        text += &one(scene, parts, i, mode, width);
+        text += &one((scene, moves), parts, i, mode, width);
     }
     text += "\n";
     text += &all(scene, cells);
@@ -44,8 +48,11 @@ fn levels(scene: &Scene, values: &[f64]) -> String {
     if all.is_empty() { "constant stiffness".into() } else { all.join(", ") }
 }
 
-fn one(scene: &Scene, of: &Parts, i: usize, mode: &Vibration, width: usize) -> String {
+fn one((scene, moves): (&Scene, bool), of: &Parts, i: usize, mode: &Vibration, width: usize) -> String {
     let head = match mode.zeta {
+        _ if mode.growth > 0.0 && moves => {
+            format!("at this position a disturbance grows at {} 1/s", short(mode.growth))
+        }
         _ if mode.growth > 0.0 => format!("unstable: a disturbance grows at {} 1/s", short(mode.growth)),
         None => "rigid motion".to_owned(),
         Some(zeta) if mode.damped > 0.0 => {

@@ -47,6 +47,11 @@ pub struct Steady {
 }
 
 impl Steady {
+    /// Whether the matrices change along the motion: they are those of one place of it.
+    pub fn moves(&self) -> bool {
+        self.motion == Motion::Place
+    }
+
     /// The motion of a scene whose `terms` are not linear.
     ///
     /// # Errors
