@@ -1,5 +1,5 @@
-//! `--json`: what each command prints is one JSON document of its format, as its schema says, with the numbers of its files; `-q` prints
-//! nothing.
+//! `--json`: what each command prints is one JSON document of its format, as its schema says, with the numbers of its files, of `check` one a
+//! scene; `-q` prints nothing.
 
 #[path = "../src/output/conforms.rs"]
 mod conforms;
@@ -116,6 +116,17 @@ fn commands_print_their_results_as_json() {
     assert!(candidates.iter().any(|c| c["without"] == "damping" && c["truth"]["rms"].is_number()), "{advice}");
     let check = document(&["check", SCENE], "check");
     assert_eq!(check["start"].as_object().unwrap().len(), check["start_speeds"].as_object().unwrap().len());
+    let others = ["models/scenes/two_stage.toml", "models/scenes/planetary_3.toml"];
+    let lines = gearsim(&[&["check", "--json", SCENE][..], &others].concat()).stdout;
+    let lines: Vec<Value> = lines
+        .split(|byte| *byte == b'\n')
+        .filter(|line| !line.is_empty())
+        .map(|line| serde_json::from_slice(line).unwrap_or_else(|e| panic!("{e}: {}", String::from_utf8_lossy(line))))
+        .collect();
+    assert_eq!(
+        lines.iter().map(|line| &line["scene"]).collect::<Vec<_>>(),
+        ["energy_300rpm", "two_stage", "planetary_3"]
+    );
     let models = document(&["models", "gear_pair"], "models");
     assert_eq!(models["models"][0]["coordinates"].as_array().unwrap().len(), 2);
     assert!(document(&["models"], "models")["models"].as_array().unwrap().len() > 20);

@@ -20,7 +20,8 @@ use crate::scene::Scene;
     name = "check",
     after_help = "\
 Reads each scene, finds its static start, computes its first cell, and chooses its method. The exit
-code is 0 if all can be run, and 2 if one cannot.
+code is 0 if all can be run, and 2 if one cannot. With --json each scene that can be run has one
+line, a document of its own (JSON Lines); why another cannot be run is on the standard error.
 
 Examples:
   gearsim check models/scenes/two_stage.toml
@@ -103,6 +104,6 @@ impl Check {
                 + &report::line("starts at", &start.join(", "), width)
                 + "\n"
         };
-        self.printing.print(|| document::json("check", VERSION, &report), text)
+        self.printing.print(|| document::line("check", VERSION, &report), text)
     }
 }

@@ -22,9 +22,25 @@ struct Document<'a, T> {
 /// # Errors
 /// [`OutputError::Format`].
 pub fn json(format: &str, version: u32, content: &impl Serialize) -> Result<String, OutputError> {
+    text(format, version, content, |document| serde_json::to_string_pretty(document))
+}
+
+/// The same text in one line, for several documents one after the other (JSON Lines).
+///
+/// # Errors
+/// [`OutputError::Format`].
+pub fn line(format: &str, version: u32, content: &impl Serialize) -> Result<String, OutputError> {
+    text(format, version, content, |document| serde_json::to_string(document))
+}
+
+fn text<T: Serialize>(
+    format: &str,
+    version: u32,
+    content: &T,
+    write: fn(&Document<'_, T>) -> serde_json::Result<String>,
+) -> Result<String, OutputError> {
     let document = Document { format: &format!("gearsim.{format}"), version, content };
-    let text = serde_json::to_string_pretty(&document).map_err(|error| OutputError::format("JSON", error))?;
-    Ok(text + "\n")
+    Ok(write(&document).map_err(|error| OutputError::format("JSON", error))? + "\n")
 }
 
 /// The rows of a table, an object each, by the names of the columns.
