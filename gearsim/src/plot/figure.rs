@@ -5,6 +5,9 @@
 use super::picture::Picture;
 use super::{PlotError, canvas};
 
+/// Most points that have a marker each: those of more would touch.
+pub(super) const MARKED: usize = 250;
+
 /// A figure.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Figure {

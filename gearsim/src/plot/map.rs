@@ -1,8 +1,8 @@
 //! A recorded quantity over the varied ones: a curve over one, a heat map over two.
 
-use super::figure::{Axis, Figure, Panel, Scale, Series, Style, extremes};
+use super::figure::{Axis, Figure, MARKED, Panel, Scale, Series, Style, extremes};
 use super::heat::{HeatMap, Marks, edges};
-use super::{Drawn, PlotError, SweepPlot, SweepResults, symbol};
+use super::{Drawn, Marker, PlotError, SweepPlot, SweepResults, symbol};
 use crate::model::Model;
 use crate::sweep::axis;
 
@@ -31,7 +31,10 @@ fn draw(results: &SweepResults<'_>) -> Result<Drawn, PlotError> {
             let mut points: Vec<(f64, f64)> = x.iter().copied().zip(values).collect();
             points.sort_by(|a, b| a.0.total_cmp(&b.0));
             let (x, y) = points.into_iter().unzip();
-            let series = Series { style: Style::PLAIN, ..Series::new(0, "", x, y) };
+            let mut series = Series { style: Style::PLAIN, ..Series::new(0, "", x, y) };
+            if series.x.len() <= MARKED {
+                series.style.marker = Marker::Dot;
+            }
             let panel = Panel { y: Axis::linear(label, unit), series: vec![series] };
             let x = varied(results, 0);
             Ok(Drawn::Curves(Figure { title, subtitle: Some(subtitle), x, panels: vec![panel] }))

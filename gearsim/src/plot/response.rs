@@ -1,12 +1,10 @@
 //! Response curves: a measure of each output over the varied value, upward and downward.
 
+use super::figure::MARKED;
 use super::outputs;
 use super::{Axis, Figure, Marker, Panel, Series};
 use crate::sweep::response::{Measure, Point, Response, measure};
 use crate::sweep::row::Status;
-
-/// Most points that have a marker each: those of more would touch.
-const MARKED: usize = 250;
 
 /// The figure of a response; `measured` is what is drawn of the outputs that have it.
 pub fn figure(scene: &str, response: &Response, measured: Measure) -> Figure {

@@ -89,7 +89,7 @@ class HeatMap {
       gridcolor: grid, linecolor: grid, zeroline: false, ticks: "outside", tickcolor: grid, exponentformat: "power", minexponent: 4, fixedrange: touch(), uirevision: this.revision,
     });
     return {
-      margin: { l: MARGIN, r: 14, t: 10, b: 44 }, height: 440, showlegend: false, hovermode: "closest", dragmode: touch() ? false : "zoom",
+      margin: { l: MARGIN, r: RIGHT, t: 10, b: 44 }, height: 440, showlegend: false, hovermode: "closest", dragmode: touch() ? false : "zoom",
       paper_bgcolor: "rgba(0,0,0,0)", plot_bgcolor: css("--raised"), uirevision: this.revision,
       font: { family: getComputedStyle(document.body).fontFamily, size: 12, color: ink },
       modebar: { bgcolor: "rgba(0,0,0,0)", color: css("--muted"), activecolor: ink }, xaxis: axis(this.map.x), yaxis: axis(this.map.y),

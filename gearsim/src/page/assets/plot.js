@@ -38,6 +38,8 @@ const UPRIGHT = 18;
 const NARROW = 600;
 // Width left of the frames, the same for all plots so that their times stand below each other.
 const MARGIN = 78;
+// Width right of them: half of a number of five digits, which stands below the end of a frame.
+const RIGHT = 20;
 
 /** `text` with what stands in `_{...}` as an index, for plotly.js, which reads some HTML. */
 const formula = (text) => text.replaceAll("&", "&amp;").replaceAll("<", "&lt;").replace(/_\{([^}]*)\}/g, "<sub>$1</sub>");
@@ -49,6 +51,21 @@ const css = (name) => getComputedStyle(document.documentElement).getPropertyValu
 const colour = (which) => typeof which === "number" ? css(`--curve-${which % COLOURS}`) : which;
 /** How the i-th curve looks if it does not say so itself. */
 const styleOf = (i) => ({ colour: i % COLOURS, dash: DASHES[i % DASHES.length], width: i === 0 ? 1.7 : 1.3, marker: null });
+
+// Outlines of the markers, about the middle of a field of 22 by 10 pixels.
+const OUTLINES = {
+  "circle": "M7.5 5a3.5 3.5 0 1 0 7 0a3.5 3.5 0 1 0 -7 0Z", "square": "M7.8 1.8h6.4v6.4h-6.4Z", "diamond": "M11 0.5l4.5 4.5l-4.5 4.5l-4.5 -4.5Z",
+  "triangle-up": "M11 0.8l4.4 7.6h-8.8Z", "x-thin-open": "M7.8 1.8l6.4 6.4m0 -6.4l-6.4 6.4",
+};
+
+/** How a curve looks, as SVG: its line and its marker, of points alone the marker. */
+function pattern({ colour, dash, width, marker }) {
+  const ink = typeof colour === "number" ? `var(--curve-${colour % COLOURS})` : colour;
+  const dashes = dash === "solid" ? "none" : dash.replaceAll("px", "");
+  const line = width > 0 ? `<line x1="0" y1="5" x2="22" y2="5" style="stroke: ${ink}; stroke-dasharray: ${dashes}"/>` : "";
+  const outline = marker ? `<path d="${OUTLINES[marker]}" style="fill: ${ink}; stroke: ${ink}"/>` : "";
+  return `<svg width="22" height="10" aria-hidden="true">${line}${outline}</svg>`;
+}
 
 /** A number with five digits. */
 function short(x) {
@@ -123,12 +140,7 @@ class Panel {
       });
       const value = element("output", { className: "value" });
       this.values[i] = value;
-      const line = `<svg width="22" height="8" aria-hidden="true"><line x1="0" y1="4" x2="22" y2="4"/></svg>`;
-      const swatch = element("span", { className: "swatch", innerHTML: line });
-      const stroke = swatch.querySelector("line").style;
-      const style = this.styles[i];
-      stroke.stroke = typeof style.colour === "number" ? `var(--curve-${style.colour % COLOURS})` : style.colour;
-      stroke.strokeDasharray = style.dash === "solid" ? "none" : style.dash.replaceAll("px", "");
+      const swatch = element("span", { className: "swatch", innerHTML: pattern(this.styles[i]) });
       const name = element("span", { className: "name" }, ...formulaElements(curve.name));
       const doc = element("span", { className: "doc", textContent: inline ? curve.doc : "" });
       return element("label", { title: curve.doc }, box, swatch, name, value, doc);
@@ -146,7 +158,7 @@ class Panel {
     // Names along x need a width each; a narrow screen scrolls.
     const names = this.plot.x.names?.length ?? 0;
     if (names) {
-      this.canvas.style.minWidth = `${names * UPRIGHT + MARGIN + 14}px`;
+      this.canvas.style.minWidth = `${names * UPRIGHT + MARGIN + RIGHT}px`;
       this.frame.style.overflow = "auto hidden";
     }
     this.line = element("div", { className: "cursor", hidden: true });
@@ -248,7 +260,8 @@ class Panel {
     const mode = [style.width > 0 && "lines", (few || style.marker) && "markers"].filter((part) => part).join("+") || "none";
     const line = { color: colour(style.colour), dash: style.dash, width: style.width, simplify: false };
     const marker = style.marker ? { symbol: style.marker, size: 7, color: line.color, line: { color: line.color, width: 1.5 } } : { size: 4 };
-    return { x, y, name: formula(curve.name), mode, marker, line, hoverinfo: "skip" };
+    // Markers at the ends of the frame are whole.
+    return { x, y, name: formula(curve.name), mode, marker, line, cliponaxis: !style.marker, hoverinfo: "skip" };
   }
 
   /** The texts at the last points of curves, as notes.rs places them. */
@@ -297,7 +310,7 @@ class Panel {
   after() { return this.plot.curves.filter(({ note }) => note?.place === "after"); }
 
   /** Width right of the frame: more where notes stand there on a narrow screen. */
-  right() { return this.canvas.clientWidth < NARROW && this.after().length > 0 ? 40 : 14; }
+  right() { return this.canvas.clientWidth < NARROW && this.after().length > 0 ? 40 : RIGHT; }
 
   /** The title of the abscissae, in lines that are no wider than the frame. */
   titleLines(text) {
