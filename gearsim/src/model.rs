@@ -37,6 +37,23 @@ pub struct Model {
     pub latex: &'static str,
     /// The elements of which a scene puts the model together; empty for a model whose equations are derived as a whole.
     pub elements: &'static [&'static Model],
+    /// The rotations of gears relative to carriers that a train has; empty for a model whose equations are derived as a whole.
+    pub relative: &'static [Relative],
+}
+
+/// The rotation of a gear of a planet set relative to the carrier, with which its teeth come to the planets.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Relative {
+    /// Name, e.g. `rotor_speed_sun - rotor_speed_c`.
+    pub name: &'static str,
+    /// The stiffness law of a mesh of the set.
+    pub law: &'static str,
+    /// The output that is the speed of the gear; `None`: it is fixed to the ground.
+    pub gear: Option<&'static str>,
+    /// The output that is the speed of the carrier; `None`: it is fixed to the ground.
+    pub carrier: Option<&'static str>,
+    /// How often a tooth of it is in mesh in one turn relative to the carrier.
+    pub meets: u32,
 }
 
 impl Model {

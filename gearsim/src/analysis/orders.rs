@@ -15,11 +15,12 @@
 mod cuts;
 mod lines;
 mod meshes;
+mod planets;
 
 pub use cuts::{Cut, Window, cuts, windows};
 pub(crate) use lines::in_lobe;
-pub use lines::{APART, Line, SIDEBANDS, lines};
-pub use meshes::{Mesh, Rotor, force, meshes};
+pub use lines::{APART, Line, lines};
+pub use meshes::{Mesh, Rotor, force, meshes, term};
 
 use realfft::RealFftPlanner;
 
@@ -129,7 +130,7 @@ pub fn reference_shaft(run: &Trajectory, asked: Option<&str>) -> Option<&'static
     let shafts = run.outputs.iter().filter(|(output, _)| output.unit == SHAFT);
     let shafts: Vec<_> = shafts.map(|(output, column)| (*output, turns(column))).collect();
     let meshes = meshes(run, 0.0);
-    let geared = |output: &Output| meshes.iter().flat_map(|mesh| &mesh.rotors).any(|rotor| rotor.name == output.name);
+    let geared = |output: &Output| meshes.iter().any(|mesh| mesh.geared.contains(&output.name));
     let enough = || shafts.iter().filter(|(_, turns)| *turns >= ENOUGH);
     let enough = enough().find(|(output, _)| geared(output)).or_else(|| enough().next());
     let most = || shafts.iter().rev().max_by(|a, b| a.1.total_cmp(&b.1));

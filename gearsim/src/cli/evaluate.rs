@@ -1,7 +1,7 @@
 //! What is evaluated of a run beside its statistics, as text: loads of meshes, lines, load spectra and sounds.
 
 use super::{number::short, report};
-use crate::analysis::orders::{Line, force};
+use crate::analysis::orders::{Line, force, term};
 use crate::library::evaluate::Evaluated;
 use crate::output::summary::{LoadSpectrum, Sound, Summary};
 use crate::output::unit::in_words;
@@ -84,7 +84,7 @@ fn words(line: &Line) -> String {
         None => multiple,
         Some(rotor) => {
             let sign = if line.sideband < 0 { '-' } else { '+' };
-            format!("{multiple} {sign} {} {rotor}", line.sideband.abs())
+            format!("{multiple} {sign} {} {}", line.sideband.abs(), term(rotor))
         }
     }
 }

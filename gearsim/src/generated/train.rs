@@ -46,6 +46,7 @@ pub static TRAIN: Model = Model {
     nonlinear_with: &[],
     equations: concat!(include_str!("train.txt"), include_str!("train.toml")),
     latex: "",
+    relative: &[],
     elements: &[
         &super::element_rotor::ElementRotor::MODEL,
         &super::element_planets::ElementPlanets::MODEL,

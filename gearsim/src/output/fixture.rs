@@ -30,6 +30,7 @@ pub(crate) static MODEL: Model = Model {
     equations: "",
     elements: &[],
     latex: "",
+    relative: &[],
 };
 
 /// Damped natural angular frequency at the mean stiffness [rad/s].

@@ -114,3 +114,6 @@ impl Lines {
         apart
     }
 }
+
+#[cfg(test)]
+mod tests;

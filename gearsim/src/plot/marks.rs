@@ -2,7 +2,7 @@
 //! own, as in the table of lines.
 
 use super::{Marker, Note, Series, Style};
-use crate::analysis::orders::{APART, Mesh, PROMINENCE, SIDEBANDS, in_lobe, stands_out};
+use crate::analysis::orders::{APART, Mesh, PROMINENCE, Rotor, in_lobe, stands_out, term};
 
 /// Multiples of a mesh frequency that are marked with their sidebands.
 pub(super) const HARMONICS: usize = 4;
@@ -60,7 +60,7 @@ pub(super) fn marks(
             if apart < APART * line {
                 continue;
             }
-            let sidebands = (-SIDEBANDS..=SIDEBANDS).filter(|k| *k != 0);
+            let sidebands = rotor.sidebands();
             let around = |x: &f64| sidebands.clone().map(|k| x + f64::from(k) * apart).collect::<Vec<_>>();
             let mut x: Vec<f64> = places.iter().take(HARMONICS).flat_map(around).filter(|x| shown(*x)).collect();
             if x.is_empty() {
@@ -69,12 +69,20 @@ pub(super) fn marks(
             x.sort_by(f64::total_cmp);
             let y = x.iter().map(|x| value(curve, x / step)).collect();
             let (colour, marker) = SYMBOLS[number % SYMBOLS.len()];
-            let label = format!("sidebands ± {}, above {PROMINENCE} × the median about them", rotor.name);
+            let label = format!("sidebands ± {}, above {PROMINENCE} × the median about them", distances(rotor));
             let style = Style { colour, dashes: &[], width: 0.0, marker };
             all.push(Series { label, x, y, style, note: Note::default() });
         }
     }
     all
+}
+
+/// The distances of the sidebands of a rotor, in words: `rotor_speed_1`, or the multiples of a gear of a planet set.
+fn distances(rotor: &Rotor) -> String {
+    match rotor.sidebands().max() {
+        Some(most) if rotor.meets > 1 => format!("1 to {most} × {}", term(rotor.name)),
+        _ => rotor.name.to_owned(),
+    }
 }
 
 /// The largest value of a curve within a line of the place `at`.

@@ -76,6 +76,7 @@ pub fn describe(m: &Model) -> TokenStream {
             equations: #equations,
             latex: #latex,
             elements: &[],
+            relative: &[],
         }
     }
 }

@@ -18,8 +18,8 @@ use super::{Mesh, Turning};
 /// Multiples of a mesh order that are listed, and those that are listed with their sidebands.
 const HARMONICS: usize = 20;
 const WITH_SIDEBANDS: usize = 5;
-/// Sidebands on either side of a mesh order that are listed.
-pub const SIDEBANDS: i32 = 3;
+/// Sidebands on either side of a mesh order that are listed, of a gear that is in mesh once a turn.
+pub(super) const SIDEBANDS: i32 = 3;
 /// Lines on either side of a line that belong to it: half the width of the main lobe of the Hann window.
 const LOBE: f64 = 2.0;
 /// Least number of revolutions of a rotor in a record, and so of lines between its sidebands, that separates them: the main lobe of the
@@ -71,7 +71,7 @@ pub fn lines(turning: &Turning, meshes: &[Mesh]) -> Vec<Line> {
                 continue;
             }
             for rotor in mesh.rotors.iter().filter(|rotor| rotor.frequency * duration >= APART) {
-                for sideband in (-SIDEBANDS..=SIDEBANDS).filter(|i| *i != 0) {
+                for sideband in rotor.sidebands() {
                     add(Some(rotor.name), sideband, base + f64::from(sideband) * rotor.frequency);
                 }
             }

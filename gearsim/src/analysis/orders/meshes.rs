@@ -1,6 +1,7 @@
 //! The frequencies of the meshes and rotors of a run, from its recorded samples.
 
-use super::SHAFT;
+use super::lines::SIDEBANDS;
+use super::{SHAFT, planets};
 use crate::model::{Model, Output};
 use crate::trajectory::Trajectory;
 
@@ -26,19 +27,38 @@ pub struct Mesh {
     /// The output that is its force, or its torque in models that have no base radii.
     pub force: Option<&'static str>,
     /// The rotors of its gears whose speeds are recorded. The mesh frequency is a whole multiple of the rotor frequency, the number of
-    /// teeth. If rotors have equal speeds, only the first is listed.
+    /// teeth. If rotors have equal speeds, only the first is listed. Of a planet set: the gears relative to the carrier.
     pub rotors: Vec<Rotor>,
+    /// The recorded speeds of which the mesh frequency is a whole multiple.
+    pub(super) geared: Vec<&'static str>,
 }
 
 /// A rotor of a mesh.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Rotor {
-    /// The output that is its speed.
+    /// The output that is its speed; `rotor_speed_s - rotor_speed_c` of a gear of a planet set.
     pub name: &'static str,
-    /// Mean number of revolutions a second \[Hz\].
+    /// Mean number of revolutions a second, of a gear of a planet set relative to the carrier \[Hz\].
     pub frequency: f64,
-    /// Its number of teeth in the mesh; of a carrier, that of the ring.
+    /// Its number of teeth in the mesh.
     pub teeth: f64,
+    /// How often a tooth of it is in mesh in one such revolution.
+    pub meets: u32,
+}
+
+impl Rotor {
+    /// The sidebands on either side of a mesh order at which faults show, in multiples of its frequency: the first three of a gear that
+    /// is in mesh once a turn, the first three times n of a gear that is n times in mesh. Where planets are out of phase, multiples of n
+    /// times the frequency lie at any of these distances from a mesh order.
+    pub fn sidebands(&self) -> impl Iterator<Item = i32> + Clone + use<> {
+        let most = SIDEBANDS * self.meets as i32;
+        (-most..=most).filter(|k| *k != 0)
+    }
+}
+
+/// The name of a rotor as a factor.
+pub fn term(name: &str) -> String {
+    if name.contains(" - ") { format!("({name})") } else { name.to_owned() }
 }
 
 /// The output that is the force of the mesh with the stiffness law `law`, or its torque: `mesh_force_12` of `k12`, `mesh_force_s1` of
@@ -70,9 +90,12 @@ pub fn meshes(run: &Trajectory, from: f64) -> Vec<Mesh> {
             let (q, t) = (run.q[i][pair[1]] - run.q[i][pair[0]], run.t[pair[1]] - run.t[pair[0]]);
             (q - mean * t).abs() <= STEADY * (mean * t).abs()
         });
-        let (rotors, force) = (rotors(run, &rows, frequency), force(run.model, law.name));
-        let force = force.map(|output| output.name);
-        meshes.push(Mesh { name: law.name, frequency, steady, force, rotors });
+        let force = force(run.model, law.name).map(|output| output.name);
+        let rotors = rotors(run, &rows, frequency);
+        let geared = rotors.iter().map(|rotor| rotor.name).collect();
+        let relative = planets::rotors(run, &rows, law.phase, frequency);
+        let rotors = if relative.is_empty() { rotors } else { relative };
+        meshes.push(Mesh { name: law.name, frequency, steady, force, rotors, geared });
     }
     meshes
 }
@@ -81,17 +104,20 @@ fn rotors(run: &Trajectory, rows: &[usize], mesh: f64) -> Vec<Rotor> {
     let mut rotors: Vec<Rotor> = vec![];
     for (output, column) in run.outputs.iter().filter(|(output, _)| output.unit == SHAFT) {
         let frequency = mean(column, rows).abs() / std::f64::consts::TAU;
-        let teeth = (mesh / frequency).round();
-        let whole = TEETH.contains(&teeth) && (mesh / frequency - teeth).abs() <= WHOLE;
-        if whole && rotors.iter().all(|rotor| rotor.teeth != teeth) {
-            rotors.push(Rotor { name: output.name, frequency, teeth });
-        }
+        let teeth = teeth(mesh, frequency).filter(|teeth| rotors.iter().all(|rotor| rotor.teeth != *teeth));
+        rotors.extend(teeth.map(|teeth| Rotor { name: output.name, frequency, teeth, meets: 1 }));
     }
     rotors
 }
 
+/// The number of teeth of a gear, if the mesh frequency is a whole multiple of its frequency.
+pub(super) fn teeth(mesh: f64, gear: f64) -> Option<f64> {
+    let teeth = (mesh / gear).round();
+    (TEETH.contains(&teeth) && (mesh / gear - teeth).abs() <= WHOLE).then_some(teeth)
+}
+
 /// The mean of evenly spaced samples, by the trapezoidal rule.
-fn mean(column: &[f64], rows: &[usize]) -> f64 {
+pub(super) fn mean(column: &[f64], rows: &[usize]) -> f64 {
     let ends = 0.5 * (column[rows[0]] + column[rows[rows.len() - 1]]);
     (rows.iter().map(|&row| column[row]).sum::<f64>() - ends) / (rows.len() - 1).max(1) as f64
 }

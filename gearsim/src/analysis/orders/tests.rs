@@ -192,7 +192,8 @@ fn sidebands_are_lines_of_their_own() {
         frequency,
         steady: true,
         force: None,
-        rotors: vec![Rotor { name: "rotor_speed", frequency: rotor, teeth: 23.0 }],
+        rotors: vec![Rotor { name: "rotor_speed", frequency: rotor, teeth: 23.0, meets: 1 }],
+        geared: vec!["rotor_speed"],
     };
     let lines = lines(&turning, &[mesh(46.0, 2.0), mesh(50.4, 1.0)]);
     // 50 Hz is 0.8 lines from the second mesh order, 52 Hz 3.2 lines.

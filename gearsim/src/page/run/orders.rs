@@ -27,7 +27,7 @@ pub(super) fn fill(report: &Report<'_>, html: &mut Html) {
     html.paragraph(&format!(
         "Peak amplitudes over orders of the shaft with the speed {} ({}): {} whole revolutions, interpolated at equal angles, \
          Hann window. The mean is left out. Sidebands are listed where their amplitude is above {PROMINENCE} times the median of those \
-         about them.",
+         about them. Those of gears of planet sets are multiples of their speed relative to the carrier.",
         shaft.name,
         shaft.doc,
         turning.revolutions(),

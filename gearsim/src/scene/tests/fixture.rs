@@ -71,6 +71,7 @@ pub static GEAR_PAIR: Model = Model {
     ],
     equations: "",
     latex: "",
+    relative: &[],
 };
 
 pub const SCENE: &str = r#"about = "Gear pair at 300 rpm"

@@ -5,7 +5,7 @@ use std::sync::{Arc, Mutex, OnceLock};
 
 use super::basis::{self, Basis, resolve};
 use super::draft::{Draft, DraftPart, Terms, named};
-use super::text;
+use super::{relative, text};
 use crate::model::{
     Coordinate, Effect, Law, Model, Motion, Output, Parameter, Range, Role, Start, Switch, Torque, Varies,
 };
@@ -199,6 +199,7 @@ impl<'a> Composer<'a> {
             outputs: self.outputs.leak(),
             switches: self.switches.leak(),
             nonlinear_with: self.nonlinear_with.leak(),
+            relative: relative::of(self.draft).leak(),
             equations: leak(text::equations(self.bare, self.draft, self.basis)),
             ..*self.bare
         }

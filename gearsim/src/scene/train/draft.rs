@@ -113,6 +113,15 @@ pub(super) struct Joint {
     pub part: String,
 }
 
+/// A planet set: its rotors, `None` where they are fixed to the ground.
+pub(super) struct PlanetSet {
+    pub name: String,
+    pub sun: usize,
+    pub ring: Option<usize>,
+    pub carrier: Option<usize>,
+    pub planets: Vec<usize>,
+}
+
 /// The content of the tables.
 #[derive(Default)]
 pub(super) struct Draft {
@@ -121,6 +130,7 @@ pub(super) struct Draft {
     pub parts: Vec<DraftPart>,
     pub groups: Vec<Group>,
     pub joints: Vec<Joint>,
+    pub planet_sets: Vec<PlanetSet>,
     /// Helical meshes whose axial motion is not yet in their deflection.
     pub axial: Vec<Axial>,
     /// Helical meshes, by their names, with the parameter that is the axial force over the mesh force.

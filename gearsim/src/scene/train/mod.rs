@@ -21,6 +21,7 @@ mod meshes;
 mod planets;
 mod radii;
 mod read;
+mod relative;
 mod senses;
 mod tables;
 mod text;

@@ -1,6 +1,6 @@
 //! Planet sets: a sun, a ring and a carrier, and planets whose centres are fixed to the carrier.
 
-use super::draft::{DraftPart, Gear, Geometry, Rotor, Term, named};
+use super::draft::{DraftPart, Gear, Geometry, PlanetSet, Rotor, Term, named};
 use super::gears::{LAW, is_rigid};
 use super::read::{Item, Reader};
 use super::{ELSEWHERE, ROTOR, axial, bodies};
@@ -95,8 +95,10 @@ impl Reader<'_> {
             self.draft.geometry.push(Geometry { name: name.clone(), unit: "1", gear_data: Some(GearData::Teeth), doc });
             self.value(name.clone(), Some(&number));
         }
+        let mut planets = vec![];
         for (i, place) in places.iter().enumerate() {
             let planet = self.planet(item, i + 1);
+            planets.push(planet);
             let gear = |rotor, teeth: &String, sense| Gear { rotor, carrier, teeth: teeth.clone(), sense };
             let of_planet = gear(Some(planet), z_p, -1.0);
             let pairs = [
@@ -127,6 +129,7 @@ impl Reader<'_> {
                 self.helix(item, if with == "s" { 1.0 } else { -1.0 }, with == "r");
             }
         }
+        self.draft.planet_sets.push(PlanetSet { name: set.to_owned(), sun, ring, carrier, planets });
         self.radius_of_sun(item, z_s, r_s);
         let Some(carrier) = carrier else { return };
         self.value(named("mp", set), item.get("mass"));
