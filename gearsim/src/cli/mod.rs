@@ -90,12 +90,14 @@ impl Command {
 #[command(
     verbatim_doc_comment,
     after_help = "\
-Examples, from the root of the repository:
-  cargo run --release -- run models/scenes/oh2005/energy_300rpm.toml
-      run a scene; results and plots go to out/energy_300rpm
-  cargo run --release -- compare models/scenes/oh2005/energy_300rpm.toml
+Examples:
+  gearsim scene gear_pair > pair.toml
+      a scene of a model, ready to run
+  gearsim run pair.toml
+      run it; results and plots go to out/pair
+  gearsim compare pair.toml
       the same scene under the exact equations and two common approximations
-  cargo run --release -- models gear_pair
+  gearsim models gear_pair
       what a scene of this model can set, and its equations
 
 Exit codes:
