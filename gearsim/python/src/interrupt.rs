@@ -1,8 +1,13 @@
 //! Long calls without Python's lock. Ctrl-C ends them, and a function of the caller receives their progress.
 
 use std::panic::{AssertUnwindSafe, catch_unwind, resume_unwind};
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::mpsc::{self, RecvTimeoutError};
+use std::thread;
 use std::time::{Duration, Instant};
 
+use pyo3::exceptions::PyRuntimeError;
 use pyo3::prelude::*;
 
 /// Interval between two checks for signals and reports of the progress.
@@ -19,6 +24,10 @@ pub struct Watch {
 
 /// Payload of the unwinding that ends a call.
 struct Interrupted(PyErr);
+/// Payload of the unwinding that ends a thread whose result nobody waits for.
+struct Left;
+/// Stack of a thread of [`left`], that of a main thread [bytes].
+const STACK: usize = 8 << 20;
 
 impl Watch {
     /// Reports how far the call is. An error comes from a signal or from the caller's function, and ends the call.
@@ -46,11 +55,6 @@ impl Watch {
     pub fn at_or_unwind(&mut self, place: f64) {
         self.at(place).unwrap_or_else(unwind);
     }
-
-    /// The same as [`Watch::now`], without a place, for calls that cannot return an error.
-    pub fn now_or_unwind(&mut self) {
-        self.now(f64::NAN).unwrap_or_else(unwind);
-    }
 }
 
 fn unwind(error: PyErr) {
@@ -71,4 +75,35 @@ pub fn detached<T: Send>(
         })
     });
     ended
+}
+
+/// Calls `work` without Python's lock, on a thread of its own, for work with long steps: the eigenvalues of one large matrix take seconds.
+/// Ctrl-C ends the call at once; the thread ends when it next calls the function that `work` gets, and its result is dropped.
+pub fn left<T: Send + 'static>(py: Python<'_>, work: impl FnOnce(&dyn Fn()) -> T + Send + 'static) -> PyResult<T> {
+    let wanted = Arc::new(AtomicBool::new(true));
+    let asked = Arc::clone(&wanted);
+    let (sender, receiver) = mpsc::channel();
+    let run = move || {
+        let watch = || {
+            if !asked.load(Ordering::Relaxed) {
+                resume_unwind(Box::new(Left));
+            }
+        };
+        // Nobody receives the result of a thread that was left.
+        let _ = sender.send(catch_unwind(AssertUnwindSafe(|| work(&watch))));
+    };
+    thread::Builder::new().stack_size(STACK).spawn(run)?;
+    let ended = py.detach(move || {
+        loop {
+            match receiver.recv_timeout(EVERY) {
+                Ok(ended) => return Ok(ended),
+                Err(RecvTimeoutError::Timeout) => Python::attach(|py| py.check_signals())?,
+                Err(RecvTimeoutError::Disconnected) => return Err(PyRuntimeError::new_err("the thread ended early")),
+            }
+        }
+    });
+    if ended.is_err() {
+        wanted.store(false, Ordering::Relaxed);
+    }
+    Ok(ended?.unwrap_or_else(|panic| resume_unwind(panic)))
 }

@@ -10,7 +10,7 @@ use pyo3::prelude::*;
 use pyo3::types::{IntoPyDict, PyDict};
 
 use crate::error::raised;
-use crate::interrupt::detached;
+use crate::interrupt::{detached, left};
 use crate::job::Job;
 use crate::results::Results;
 use crate::table::Table;
@@ -123,11 +123,8 @@ impl Scene {
     #[pyo3(signature = (levels=None))]
     fn modes<'py>(&self, py: Python<'py>, levels: Option<Vec<f64>>) -> PyResult<Vec<Bound<'py, PyDict>>> {
         let levels = levels.unwrap_or_else(|| self.inner.mid_stiffnesses());
-        let cell = detached(py, None, |watch| {
-            let watch = RefCell::new(watch);
-            self.inner.modes_watched(&levels, &|| watch.borrow_mut().now_or_unwind())
-        })?;
-        let cell = cell.map_err(raised)?;
+        let scene = self.inner.clone();
+        let cell = left(py, move |watch| scene.modes_watched(&levels, watch))?.map_err(raised)?;
         let elastic: Vec<_> = self.inner.stiffnesses().map(|(law, _)| law.name).chain(cell.springs).collect();
         let mode = |mode: gearsim::analysis::modes::Vibration| {
             let strain = mode.strain.into_iter().chain(mode.springs);
@@ -145,11 +142,8 @@ impl Scene {
 
     /// Stability of the steady rotation: Floquet multipliers, period [s], verdict.
     fn floquet<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
-        let floquet = detached(py, None, |watch| {
-            let watch = RefCell::new(watch);
-            self.inner.floquet_watched(&|| watch.borrow_mut().now_or_unwind())
-        })?;
-        let floquet = floquet.map_err(raised)?;
+        let scene = self.inner.clone();
+        let floquet = left(py, move |watch| scene.floquet_watched(watch))?.map_err(raised)?;
         let dict = PyDict::new(py);
         dict.set_item("period", floquet.period)?;
         dict.set_item("growth", floquet.growth())?;
