@@ -9,25 +9,57 @@ use pyo3::types::{PyBool, PyBytes, PyDict, PyMapping, PyString};
 pub fn flat(table: &Bound<'_, PyDict>, before: &str) -> PyResult<Vec<(String, Value)>> {
     let mut values = vec![];
     for (key, value) in table.iter() {
-        let key = format!("{before}{}", key.extract::<String>()?);
+        let key = format!("{before}{}", name(&key, before)?);
         match value.cast::<PyDict>() {
-            Ok(table) => values.extend(flat(table, &format!("{key}."))?),
-            Err(_) => values.push((key, of(&value)?)),
+            // A part without keys is a part: it says what it lacks.
+            Ok(table) if !table.is_empty() || before.is_empty() => values.extend(flat(table, &format!("{key}."))?),
+            _ => {
+                let value = of(&value).map_err(|error| at(&key, error, value.py()))?;
+                values.push((key, value));
+            }
         }
     }
     Ok(values)
 }
 
-/// A value: a number [SI], a text with a unit, a bool, or a list.
+/// A key of a table.
+fn name(key: &Bound<'_, PyAny>, before: &str) -> PyResult<String> {
+    key.extract().map_err(|_| {
+        let table = before.trim_end_matches('.');
+        let place = if table.is_empty() { "a scene".into() } else { format!("`{table}`") };
+        PyTypeError::new_err(format!("the keys of {place} are texts, not {key}: write \"{key}\""))
+    })
+}
+
+/// The error of a value with its key.
+fn at(key: &str, error: PyErr, py: Python<'_>) -> PyErr {
+    match error.is_instance_of::<PyTypeError>(py) {
+        true => PyTypeError::new_err(format!("`{key}` cannot be set: {}", error.value(py))),
+        false => error,
+    }
+}
+
+/// A value: a number [SI], a text with a unit, a bool, or a list or a dict of values.
 pub fn of(value: &Bound<'_, PyAny>) -> PyResult<Value> {
     let value = &scalar(value)?;
+    if let Ok(flag) = value.cast::<PyBool>() {
+        return Ok(Value::Flag(flag.is_true()));
+    }
+    if value.is_instance_of::<PyString>() {
+        return Ok(Value::Text(value.extract()?));
+    }
+    if let Ok(table) = value.cast::<PyDict>() {
+        let entry = |(key, value): (Bound<'_, PyAny>, Bound<'_, PyAny>)| Ok((name(&key, "a table")?, of(&value)?));
+        return Ok(Value::Table(table.iter().map(entry).collect::<PyResult<_>>()?));
+    }
     if is_number(value)? {
         return Ok(Value::Number(value.extract()?));
     }
-    match value.extract::<String>() {
-        Ok(text) => Ok(Value::Text(text)),
-        Err(_) => toml(value).map(Value::Text),
+    if let (false, Ok(items)) = (value.is_instance_of::<PyBytes>(), value.try_iter()) {
+        return Ok(Value::List(items.map(|item| of(&item?)).collect::<PyResult<_>>()?));
     }
+    let kind = value.get_type().name()?;
+    Err(PyTypeError::new_err(format!("a scene has numbers, texts, bools, lists and dicts; not {kind}")))
 }
 
 /// Axes as texts for `--vary`. They are texts already, or dicts of keys with their values: lists and arrays of numbers [SI] and of texts
@@ -88,10 +120,15 @@ pub fn one_or_more(list: &Bound<'_, PyAny>, what: &str) -> PyResult<Vec<String>>
 
 /// The texts of a list such as `effects`. A single text would be taken as a list of letters.
 pub fn names(list: &Bound<'_, PyAny>, what: &str) -> PyResult<Vec<String>> {
-    if let Ok(name) = list.cast::<PyString>() {
-        return Err(PyTypeError::new_err(format!("`{what}` is a list of texts: {what}=[\"{name}\"]")));
+    let refused = |found: &Bound<'_, PyAny>| {
+        let found = found.str().map_or_else(|_| "...".into(), |text| text.to_string());
+        PyTypeError::new_err(format!("`{what}` is a list of texts: {what}=[\"{found}\"]"))
+    };
+    if list.is_instance_of::<PyString>() {
+        return Err(refused(list));
     }
-    list.try_iter()?.map(|name| name?.extract()).collect()
+    let items = list.try_iter().map_err(|_| refused(list))?;
+    items.map(|item| item.and_then(|item| item.extract().map_err(|_| refused(&item)))).collect()
 }
 
 /// A scalar or an array without dimensions of NumPy as Python's int, float, bool or str; other values as they are.
@@ -109,34 +146,4 @@ fn is_number(value: &Bound<'_, PyAny>) -> PyResult<bool> {
         return Ok(false);
     }
     Ok(value.hasattr("__float__")? || value.hasattr("__index__")?)
-}
-
-/// A value in TOML.
-fn toml(value: &Bound<'_, PyAny>) -> PyResult<String> {
-    let value = &scalar(value)?;
-    if let Ok(flag) = value.cast::<PyBool>() {
-        return Ok(flag.is_true().to_string());
-    }
-    if value.is_instance_of::<PyString>() {
-        // TOML's basic strings have the escapes of JSON.
-        return Ok(serde_json::Value::String(value.extract()?).to_string());
-    }
-    if let Ok(table) = value.cast::<PyDict>() {
-        let entry =
-            |(key, value): (Bound<'_, PyAny>, _)| Ok(format!("{} = {}", key.extract::<String>()?, toml(&value)?));
-        let entries = table.iter().map(entry).collect::<PyResult<Vec<_>>>()?;
-        return Ok(format!("{{ {} }}", entries.join(", ")));
-    }
-    if is_number(value)? {
-        return match value.hasattr("__index__")? {
-            true => Ok(value.extract::<i64>()?.to_string()),
-            false => Ok(format!("{:?}", value.extract::<f64>()?)),
-        };
-    }
-    if let (false, Ok(items)) = (value.is_instance_of::<PyBytes>(), value.try_iter()) {
-        let items = items.map(|item| toml(&item?)).collect::<PyResult<Vec<_>>>()?;
-        return Ok(format!("[{}]", items.join(", ")));
-    }
-    let kind = value.get_type().name()?;
-    Err(PyTypeError::new_err(format!("a scene has numbers, texts, bools, lists and dicts; not {kind}")))
 }

@@ -90,3 +90,63 @@ def test_no_digit_of_a_number_is_lost():
     third = Fraction(1, 3)
     scene = gearsim.load(SCENE).replace({"parameters.T0": third, "parameters.zeta": np.float32(0.1)})
     assert scene.parameters["T0"] == 1 / 3 and scene.parameters["zeta"] == float(np.float32(0.1))
+
+
+def train(number, **more):
+    """A train whose tables have the number, without a unit."""
+    return gearsim.Scene(
+        "train",
+        effects=["stiffness_step", "torques", "damping"],
+        rotors={"a": number, "b": {"inertia": number}, "c": number},
+        shafts={"bc": {"between": ["b", "c"], "stiffness": number}},
+        meshes={
+            "m": {
+                "between": ("a", "b"),
+                "teeth": np.array([20, 40]),
+                "base_radius": np.float64(0.03),
+                "stiffness": {"steps": [{"value": number, "width": number}, {"value": number}]},
+            }
+        },
+        drives={"d": {"rotor": "a", "torque": number}},
+        parameters={"beta_K": number},
+        start={"speed": number},
+        run={"t_end": number},
+        **more,
+    )
+
+
+@pytest.mark.parametrize("three", [3, 3.0, *OF_NUMPY, Decimal(3), Indexed()])
+def test_numbers_in_the_tables_of_a_train_are_in_si_units(three):
+    scene = train(three)
+    names = ["I_a", "I_b", "I_c", "k_bc", "T_d", "beta_K"]
+    assert {name: scene.parameters[name] for name in names} == dict.fromkeys(names, 3.0)
+    assert scene.t_end == 3
+    assert scene.replace(rotors={"a": 2 * scene.t_end}).parameters["I_a"] == 6
+    assert scene.replace({"shafts.bc.stiffness": "3 kN*m/rad"}).parameters["k_bc"] == 3000
+
+
+@pytest.mark.parametrize(
+    "more, error, said",
+    [
+        ({"loads": {"l": {"rotor": "c", "torque": None}}}, TypeError, "`loads.l.torque` cannot be set: .*not NoneType"),
+        ({"loads": {1: {"rotor": "c"}}}, TypeError, 'the keys of `loads` are texts, not 1: write "1"'),
+        ({"loads": {"l": {}}}, gearsim.SceneError, r"\[loads.l\] lacks `rotor`"),
+        ({"loads": {"l": {"rotor": "c", "torque": float("nan")}}}, gearsim.SceneError, "`loads.l.torque` is not a finite number"),
+    ],
+)
+def test_wrong_values_are_refused_with_their_key(more, error, said):
+    with pytest.raises(error, match=said):
+        train(3.0, **more)
+
+
+@pytest.mark.parametrize("effects", [3, [3], "damping"])
+def test_effects_are_a_list_of_texts(effects):
+    with pytest.raises(TypeError, match="`effects` is a list of texts: effects="):
+        gearsim.load(SCENE) and gearsim.Scene("chain_2", effects)
+
+
+def test_a_number_where_none_is_allowed_is_refused_with_its_key():
+    with pytest.raises(gearsim.SceneError, match="meshes.m.between"):
+        train(3.0).replace({"meshes.m.between": 3.0})
+    with pytest.raises(gearsim.SceneError, match="rotors.a"):
+        train(3.0).replace({"rotors.a": "3"})

@@ -95,9 +95,14 @@ impl Scene {
     /// # Errors
     /// As [`Scene::with`].
     pub fn with_all<'a>(&self, values: impl IntoIterator<Item = (&'a str, Value)>) -> Result<Scene, Error> {
-        let mut overrides = self.overrides.clone();
-        overrides.extend(values.into_iter().map(|(key, value)| value.set(key, Some(self.model))));
-        Ok(Template::again(self, &overrides)?.scene(&[], &known::descriptions())?)
+        let (values, models) = (values.into_iter().collect::<Vec<_>>(), known::descriptions());
+        let with = |model| {
+            let values = values.iter().map(|(key, value)| value.set(key, Some(model)));
+            Template::again(self, &self.overrides.iter().cloned().chain(values).collect::<Vec<_>>())
+        };
+        // Parts that are added to a train have parameters of their own.
+        let whole = if self.train.is_some() { with(self.model)?.model(&models) } else { None };
+        Ok(with(whole.unwrap_or(self.model))?.scene(&[], &models)?)
     }
 }
 
@@ -137,10 +142,13 @@ impl SceneBuilder {
         // A scene always says which effects it has.
         let text = format!("model = {model:?}\neffects = []\n");
         let models = known::descriptions();
-        let its_model = models.iter().copied().find(|known| known.name == model);
-        let values: Vec<_> = values.iter().map(|(key, value)| value.set(key, its_model)).collect();
         let empty = Template::parse(&name, "the scene", &text, &[])?;
-        Ok(empty.edited(&values).scene(&[], &models)?)
+        let written = |model| values.iter().map(|(key, value)| value.set(key, model)).collect::<Vec<_>>();
+        let bare = models.iter().copied().find(|known| known.name == model);
+        // The parameters of a train, and their units, follow from its tables.
+        let is_train = bare.is_some_and(|model| !model.elements.is_empty());
+        let whole = is_train.then(|| empty.clone().edited(&written(bare)).model(&models)).flatten();
+        Ok(empty.edited(&written(whole.or(bare))).scene(&[], &models)?)
     }
 }
 
@@ -205,6 +213,34 @@ mod tests {
         let train =
             train.set("shafts.cb.between", "[\"c\", \"b\"]").set("start.speed", "1 rad/s").set("run.t_end", "1 ms");
         assert_same(&train.build().unwrap());
+    }
+
+    /// Numbers without units, in tables, in lists and in tables of lists.
+    #[test]
+    fn numbers_in_the_tables_of_a_train_are_in_si_units() {
+        let step = |value: f64| Value::Table(vec![("value".into(), value.into()), ("width".into(), 3.0.into())]);
+        let last = Value::Table(vec![("value".into(), 3e8.into())]);
+        let train = |stiffness: Value| {
+            let train = Scene::of_model("train").effects(&["stiffness_step", "torques"]);
+            let train = train.set("rotors.a", 0.5).set("rotors.b.inertia", 2.0).set("drives.d.rotor", "a");
+            let train = train.set("meshes.m.between", Value::List(vec!["a".into(), "b".into()]));
+            let train = train.set("meshes.m.teeth", Value::List(vec![20.into(), 40.into()]));
+            let train = train.set("meshes.m.module", 2e-3).set("meshes.m.stiffness", stiffness);
+            train.set("start.speed", 10.0).set("run.t_end", 1e-3).set("drives.d.torque", 5.0).build()
+        };
+        let scene = train(Value::List(vec![])).unwrap_err();
+        assert!(scene.to_string().contains("mistake"), "{scene}");
+        let steps = Value::Table(vec![("steps".into(), Value::List(vec![step(2e8), last]))]);
+        let scene = train(steps).unwrap();
+        assert_eq!(["I_a", "I_b", "T_d"].map(|name| scene.parameter(name).unwrap()), [0.5, 2.0, 5.0]);
+        assert_eq!(scene.laws[0].steps.iter().map(|step| step.value).collect::<Vec<_>>(), [2e8, 3e8]);
+        assert_same(&scene);
+        let scene = train(1e8.into()).unwrap().with("rotors.a", 0.25).unwrap();
+        assert_eq!((scene.parameter("I_a"), scene.mid_stiffnesses()), (Some(0.25), vec![1e8]));
+        let nan = scene.with("rotors.a", f64::NAN).unwrap_err().to_string();
+        assert!(nan.contains("`rotors.a` is not a finite number"), "{nan}");
+        let more = [("loads.l.rotor", "b".into()), ("parameters.T_l", 2.0.into())];
+        assert_eq!(scene.with_all(more).unwrap().parameter("T_l"), Some(2.0));
     }
 
     /// Arrays of tables, and tables within a line, into which keys are set that they lack.

@@ -3,13 +3,19 @@
 use crate::model::Model;
 use crate::scene::unit_of;
 
-/// A value of a scene: a number, a switch, or a text as in a scene file.
+/// A value of a scene: a number, a switch, a text as in a scene file, or a list or a table of such values.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Value {
     /// A number [SI unit of its key].
     Number(f64),
-    /// A text with a unit, `20 N*m`, or anything else in TOML, `[{ value = "1 kN*m" }]`.
+    /// `true` or `false`.
+    Flag(bool),
+    /// A text with a unit, `20 N*m`, or anything else in TOML, `[{ value = "1 kN*m" }]`. In a list or a table it is a text.
     Text(String),
+    /// A list.
+    List(Vec<Value>),
+    /// Keys and their values.
+    Table(Vec<(String, Value)>),
 }
 
 impl Value {
@@ -22,10 +28,33 @@ impl Value {
     fn written(&self, key: &str, model: Option<&Model>) -> String {
         match self {
             Value::Text(text) => text.clone(),
+            // Units cannot make it finite: the message says that it is not.
+            Value::Number(number) if !number.is_finite() => number.to_string().to_lowercase(),
             Value::Number(number) => match model.and_then(|model| unit_of(key, model)) {
                 Some(unit) if !["", "1"].contains(&unit.as_str()) => format!("{number:?} {unit}"),
                 _ => number.to_string(),
             },
+            Value::Flag(flag) => flag.to_string(),
+            Value::List(items) => {
+                let items = items.iter().enumerate().map(|(i, item)| item.within(&format!("{key}.{i}"), model));
+                format!("[{}]", items.collect::<Vec<_>>().join(", "))
+            }
+            Value::Table(entries) => {
+                let entry = |(name, value): &(String, Value)| {
+                    format!("{} = {}", quoted(name), value.within(&format!("{key}.{name}"), model))
+                };
+                format!("{{ {} }}", entries.iter().map(entry).collect::<Vec<_>>().join(", "))
+            }
+        }
+    }
+
+    /// The value of `key` in a list or a table: texts, and numbers with units, are in quotes.
+    fn within(&self, key: &str, model: Option<&Model>) -> String {
+        let text = self.written(key, model);
+        match self {
+            Value::Text(_) => quoted(&text),
+            Value::Number(_) if text.contains(' ') => quoted(&text),
+            _ => text,
         }
     }
 
@@ -35,6 +64,11 @@ impl Value {
         let is_bare = !text.trim_start().starts_with(['[', '{', '"', '\'']);
         if is_bare && text.contains([',', ':']) { format!("{text:?}") } else { text }
     }
+}
+
+/// A text in the quotes of TOML, whose basic strings have the escapes of JSON.
+fn quoted(text: &str) -> String {
+    serde_json::Value::String(text.into()).to_string()
 }
 
 impl From<f64> for Value {
@@ -51,7 +85,7 @@ impl From<i32> for Value {
 
 impl From<bool> for Value {
     fn from(value: bool) -> Value {
-        Value::Text(value.to_string())
+        Value::Flag(value)
     }
 }
 
