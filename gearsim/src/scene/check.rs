@@ -105,7 +105,8 @@ fn stray_keys(entries: &[Entry], model: Option<&Model>, report: &mut Report) {
         homes.push(("laws", model.laws.iter().map(|law| law.name).collect()));
         homes.push(("start", coordinates.chain(motions).collect()));
     }
-    let known = keys::names(&[KEYS]);
+    let of_train = if model.is_some_and(|model| !model.elements.is_empty()) { train::KEYS } else { &[] };
+    let known = keys::names(&[KEYS, of_train]);
     for Entry { key, place, .. } in keys::unknown(entries, &known) {
         let home = homes.iter().find(|(_, keys)| keys.contains(&key.as_str()));
         let (label, help) = match home {

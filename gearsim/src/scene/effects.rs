@@ -7,8 +7,8 @@ use indexmap::IndexSet;
 
 use super::Effects;
 use super::document::Node;
-use super::field;
 use super::mistake::{Report, list};
+use super::field;
 use crate::model::{Effect, Law, Model, Torque};
 
 impl Effects {
@@ -135,27 +135,34 @@ pub fn allowed(model: &Model) -> Vec<&'static str> {
 /// Reads `effects`.
 pub(super) fn read(node: &Node, model: &Model, report: &mut Report) -> Option<Effects> {
     let allowed = allowed(model);
-    let names = field::names("effects", node, "effect", &allowed, report)?;
-    let mut chosen: Vec<usize> = vec![];
+    let names =
+        field::names("effects", node, "effect", &allowed, report)?;
+    // Each effect with the name by which the scene has it: that of all parts, or its own.
+    let mut chosen: Vec<(usize, &str)> = vec![];
     for name in names {
-        chosen.extend(
-            Effects::numbers(allowed[name], model).into_iter().filter(|i| !chosen.contains(i)).collect::<Vec<_>>(),
-        );
+        let numbers = Effects::numbers(allowed[name], model);
+        let new = numbers.into_iter().filter(|i| !chosen.iter().any(|(known, _)| known == i));
+        chosen.extend(new.map(|i| (i, allowed[name])).collect::<Vec<_>>());
     }
-    let set = Effects::numbered(model, chosen.iter().copied());
-    for (n, &i) in chosen.iter().enumerate() {
+    let set = Effects::numbered(model, chosen.iter().map(|(i, _)| *i));
+    // What an effect of parts needs, each of its parts needs: the report keeps it once.
+    let of_all = |named: &str, other: &'static str| {
+        let of = model.effects.iter().find(|effect| effect.name == other).and_then(|effect| effect.of);
+        of.filter(|_| model.effects.iter().any(|effect| effect.of == Some(named))).unwrap_or(other)
+    };
+    for (n, &(i, name)) in chosen.iter().enumerate() {
         let effect = &model.effects[i];
-        let name = effect.name;
-        let lacking: Vec<_> = effect.requires.iter().filter(|other| !set.has(other, model)).copied().collect();
+        let lacking = effect.requires.iter().filter(|other| !set.has(other, model));
+        let lacking: Vec<_> = lacking.map(|other| of_all(name, other)).collect();
         if !lacking.is_empty() {
             let message = format!("effect `{name}` needs {}", list(&lacking));
             let help = format!("add {}, or leave out `{name}`", list(&lacking));
             report.add(&node.place, message, "an effect is missing", help);
         }
-        for other in chosen[..n].iter().map(|j| &model.effects[*j]) {
-            if effect.excludes.contains(&other.name) || other.excludes.contains(&name) {
-                let message = format!("effects `{}` and `{name}` contradict each other", other.name);
-                let help = format!("leave out `{}` or `{name}`", other.name);
+        for (other, its) in chosen[..n].iter().map(|(j, its)| (&model.effects[*j], its)) {
+            if effect.excludes.contains(&other.name) || other.excludes.contains(&effect.name) {
+                let message = format!("effects `{its}` and `{name}` contradict each other");
+                let help = format!("leave out `{its}` or `{name}`");
                 report.add(&node.place, message, "not both", help);
             }
         }

@@ -74,20 +74,28 @@ pub(super) fn choice(path: &str, node: &Node, noun: &str, allowed: &[&str], repo
 
 /// Reads an array of distinct names and returns their indices in `allowed`; `noun` says in messages what a name stands for.
 pub(super) fn names(path: &str, node: &Node, noun: &str, allowed: &[&str], report: &mut Report) -> Option<Vec<usize>> {
+    names_or(path, node, noun, (allowed, &|name| choices(name, allowed)), report)
+}
+
+/// The same; `help` says what is allowed instead of an unknown name.
+pub(super) fn names_or(
+    path: &str,
+    node: &Node,
+    noun: &str,
+    (allowed, help): (&[&str], &dyn Fn(&str) -> String),
+    report: &mut Report,
+) -> Option<Vec<usize>> {
     let example = format!("{:?}", &allowed[..allowed.len().min(2)]);
     let items = array(path, node, &example, report)?;
     let mut chosen = Vec::new();
-    for item in items {
-        let Some(name) = text(path, item, report) else {
+    for (i, item) in items.iter().enumerate() {
+        let Some(name) = text(&format!("{path}.{i}"), item, report) else {
             continue;
         };
         match allowed.iter().position(|known| *known == name) {
-            None => report.add(
-                &item.place,
-                format!("there is no {noun} `{name}`"),
-                format!("unknown {noun}"),
-                choices(name, allowed),
-            ),
+            None => {
+                report.add(&item.place, format!("there is no {noun} `{name}`"), format!("unknown {noun}"), help(name))
+            }
             Some(index) if chosen.contains(&index) => {
                 report.add(&item.place, format!("`{name}` is named twice in `{path}`"), "again", "name it once");
             }

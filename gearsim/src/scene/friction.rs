@@ -2,11 +2,12 @@
 
 use super::document::{Entry, Node, Value};
 use super::keys::{Key, Kind, key};
-use super::mistake::Report;
+use super::mistake::{Home, Report, list};
 use super::teeth::TeethReader;
 use super::{field, keys, mesh_phase};
 use crate::model::{Law, Model};
 use crate::profile::Profile;
+use indexmap::{IndexMap, IndexSet};
 
 /// Key that names the law whose teeth are used.
 pub(super) const OF: &str = "teeth_of";
@@ -21,6 +22,27 @@ pub(super) fn example(law: &Law, model: &Model) -> String {
     let of_mesh = model.laws.iter().find(|other| other.with.is_none() && part(other) == part(law));
     let of_mesh = of_mesh.map_or("...", |law| law.name);
     format!("{OF} = \"{of_mesh}\"  # or its own teeth, or steps")
+}
+
+/// Reports the friction laws that do not follow from the tables of a train: their stiffnesses, at these homes, have no teeth.
+pub(super) fn without_teeth(lacking: Vec<(Home, &Law)>, report: &mut Report) {
+    let mut tables: IndexMap<String, (Home, IndexSet<&str>, Vec<&str>)> = IndexMap::new();
+    for (home, law) in lacking {
+        let table = tables.entry(home.title.clone()).or_insert_with(|| (home.clone(), IndexSet::new(), vec![]));
+        table.1.insert(home.key);
+        table.2.push(law.name);
+    }
+    for (title, (home, keys, laws)) in tables {
+        let keys: Vec<_> = keys.into_iter().collect();
+        let message = format!("{title} has friction, but no teeth in {}", list(&keys));
+        let law = format!("{} = {{ teeth = [..., ...], module = \"... mm\", face_width = \"... mm\" }}", keys[0]);
+        let stated = list(&laws[..laws.len().min(2)]);
+        let more = if laws.len() > 2 { ", and those of its other meshes" } else { "" };
+        let help = format!(
+            "friction follows from the teeth of a stiffness, for example\n{law}\nor state the laws {stated} in [laws]{more}"
+        );
+        report.add(&home.place, message, "teeth are needed", help);
+    }
 }
 
 /// Reads a law with `teeth_of`. `None` if it does not have this key, `Some(None)` if a mistake was found.

@@ -2,7 +2,7 @@
 
 use super::document::{Entry, Node, Value};
 use super::keys::{Key, Kind, Named, REQUIRED, each, key};
-use super::mistake::Report;
+use super::mistake::{Home, Report};
 use super::smooth::{self, SmoothLaw};
 use super::teeth::{self, TeethReader};
 use super::{Effects, damage, field, friction, keys, mesh_phase, transmission_error};
@@ -68,7 +68,13 @@ pub(super) fn read(
     let idle = |law: &Law| law.with.is_some_and(|effect| !effects.is_some_and(|effects| effects.has(effect, model)));
     let readers = model.laws.iter().map(|law| LawReader::new(law, model));
     let Some(node) = keys::get(entries, "laws") else {
-        let examples: Vec<_> = readers.filter(|reader| !idle(reader.law)).map(|reader| reader.table(model)).collect();
+        let needed = readers.filter(|reader| !idle(reader.law));
+        let home = |reader: &LawReader<'_>| report.stated.home(&format!("laws.{}", reader.law.name)).cloned();
+        let (of_parts, others): (Vec<_>, Vec<_>) =
+            needed.map(|reader| (home(&reader), reader)).partition(|(home, _)| home.is_some());
+        let of_parts = of_parts.into_iter().filter_map(|(home, reader)| Some((home?, reader.law)));
+        missing_in_parts(of_parts.collect(), report);
+        let examples: Vec<_> = others.iter().map(|(_, reader)| reader.table(model)).collect();
         if !examples.is_empty() {
             absent.push(("[laws]", examples.join("\n")));
         }
@@ -77,7 +83,7 @@ pub(super) fn read(
     let entries = field::table("laws", node, report)?;
     let names: Vec<_> = model.laws.iter().map(|law| law.name).collect();
     keys::names_known(entries, "[laws]", &names, report);
-    let mut lacking = Vec::new();
+    let (mut lacking, mut homes) = (Vec::new(), Vec::new());
     let mut laws = Vec::new();
     for reader in readers {
         match keys::get(entries, reader.law.name) {
@@ -85,11 +91,25 @@ pub(super) fn read(
             None if idle(reader.law) => {
                 laws.push(Some(Profile::stepping(vec![Step { value: 0.0, width: reader.law.period }])));
             }
-            None => lacking.push((reader.law.name, reader.table(model))),
+            None => match report.stated.home(&format!("laws.{}", reader.law.name)) {
+                Some(home) => homes.push((home.clone(), reader.law)),
+                None => lacking.push((reader.law.name, reader.table(model))),
+            },
         }
     }
+    missing_in_parts(homes, report);
     keys::missing(&lacking, "[laws]", &node.place, report);
     laws.into_iter().collect()
+}
+
+/// Reports the laws that tables of a train lack. The laws of friction follow from the teeth of a stiffness.
+fn missing_in_parts(lacking: Vec<(Home, &Law)>, report: &mut Report) {
+    let (friction, others): (Vec<_>, Vec<_>) = lacking.into_iter().partition(|(_, law)| law.role.is_friction());
+    friction::without_teeth(friction, report);
+    let line =
+        |key: &str, unit| format!("{key} = \"... {unit}\"  # or a law: {{ steps = [...] }}, {{ teeth = [...] }}");
+    let others = others.into_iter().map(|(home, law)| (home.clone(), line(home.key, law.unit)));
+    keys::missing_in_parts(others.collect(), report);
 }
 
 /// The gears of each law of the model that has keys of teeth. Mistakes in them are reported as the laws are read.

@@ -1,5 +1,7 @@
 //! Mistakes in a scene file, shown with the marked line: what is wrong, where, what is allowed, and what to do.
 
+mod stated;
+
 use std::fmt;
 use std::ops::Range;
 use std::sync::Arc;
@@ -10,6 +12,7 @@ use miette::{
 
 use super::document::Place;
 use crate::tolerance::scene::{QUOTED, SHOWN_MISTAKES};
+pub(crate) use stated::{Home, Stated};
 
 /// One mistake in a scene.
 #[derive(Debug, Clone, thiserror::Error, Diagnostic)]
@@ -114,16 +117,18 @@ pub(crate) struct Report {
     warnings: Vec<String>,
     /// Number of mistakes that were found, but are not kept.
     more: usize,
+    /// What messages call values that tables of a train state.
+    pub(super) stated: Stated,
 }
 
 impl Report {
     pub(crate) fn new() -> Report {
-        Report { sources: Vec::new(), mistakes: Vec::new(), warnings: Vec::new(), more: 0 }
+        Report { sources: Vec::new(), mistakes: Vec::new(), warnings: Vec::new(), more: 0, stated: Stated::default() }
     }
 
     /// Adds a warning: the scene is allowed, but a reader may have meant something else.
     pub(crate) fn warn(&mut self, warning: String) {
-        self.warnings.push(warning);
+        self.warnings.push(self.stated.renamed(warning));
     }
 
     pub(crate) fn into_warnings(self) -> Vec<String> {
@@ -141,7 +146,8 @@ impl Report {
         self.sources.get(place.source).and_then(|s| s.inner().get(place.span.clone())).unwrap_or_default()
     }
 
-    /// Adds a mistake: `message` says what is wrong, `label` is shown at the place, `help` says what to do.
+    /// Adds a mistake: `message` says what is wrong, `label` is shown at the place, `help` says what to do. A mistake that several parts
+    /// of a train share, the planets of a set for example, is kept once.
     pub(crate) fn add(
         &mut self,
         place: &Place,
@@ -149,6 +155,11 @@ impl Report {
         label: impl Into<String>,
         help: impl Into<String>,
     ) {
+        let (message, label) = (brief(&self.stated.renamed(message.into())), brief(&label.into()));
+        let again = |(at, known): &(Place, Mistake)| at == place && known.message == message && known.label == label;
+        if self.mistakes.iter().any(again) {
+            return;
+        }
         if self.mistakes.len() >= SHOWN_MISTAKES {
             self.more += 1;
             return;
@@ -160,13 +171,8 @@ impl Report {
             }
             None => (None, place.span.clone()),
         };
-        let mistake = Mistake {
-            message: brief(&message.into()),
-            label: brief(&label.into()),
-            help: brief(&help.into()),
-            span: Some(span.into()),
-            text,
-        };
+        let mistake =
+            Mistake { message, label, help: brief(&self.stated.explained(help.into())), span: Some(span.into()), text };
         self.mistakes.push((place.clone(), mistake));
     }
 

@@ -44,8 +44,12 @@ pub(super) fn read(
         p.default.is_none() && p.with.is_some_and(|effect| !effects.is_some_and(|effects| effects.has(effect, model)))
     };
     let needed = |p: &&Parameter| p.default.is_none() && !idle(p) && keys::get(given, p.name).is_none();
-    let lines = model.parameters.iter().filter(needed).map(|p| (p.name, example(p)));
-    let lines: Vec<_> = lines.collect();
+    let home = |p: &Parameter| report.stated.home(&format!("parameters.{}", p.name)).cloned();
+    let (of_parts, others): (Vec<_>, Vec<_>) =
+        model.parameters.iter().filter(needed).map(|p| (p, home(p))).partition(|(_, home)| home.is_some());
+    let lines: Vec<_> = others.into_iter().map(|(p, _)| (p.name, example(p.name, p))).collect();
+    let of_parts = of_parts.into_iter().filter_map(|(p, home)| Some((example(home.as_ref()?.key, p), home?)));
+    keys::missing_in_parts(of_parts.map(|(line, home)| (home, line)).collect(), report);
     match node {
         Some(node) => keys::missing(&lines, "[parameters]", &node.place, report),
         None if lines.is_empty() => {}
@@ -114,11 +118,12 @@ fn history(parameter: &Parameter, node: &Node, model: &Model, report: &mut Repor
     None
 }
 
-/// Example line for a missing parameter.
-fn example(parameter: &Parameter) -> String {
+/// Example line for a missing parameter, which is written at `key`.
+fn example(key: &str, parameter: &Parameter) -> String {
     match parameter.unit {
-        "1" => format!("{} = ...  # {}", parameter.name, parameter.doc),
-        unit => format!("{} = \"... {unit}\"  # {}", parameter.name, parameter.doc),
+        "1" if key == "teeth" => "teeth = [..., ...]  # numbers of teeth of both gears".into(),
+        "1" => format!("{key} = ...  # {}", parameter.doc),
+        unit => format!("{key} = \"... {unit}\"  # {}", parameter.doc),
     }
 }
 

@@ -76,6 +76,12 @@ impl<'a> PerRadius<'a> {
         let given = keys::get(entries, "value")?;
         keys::known(entries, &format!("`{path}`"), &[KEYS], report);
         let radius = keys::get(entries, "radius");
+        if radius.is_some() && fits(given, parameter.unit) {
+            let message = format!("`{path}.value` is in {}, and has a radius", parameter.unit);
+            let help = format!("leave out the radius, or give the value over its square, in {unit}");
+            report.add(&given.place, message, "over no radius", help);
+            return Some(None);
+        }
         let value = field::quantity(&format!("{path}.value"), given, unit, report);
         Some(value.map(|value| PerRadius { parameter, value, unit, radius, node: given }))
     }
@@ -95,8 +101,13 @@ impl<'a> PerRadius<'a> {
                 .radius(self.parameter, value)
                 .map_err(|lacks| {
                     let message = format!("`parameters.{name}` is given in {}, but {lacks}", self.unit);
+                    let key = match report.stated.key(&format!("parameters.{name}")) {
+                        Some(key) if key.starts_with("rotors.") => "inertia",
+                        Some(key) => key.rsplit('.').next().unwrap_or(key),
+                        None => "value",
+                    };
                     let help = format!(
-                        "name the radius: {{ value = \"{} {}\", radius = \"... mm\" }}; or give it in {}",
+                        "name the radius: {{ {key} = \"{} {}\", radius = \"... mm\" }}; or give it in {}",
                         self.value, self.unit, self.parameter.unit
                     );
                     report.add(&self.node.place, message, "of which radius?", help);

@@ -5,6 +5,7 @@ mod friction;
 mod gear_data;
 mod hostile;
 mod mistakes;
+mod parts;
 mod quantities;
 mod scenes;
 mod spectrum;

@@ -188,7 +188,7 @@ fn bearings_without_helical_gears_are_refused() {
         (PAIR.replace("helix_angle = \"25 deg\"\n", ""), "has a thrust bearing, but no helical gear"),
         (PAIR.replace("rotor = \"b\"\nmass", "rotor = \"a\"\nmass"), "has two thrust bearings"),
         (PAIR.replace("helix_angle = \"25 deg\"", "hand = \"left\""), "has a hand, but no helix angle"),
-        (PAIR.replace("mass = \"5 kg\"", ""), "lacks `ma_za`"),
+        (PAIR.replace("mass = \"5 kg\"", ""), "[thrust_bearings.za] lacks `mass`"),
     ] {
         let message = Scene::from_toml("axial", &text).expect_err(said).to_string();
         assert!(message.contains(said), "{message}\nwithout {said:?}");

@@ -22,7 +22,7 @@ fn each_mistake_is_reported_with_its_place() {
         (format!("{ROTORS}[shafts.s]\nbetween = [\"a\", \"x\"]\n"), "there is no rotor `x`"),
         (format!("{ROTORS}[shafts.s]\nbetween = [\"a\", \"a\"]\n"), "joins a rotor with itself"),
         (format!("{ROTORS}[shafts.s]\nbetween = [\"a\"]\n"), "must have two names, not 1"),
-        (format!("{ROTORS}[shafts.s]\nbetween = [\"a\", \"b\"]\n"), "lacks `k_s`"),
+        (format!("{ROTORS}[shafts.s]\nbetween = [\"a\", \"b\"]\n"), "[shafts.s] lacks `stiffness`"),
         (format!("{ROTORS}{shaft}stifness = 1\n"), "did you mean `stiffness`?"),
         (
             format!("{ROTORS}{shaft}[supports.s]\nrotor = \"c\"\nstiffness = \"1 N*m/rad\"\n"),

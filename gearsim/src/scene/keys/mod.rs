@@ -9,7 +9,8 @@ pub(crate) use reference::reference;
 pub(crate) use schema::schema;
 
 use super::document::{Entry, Node, Place};
-use super::mistake::{Report, did_you_mean, list};
+use super::mistake::{Home, Report, did_you_mean, list};
+use indexmap::IndexMap;
 
 /// The value of a key; `None` if the table does not have it.
 pub(super) fn get<'a>(entries: &'a [Entry], key: &str) -> Option<&'a Node> {
@@ -52,11 +53,37 @@ pub(super) fn missing(keys: &[(&str, String)], title: &str, place: &Place, repor
     report.add(place, message, "add here", format!("add\n{lines}"));
 }
 
+/// Reports keys that tables of parts lack: of each table once, whatever the number of values that follow from a key.
+pub(super) fn missing_in_parts(lacking: Vec<(Home, String)>, report: &mut Report) {
+    let mut tables: IndexMap<String, (Place, IndexMap<&str, String>)> = IndexMap::new();
+    for (Home { title, key, place }, line) in lacking {
+        tables.entry(title).or_insert_with(|| (place, IndexMap::new())).1.entry(key).or_insert(line);
+    }
+    for (title, (place, lines)) in tables {
+        missing(&lines.into_iter().collect::<Vec<_>>(), &title, &place, report);
+    }
+}
+
+/// The largest number of names that a message lists.
+const MANY: usize = 60;
+/// The number of names that it shows of more.
+const SHOWN: usize = 12;
+
 /// Help for an unknown name: the nearest allowed name, and all allowed names.
 pub(super) fn choices(word: &str, allowed: &[&str]) -> String {
     let all = match allowed {
         [] => "nothing is allowed here".to_string(),
         [only] => format!("allowed: `{only}`"),
+        // The rotors of a large train, for example: so many names are not read.
+        _ if allowed.len() > MANY => {
+            let some: Vec<_> = allowed[..SHOWN].iter().map(|name| format!("`{name}`")).collect();
+            format!(
+                "allowed: {} and {} more, of which `{}` is the last",
+                some.join(", "),
+                allowed.len() - SHOWN,
+                allowed[allowed.len() - 1]
+            )
+        }
         _ => format!("allowed: {}", list(allowed)),
     };
     match did_you_mean(word, allowed.iter().copied()) {

@@ -3,7 +3,7 @@
 use crate::generated::MODELS;
 use crate::scene::Scene;
 
-fn parse(text: &str, set: &[&str]) -> Result<Scene, String> {
+pub(super) fn parse(text: &str, set: &[&str]) -> Result<Scene, String> {
     let models: Vec<_> = MODELS.iter().map(|entry| entry.model).collect();
     let set: Vec<_> = set.iter().map(ToString::to_string).collect();
     Scene::parse("train", "train.toml", text, &set, &models).map_err(|mistakes| mistakes.render(240, false))
@@ -36,8 +36,8 @@ fn a_law_has_the_gears_of_its_mesh() {
         parse(&with(MODULE, LAW), &[]).unwrap();
         for (law, said) in [
             (LAW.replace("96", "90"), "has 90 teeth for a gear with N"),
-            (LAW.replace("3 mm", "4 mm"), "the base radius of the teeth of `laws.k"),
-            (format!("{LAW}, helix_angle = \"20 deg\""), "the base radius of the teeth of `laws.k"),
+            (LAW.replace("3 mm", "4 mm"), "the base radius of the teeth of `meshes."),
+            (format!("{LAW}, helix_angle = \"20 deg\""), "the base radius of the teeth of `meshes."),
         ] {
             let shown = refused(&with(MODULE, &law), &[]);
             assert!(shown.contains(said), "{mesh} {law}: {shown}");
@@ -84,7 +84,7 @@ fn a_law_is_of_a_ring_where_its_mesh_is() {
 }
 
 /// A planet set with 27 and 99 teeth, with its places and its laws.
-fn planets(places: &str, sun: &str, ring: &str) -> String {
+pub(super) fn planets(places: &str, sun: &str, ring: &str) -> String {
     format!(
         "model = \"train\"\neffects = [\"stiffness_step\", \"damping\"]\n[rotors]\ns = \"2e-3 kg*m^2\"\nc = \"5e-2 kg*m^2\"\n\
          [planets.p]\nsun = \"s\"\nring = \"ground\"\ncarrier = \"c\"\nteeth = [27, 99]\nmodule = \"2 mm\"\n{places}\n\

@@ -41,7 +41,7 @@ impl Reader<'_> {
             return self.report.add(item.place, message, "a second one", help);
         }
         for (quantity, key) in [("ma", "mass"), ("ka", "stiffness"), ("ca", "damping")] {
-            self.value(named(quantity, item.name), item.get(key));
+            self.stated(named(quantity, item.name), item, key);
         }
         let (name, z) = (named("z", &self.draft.rotors[rotor].name), self.draft.rotors.len());
         self.draft.rotors.push(Rotor { name: name.clone(), of: None, along: Some(rotor) });

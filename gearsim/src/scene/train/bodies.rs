@@ -62,7 +62,12 @@ const BEARING: &[Key] = &[
 pub(super) const CLUTCHES: &[Named] = &[each("NAME", Kind::Table(&[CLUTCH]), "none", "an overrunning clutch")];
 const CLUTCH: &[Key] = &[
     key("between", TWO_ROTORS, REQUIRED, "the rotors that it joins; the first drives the second"),
-    key("capacity", TORQUE, ELSEWHERE, "largest torque that it transmits; beyond it slips"),
+    key(
+        "capacity",
+        TORQUE,
+        ELSEWHERE,
+        "largest torque that it transmits, with the effect overrunning_clutch; beyond it slips",
+    ),
     key("drag", TORQUE, "0 N*m", "friction torque while it overruns"),
 ];
 /// A torque, or its values over time.
@@ -111,8 +116,8 @@ impl Reader<'_> {
     }
 
     /// A value that may be one over the square of the `radius` of an item.
-    pub(super) fn per_radius(&mut self, parameter: String, item: &Item<'_>, key: &str) {
-        let Some(node) = item.get(key) else { return };
+    pub(super) fn per_radius(&mut self, parameter: String, item: &Item<'_>, key: &'static str) {
+        let Some(node) = item.get(key) else { return self.lacking(format!("parameters.{parameter}"), item, key) };
         let Some(radius) = item.get("radius") else { return self.value(parameter, Some(node)) };
         let entry = |key: &str, node: &Node| Entry { key: key.into(), place: node.place.clone(), node: node.clone() };
         let value = Value::Table(vec![entry("value", node), entry("radius", radius)]);
@@ -134,7 +139,7 @@ impl Reader<'_> {
         }
         if friction.is_some() {
             self.value(named("Tc", item.name), friction);
-            self.value(named("rise", item.name), item.get("breakaway"));
+            self.stated(named("rise", item.name), item, "breakaway");
             self.part(item, "element_dry_friction", String::new(), vec![row]);
         }
     }
@@ -157,8 +162,8 @@ impl Reader<'_> {
         self.known(item, CLUTCH);
         let Some(ends) = self.between(item, true) else { return };
         self.join(item, ends, false);
-        self.value(named("Tmax", item.name), item.get("capacity"));
-        self.value(named("Tdrag", item.name), item.get("drag"));
+        self.stated(named("Tmax", item.name), item, "capacity");
+        self.stated(named("Tdrag", item.name), item, "drag");
         self.part(item, "element_clutch", String::new(), vec![difference(ends)]);
     }
 }

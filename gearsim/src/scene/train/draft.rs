@@ -2,6 +2,7 @@
 
 use crate::model::GearData;
 use crate::scene::document::{Node, Place};
+use crate::scene::mistake::Home;
 
 /// A product of powers of parameters, by their names.
 #[derive(Debug, Clone, PartialEq)]
@@ -141,6 +142,8 @@ pub(super) struct Draft {
     pub fixed: Vec<(String, String)>,
     /// Values that stand in the tables: parameter, and what is written.
     pub values: Vec<(String, Node)>,
+    /// Values that no table states: `parameters.NAME` or `laws.NAME`, and the table to which it belongs.
+    pub homes: Vec<(String, Home)>,
     /// Laws that stand in the tables.
     pub laws: Vec<(String, Node)>,
     /// Laws that hold if the scene does not state them in `[laws]`.

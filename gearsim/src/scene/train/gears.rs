@@ -26,7 +26,7 @@ const MESH: &[Key] = &[
         "in [laws]",
         "mesh stiffness: a constant, or a law",
     ),
-    key("error", LAW, "in [laws]", "transmission error, with its effect: a constant, or a law"),
+    key("error", LAW, "in [laws]", "transmission error, with the effect transmission_error: a constant, or a law"),
     key("backlash", Kind::Quantity("m"), ELSEWHERE, "play along the line of action, with the effect backlash"),
     key(
         "damping",
@@ -65,11 +65,10 @@ impl Reader<'_> {
         if item.get("stiffness").is_some_and(is_rigid) {
             return self.rigid(item, ends, teeth);
         }
-        let law = |name: &str, key: &str| item.get(key).map(|node| (named(name, item.name), node.clone()));
-        let laws = [law("k", "stiffness"), law("e", "error")];
-        self.draft.laws.extend(laws.into_iter().flatten());
-        self.value(named("b", item.name), item.get("backlash"));
-        self.friction(item, item.name, item.get("stiffness"));
+        let law = |name, key| (name, key, item.get(key).cloned());
+        self.laws(item, item.name, [law("k", "stiffness"), law("e", "error")]);
+        self.stated(named("b", item.name), item, "backlash");
+        self.friction(item, item.name, "stiffness", item.get("stiffness"));
         let gears = [0, 1].map(|i| Gear { rotor: ends[i], carrier: None, teeth: teeth[i].clone(), sense: 1.0 });
         let first = ends[0].map_or(GROUND, |i| &self.draft.rotors[i].name);
         let radius = named("r", if teeth[0] == named("N", first) { first } else { item.name });
@@ -78,19 +77,25 @@ impl Reader<'_> {
         let angle = self.transverse_angle(item);
         self.value(named("alpha", item.name), angle.as_ref());
         self.geared(item.name.to_string(), item, gears, radius, internal);
-        self.value(named("c", item.name), item.get("damping"));
+        self.stated(named("c", item.name), item, "damping");
         self.helix(item, 1.0, internal);
         self.radius(item, &teeth[0]);
     }
 
     /// The friction of the flanks of the mesh `name`. Its laws are those of the teeth of the stiffness, if that has teeth.
-    pub(super) fn friction(&mut self, item: &Item<'_>, name: &str, stiffness: Option<&Node>) {
-        let Some(node) = item.get("friction") else { return };
-        self.value(named("mu", name), Some(node));
-        let Some(Node { value: Value::Table(law), place }) = stiffness else { return };
-        if keys::get(law, "teeth").is_none() {
+    pub(super) fn friction(&mut self, item: &Item<'_>, name: &str, key: &'static str, stiffness: Option<&Node>) {
+        self.stated(named("mu", name), item, "friction");
+        if item.get("friction").is_none() {
             return;
         }
+        let teeth =
+            stiffness.filter(|node| matches!(&node.value, Value::Table(law) if keys::get(law, "teeth").is_some()));
+        let Some(Node { place, .. }) = teeth else {
+            for quantity in ["side", "arm"] {
+                self.lacking(format!("laws.{}", named(quantity, name)), item, key);
+            }
+            return;
+        };
         let table = || {
             let of = Node { value: Value::Text(named("k", name)), place: place.clone() };
             let entry = Entry { key: friction::OF.into(), place: place.clone(), node: of };
@@ -135,7 +140,10 @@ impl Reader<'_> {
                 });
             }
             if !self.draft.values.iter().any(|value| value.0 == *name) {
-                self.value(name.clone(), given.map(|given| given[i]));
+                match given {
+                    Some(given) => self.value(name.clone(), Some(given[i])),
+                    None => self.lacking(format!("parameters.{name}"), item, "teeth"),
+                }
             }
         }
         Some(names)

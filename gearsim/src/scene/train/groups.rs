@@ -114,6 +114,7 @@ impl Reader<'_> {
                     self.value(radius, Some(&Node { value, place: node.place }));
                 }
             }
+            (None, None) if leads => self.lacking(format!("parameters.{radius}"), item, "base_radius"),
             (None, None) => {}
         }
     }

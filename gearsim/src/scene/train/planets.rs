@@ -33,7 +33,7 @@ const SET: &[Key] = &[
         "sun_error",
         LAW,
         "in [laws]",
-        "transmission error of the meshes with the sun, with its effect; phases as those of stiffnesses",
+        "transmission error of the meshes with the sun, with the effect transmission_error; phases as those of stiffnesses",
     ),
     key("ring_error", LAW, "in [laws]", "that of the meshes with the ring; likewise"),
     key("backlash", Kind::Quantity("m"), ELSEWHERE, "play of all meshes, with the effect backlash"),
@@ -117,11 +117,10 @@ impl Reader<'_> {
                     Some(shifted(&stated, with, place, &self.draft.values, &names))
                 };
                 let [stiffness, error] = keys.map(law);
-                self.friction(item, &name, stiffness.as_ref());
-                let laws = [("k", stiffness), ("e", error)].map(|(of, law)| Some((named(of, &name), law?)));
-                self.draft.laws.extend(laws.into_iter().flatten());
-                self.value(named("b", &name), item.get("backlash"));
-                self.value(named("c", &name), item.get("damping"));
+                self.friction(item, &name, keys[0], stiffness.as_ref());
+                self.laws(item, &name, [("k", keys[0], stiffness), ("e", keys[1], error)]);
+                self.stated(named("b", &name), item, "backlash");
+                self.stated(named("c", &name), item, "damping");
                 let doc = format!("base radius of the sun of {set}");
                 let radius = Geometry { name: r_s.clone(), unit: "m", gear_data: Some(GearData::BaseRadius), doc };
                 self.geared(name, item, gears, radius, with == "r");
@@ -132,7 +131,7 @@ impl Reader<'_> {
         self.draft.planet_sets.push(PlanetSet { name: set.to_owned(), sun, ring, carrier, planets });
         self.radius_of_sun(item, z_s, r_s);
         let Some(carrier) = carrier else { return };
-        self.value(named("mp", set), item.get("mass"));
+        self.stated(named("mp", set), item, "mass");
         self.value(
             named("np", set),
             Some(&Node { value: Value::Number(places.len() as f64), place: item.place.clone() }),
@@ -171,7 +170,7 @@ impl Reader<'_> {
         let (rotor, name) = (self.draft.rotors.len(), format!("{}_{i}", item.name));
         let inertia = named("Ip", item.name);
         if i == 1 {
-            self.value(inertia.clone(), item.get("inertia"));
+            self.stated(inertia.clone(), item, "inertia");
         }
         let (rows, place) = (vec![vec![Term::new(rotor, 1.0, &[])]], item.place.clone());
         self.draft.rotors.push(Rotor { name: name.clone(), of: None, along: None });
@@ -253,7 +252,9 @@ impl Reader<'_> {
             }
             return self.value(r_s.into(), Some(node));
         }
-        let Some(node) = item.get("module") else { return };
+        let Some(node) = item.get("module") else {
+            return self.lacking(format!("parameters.{r_s}"), item, "base_radius");
+        };
         if let Some(radius) = self.radius_by_module(item, node, z_s) {
             let value = Value::Text(format!("{radius} m"));
             self.value(r_s.into(), Some(&Node { value, place: node.place.clone() }));

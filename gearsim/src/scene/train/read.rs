@@ -1,10 +1,10 @@
 //! Reads the tables of a train.
 
 use super::KEYS;
-use super::draft::{Draft, DraftPart, Joint, Terms};
-use crate::scene::document::{Entry, Node, Place};
+use super::draft::{Draft, DraftPart, Joint, Terms, named};
+use crate::scene::document::{Entry, Node, Place, Value};
 use crate::scene::keys::Key;
-use crate::scene::mistake::Report;
+use crate::scene::mistake::{Home, Report};
 use crate::scene::{field, keys};
 use crate::tolerance::scene::ROTORS;
 
@@ -22,7 +22,22 @@ pub(super) fn draft(entries: &[Entry], root: &Place, report: &mut Report) -> Opt
     let mut reader = Reader { draft: Draft::default(), report };
     for table in keys::names(&[KEYS]) {
         let Some(node) = keys::get(entries, table) else { continue };
-        let Some(items) = field::table(table, node, reader.report) else { continue };
+        if matches!(node.value, Value::Array(_)) {
+            let help = format!("each part has a table of its own, under its name: [{table}.NAME]");
+            let message = format!("`{table}` must be a table of named parts, not an array");
+            reader.report.add(&node.place, message, "parts without names", help);
+        }
+        let items = match &node.value {
+            Value::Array(_) => None,
+            _ => field::table(table, node, reader.report),
+        };
+        let Some(items) = items else {
+            match table {
+                // No part could name a rotor.
+                "rotors" => return None,
+                _ => continue,
+            }
+        };
         let mut items: Vec<&Entry> = items.iter().collect();
         // In the order of the text: a table of TOML has none of its own.
         items.sort_by_key(|item| (item.place.source, item.place.span.start));
@@ -128,6 +143,30 @@ impl Reader<'_> {
     /// A value that is a parameter: it is read with `[parameters]`.
     pub fn value(&mut self, parameter: String, node: Option<&Node>) {
         self.draft.values.extend(node.map(|node| (parameter, node.clone())));
+    }
+
+    /// The value of a key of an item, which is a parameter.
+    pub fn stated(&mut self, parameter: String, item: &Item<'_>, key: &'static str) {
+        match item.get(key) {
+            Some(node) => self.value(parameter, Some(node)),
+            None => self.lacking(format!("parameters.{parameter}"), item, key),
+        }
+    }
+
+    /// Notes where a value that is not stated belongs.
+    pub fn lacking(&mut self, name: String, item: &Item<'_>, key: &'static str) {
+        self.draft.homes.push((name, Home { title: item.title(), key, place: item.place.clone() }));
+    }
+
+    /// The laws of an item: the names of their quantities, the keys, and what is stated.
+    pub fn laws(&mut self, item: &Item<'_>, mesh: &str, laws: [(&str, &'static str, Option<Node>); 2]) {
+        for (quantity, key, stated) in laws {
+            let name = named(quantity, mesh);
+            match stated {
+                Some(node) => self.draft.laws.push((name, node)),
+                None => self.lacking(format!("laws.{name}"), item, key),
+            }
+        }
     }
 
     /// The rotor that a key names; `Some(None)` for the ground, if that is allowed.

@@ -29,12 +29,13 @@ impl Reader<'_> {
                 let path = item.path(kind.key.name);
                 let Some(entries) = field::table(&path, node, self.report) else { return };
                 keys::known(entries, &format!("`{path}`"), &[known], self.report);
+                let of_kind = Item { table: item.table, name: item.name, entries, place: &node.place };
                 for (key, parameter) in known.iter().zip(kind.parameters) {
-                    self.value(named(parameter, item.name), keys::get(entries, key.name));
+                    self.stated(named(parameter, item.name), &of_kind, key.name);
                 }
             }
             (Kind::Table(_), None) => {}
-            _ => self.value(named(kind.parameters[0], item.name), node),
+            _ => self.stated(named(kind.parameters[0], item.name), item, kind.key.name),
         }
         self.part(item, kind.element, String::new(), vec![vec![Term::new(rotor, 1.0, &[])]]);
     }
@@ -75,20 +76,34 @@ const TORQUE: Key = key(
 );
 const SPEED: Kind = Kind::Quantity("rad/s");
 
-const GOVERNOR: Key = key("governor", Kind::Table(&[OF_GOVERNOR]), "none", "torque gain (set_point - speed)");
+const GOVERNOR: Key = key(
+    "governor",
+    Kind::Table(&[OF_GOVERNOR]),
+    "none",
+    "torque gain (set_point - speed), with the effect speed_governor",
+);
 const OF_GOVERNOR: &[Key] = &[
     key("gain", Kind::Quantity("N*m*s/rad"), ELSEWHERE, "torque per difference of speeds"),
     key("set_point", Kind::Either(&[SPEED, HISTORY]), ELSEWHERE, "the speed that it seeks"),
 ];
 
-const DC_MOTOR: Key = key("dc_motor", Kind::Table(&[OF_DC_MOTOR]), "none", "torque that falls linearly with the speed");
+const DC_MOTOR: Key = key(
+    "dc_motor",
+    Kind::Table(&[OF_DC_MOTOR]),
+    "none",
+    "torque that falls linearly with the speed, with the effect dc_motor",
+);
 const OF_DC_MOTOR: &[Key] = &[
     key("stall_torque", Kind::Quantity("N*m"), ELSEWHERE, "torque at rest"),
     key("no_load_speed", SPEED, ELSEWHERE, "speed without torque"),
 ];
 
-const INDUCTION_MOTOR: Key =
-    key("induction_motor", Kind::Table(&[OF_INDUCTION_MOTOR]), "none", "torque by Kloss's formula");
+const INDUCTION_MOTOR: Key = key(
+    "induction_motor",
+    Kind::Table(&[OF_INDUCTION_MOTOR]),
+    "none",
+    "torque by Kloss's formula, with the effect induction_motor",
+);
 const OF_INDUCTION_MOTOR: &[Key] = &[
     key("breakdown_torque", Kind::Either(&[Kind::Quantity("N*m"), HISTORY]), ELSEWHERE, "largest torque"),
     key("breakdown_slip", Kind::Number, ELSEWHERE, "slip at the largest torque"),
@@ -99,7 +114,7 @@ const TRACTION_MOTOR: Key = key(
     "traction_motor",
     Kind::Table(&[OF_TRACTION_MOTOR]),
     "none",
-    "peak torque up to the base speed, constant power above it",
+    "peak torque up to the base speed, constant power above it, with the effect traction_motor",
 );
 const OF_TRACTION_MOTOR: &[Key] = &[
     key("peak_torque", Kind::Quantity("N*m"), ELSEWHERE, "torque up to the base speed"),
@@ -113,7 +128,12 @@ const OF_TRACTION_MOTOR: &[Key] = &[
     key("rounding", Kind::Number, "0.01", "of the corner at the base speed, relative to that speed"),
 ];
 
-const FAN: Key = key("fan", Kind::Table(&[OF_FAN]), "none", "torque that grows with the square of the speed");
+const FAN: Key = key(
+    "fan",
+    Kind::Table(&[OF_FAN]),
+    "none",
+    "torque that grows with the square of the speed, with the effect fan_load",
+);
 const OF_FAN: &[Key] = &[
     key(
         "coefficient",

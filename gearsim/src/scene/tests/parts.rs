@@ -1,0 +1,82 @@
+//! Messages about the parts of trains: they name the keys of tables, each mistake once, and what is allowed.
+
+use super::trains::{parse, planets};
+
+fn rendered(text: &str, set: &[&str]) -> String {
+    parse(text, set).expect_err(text)
+}
+
+/// Three rotors with a shaft, and what else is stated.
+fn shafts(effects: &str, more: &str) -> String {
+    format!(
+        "model = \"train\"\neffects = {effects}\n[rotors]\na = \"1 kg*m^2\"\nb = \"2 kg*m^2\"\n[shafts.s]\nbetween = [\"a\", \"b\"]\n{more}\n\
+         [run]\nt_end = \"1 ms\"\n"
+    )
+}
+
+const STIFF: &str = "stiffness = \"1 kN*m/rad\"\n";
+
+/// Every planet has the values of its set: a mistake in them is one mistake.
+#[test]
+fn a_mistake_in_a_planet_set_is_reported_once() {
+    let set = planets("count = 3", "\"400 MN/m\"", "\"400 MN/m\"");
+    let law = "{ steps = [{ value = \"300 MN/m\", width = \"2 rad\" }, { value = \"-5 MN/m\" }] }";
+    for (setting, said) in [
+        ("backlash=-1 um", "`planets.p.backlash` must be positive"),
+        ("friction=-1", "`planets.p.friction` must not be negative"),
+        ("damping=3", "`planets.p.damping` is a linear damping: give a unit"),
+        ("sun_stiffness=400 kg", "`planets.p.sun_stiffness` is a linear stiffness, but"),
+        (&format!("ring_stiffness={law}"), "`planets.p.ring_stiffness.steps.1.value` must not be negative"),
+        ("sun_stiffness={ teeth = [27, 36], module = \"2 mm\" }", "[planets.p.sun_stiffness] lacks `face_width`"),
+        ("sun_stiffness={ step = 1 }", "[planets.p.sun_stiffness] has no `step`"),
+    ] {
+        let shown = rendered(&set, &[&format!("planets.p.{setting}")]);
+        assert_eq!(shown.matches(said.split(':').next().unwrap()).count(), 1, "{setting}: {said}\n{shown}");
+        assert!(!shown.contains("_p_s2") && !shown.contains("_p_r2"), "{shown}");
+    }
+    let effect = "effects=[\"damping\", \"sliding_friction\"]";
+    let shown = rendered(&set, &["planets.p.friction=0.1", effect]);
+    assert_eq!(shown.matches("effect `sliding_friction` needs `stiffness_step`").count(), 1, "{shown}");
+}
+
+#[test]
+fn what_a_table_lacks_is_added_to_it() {
+    let set = planets("count = 3", "\"400 MN/m\"", "\"400 MN/m\"");
+    let shown = rendered(&set, &["effects=[\"stiffness_step\", \"damping\", \"backlash\"]"]);
+    assert_eq!(shown.matches("lacks").count(), 1, "{shown}");
+    assert!(shown.contains("[planets.p] lacks `backlash`") && shown.contains("backlash = \"... m\""), "{shown}");
+    let shown = rendered(&set.replace("sun_stiffness = \"400 MN/m\"\n", ""), &[]);
+    assert_eq!(shown.matches("[planets.p] lacks `sun_stiffness`").count(), 1, "{shown}");
+    let friction = ["planets.p.friction=0.1", "effects=[\"stiffness_step\", \"sliding_friction\"]"];
+    let shown = rendered(&set, &friction);
+    assert_eq!(
+        shown.matches("[planets.p] has friction, but no teeth in `sun_stiffness` and `ring_stiffness`").count(),
+        1,
+        "{shown}"
+    );
+    let mesh = "model = \"train\"\neffects = []\n[rotors]\na = \"1 kg*m^2\"\nb = \"1 kg*m^2\"\n[meshes.m]\nbetween = [\"a\", \"b\"]\n";
+    let shown = rendered(mesh, &[]);
+    assert!(shown.contains("[meshes.m] lacks `teeth` and `base_radius`"), "{shown}");
+    let drive = "[drives.m]\nrotor = \"a\"\ndc_motor = { stall_torque = \"1 N*m\" }\n";
+    let shown = rendered(&shafts("[\"dc_motor\"]", drive), &[]);
+    assert!(shown.contains("[shafts.s] lacks `stiffness`") && shown.contains("lacks `no_load_speed`"), "{shown}");
+}
+
+/// A value that a program or the command line sets by the name of its parameter keeps this name.
+#[test]
+fn messages_name_the_key_that_was_written() {
+    let text = shafts("[]", STIFF);
+    assert!(rendered(&text, &["shafts.s.stiffness=-1 N*m/rad"]).contains("`shafts.s.stiffness` must"));
+    assert!(rendered(&text, &["parameters.k_s=-1 N*m/rad"]).contains("`parameters.k_s` must"));
+    let radius =
+        |inertia: &str| rendered(&text, &[&format!("rotors.a={{ inertia = \"{inertia}\", radius = \"-1 m\" }}")]);
+    assert!(radius("1 kg").contains("`rotors.a.radius` must be positive"));
+    assert!(radius("1 kg*m^2").contains("`rotors.a.inertia` is in kg*m^2, and has a radius"));
+    assert!(rendered(&text, &["rotors.a=1 kg"]).contains("{ inertia = \"1 kg\", radius ="));
+    assert!(rendered(&text, &["parameters.k=1"]).contains("allowed: `I_a`"));
+    assert!(rendered(&text, &["effects=[1]"]).contains("`effects.0` must be text"));
+    assert!(rendered(&text, &["shaft.s=1"]).contains("did you mean `shafts`?"));
+    assert!(!rendered(&text, &["rotors=[1]"]).contains("there is no rotor"));
+    assert!(rendered(&text, &["rotors.a=1"]).contains("`rotors.a` is a moment of inertia: give a unit"));
+    assert!(rendered(&text, &["shafts.s.stiffness=1"]).contains("write for example \"1 N*m/rad\""));
+}
