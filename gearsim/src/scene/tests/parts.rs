@@ -80,3 +80,17 @@ fn messages_name_the_key_that_was_written() {
     assert!(rendered(&text, &["rotors.a=1"]).contains("`rotors.a` is a moment of inertia: give a unit"));
     assert!(rendered(&text, &["shafts.s.stiffness=1"]).contains("write for example \"1 N*m/rad\""));
 }
+
+#[test]
+fn rigid_shafts_are_refused_with_what_is_allowed() {
+    for how in ["rigid = true", "stiffness = \"rigid\"", "stiffness = inf", "stiffness = \"inf N*m/rad\""] {
+        let shown = rendered(&shafts("[]", how), &[]);
+        assert_eq!(shown.matches('×').count(), 1, "{shown}");
+        assert!(shown.contains("[shafts.s] is stated to be rigid") && shown.contains("train.toml:8"), "{shown}");
+    }
+    let support = "[supports.g]\nrotor = \"b\"\nstiffness = \"rigid\"";
+    insta::assert_snapshot!(rendered(&shafts("[]", &format!("stiffness = \"rigid\"\n{support}")), &[]));
+    let listed =
+        "model = \"train\"\neffects = []\nshafts = [{ between = [\"a\", \"b\"] }]\n[rotors]\na = \"1 kg*m^2\"\n";
+    assert!(rendered(listed, &[]).contains("under its name: [shafts.NAME]"));
+}

@@ -93,20 +93,26 @@ impl Reader<'_> {
     }
 
     pub(super) fn shaft(&mut self, item: &Item<'_>) {
-        self.known(item, SHAFT);
+        self.known_but_rigid(item, SHAFT);
         let Some(ends) = self.between(item, true) else { return };
         self.join(item, ends, false);
         self.spring(item, "element_shaft", ends);
     }
 
     pub(super) fn support(&mut self, item: &Item<'_>) {
-        self.known(item, SUPPORT);
+        self.known_but_rigid(item, SUPPORT);
         let Some(rotor) = self.rotor_of(item) else { return };
         self.spring(item, "element_support", [Some(rotor), None]);
     }
 
     pub(super) fn spring(&mut self, item: &Item<'_>, element: &'static str, ends: [Option<usize>; 2]) {
-        self.per_radius(named("k", item.name), item, "stiffness");
+        if self.not_elastic(item, ends) {
+            // Further mistakes in the part are found.
+            let value = Value::Text("1 N*m/rad".into());
+            self.value(named("k", item.name), Some(&Node { value, place: item.place.clone() }));
+        } else {
+            self.per_radius(named("k", item.name), item, "stiffness");
+        }
         self.part(item, element, named("psi", item.name), vec![difference(ends)]);
         if let Some(part) = self.draft.parts.last_mut() {
             part.driving.extend(ends[0].map(|rotor| Term::new(rotor, 1.0, &[])));

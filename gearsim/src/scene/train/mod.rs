@@ -22,6 +22,7 @@ mod planets;
 mod radii;
 mod read;
 mod relative;
+mod rigid;
 mod senses;
 mod tables;
 mod text;
