@@ -8,7 +8,7 @@ use indexmap::IndexSet;
 use super::Effects;
 use super::document::Node;
 use super::mistake::{Report, list};
-use super::field;
+use super::{field, unknown_effect};
 use crate::model::{Effect, Law, Model, Torque};
 
 impl Effects {
@@ -136,7 +136,7 @@ pub fn allowed(model: &Model) -> Vec<&'static str> {
 pub(super) fn read(node: &Node, model: &Model, report: &mut Report) -> Option<Effects> {
     let allowed = allowed(model);
     let names =
-        field::names("effects", node, "effect", &allowed, report)?;
+        field::names_or("effects", node, "effect", (&allowed, &|name| unknown_effect::help(name, model)), report)?;
     // Each effect with the name by which the scene has it: that of all parts, or its own.
     let mut chosen: Vec<(usize, &str)> = vec![];
     for name in names {

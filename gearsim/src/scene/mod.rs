@@ -65,6 +65,7 @@ pub mod time_history;
 mod train;
 mod transmission_error;
 pub(crate) mod unit;
+mod unknown_effect;
 
 pub use crate::gear::{Contact, GearError, Gears, Material};
 pub use crate::profile::{Curve, Profile, Step};

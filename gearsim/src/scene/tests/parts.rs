@@ -94,3 +94,30 @@ fn rigid_shafts_are_refused_with_what_is_allowed() {
         "model = \"train\"\neffects = []\nshafts = [{ between = [\"a\", \"b\"] }]\n[rotors]\na = \"1 kg*m^2\"\n";
     assert!(rendered(listed, &[]).contains("under its name: [shafts.NAME]"));
 }
+
+/// 40 rotors in a row, with 39 shafts, and backlash at 12 meshes between pairs of them.
+fn large(effects: &str) -> String {
+    let mut text = format!("model = \"train\"\neffects = {effects}\n[rotors]\n");
+    (0..40).for_each(|i| text += &format!("r{i} = \"1 kg*m^2\"\n"));
+    for i in 0..39 {
+        text += &match i % 3 {
+            0 if i < 36 => format!(
+                "[meshes.m{i}]\nbetween = [\"r{i}\", \"r{}\"]\nteeth = [20, 40]\nbase_radius = \"1 cm\"\nstiffness = \"1 MN/m\"\n",
+                i + 1
+            ),
+            _ => format!("[shafts.s{i}]\nbetween = [\"r{i}\", \"r{}\"]\n{STIFF}", i + 1),
+        };
+    }
+    text
+}
+
+#[test]
+fn an_unknown_effect_of_a_large_train_is_answered_in_few_lines() {
+    insta::assert_snapshot!(rendered(&large("[\"baklash\"]"), &[]));
+    let shown = rendered(&large("[\"viscous_friction\"]"), &[]);
+    assert!(shown.contains("no part of this train has it: state `shafts.NAME.damping` or"), "{shown}");
+    let shown = rendered(&large("[\"\"]"), &[]);
+    assert!(shown.contains("allowed: `damping`"), "{shown}");
+    let shown = rendered(&large("[]").replace("\"r1\", \"r2\"", "\"r1\", \"x\""), &[]);
+    assert!(shown.contains("there is no rotor `x`") && shown.len() < 1500, "{shown}");
+}

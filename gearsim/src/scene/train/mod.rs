@@ -87,6 +87,30 @@ pub(super) const KEYS: &[Key] = &[
     key("loads", Kind::Named(torques::LOADS), "none", "loads"),
 ];
 
+/// The keys that a part needs for an effect, by what they say of it: `shafts.NAME.damping`.
+pub(super) fn keys_of(effect: &str) -> Vec<String> {
+    fn walk(path: &str, kind: Kind, said: &str, found: &mut Vec<String>) {
+        match kind {
+            Kind::Table(lists) => {
+                for key in lists.iter().flat_map(|keys| keys.iter()) {
+                    let path = format!("{path}.{}", key.name);
+                    match key.doc.split_once(said) {
+                        Some((_, rest)) if !rest.starts_with(|c: char| c.is_alphanumeric() || c == '_') => {
+                            found.push(path)
+                        }
+                        _ => walk(&path, key.kind, said, found),
+                    }
+                }
+            }
+            Kind::Named(all) => all.iter().for_each(|named| walk(&format!("{path}.NAME"), named.kind, said, found)),
+            _ => {}
+        }
+    }
+    let mut found = vec![];
+    KEYS.iter().for_each(|key| walk(key.name, key.kind, &format!("the effect {effect}"), &mut found));
+    found
+}
+
 /// The default of a value that may be stated in `[parameters]` instead, by the name that `gearsim models SCENE` shows.
 const ELSEWHERE: &str = "in [parameters]";
 /// A rotor, as the value of a key.
