@@ -38,6 +38,7 @@ mod effects;
 mod field;
 mod friction;
 mod gear_data;
+mod inert;
 mod key_unit;
 mod keys;
 mod laws;

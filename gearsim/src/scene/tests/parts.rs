@@ -121,3 +121,34 @@ fn an_unknown_effect_of_a_large_train_is_answered_in_few_lines() {
     let shown = rendered(&large("[]").replace("\"r1\", \"r2\"", "\"r1\", \"x\""), &[]);
     assert!(shown.contains("there is no rotor `x`") && shown.len() < 1500, "{shown}");
 }
+
+/// What is described without its effect would be absent without a word.
+#[test]
+fn torques_without_their_effect_are_named_in_a_warning() {
+    let warned = |effects: &str, more: &str| parse(&shafts(effects, &format!("{STIFF}{more}")), &[]).unwrap().warnings;
+    let motor = "[drives.m]\nrotor = \"a\"\ndc_motor = { stall_torque = \"1 N*m\", no_load_speed = \"100 rpm\" }\n";
+    let said = "`drives.m.dc_motor.stall_torque` and `drives.m.dc_motor.no_load_speed` do nothing without the effect `dc_motor`: add it to \
+                `effects`, or leave them out";
+    assert_eq!(warned("[]", motor), [said]);
+    let clutch = "[clutches.c]\nbetween = [\"a\", \"b\"]\n";
+    assert_eq!(
+        warned("[]", clutch),
+        ["[clutches.c] does nothing without the effect `overrunning_clutch`: add it to `effects`, or leave it out"]
+    );
+    assert_eq!(warned("[\"dc_motor\"]", motor), [""; 0]);
+    let loads = "[loads.f]\nrotor = \"b\"\nfan = { coefficient = \"1 N*m*s^2/rad^2\" }\n[loads.t]\nrotor = \"b\"\ntorque = \"1 N*m\"\n\
+                 [bearings.q]\nrotor = \"a\"\nfriction = \"1 N*m\"\n";
+    let shown = warned("[]", loads).join("\n");
+    for said in ["`loads.f.fan.coefficient` does nothing without the effect `fan_load`", "`torques`", "`dry_friction`"]
+    {
+        assert!(shown.contains(said), "{shown}");
+    }
+    assert_eq!(warned("[\"fan_load\", \"torques\", \"dry_friction\"]", loads), [""; 0]);
+    let rising = "[loads.t]\nrotor = \"b\"\ntorque = { ramp = { to = \"1 N*m\", duration = \"1 s\" } }\n";
+    assert_eq!(warned("[]", rising).len(), 1);
+    // One of the two kinds of friction is active.
+    let both = "[bearings.q]\nrotor = \"a\"\nfriction = \"1 N*m\"\nviscous = \"1 N*m*s/rad\"\n";
+    assert_eq!(warned("[\"viscous_friction\"]", both), [""; 0]);
+    // Zero says that there is none.
+    assert_eq!(warned("[]", "[loads.t]\nrotor = \"b\"\ntorque = 0\n"), [""; 0]);
+}
