@@ -101,7 +101,8 @@ impl Scene {
             Template::again(self, &self.overrides.iter().cloned().chain(values).collect::<Vec<_>>())
         };
         // Parts that are added to a train have parameters of their own.
-        let whole = if self.train.is_some() { with(self.model)?.model(&models) } else { None };
+        let is_new = self.train.is_some() && values.iter().any(|(key, value)| value.is_strange(key, self.model));
+        let whole = if is_new { with(self.model)?.model(&models) } else { None };
         Ok(with(whole.unwrap_or(self.model))?.scene(&[], &models)?)
     }
 }

@@ -24,6 +24,11 @@ impl Value {
         format!("{key}={}", self.written(key, model))
     }
 
+    /// Whether it has numbers, and the model does not know the unit of `key`.
+    pub(super) fn is_strange(&self, key: &str, model: &Model) -> bool {
+        !matches!(self, Value::Flag(_) | Value::Text(_)) && unit_of(key, model).is_none()
+    }
+
     /// The value of `key`, written as in a scene file. No digit of a number is lost.
     fn written(&self, key: &str, model: Option<&Model>) -> String {
         match self {

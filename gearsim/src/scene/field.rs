@@ -77,12 +77,15 @@ pub(super) fn names(path: &str, node: &Node, noun: &str, allowed: &[&str], repor
     names_or(path, node, noun, (allowed, &|name| choices(name, allowed)), report)
 }
 
+/// The names that are allowed, and the help for another name.
+pub(super) type Allowed<'a> = (&'a [&'a str], &'a dyn Fn(&str) -> String);
+
 /// The same; `help` says what is allowed instead of an unknown name.
 pub(super) fn names_or(
     path: &str,
     node: &Node,
     noun: &str,
-    (allowed, help): (&[&str], &dyn Fn(&str) -> String),
+    (allowed, help): Allowed<'_>,
     report: &mut Report,
 ) -> Option<Vec<usize>> {
     let example = format!("{:?}", &allowed[..allowed.len().min(2)]);
