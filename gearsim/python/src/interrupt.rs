@@ -68,13 +68,12 @@ pub fn detached<T: Send>(
     work: impl FnOnce(&mut Watch) -> T + Send,
 ) -> PyResult<T> {
     let mut watch = Watch { progress, calls: 0, last: Instant::now() };
-    let ended = py.detach(|| {
+    py.detach(|| {
         catch_unwind(AssertUnwindSafe(|| work(&mut watch))).map_err(|panic| match panic.downcast::<Interrupted>() {
             Ok(interrupted) => interrupted.0,
             Err(panic) => resume_unwind(panic),
         })
-    });
-    ended
+    })
 }
 
 /// Calls `work` without Python's lock, on a thread of its own, for work with long steps: the eigenvalues of one large matrix take seconds.

@@ -52,6 +52,9 @@ impl Scene {
     }
 }
 
+/// Name, text and overrides of a scene, from which pickle makes it again.
+type Saved = (String, String, Vec<String>);
+
 #[pymethods]
 impl Scene {
     /// Builds a scene of a model from keyword arguments: the tables of a scene file, e.g. `parameters={"I1": "0.5 kg*m^2"}`. Numbers
@@ -268,7 +271,7 @@ impl Scene {
     }
 
     /// Text, name and set values, which `_restore` needs: scenes are sent to other processes in this form.
-    fn __reduce__<'py>(&self, py: Python<'py>) -> PyResult<(Bound<'py, PyAny>, (String, String, Vec<String>))> {
+    fn __reduce__<'py>(&self, py: Python<'py>) -> PyResult<(Bound<'py, PyAny>, Saved)> {
         let restore = py.import("gearsim._gearsim")?.getattr("Scene")?.getattr("_restore")?;
         Ok((restore, (self.inner.name.clone(), self.inner.text.to_string(), self.inner.overrides.clone())))
     }
