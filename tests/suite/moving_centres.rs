@@ -210,6 +210,49 @@ fn the_linear_play_opens_by_the_first_order() {
     }
 }
 
+/// If the centres are so close that no play is left, the flank that is pressed deeper bears the load: with s the motion is that in
+/// V = k (|s| + w)²/2, w the depth of both at s = 0. From one passage of s = 0 to the next it takes twice the time in which the speed v falls to zero, 2/omega atan(v/(omega w)).
+#[test]
+fn closed_play_keeps_the_energy() {
+    let (x, b, v) = (-0.4e-3, 100e-6, 0.5);
+    let scene = scene(
+        &["backlash"],
+        &[
+            "parameters.m1=1e13 kg",
+            "parameters.m2=1e13 kg",
+            "parameters.kb1=0 N/m",
+            "parameters.kb2=0 N/m",
+            &format!("parameters.b12={b} m"),
+            &format!("start.x2={x} m"),
+            "start.x1=0 m",
+            "start.y1=0 m",
+            "start.y2=0 m",
+            "start.s=0 m",
+            &format!("start.s_dot={v} m/s"),
+            "start.theta_dot=0 rad/s",
+            "run.t_end=1 ms",
+            "output.record=[\"play_opening_12\"]",
+        ],
+    );
+    let outcome = run(&scene);
+    let t = &outcome.trajectory;
+    let value = |name: &str| scene.parameter(name).unwrap();
+    let mobility = R1 * R1 / value("I1") + R2 * R2 / value("I2");
+    let w = -0.5 * b - x * ALPHA.sin();
+    assert!(w > 0.0 && t.outputs[0].1[0] < -0.5 * b);
+    let omega = (scene.laws[0].mid() * mobility).sqrt();
+    let between = 2.0 / omega * (v / (omega * w)).atan();
+    let passed: Vec<f64> = t.moment.iter().zip(&t.t).filter(|(m, _)| **m == Moment::Before).map(|(_, t)| *t).collect();
+    println!("w = {w:e} m, passages at {passed:?}, every {between:e} s");
+    assert!(passed.len() > 2, "{passed:?}");
+    for (i, time) in passed.iter().enumerate() {
+        let expected = between * (i + 1) as f64;
+        assert!((time - expected).abs() < 1e-9 * between, "{time} is not {expected}");
+    }
+    let worst = t.residual.iter().fold(0.0f64, |m, x| m.max(x.abs()));
+    assert!(worst < 1e-12 * t.kinetic[0], "{worst:e} J");
+}
+
 /// Seen in a mirror on the line of centres, a pair that drives backward coasts forward: all rotations and y change their sign, x does not. So the
 /// coast flanks push the centres apart, as the drive flanks do.
 #[test]

@@ -92,6 +92,9 @@ fn the_losses_by_cause_sum_to_the_loss_of_the_account() {
     assert!(seen > 10, "{seen}");
 }
 
+/// Place of the symbol `flank12` among those of the switch of `gear_pair_bearings`.
+const FLANK: usize = 4;
+
 #[test]
 fn forces_accelerate_bodies_by_newtons_law() {
     let sets: [String; 1] = ["effects=[\"stiffness_step\",\"torques\",\"damping\",\"backlash\"]".into()];
@@ -108,8 +111,10 @@ fn forces_accelerate_bodies_by_newtons_law() {
         let a = equations.acceleration(&q, q_dot, &k, &vec![0.0; scene.model.laws.len()]);
         let at = |name: &str| equations.output(output(name), &q, q_dot, &k, &Known::default());
         let (mesh, alpha) = (at("mesh_force_12"), number("alpha"));
-        // The line of action is at the angle -alpha to the x axis; the mesh pushes gear 1 back across it.
-        let push = [-mesh * alpha.sin(), -mesh * alpha.cos()];
+        // The lines of action are at the angles -alpha (drive flanks) and alpha to the x axis; the mesh pushes gear 1 back across the one of the
+        // flanks in contact, 1 or -1.
+        let flank = k[scene.model.laws.len() + FLANK];
+        let push = [-flank * mesh * alpha.sin(), -mesh * alpha.cos()];
         for (gear, sign) in [("1", 1.0), ("2", -1.0)] {
             for (axis, push) in ["x", "y"].into_iter().zip(push) {
                 let bearing = -at(&format!("bearing_force_{gear}_{axis}"));

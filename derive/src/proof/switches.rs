@@ -5,7 +5,7 @@ use symbolica::atom::{Atom, AtomCore, Symbol};
 use super::Proof;
 use crate::check::never_negative;
 use crate::expr::{Expr, Kind, number, set, speed_name, symbol, symbols, total};
-use crate::markers::all_present;
+use crate::markers::{all_present, terms};
 use crate::mobility::is_zero;
 use crate::model::{Exit, Mode, Model, Switch};
 use crate::slip::Slip;
@@ -33,11 +33,13 @@ fn steps(model: &Model, switch: &Switch) -> Vec<Atom> {
     let plain = |mode: &Mode, e: &Atom| {
         let offset = (switch.within(mode, &value(&switch.over)) - &base).expand();
         let mut e = set(e, over, &(Atom::var(x) + offset));
-        // Other deflections are x and what they differ from it by, of the motion alone.
+        // Other deflections of the motion alone are x and what they differ from it by, or written out if that is shorter.
         for (kind, name) in symbols(&e).into_iter().filter(|s| s.0 == Kind::Deflection) {
-            let apart = (value(&name) - &base).expand();
-            if symbols(&apart).iter().all(|s| of_motion.contains(&s.0)) {
-                e = set(&e, symbol(kind, &name), &(Atom::var(x) + apart));
+            let value = value(&name).expand();
+            let apart = (&value - &base).expand();
+            let written = if terms(&apart).len() < terms(&value).len() { Atom::var(x) + &apart } else { value };
+            if symbols(&written).iter().all(|s| s.0 == Kind::Free || of_motion.contains(&s.0)) {
+                e = set(&e, symbol(kind, &name), &written);
             }
         }
         switch.within(mode, &e)

@@ -141,6 +141,7 @@ equations! {
         y_c12 = y2 - y1;
         drive12 = s - open12 - turn12 - e12 + cos_a*y1 - cos_a*y2 + sin_a*x1 - sin_a*x2;
         coast12 = open12 - turn12 + s - e12 + cos_a*y1 - cos_a*y2 - sin_a*x1 + sin_a*x2;
+        opening12 = open12 - sin_a*x1 + sin_a*x2;
         over12 = s - turn12 - edge12 - e12 + cos_a*y1 - cos_a*y2 + sin_a*flank12*x1 - sin_a*flank12*x2 - flank12*open12;
         tau12 = cos_a*x2 - cos_a*x1 + sin_a*flank12*y1 - sin_a*flank12*y2 + sin_a*flank12*s/cos_a;
         psi12 = s/(2.0*h*N1) - s/(2.0*h*N2) + theta/N1 + theta/N2;
@@ -183,6 +184,8 @@ equations! {
         coast12_dot = s_dot + cos_a*y1_dot - cos_a*y2_dot - sin_a*x1_dot + sin_a*x2_dot - open12_by_x_c12*x1_dot + open12_by_x_c12*x2_dot
             - open12_by_y_c12*y1_dot + open12_by_y_c12*y2_dot + turn12_by_x_c12*x1_dot - turn12_by_x_c12*x2_dot + turn12_by_y_c12*y1_dot
             - turn12_by_y_c12*y2_dot;
+        opening12_dot = sin_a*x2_dot - sin_a*x1_dot - open12_by_x_c12*x1_dot + open12_by_x_c12*x2_dot - open12_by_y_c12*y1_dot
+            + open12_by_y_c12*y2_dot;
         over12_dot = s_dot + cos_a*y1_dot - cos_a*y2_dot + sin_a*flank12*x1_dot - sin_a*flank12*x2_dot + flank12*open12_by_x_c12*x1_dot
             - flank12*open12_by_x_c12*x2_dot + flank12*open12_by_y_c12*y1_dot - flank12*open12_by_y_c12*y2_dot + turn12_by_x_c12*x1_dot
             - turn12_by_x_c12*x2_dot + turn12_by_y_c12*y1_dot - turn12_by_y_c12*y2_dot;
@@ -257,6 +260,11 @@ equations! {
                     over12 { _ => k12; }
                     over12_dot { damping => -beta_K*k12_mid; }
                 }
+                until lower {
+                    opening12 { _ => 1.0; }
+                    over12 { _ => 1.0; }
+                    one { _ => b12/2.0; }
+                }
             }
             lower (1.0, -b12/2.0, 1.0, 0.0, -1.0) rests counts "flanks met" {
                 unless free { over12 { _ => -1.0; } }
@@ -267,6 +275,11 @@ equations! {
                 until lower_hit {
                     over12 { _ => -k12; }
                     over12_dot { damping => beta_K*k12_mid; }
+                }
+                until upper {
+                    opening12 { _ => 1.0; }
+                    over12 { _ => -1.0; }
+                    one { _ => b12/2.0; }
                 }
             }
             free (0.0, 0.0, 0.0, 0.0, 0.0) rests {
@@ -285,12 +298,22 @@ equations! {
                     over12 { _ => -k12; }
                     over12_dot { damping => beta_K*k12_mid; }
                 }
+                until lower {
+                    opening12 { _ => 1.0; }
+                    over12 { _ => 1.0; }
+                    one { _ => b12/2.0; }
+                }
             }
             lower_hit (1.0, -b12/2.0, 0.0, 1.0, -1.0) counts "flanks met" {
                 unless free { over12 { _ => -1.0; } }
                 until lower {
                     over12 { _ => k12; }
                     over12_dot { damping => -beta_K*k12_mid; }
+                }
+                until upper {
+                    opening12 { _ => 1.0; }
+                    over12 { _ => -1.0; }
+                    one { _ => b12/2.0; }
                 }
             }
             upper_loose (1.0, b12/2.0, 0.0, -1.0, 1.0) counts "flanks met" {
@@ -299,12 +322,22 @@ equations! {
                     over12 { _ => -k12; }
                     over12_dot { damping => -beta_K*k12_mid; }
                 }
+                until lower {
+                    opening12 { _ => 1.0; }
+                    over12 { _ => 1.0; }
+                    one { _ => b12/2.0; }
+                }
             }
             lower_loose (1.0, -b12/2.0, 0.0, -1.0, -1.0) counts "flanks met" {
                 until free { over12 { _ => -1.0; } }
                 until lower {
                     over12 { _ => k12; }
                     over12_dot { damping => beta_K*k12_mid; }
+                }
+                until upper {
+                    opening12 { _ => 1.0; }
+                    over12 { _ => -1.0; }
+                    one { _ => b12/2.0; }
                 }
             }
             loss { over12 { _ => k12*clip12*touch12; } }
@@ -1011,6 +1044,7 @@ equations! {
         fan_load "T_fan_load in the torque `fan`";
         moving_centres_12 "the deflection drive12 bends";
         moving_centres_12 "the deflection coast12 bends";
+        moving_centres_12 "the deflection opening12 bends";
         moving_centres_12 "the deflection over12 bends";
     }
     jump k12 { step { _ => dk12*touch12*over12.powi(2)/2.0; } }

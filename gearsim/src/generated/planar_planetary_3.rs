@@ -339,11 +339,13 @@ equations! {
         tangential1 = cos_c1*y_c - eta1 - sin_c1*x_c;
         drives1 = u1 - e_s1 + cc1*y_s - cos_a*eta1 + cs1*x_s - sc1*x_s - sin_a*zeta1 + ss1*y_s;
         coasts1 = u1 - e_s1 + cc1*y_s - cos_a*eta1 - cs1*x_s - sc1*x_s + sin_a*zeta1 - ss1*y_s;
+        openings1 = sin_a*zeta1 - cs1*x_s - ss1*y_s;
         overs1 = u1 - edges1 - e_s1 + cc1*y_s - cos_a*eta1 + cs1*flanks1*x_s - sc1*x_s - sin_a*flanks1*zeta1 + ss1*flanks1*y_s;
         tau_s1 = cos_a*zeta1 - cc1*x_s + cs1*flanks1*y_s - sc1*y_s - sin_a*flanks1*eta1 - ss1*flanks1*x_s + sin_a*flanks1*u1/cos_a;
         psi_s1 = roll_s*theta - u1/r_p;
         driver1 = cc1*y_r - u1 - e_r1 - cos_a*eta1 - cs1*x_r - h*Z_r*theta_c + h*Z_r*theta_r - sc1*x_r + sin_a*zeta1 - ss1*y_r;
         coastr1 = cc1*y_r - u1 - e_r1 - cos_a*eta1 + cs1*x_r - h*Z_r*theta_c + h*Z_r*theta_r - sc1*x_r - sin_a*zeta1 + ss1*y_r;
+        openingr1 = cs1*x_r - sin_a*zeta1 + ss1*y_r;
         overr1 = cc1*y_r - u1 - edger1 - e_r1 - cos_a*eta1 - cs1*flankr1*x_r - h*Z_r*theta_c + h*Z_r*theta_r - sc1*x_r
             + sin_a*flankr1*zeta1 - ss1*flankr1*y_r;
         tau_r1 = cc1*x_r - cos_a*zeta1 + cs1*flankr1*y_r + sc1*y_r - sin_a*flankr1*eta1 - ss1*flankr1*x_r
@@ -353,11 +355,13 @@ equations! {
         tangential2 = cos_c2*y_c - eta2 - sin_c2*x_c;
         drives2 = u2 - e_s2 + cc2*y_s - cos_a*eta2 + cs2*x_s - sc2*x_s - sin_a*zeta2 + ss2*y_s;
         coasts2 = u2 - e_s2 + cc2*y_s - cos_a*eta2 - cs2*x_s - sc2*x_s + sin_a*zeta2 - ss2*y_s;
+        openings2 = sin_a*zeta2 - cs2*x_s - ss2*y_s;
         overs2 = u2 - edges2 - e_s2 + cc2*y_s - cos_a*eta2 + cs2*flanks2*x_s - sc2*x_s - sin_a*flanks2*zeta2 + ss2*flanks2*y_s;
         tau_s2 = cos_a*zeta2 - cc2*x_s + cs2*flanks2*y_s - sc2*y_s - sin_a*flanks2*eta2 - ss2*flanks2*x_s + sin_a*flanks2*u2/cos_a;
         psi_s2 = roll_s*theta - u2/r_p;
         driver2 = cc2*y_r - u2 - e_r2 - cos_a*eta2 - cs2*x_r - h*Z_r*theta_c + h*Z_r*theta_r - sc2*x_r + sin_a*zeta2 - ss2*y_r;
         coastr2 = cc2*y_r - u2 - e_r2 - cos_a*eta2 + cs2*x_r - h*Z_r*theta_c + h*Z_r*theta_r - sc2*x_r - sin_a*zeta2 + ss2*y_r;
+        openingr2 = cs2*x_r - sin_a*zeta2 + ss2*y_r;
         overr2 = cc2*y_r - u2 - edger2 - e_r2 - cos_a*eta2 - cs2*flankr2*x_r - h*Z_r*theta_c + h*Z_r*theta_r - sc2*x_r
             + sin_a*flankr2*zeta2 - ss2*flankr2*y_r;
         tau_r2 = cc2*x_r - cos_a*zeta2 + cs2*flankr2*y_r + sc2*y_r - sin_a*flankr2*eta2 - ss2*flankr2*x_r
@@ -367,11 +371,13 @@ equations! {
         tangential3 = cos_c3*y_c - eta3 - sin_c3*x_c;
         drives3 = u3 - e_s3 + cc3*y_s - cos_a*eta3 + cs3*x_s - sc3*x_s - sin_a*zeta3 + ss3*y_s;
         coasts3 = u3 - e_s3 + cc3*y_s - cos_a*eta3 - cs3*x_s - sc3*x_s + sin_a*zeta3 - ss3*y_s;
+        openings3 = sin_a*zeta3 - cs3*x_s - ss3*y_s;
         overs3 = u3 - edges3 - e_s3 + cc3*y_s - cos_a*eta3 + cs3*flanks3*x_s - sc3*x_s - sin_a*flanks3*zeta3 + ss3*flanks3*y_s;
         tau_s3 = cos_a*zeta3 - cc3*x_s + cs3*flanks3*y_s - sc3*y_s - sin_a*flanks3*eta3 - ss3*flanks3*x_s + sin_a*flanks3*u3/cos_a;
         psi_s3 = roll_s*theta - u3/r_p;
         driver3 = cc3*y_r - u3 - e_r3 - cos_a*eta3 - cs3*x_r - h*Z_r*theta_c + h*Z_r*theta_r - sc3*x_r + sin_a*zeta3 - ss3*y_r;
         coastr3 = cc3*y_r - u3 - e_r3 - cos_a*eta3 + cs3*x_r - h*Z_r*theta_c + h*Z_r*theta_r - sc3*x_r - sin_a*zeta3 + ss3*y_r;
+        openingr3 = cs3*x_r - sin_a*zeta3 + ss3*y_r;
         overr3 = cc3*y_r - u3 - edger3 - e_r3 - cos_a*eta3 - cs3*flankr3*x_r - h*Z_r*theta_c + h*Z_r*theta_r - sc3*x_r
             + sin_a*flankr3*zeta3 - ss3*flankr3*y_r;
         tau_r3 = cc3*x_r - cos_a*zeta3 + cs3*flankr3*y_r + sc3*y_r - sin_a*flankr3*eta3 - ss3*flankr3*x_r
@@ -592,6 +598,11 @@ equations! {
                     overs1 { _ => k_s1; }
                     overs1_dot { damping => -beta_K*k_s1_mid; }
                 }
+                until lower {
+                    openings1 { _ => 1.0; }
+                    overs1 { _ => 1.0; }
+                    one { _ => b_s1/2.0; }
+                }
             }
             lower (1.0, -b_s1/2.0, 1.0, 0.0, -1.0) rests counts "flanks met" {
                 unless free { overs1 { _ => -1.0; } }
@@ -602,6 +613,11 @@ equations! {
                 until lower_hit {
                     overs1 { _ => -k_s1; }
                     overs1_dot { damping => beta_K*k_s1_mid; }
+                }
+                until upper {
+                    openings1 { _ => 1.0; }
+                    overs1 { _ => -1.0; }
+                    one { _ => b_s1/2.0; }
                 }
             }
             free (0.0, 0.0, 0.0, 0.0, 0.0) rests {
@@ -620,12 +636,22 @@ equations! {
                     overs1 { _ => -k_s1; }
                     overs1_dot { damping => beta_K*k_s1_mid; }
                 }
+                until lower {
+                    openings1 { _ => 1.0; }
+                    overs1 { _ => 1.0; }
+                    one { _ => b_s1/2.0; }
+                }
             }
             lower_hit (1.0, -b_s1/2.0, 0.0, 1.0, -1.0) counts "flanks met" {
                 unless free { overs1 { _ => -1.0; } }
                 until lower {
                     overs1 { _ => k_s1; }
                     overs1_dot { damping => -beta_K*k_s1_mid; }
+                }
+                until upper {
+                    openings1 { _ => 1.0; }
+                    overs1 { _ => -1.0; }
+                    one { _ => b_s1/2.0; }
                 }
             }
             upper_loose (1.0, b_s1/2.0, 0.0, -1.0, 1.0) counts "flanks met" {
@@ -634,12 +660,22 @@ equations! {
                     overs1 { _ => -k_s1; }
                     overs1_dot { damping => -beta_K*k_s1_mid; }
                 }
+                until lower {
+                    openings1 { _ => 1.0; }
+                    overs1 { _ => 1.0; }
+                    one { _ => b_s1/2.0; }
+                }
             }
             lower_loose (1.0, -b_s1/2.0, 0.0, -1.0, -1.0) counts "flanks met" {
                 until free { overs1 { _ => -1.0; } }
                 until lower {
                     overs1 { _ => k_s1; }
                     overs1_dot { damping => beta_K*k_s1_mid; }
+                }
+                until upper {
+                    openings1 { _ => 1.0; }
+                    overs1 { _ => -1.0; }
+                    one { _ => b_s1/2.0; }
                 }
             }
             loss { overs1 { _ => k_s1*clips1*touchs1; } }
@@ -708,6 +744,11 @@ equations! {
                     overr1 { _ => k_r1; }
                     overr1_dot { damping => -beta_K*k_r1_mid; }
                 }
+                until lower {
+                    openingr1 { _ => 1.0; }
+                    overr1 { _ => 1.0; }
+                    one { _ => b_r1/2.0; }
+                }
             }
             lower (1.0, -b_r1/2.0, 1.0, 0.0, -1.0) rests counts "flanks met" {
                 unless free { overr1 { _ => -1.0; } }
@@ -718,6 +759,11 @@ equations! {
                 until lower_hit {
                     overr1 { _ => -k_r1; }
                     overr1_dot { damping => beta_K*k_r1_mid; }
+                }
+                until upper {
+                    openingr1 { _ => 1.0; }
+                    overr1 { _ => -1.0; }
+                    one { _ => b_r1/2.0; }
                 }
             }
             free (0.0, 0.0, 0.0, 0.0, 0.0) rests {
@@ -736,12 +782,22 @@ equations! {
                     overr1 { _ => -k_r1; }
                     overr1_dot { damping => beta_K*k_r1_mid; }
                 }
+                until lower {
+                    openingr1 { _ => 1.0; }
+                    overr1 { _ => 1.0; }
+                    one { _ => b_r1/2.0; }
+                }
             }
             lower_hit (1.0, -b_r1/2.0, 0.0, 1.0, -1.0) counts "flanks met" {
                 unless free { overr1 { _ => -1.0; } }
                 until lower {
                     overr1 { _ => k_r1; }
                     overr1_dot { damping => -beta_K*k_r1_mid; }
+                }
+                until upper {
+                    openingr1 { _ => 1.0; }
+                    overr1 { _ => -1.0; }
+                    one { _ => b_r1/2.0; }
                 }
             }
             upper_loose (1.0, b_r1/2.0, 0.0, -1.0, 1.0) counts "flanks met" {
@@ -750,12 +806,22 @@ equations! {
                     overr1 { _ => -k_r1; }
                     overr1_dot { damping => -beta_K*k_r1_mid; }
                 }
+                until lower {
+                    openingr1 { _ => 1.0; }
+                    overr1 { _ => 1.0; }
+                    one { _ => b_r1/2.0; }
+                }
             }
             lower_loose (1.0, -b_r1/2.0, 0.0, -1.0, -1.0) counts "flanks met" {
                 until free { overr1 { _ => -1.0; } }
                 until lower {
                     overr1 { _ => k_r1; }
                     overr1_dot { damping => beta_K*k_r1_mid; }
+                }
+                until upper {
+                    openingr1 { _ => 1.0; }
+                    overr1 { _ => -1.0; }
+                    one { _ => b_r1/2.0; }
                 }
             }
             loss { overr1 { _ => k_r1*clipr1*touchr1; } }
@@ -823,6 +889,11 @@ equations! {
                     overs2 { _ => k_s2; }
                     overs2_dot { damping => -beta_K*k_s2_mid; }
                 }
+                until lower {
+                    openings2 { _ => 1.0; }
+                    overs2 { _ => 1.0; }
+                    one { _ => b_s2/2.0; }
+                }
             }
             lower (1.0, -b_s2/2.0, 1.0, 0.0, -1.0) rests counts "flanks met" {
                 unless free { overs2 { _ => -1.0; } }
@@ -833,6 +904,11 @@ equations! {
                 until lower_hit {
                     overs2 { _ => -k_s2; }
                     overs2_dot { damping => beta_K*k_s2_mid; }
+                }
+                until upper {
+                    openings2 { _ => 1.0; }
+                    overs2 { _ => -1.0; }
+                    one { _ => b_s2/2.0; }
                 }
             }
             free (0.0, 0.0, 0.0, 0.0, 0.0) rests {
@@ -851,12 +927,22 @@ equations! {
                     overs2 { _ => -k_s2; }
                     overs2_dot { damping => beta_K*k_s2_mid; }
                 }
+                until lower {
+                    openings2 { _ => 1.0; }
+                    overs2 { _ => 1.0; }
+                    one { _ => b_s2/2.0; }
+                }
             }
             lower_hit (1.0, -b_s2/2.0, 0.0, 1.0, -1.0) counts "flanks met" {
                 unless free { overs2 { _ => -1.0; } }
                 until lower {
                     overs2 { _ => k_s2; }
                     overs2_dot { damping => -beta_K*k_s2_mid; }
+                }
+                until upper {
+                    openings2 { _ => 1.0; }
+                    overs2 { _ => -1.0; }
+                    one { _ => b_s2/2.0; }
                 }
             }
             upper_loose (1.0, b_s2/2.0, 0.0, -1.0, 1.0) counts "flanks met" {
@@ -865,12 +951,22 @@ equations! {
                     overs2 { _ => -k_s2; }
                     overs2_dot { damping => -beta_K*k_s2_mid; }
                 }
+                until lower {
+                    openings2 { _ => 1.0; }
+                    overs2 { _ => 1.0; }
+                    one { _ => b_s2/2.0; }
+                }
             }
             lower_loose (1.0, -b_s2/2.0, 0.0, -1.0, -1.0) counts "flanks met" {
                 until free { overs2 { _ => -1.0; } }
                 until lower {
                     overs2 { _ => k_s2; }
                     overs2_dot { damping => beta_K*k_s2_mid; }
+                }
+                until upper {
+                    openings2 { _ => 1.0; }
+                    overs2 { _ => -1.0; }
+                    one { _ => b_s2/2.0; }
                 }
             }
             loss { overs2 { _ => k_s2*clips2*touchs2; } }
@@ -939,6 +1035,11 @@ equations! {
                     overr2 { _ => k_r2; }
                     overr2_dot { damping => -beta_K*k_r2_mid; }
                 }
+                until lower {
+                    openingr2 { _ => 1.0; }
+                    overr2 { _ => 1.0; }
+                    one { _ => b_r2/2.0; }
+                }
             }
             lower (1.0, -b_r2/2.0, 1.0, 0.0, -1.0) rests counts "flanks met" {
                 unless free { overr2 { _ => -1.0; } }
@@ -949,6 +1050,11 @@ equations! {
                 until lower_hit {
                     overr2 { _ => -k_r2; }
                     overr2_dot { damping => beta_K*k_r2_mid; }
+                }
+                until upper {
+                    openingr2 { _ => 1.0; }
+                    overr2 { _ => -1.0; }
+                    one { _ => b_r2/2.0; }
                 }
             }
             free (0.0, 0.0, 0.0, 0.0, 0.0) rests {
@@ -967,12 +1073,22 @@ equations! {
                     overr2 { _ => -k_r2; }
                     overr2_dot { damping => beta_K*k_r2_mid; }
                 }
+                until lower {
+                    openingr2 { _ => 1.0; }
+                    overr2 { _ => 1.0; }
+                    one { _ => b_r2/2.0; }
+                }
             }
             lower_hit (1.0, -b_r2/2.0, 0.0, 1.0, -1.0) counts "flanks met" {
                 unless free { overr2 { _ => -1.0; } }
                 until lower {
                     overr2 { _ => k_r2; }
                     overr2_dot { damping => -beta_K*k_r2_mid; }
+                }
+                until upper {
+                    openingr2 { _ => 1.0; }
+                    overr2 { _ => -1.0; }
+                    one { _ => b_r2/2.0; }
                 }
             }
             upper_loose (1.0, b_r2/2.0, 0.0, -1.0, 1.0) counts "flanks met" {
@@ -981,12 +1097,22 @@ equations! {
                     overr2 { _ => -k_r2; }
                     overr2_dot { damping => -beta_K*k_r2_mid; }
                 }
+                until lower {
+                    openingr2 { _ => 1.0; }
+                    overr2 { _ => 1.0; }
+                    one { _ => b_r2/2.0; }
+                }
             }
             lower_loose (1.0, -b_r2/2.0, 0.0, -1.0, -1.0) counts "flanks met" {
                 until free { overr2 { _ => -1.0; } }
                 until lower {
                     overr2 { _ => k_r2; }
                     overr2_dot { damping => beta_K*k_r2_mid; }
+                }
+                until upper {
+                    openingr2 { _ => 1.0; }
+                    overr2 { _ => -1.0; }
+                    one { _ => b_r2/2.0; }
                 }
             }
             loss { overr2 { _ => k_r2*clipr2*touchr2; } }
@@ -1054,6 +1180,11 @@ equations! {
                     overs3 { _ => k_s3; }
                     overs3_dot { damping => -beta_K*k_s3_mid; }
                 }
+                until lower {
+                    openings3 { _ => 1.0; }
+                    overs3 { _ => 1.0; }
+                    one { _ => b_s3/2.0; }
+                }
             }
             lower (1.0, -b_s3/2.0, 1.0, 0.0, -1.0) rests counts "flanks met" {
                 unless free { overs3 { _ => -1.0; } }
@@ -1064,6 +1195,11 @@ equations! {
                 until lower_hit {
                     overs3 { _ => -k_s3; }
                     overs3_dot { damping => beta_K*k_s3_mid; }
+                }
+                until upper {
+                    openings3 { _ => 1.0; }
+                    overs3 { _ => -1.0; }
+                    one { _ => b_s3/2.0; }
                 }
             }
             free (0.0, 0.0, 0.0, 0.0, 0.0) rests {
@@ -1082,12 +1218,22 @@ equations! {
                     overs3 { _ => -k_s3; }
                     overs3_dot { damping => beta_K*k_s3_mid; }
                 }
+                until lower {
+                    openings3 { _ => 1.0; }
+                    overs3 { _ => 1.0; }
+                    one { _ => b_s3/2.0; }
+                }
             }
             lower_hit (1.0, -b_s3/2.0, 0.0, 1.0, -1.0) counts "flanks met" {
                 unless free { overs3 { _ => -1.0; } }
                 until lower {
                     overs3 { _ => k_s3; }
                     overs3_dot { damping => -beta_K*k_s3_mid; }
+                }
+                until upper {
+                    openings3 { _ => 1.0; }
+                    overs3 { _ => -1.0; }
+                    one { _ => b_s3/2.0; }
                 }
             }
             upper_loose (1.0, b_s3/2.0, 0.0, -1.0, 1.0) counts "flanks met" {
@@ -1096,12 +1242,22 @@ equations! {
                     overs3 { _ => -k_s3; }
                     overs3_dot { damping => -beta_K*k_s3_mid; }
                 }
+                until lower {
+                    openings3 { _ => 1.0; }
+                    overs3 { _ => 1.0; }
+                    one { _ => b_s3/2.0; }
+                }
             }
             lower_loose (1.0, -b_s3/2.0, 0.0, -1.0, -1.0) counts "flanks met" {
                 until free { overs3 { _ => -1.0; } }
                 until lower {
                     overs3 { _ => k_s3; }
                     overs3_dot { damping => beta_K*k_s3_mid; }
+                }
+                until upper {
+                    openings3 { _ => 1.0; }
+                    overs3 { _ => -1.0; }
+                    one { _ => b_s3/2.0; }
                 }
             }
             loss { overs3 { _ => k_s3*clips3*touchs3; } }
@@ -1170,6 +1326,11 @@ equations! {
                     overr3 { _ => k_r3; }
                     overr3_dot { damping => -beta_K*k_r3_mid; }
                 }
+                until lower {
+                    openingr3 { _ => 1.0; }
+                    overr3 { _ => 1.0; }
+                    one { _ => b_r3/2.0; }
+                }
             }
             lower (1.0, -b_r3/2.0, 1.0, 0.0, -1.0) rests counts "flanks met" {
                 unless free { overr3 { _ => -1.0; } }
@@ -1180,6 +1341,11 @@ equations! {
                 until lower_hit {
                     overr3 { _ => -k_r3; }
                     overr3_dot { damping => beta_K*k_r3_mid; }
+                }
+                until upper {
+                    openingr3 { _ => 1.0; }
+                    overr3 { _ => -1.0; }
+                    one { _ => b_r3/2.0; }
                 }
             }
             free (0.0, 0.0, 0.0, 0.0, 0.0) rests {
@@ -1198,12 +1364,22 @@ equations! {
                     overr3 { _ => -k_r3; }
                     overr3_dot { damping => beta_K*k_r3_mid; }
                 }
+                until lower {
+                    openingr3 { _ => 1.0; }
+                    overr3 { _ => 1.0; }
+                    one { _ => b_r3/2.0; }
+                }
             }
             lower_hit (1.0, -b_r3/2.0, 0.0, 1.0, -1.0) counts "flanks met" {
                 unless free { overr3 { _ => -1.0; } }
                 until lower {
                     overr3 { _ => k_r3; }
                     overr3_dot { damping => -beta_K*k_r3_mid; }
+                }
+                until upper {
+                    openingr3 { _ => 1.0; }
+                    overr3 { _ => -1.0; }
+                    one { _ => b_r3/2.0; }
                 }
             }
             upper_loose (1.0, b_r3/2.0, 0.0, -1.0, 1.0) counts "flanks met" {
@@ -1212,12 +1388,22 @@ equations! {
                     overr3 { _ => -k_r3; }
                     overr3_dot { damping => -beta_K*k_r3_mid; }
                 }
+                until lower {
+                    openingr3 { _ => 1.0; }
+                    overr3 { _ => 1.0; }
+                    one { _ => b_r3/2.0; }
+                }
             }
             lower_loose (1.0, -b_r3/2.0, 0.0, -1.0, -1.0) counts "flanks met" {
                 until free { overr3 { _ => -1.0; } }
                 until lower {
                     overr3 { _ => k_r3; }
                     overr3_dot { damping => beta_K*k_r3_mid; }
+                }
+                until upper {
+                    openingr3 { _ => 1.0; }
+                    overr3 { _ => -1.0; }
+                    one { _ => b_r3/2.0; }
                 }
             }
             loss { overr3 { _ => k_r3*clipr3*touchr3; } }

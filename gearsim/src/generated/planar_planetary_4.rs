@@ -409,11 +409,13 @@ equations! {
         tangential1 = cos_c1*y_c - eta1 - sin_c1*x_c;
         drives1 = u1 - e_s1 + cc1*y_s - cos_a*eta1 + cs1*x_s - sc1*x_s - sin_a*zeta1 + ss1*y_s;
         coasts1 = u1 - e_s1 + cc1*y_s - cos_a*eta1 - cs1*x_s - sc1*x_s + sin_a*zeta1 - ss1*y_s;
+        openings1 = sin_a*zeta1 - cs1*x_s - ss1*y_s;
         overs1 = u1 - edges1 - e_s1 + cc1*y_s - cos_a*eta1 + cs1*flanks1*x_s - sc1*x_s - sin_a*flanks1*zeta1 + ss1*flanks1*y_s;
         tau_s1 = cos_a*zeta1 - cc1*x_s + cs1*flanks1*y_s - sc1*y_s - sin_a*flanks1*eta1 - ss1*flanks1*x_s + sin_a*flanks1*u1/cos_a;
         psi_s1 = roll_s*theta - u1/r_p;
         driver1 = cc1*y_r - u1 - e_r1 - cos_a*eta1 - cs1*x_r - h*Z_r*theta_c + h*Z_r*theta_r - sc1*x_r + sin_a*zeta1 - ss1*y_r;
         coastr1 = cc1*y_r - u1 - e_r1 - cos_a*eta1 + cs1*x_r - h*Z_r*theta_c + h*Z_r*theta_r - sc1*x_r - sin_a*zeta1 + ss1*y_r;
+        openingr1 = cs1*x_r - sin_a*zeta1 + ss1*y_r;
         overr1 = cc1*y_r - u1 - edger1 - e_r1 - cos_a*eta1 - cs1*flankr1*x_r - h*Z_r*theta_c + h*Z_r*theta_r - sc1*x_r
             + sin_a*flankr1*zeta1 - ss1*flankr1*y_r;
         tau_r1 = cc1*x_r - cos_a*zeta1 + cs1*flankr1*y_r + sc1*y_r - sin_a*flankr1*eta1 - ss1*flankr1*x_r
@@ -423,11 +425,13 @@ equations! {
         tangential2 = cos_c2*y_c - eta2 - sin_c2*x_c;
         drives2 = u2 - e_s2 + cc2*y_s - cos_a*eta2 + cs2*x_s - sc2*x_s - sin_a*zeta2 + ss2*y_s;
         coasts2 = u2 - e_s2 + cc2*y_s - cos_a*eta2 - cs2*x_s - sc2*x_s + sin_a*zeta2 - ss2*y_s;
+        openings2 = sin_a*zeta2 - cs2*x_s - ss2*y_s;
         overs2 = u2 - edges2 - e_s2 + cc2*y_s - cos_a*eta2 + cs2*flanks2*x_s - sc2*x_s - sin_a*flanks2*zeta2 + ss2*flanks2*y_s;
         tau_s2 = cos_a*zeta2 - cc2*x_s + cs2*flanks2*y_s - sc2*y_s - sin_a*flanks2*eta2 - ss2*flanks2*x_s + sin_a*flanks2*u2/cos_a;
         psi_s2 = roll_s*theta - u2/r_p;
         driver2 = cc2*y_r - u2 - e_r2 - cos_a*eta2 - cs2*x_r - h*Z_r*theta_c + h*Z_r*theta_r - sc2*x_r + sin_a*zeta2 - ss2*y_r;
         coastr2 = cc2*y_r - u2 - e_r2 - cos_a*eta2 + cs2*x_r - h*Z_r*theta_c + h*Z_r*theta_r - sc2*x_r - sin_a*zeta2 + ss2*y_r;
+        openingr2 = cs2*x_r - sin_a*zeta2 + ss2*y_r;
         overr2 = cc2*y_r - u2 - edger2 - e_r2 - cos_a*eta2 - cs2*flankr2*x_r - h*Z_r*theta_c + h*Z_r*theta_r - sc2*x_r
             + sin_a*flankr2*zeta2 - ss2*flankr2*y_r;
         tau_r2 = cc2*x_r - cos_a*zeta2 + cs2*flankr2*y_r + sc2*y_r - sin_a*flankr2*eta2 - ss2*flankr2*x_r
@@ -437,11 +441,13 @@ equations! {
         tangential3 = cos_c3*y_c - eta3 - sin_c3*x_c;
         drives3 = u3 - e_s3 + cc3*y_s - cos_a*eta3 + cs3*x_s - sc3*x_s - sin_a*zeta3 + ss3*y_s;
         coasts3 = u3 - e_s3 + cc3*y_s - cos_a*eta3 - cs3*x_s - sc3*x_s + sin_a*zeta3 - ss3*y_s;
+        openings3 = sin_a*zeta3 - cs3*x_s - ss3*y_s;
         overs3 = u3 - edges3 - e_s3 + cc3*y_s - cos_a*eta3 + cs3*flanks3*x_s - sc3*x_s - sin_a*flanks3*zeta3 + ss3*flanks3*y_s;
         tau_s3 = cos_a*zeta3 - cc3*x_s + cs3*flanks3*y_s - sc3*y_s - sin_a*flanks3*eta3 - ss3*flanks3*x_s + sin_a*flanks3*u3/cos_a;
         psi_s3 = roll_s*theta - u3/r_p;
         driver3 = cc3*y_r - u3 - e_r3 - cos_a*eta3 - cs3*x_r - h*Z_r*theta_c + h*Z_r*theta_r - sc3*x_r + sin_a*zeta3 - ss3*y_r;
         coastr3 = cc3*y_r - u3 - e_r3 - cos_a*eta3 + cs3*x_r - h*Z_r*theta_c + h*Z_r*theta_r - sc3*x_r - sin_a*zeta3 + ss3*y_r;
+        openingr3 = cs3*x_r - sin_a*zeta3 + ss3*y_r;
         overr3 = cc3*y_r - u3 - edger3 - e_r3 - cos_a*eta3 - cs3*flankr3*x_r - h*Z_r*theta_c + h*Z_r*theta_r - sc3*x_r
             + sin_a*flankr3*zeta3 - ss3*flankr3*y_r;
         tau_r3 = cc3*x_r - cos_a*zeta3 + cs3*flankr3*y_r + sc3*y_r - sin_a*flankr3*eta3 - ss3*flankr3*x_r
@@ -451,11 +457,13 @@ equations! {
         tangential4 = cos_c4*y_c - eta4 - sin_c4*x_c;
         drives4 = u4 - e_s4 + cc4*y_s - cos_a*eta4 + cs4*x_s - sc4*x_s - sin_a*zeta4 + ss4*y_s;
         coasts4 = u4 - e_s4 + cc4*y_s - cos_a*eta4 - cs4*x_s - sc4*x_s + sin_a*zeta4 - ss4*y_s;
+        openings4 = sin_a*zeta4 - cs4*x_s - ss4*y_s;
         overs4 = u4 - edges4 - e_s4 + cc4*y_s - cos_a*eta4 + cs4*flanks4*x_s - sc4*x_s - sin_a*flanks4*zeta4 + ss4*flanks4*y_s;
         tau_s4 = cos_a*zeta4 - cc4*x_s + cs4*flanks4*y_s - sc4*y_s - sin_a*flanks4*eta4 - ss4*flanks4*x_s + sin_a*flanks4*u4/cos_a;
         psi_s4 = roll_s*theta - u4/r_p;
         driver4 = cc4*y_r - u4 - e_r4 - cos_a*eta4 - cs4*x_r - h*Z_r*theta_c + h*Z_r*theta_r - sc4*x_r + sin_a*zeta4 - ss4*y_r;
         coastr4 = cc4*y_r - u4 - e_r4 - cos_a*eta4 + cs4*x_r - h*Z_r*theta_c + h*Z_r*theta_r - sc4*x_r - sin_a*zeta4 + ss4*y_r;
+        openingr4 = cs4*x_r - sin_a*zeta4 + ss4*y_r;
         overr4 = cc4*y_r - u4 - edger4 - e_r4 - cos_a*eta4 - cs4*flankr4*x_r - h*Z_r*theta_c + h*Z_r*theta_r - sc4*x_r
             + sin_a*flankr4*zeta4 - ss4*flankr4*y_r;
         tau_r4 = cc4*x_r - cos_a*zeta4 + cs4*flankr4*y_r + sc4*y_r - sin_a*flankr4*eta4 - ss4*flankr4*x_r
@@ -732,6 +740,11 @@ equations! {
                     overs1 { _ => k_s1; }
                     overs1_dot { damping => -beta_K*k_s1_mid; }
                 }
+                until lower {
+                    openings1 { _ => 1.0; }
+                    overs1 { _ => 1.0; }
+                    one { _ => b_s1/2.0; }
+                }
             }
             lower (1.0, -b_s1/2.0, 1.0, 0.0, -1.0) rests counts "flanks met" {
                 unless free { overs1 { _ => -1.0; } }
@@ -742,6 +755,11 @@ equations! {
                 until lower_hit {
                     overs1 { _ => -k_s1; }
                     overs1_dot { damping => beta_K*k_s1_mid; }
+                }
+                until upper {
+                    openings1 { _ => 1.0; }
+                    overs1 { _ => -1.0; }
+                    one { _ => b_s1/2.0; }
                 }
             }
             free (0.0, 0.0, 0.0, 0.0, 0.0) rests {
@@ -760,12 +778,22 @@ equations! {
                     overs1 { _ => -k_s1; }
                     overs1_dot { damping => beta_K*k_s1_mid; }
                 }
+                until lower {
+                    openings1 { _ => 1.0; }
+                    overs1 { _ => 1.0; }
+                    one { _ => b_s1/2.0; }
+                }
             }
             lower_hit (1.0, -b_s1/2.0, 0.0, 1.0, -1.0) counts "flanks met" {
                 unless free { overs1 { _ => -1.0; } }
                 until lower {
                     overs1 { _ => k_s1; }
                     overs1_dot { damping => -beta_K*k_s1_mid; }
+                }
+                until upper {
+                    openings1 { _ => 1.0; }
+                    overs1 { _ => -1.0; }
+                    one { _ => b_s1/2.0; }
                 }
             }
             upper_loose (1.0, b_s1/2.0, 0.0, -1.0, 1.0) counts "flanks met" {
@@ -774,12 +802,22 @@ equations! {
                     overs1 { _ => -k_s1; }
                     overs1_dot { damping => -beta_K*k_s1_mid; }
                 }
+                until lower {
+                    openings1 { _ => 1.0; }
+                    overs1 { _ => 1.0; }
+                    one { _ => b_s1/2.0; }
+                }
             }
             lower_loose (1.0, -b_s1/2.0, 0.0, -1.0, -1.0) counts "flanks met" {
                 until free { overs1 { _ => -1.0; } }
                 until lower {
                     overs1 { _ => k_s1; }
                     overs1_dot { damping => beta_K*k_s1_mid; }
+                }
+                until upper {
+                    openings1 { _ => 1.0; }
+                    overs1 { _ => -1.0; }
+                    one { _ => b_s1/2.0; }
                 }
             }
             loss { overs1 { _ => k_s1*clips1*touchs1; } }
@@ -848,6 +886,11 @@ equations! {
                     overr1 { _ => k_r1; }
                     overr1_dot { damping => -beta_K*k_r1_mid; }
                 }
+                until lower {
+                    openingr1 { _ => 1.0; }
+                    overr1 { _ => 1.0; }
+                    one { _ => b_r1/2.0; }
+                }
             }
             lower (1.0, -b_r1/2.0, 1.0, 0.0, -1.0) rests counts "flanks met" {
                 unless free { overr1 { _ => -1.0; } }
@@ -858,6 +901,11 @@ equations! {
                 until lower_hit {
                     overr1 { _ => -k_r1; }
                     overr1_dot { damping => beta_K*k_r1_mid; }
+                }
+                until upper {
+                    openingr1 { _ => 1.0; }
+                    overr1 { _ => -1.0; }
+                    one { _ => b_r1/2.0; }
                 }
             }
             free (0.0, 0.0, 0.0, 0.0, 0.0) rests {
@@ -876,12 +924,22 @@ equations! {
                     overr1 { _ => -k_r1; }
                     overr1_dot { damping => beta_K*k_r1_mid; }
                 }
+                until lower {
+                    openingr1 { _ => 1.0; }
+                    overr1 { _ => 1.0; }
+                    one { _ => b_r1/2.0; }
+                }
             }
             lower_hit (1.0, -b_r1/2.0, 0.0, 1.0, -1.0) counts "flanks met" {
                 unless free { overr1 { _ => -1.0; } }
                 until lower {
                     overr1 { _ => k_r1; }
                     overr1_dot { damping => -beta_K*k_r1_mid; }
+                }
+                until upper {
+                    openingr1 { _ => 1.0; }
+                    overr1 { _ => -1.0; }
+                    one { _ => b_r1/2.0; }
                 }
             }
             upper_loose (1.0, b_r1/2.0, 0.0, -1.0, 1.0) counts "flanks met" {
@@ -890,12 +948,22 @@ equations! {
                     overr1 { _ => -k_r1; }
                     overr1_dot { damping => -beta_K*k_r1_mid; }
                 }
+                until lower {
+                    openingr1 { _ => 1.0; }
+                    overr1 { _ => 1.0; }
+                    one { _ => b_r1/2.0; }
+                }
             }
             lower_loose (1.0, -b_r1/2.0, 0.0, -1.0, -1.0) counts "flanks met" {
                 until free { overr1 { _ => -1.0; } }
                 until lower {
                     overr1 { _ => k_r1; }
                     overr1_dot { damping => beta_K*k_r1_mid; }
+                }
+                until upper {
+                    openingr1 { _ => 1.0; }
+                    overr1 { _ => -1.0; }
+                    one { _ => b_r1/2.0; }
                 }
             }
             loss { overr1 { _ => k_r1*clipr1*touchr1; } }
@@ -963,6 +1031,11 @@ equations! {
                     overs2 { _ => k_s2; }
                     overs2_dot { damping => -beta_K*k_s2_mid; }
                 }
+                until lower {
+                    openings2 { _ => 1.0; }
+                    overs2 { _ => 1.0; }
+                    one { _ => b_s2/2.0; }
+                }
             }
             lower (1.0, -b_s2/2.0, 1.0, 0.0, -1.0) rests counts "flanks met" {
                 unless free { overs2 { _ => -1.0; } }
@@ -973,6 +1046,11 @@ equations! {
                 until lower_hit {
                     overs2 { _ => -k_s2; }
                     overs2_dot { damping => beta_K*k_s2_mid; }
+                }
+                until upper {
+                    openings2 { _ => 1.0; }
+                    overs2 { _ => -1.0; }
+                    one { _ => b_s2/2.0; }
                 }
             }
             free (0.0, 0.0, 0.0, 0.0, 0.0) rests {
@@ -991,12 +1069,22 @@ equations! {
                     overs2 { _ => -k_s2; }
                     overs2_dot { damping => beta_K*k_s2_mid; }
                 }
+                until lower {
+                    openings2 { _ => 1.0; }
+                    overs2 { _ => 1.0; }
+                    one { _ => b_s2/2.0; }
+                }
             }
             lower_hit (1.0, -b_s2/2.0, 0.0, 1.0, -1.0) counts "flanks met" {
                 unless free { overs2 { _ => -1.0; } }
                 until lower {
                     overs2 { _ => k_s2; }
                     overs2_dot { damping => -beta_K*k_s2_mid; }
+                }
+                until upper {
+                    openings2 { _ => 1.0; }
+                    overs2 { _ => -1.0; }
+                    one { _ => b_s2/2.0; }
                 }
             }
             upper_loose (1.0, b_s2/2.0, 0.0, -1.0, 1.0) counts "flanks met" {
@@ -1005,12 +1093,22 @@ equations! {
                     overs2 { _ => -k_s2; }
                     overs2_dot { damping => -beta_K*k_s2_mid; }
                 }
+                until lower {
+                    openings2 { _ => 1.0; }
+                    overs2 { _ => 1.0; }
+                    one { _ => b_s2/2.0; }
+                }
             }
             lower_loose (1.0, -b_s2/2.0, 0.0, -1.0, -1.0) counts "flanks met" {
                 until free { overs2 { _ => -1.0; } }
                 until lower {
                     overs2 { _ => k_s2; }
                     overs2_dot { damping => beta_K*k_s2_mid; }
+                }
+                until upper {
+                    openings2 { _ => 1.0; }
+                    overs2 { _ => -1.0; }
+                    one { _ => b_s2/2.0; }
                 }
             }
             loss { overs2 { _ => k_s2*clips2*touchs2; } }
@@ -1079,6 +1177,11 @@ equations! {
                     overr2 { _ => k_r2; }
                     overr2_dot { damping => -beta_K*k_r2_mid; }
                 }
+                until lower {
+                    openingr2 { _ => 1.0; }
+                    overr2 { _ => 1.0; }
+                    one { _ => b_r2/2.0; }
+                }
             }
             lower (1.0, -b_r2/2.0, 1.0, 0.0, -1.0) rests counts "flanks met" {
                 unless free { overr2 { _ => -1.0; } }
@@ -1089,6 +1192,11 @@ equations! {
                 until lower_hit {
                     overr2 { _ => -k_r2; }
                     overr2_dot { damping => beta_K*k_r2_mid; }
+                }
+                until upper {
+                    openingr2 { _ => 1.0; }
+                    overr2 { _ => -1.0; }
+                    one { _ => b_r2/2.0; }
                 }
             }
             free (0.0, 0.0, 0.0, 0.0, 0.0) rests {
@@ -1107,12 +1215,22 @@ equations! {
                     overr2 { _ => -k_r2; }
                     overr2_dot { damping => beta_K*k_r2_mid; }
                 }
+                until lower {
+                    openingr2 { _ => 1.0; }
+                    overr2 { _ => 1.0; }
+                    one { _ => b_r2/2.0; }
+                }
             }
             lower_hit (1.0, -b_r2/2.0, 0.0, 1.0, -1.0) counts "flanks met" {
                 unless free { overr2 { _ => -1.0; } }
                 until lower {
                     overr2 { _ => k_r2; }
                     overr2_dot { damping => -beta_K*k_r2_mid; }
+                }
+                until upper {
+                    openingr2 { _ => 1.0; }
+                    overr2 { _ => -1.0; }
+                    one { _ => b_r2/2.0; }
                 }
             }
             upper_loose (1.0, b_r2/2.0, 0.0, -1.0, 1.0) counts "flanks met" {
@@ -1121,12 +1239,22 @@ equations! {
                     overr2 { _ => -k_r2; }
                     overr2_dot { damping => -beta_K*k_r2_mid; }
                 }
+                until lower {
+                    openingr2 { _ => 1.0; }
+                    overr2 { _ => 1.0; }
+                    one { _ => b_r2/2.0; }
+                }
             }
             lower_loose (1.0, -b_r2/2.0, 0.0, -1.0, -1.0) counts "flanks met" {
                 until free { overr2 { _ => -1.0; } }
                 until lower {
                     overr2 { _ => k_r2; }
                     overr2_dot { damping => beta_K*k_r2_mid; }
+                }
+                until upper {
+                    openingr2 { _ => 1.0; }
+                    overr2 { _ => -1.0; }
+                    one { _ => b_r2/2.0; }
                 }
             }
             loss { overr2 { _ => k_r2*clipr2*touchr2; } }
@@ -1194,6 +1322,11 @@ equations! {
                     overs3 { _ => k_s3; }
                     overs3_dot { damping => -beta_K*k_s3_mid; }
                 }
+                until lower {
+                    openings3 { _ => 1.0; }
+                    overs3 { _ => 1.0; }
+                    one { _ => b_s3/2.0; }
+                }
             }
             lower (1.0, -b_s3/2.0, 1.0, 0.0, -1.0) rests counts "flanks met" {
                 unless free { overs3 { _ => -1.0; } }
@@ -1204,6 +1337,11 @@ equations! {
                 until lower_hit {
                     overs3 { _ => -k_s3; }
                     overs3_dot { damping => beta_K*k_s3_mid; }
+                }
+                until upper {
+                    openings3 { _ => 1.0; }
+                    overs3 { _ => -1.0; }
+                    one { _ => b_s3/2.0; }
                 }
             }
             free (0.0, 0.0, 0.0, 0.0, 0.0) rests {
@@ -1222,12 +1360,22 @@ equations! {
                     overs3 { _ => -k_s3; }
                     overs3_dot { damping => beta_K*k_s3_mid; }
                 }
+                until lower {
+                    openings3 { _ => 1.0; }
+                    overs3 { _ => 1.0; }
+                    one { _ => b_s3/2.0; }
+                }
             }
             lower_hit (1.0, -b_s3/2.0, 0.0, 1.0, -1.0) counts "flanks met" {
                 unless free { overs3 { _ => -1.0; } }
                 until lower {
                     overs3 { _ => k_s3; }
                     overs3_dot { damping => -beta_K*k_s3_mid; }
+                }
+                until upper {
+                    openings3 { _ => 1.0; }
+                    overs3 { _ => -1.0; }
+                    one { _ => b_s3/2.0; }
                 }
             }
             upper_loose (1.0, b_s3/2.0, 0.0, -1.0, 1.0) counts "flanks met" {
@@ -1236,12 +1384,22 @@ equations! {
                     overs3 { _ => -k_s3; }
                     overs3_dot { damping => -beta_K*k_s3_mid; }
                 }
+                until lower {
+                    openings3 { _ => 1.0; }
+                    overs3 { _ => 1.0; }
+                    one { _ => b_s3/2.0; }
+                }
             }
             lower_loose (1.0, -b_s3/2.0, 0.0, -1.0, -1.0) counts "flanks met" {
                 until free { overs3 { _ => -1.0; } }
                 until lower {
                     overs3 { _ => k_s3; }
                     overs3_dot { damping => beta_K*k_s3_mid; }
+                }
+                until upper {
+                    openings3 { _ => 1.0; }
+                    overs3 { _ => -1.0; }
+                    one { _ => b_s3/2.0; }
                 }
             }
             loss { overs3 { _ => k_s3*clips3*touchs3; } }
@@ -1310,6 +1468,11 @@ equations! {
                     overr3 { _ => k_r3; }
                     overr3_dot { damping => -beta_K*k_r3_mid; }
                 }
+                until lower {
+                    openingr3 { _ => 1.0; }
+                    overr3 { _ => 1.0; }
+                    one { _ => b_r3/2.0; }
+                }
             }
             lower (1.0, -b_r3/2.0, 1.0, 0.0, -1.0) rests counts "flanks met" {
                 unless free { overr3 { _ => -1.0; } }
@@ -1320,6 +1483,11 @@ equations! {
                 until lower_hit {
                     overr3 { _ => -k_r3; }
                     overr3_dot { damping => beta_K*k_r3_mid; }
+                }
+                until upper {
+                    openingr3 { _ => 1.0; }
+                    overr3 { _ => -1.0; }
+                    one { _ => b_r3/2.0; }
                 }
             }
             free (0.0, 0.0, 0.0, 0.0, 0.0) rests {
@@ -1338,12 +1506,22 @@ equations! {
                     overr3 { _ => -k_r3; }
                     overr3_dot { damping => beta_K*k_r3_mid; }
                 }
+                until lower {
+                    openingr3 { _ => 1.0; }
+                    overr3 { _ => 1.0; }
+                    one { _ => b_r3/2.0; }
+                }
             }
             lower_hit (1.0, -b_r3/2.0, 0.0, 1.0, -1.0) counts "flanks met" {
                 unless free { overr3 { _ => -1.0; } }
                 until lower {
                     overr3 { _ => k_r3; }
                     overr3_dot { damping => -beta_K*k_r3_mid; }
+                }
+                until upper {
+                    openingr3 { _ => 1.0; }
+                    overr3 { _ => -1.0; }
+                    one { _ => b_r3/2.0; }
                 }
             }
             upper_loose (1.0, b_r3/2.0, 0.0, -1.0, 1.0) counts "flanks met" {
@@ -1352,12 +1530,22 @@ equations! {
                     overr3 { _ => -k_r3; }
                     overr3_dot { damping => -beta_K*k_r3_mid; }
                 }
+                until lower {
+                    openingr3 { _ => 1.0; }
+                    overr3 { _ => 1.0; }
+                    one { _ => b_r3/2.0; }
+                }
             }
             lower_loose (1.0, -b_r3/2.0, 0.0, -1.0, -1.0) counts "flanks met" {
                 until free { overr3 { _ => -1.0; } }
                 until lower {
                     overr3 { _ => k_r3; }
                     overr3_dot { damping => beta_K*k_r3_mid; }
+                }
+                until upper {
+                    openingr3 { _ => 1.0; }
+                    overr3 { _ => -1.0; }
+                    one { _ => b_r3/2.0; }
                 }
             }
             loss { overr3 { _ => k_r3*clipr3*touchr3; } }
@@ -1425,6 +1613,11 @@ equations! {
                     overs4 { _ => k_s4; }
                     overs4_dot { damping => -beta_K*k_s4_mid; }
                 }
+                until lower {
+                    openings4 { _ => 1.0; }
+                    overs4 { _ => 1.0; }
+                    one { _ => b_s4/2.0; }
+                }
             }
             lower (1.0, -b_s4/2.0, 1.0, 0.0, -1.0) rests counts "flanks met" {
                 unless free { overs4 { _ => -1.0; } }
@@ -1435,6 +1628,11 @@ equations! {
                 until lower_hit {
                     overs4 { _ => -k_s4; }
                     overs4_dot { damping => beta_K*k_s4_mid; }
+                }
+                until upper {
+                    openings4 { _ => 1.0; }
+                    overs4 { _ => -1.0; }
+                    one { _ => b_s4/2.0; }
                 }
             }
             free (0.0, 0.0, 0.0, 0.0, 0.0) rests {
@@ -1453,12 +1651,22 @@ equations! {
                     overs4 { _ => -k_s4; }
                     overs4_dot { damping => beta_K*k_s4_mid; }
                 }
+                until lower {
+                    openings4 { _ => 1.0; }
+                    overs4 { _ => 1.0; }
+                    one { _ => b_s4/2.0; }
+                }
             }
             lower_hit (1.0, -b_s4/2.0, 0.0, 1.0, -1.0) counts "flanks met" {
                 unless free { overs4 { _ => -1.0; } }
                 until lower {
                     overs4 { _ => k_s4; }
                     overs4_dot { damping => -beta_K*k_s4_mid; }
+                }
+                until upper {
+                    openings4 { _ => 1.0; }
+                    overs4 { _ => -1.0; }
+                    one { _ => b_s4/2.0; }
                 }
             }
             upper_loose (1.0, b_s4/2.0, 0.0, -1.0, 1.0) counts "flanks met" {
@@ -1467,12 +1675,22 @@ equations! {
                     overs4 { _ => -k_s4; }
                     overs4_dot { damping => -beta_K*k_s4_mid; }
                 }
+                until lower {
+                    openings4 { _ => 1.0; }
+                    overs4 { _ => 1.0; }
+                    one { _ => b_s4/2.0; }
+                }
             }
             lower_loose (1.0, -b_s4/2.0, 0.0, -1.0, -1.0) counts "flanks met" {
                 until free { overs4 { _ => -1.0; } }
                 until lower {
                     overs4 { _ => k_s4; }
                     overs4_dot { damping => beta_K*k_s4_mid; }
+                }
+                until upper {
+                    openings4 { _ => 1.0; }
+                    overs4 { _ => -1.0; }
+                    one { _ => b_s4/2.0; }
                 }
             }
             loss { overs4 { _ => k_s4*clips4*touchs4; } }
@@ -1541,6 +1759,11 @@ equations! {
                     overr4 { _ => k_r4; }
                     overr4_dot { damping => -beta_K*k_r4_mid; }
                 }
+                until lower {
+                    openingr4 { _ => 1.0; }
+                    overr4 { _ => 1.0; }
+                    one { _ => b_r4/2.0; }
+                }
             }
             lower (1.0, -b_r4/2.0, 1.0, 0.0, -1.0) rests counts "flanks met" {
                 unless free { overr4 { _ => -1.0; } }
@@ -1551,6 +1774,11 @@ equations! {
                 until lower_hit {
                     overr4 { _ => -k_r4; }
                     overr4_dot { damping => beta_K*k_r4_mid; }
+                }
+                until upper {
+                    openingr4 { _ => 1.0; }
+                    overr4 { _ => -1.0; }
+                    one { _ => b_r4/2.0; }
                 }
             }
             free (0.0, 0.0, 0.0, 0.0, 0.0) rests {
@@ -1569,12 +1797,22 @@ equations! {
                     overr4 { _ => -k_r4; }
                     overr4_dot { damping => beta_K*k_r4_mid; }
                 }
+                until lower {
+                    openingr4 { _ => 1.0; }
+                    overr4 { _ => 1.0; }
+                    one { _ => b_r4/2.0; }
+                }
             }
             lower_hit (1.0, -b_r4/2.0, 0.0, 1.0, -1.0) counts "flanks met" {
                 unless free { overr4 { _ => -1.0; } }
                 until lower {
                     overr4 { _ => k_r4; }
                     overr4_dot { damping => -beta_K*k_r4_mid; }
+                }
+                until upper {
+                    openingr4 { _ => 1.0; }
+                    overr4 { _ => -1.0; }
+                    one { _ => b_r4/2.0; }
                 }
             }
             upper_loose (1.0, b_r4/2.0, 0.0, -1.0, 1.0) counts "flanks met" {
@@ -1583,12 +1821,22 @@ equations! {
                     overr4 { _ => -k_r4; }
                     overr4_dot { damping => -beta_K*k_r4_mid; }
                 }
+                until lower {
+                    openingr4 { _ => 1.0; }
+                    overr4 { _ => 1.0; }
+                    one { _ => b_r4/2.0; }
+                }
             }
             lower_loose (1.0, -b_r4/2.0, 0.0, -1.0, -1.0) counts "flanks met" {
                 until free { overr4 { _ => -1.0; } }
                 until lower {
                     overr4 { _ => k_r4; }
                     overr4_dot { damping => beta_K*k_r4_mid; }
+                }
+                until upper {
+                    openingr4 { _ => 1.0; }
+                    overr4 { _ => -1.0; }
+                    one { _ => b_r4/2.0; }
                 }
             }
             loss { overr4 { _ => k_r4*clipr4*touchr4; } }

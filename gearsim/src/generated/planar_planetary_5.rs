@@ -479,11 +479,13 @@ equations! {
         tangential1 = cos_c1*y_c - eta1 - sin_c1*x_c;
         drives1 = u1 - e_s1 + cc1*y_s - cos_a*eta1 + cs1*x_s - sc1*x_s - sin_a*zeta1 + ss1*y_s;
         coasts1 = u1 - e_s1 + cc1*y_s - cos_a*eta1 - cs1*x_s - sc1*x_s + sin_a*zeta1 - ss1*y_s;
+        openings1 = sin_a*zeta1 - cs1*x_s - ss1*y_s;
         overs1 = u1 - edges1 - e_s1 + cc1*y_s - cos_a*eta1 + cs1*flanks1*x_s - sc1*x_s - sin_a*flanks1*zeta1 + ss1*flanks1*y_s;
         tau_s1 = cos_a*zeta1 - cc1*x_s + cs1*flanks1*y_s - sc1*y_s - sin_a*flanks1*eta1 - ss1*flanks1*x_s + sin_a*flanks1*u1/cos_a;
         psi_s1 = roll_s*theta - u1/r_p;
         driver1 = cc1*y_r - u1 - e_r1 - cos_a*eta1 - cs1*x_r - h*Z_r*theta_c + h*Z_r*theta_r - sc1*x_r + sin_a*zeta1 - ss1*y_r;
         coastr1 = cc1*y_r - u1 - e_r1 - cos_a*eta1 + cs1*x_r - h*Z_r*theta_c + h*Z_r*theta_r - sc1*x_r - sin_a*zeta1 + ss1*y_r;
+        openingr1 = cs1*x_r - sin_a*zeta1 + ss1*y_r;
         overr1 = cc1*y_r - u1 - edger1 - e_r1 - cos_a*eta1 - cs1*flankr1*x_r - h*Z_r*theta_c + h*Z_r*theta_r - sc1*x_r
             + sin_a*flankr1*zeta1 - ss1*flankr1*y_r;
         tau_r1 = cc1*x_r - cos_a*zeta1 + cs1*flankr1*y_r + sc1*y_r - sin_a*flankr1*eta1 - ss1*flankr1*x_r
@@ -493,11 +495,13 @@ equations! {
         tangential2 = cos_c2*y_c - eta2 - sin_c2*x_c;
         drives2 = u2 - e_s2 + cc2*y_s - cos_a*eta2 + cs2*x_s - sc2*x_s - sin_a*zeta2 + ss2*y_s;
         coasts2 = u2 - e_s2 + cc2*y_s - cos_a*eta2 - cs2*x_s - sc2*x_s + sin_a*zeta2 - ss2*y_s;
+        openings2 = sin_a*zeta2 - cs2*x_s - ss2*y_s;
         overs2 = u2 - edges2 - e_s2 + cc2*y_s - cos_a*eta2 + cs2*flanks2*x_s - sc2*x_s - sin_a*flanks2*zeta2 + ss2*flanks2*y_s;
         tau_s2 = cos_a*zeta2 - cc2*x_s + cs2*flanks2*y_s - sc2*y_s - sin_a*flanks2*eta2 - ss2*flanks2*x_s + sin_a*flanks2*u2/cos_a;
         psi_s2 = roll_s*theta - u2/r_p;
         driver2 = cc2*y_r - u2 - e_r2 - cos_a*eta2 - cs2*x_r - h*Z_r*theta_c + h*Z_r*theta_r - sc2*x_r + sin_a*zeta2 - ss2*y_r;
         coastr2 = cc2*y_r - u2 - e_r2 - cos_a*eta2 + cs2*x_r - h*Z_r*theta_c + h*Z_r*theta_r - sc2*x_r - sin_a*zeta2 + ss2*y_r;
+        openingr2 = cs2*x_r - sin_a*zeta2 + ss2*y_r;
         overr2 = cc2*y_r - u2 - edger2 - e_r2 - cos_a*eta2 - cs2*flankr2*x_r - h*Z_r*theta_c + h*Z_r*theta_r - sc2*x_r
             + sin_a*flankr2*zeta2 - ss2*flankr2*y_r;
         tau_r2 = cc2*x_r - cos_a*zeta2 + cs2*flankr2*y_r + sc2*y_r - sin_a*flankr2*eta2 - ss2*flankr2*x_r
@@ -507,11 +511,13 @@ equations! {
         tangential3 = cos_c3*y_c - eta3 - sin_c3*x_c;
         drives3 = u3 - e_s3 + cc3*y_s - cos_a*eta3 + cs3*x_s - sc3*x_s - sin_a*zeta3 + ss3*y_s;
         coasts3 = u3 - e_s3 + cc3*y_s - cos_a*eta3 - cs3*x_s - sc3*x_s + sin_a*zeta3 - ss3*y_s;
+        openings3 = sin_a*zeta3 - cs3*x_s - ss3*y_s;
         overs3 = u3 - edges3 - e_s3 + cc3*y_s - cos_a*eta3 + cs3*flanks3*x_s - sc3*x_s - sin_a*flanks3*zeta3 + ss3*flanks3*y_s;
         tau_s3 = cos_a*zeta3 - cc3*x_s + cs3*flanks3*y_s - sc3*y_s - sin_a*flanks3*eta3 - ss3*flanks3*x_s + sin_a*flanks3*u3/cos_a;
         psi_s3 = roll_s*theta - u3/r_p;
         driver3 = cc3*y_r - u3 - e_r3 - cos_a*eta3 - cs3*x_r - h*Z_r*theta_c + h*Z_r*theta_r - sc3*x_r + sin_a*zeta3 - ss3*y_r;
         coastr3 = cc3*y_r - u3 - e_r3 - cos_a*eta3 + cs3*x_r - h*Z_r*theta_c + h*Z_r*theta_r - sc3*x_r - sin_a*zeta3 + ss3*y_r;
+        openingr3 = cs3*x_r - sin_a*zeta3 + ss3*y_r;
         overr3 = cc3*y_r - u3 - edger3 - e_r3 - cos_a*eta3 - cs3*flankr3*x_r - h*Z_r*theta_c + h*Z_r*theta_r - sc3*x_r
             + sin_a*flankr3*zeta3 - ss3*flankr3*y_r;
         tau_r3 = cc3*x_r - cos_a*zeta3 + cs3*flankr3*y_r + sc3*y_r - sin_a*flankr3*eta3 - ss3*flankr3*x_r
@@ -521,11 +527,13 @@ equations! {
         tangential4 = cos_c4*y_c - eta4 - sin_c4*x_c;
         drives4 = u4 - e_s4 + cc4*y_s - cos_a*eta4 + cs4*x_s - sc4*x_s - sin_a*zeta4 + ss4*y_s;
         coasts4 = u4 - e_s4 + cc4*y_s - cos_a*eta4 - cs4*x_s - sc4*x_s + sin_a*zeta4 - ss4*y_s;
+        openings4 = sin_a*zeta4 - cs4*x_s - ss4*y_s;
         overs4 = u4 - edges4 - e_s4 + cc4*y_s - cos_a*eta4 + cs4*flanks4*x_s - sc4*x_s - sin_a*flanks4*zeta4 + ss4*flanks4*y_s;
         tau_s4 = cos_a*zeta4 - cc4*x_s + cs4*flanks4*y_s - sc4*y_s - sin_a*flanks4*eta4 - ss4*flanks4*x_s + sin_a*flanks4*u4/cos_a;
         psi_s4 = roll_s*theta - u4/r_p;
         driver4 = cc4*y_r - u4 - e_r4 - cos_a*eta4 - cs4*x_r - h*Z_r*theta_c + h*Z_r*theta_r - sc4*x_r + sin_a*zeta4 - ss4*y_r;
         coastr4 = cc4*y_r - u4 - e_r4 - cos_a*eta4 + cs4*x_r - h*Z_r*theta_c + h*Z_r*theta_r - sc4*x_r - sin_a*zeta4 + ss4*y_r;
+        openingr4 = cs4*x_r - sin_a*zeta4 + ss4*y_r;
         overr4 = cc4*y_r - u4 - edger4 - e_r4 - cos_a*eta4 - cs4*flankr4*x_r - h*Z_r*theta_c + h*Z_r*theta_r - sc4*x_r
             + sin_a*flankr4*zeta4 - ss4*flankr4*y_r;
         tau_r4 = cc4*x_r - cos_a*zeta4 + cs4*flankr4*y_r + sc4*y_r - sin_a*flankr4*eta4 - ss4*flankr4*x_r
@@ -535,11 +543,13 @@ equations! {
         tangential5 = cos_c5*y_c - eta5 - sin_c5*x_c;
         drives5 = u5 - e_s5 + cc5*y_s - cos_a*eta5 + cs5*x_s - sc5*x_s - sin_a*zeta5 + ss5*y_s;
         coasts5 = u5 - e_s5 + cc5*y_s - cos_a*eta5 - cs5*x_s - sc5*x_s + sin_a*zeta5 - ss5*y_s;
+        openings5 = sin_a*zeta5 - cs5*x_s - ss5*y_s;
         overs5 = u5 - edges5 - e_s5 + cc5*y_s - cos_a*eta5 + cs5*flanks5*x_s - sc5*x_s - sin_a*flanks5*zeta5 + ss5*flanks5*y_s;
         tau_s5 = cos_a*zeta5 - cc5*x_s + cs5*flanks5*y_s - sc5*y_s - sin_a*flanks5*eta5 - ss5*flanks5*x_s + sin_a*flanks5*u5/cos_a;
         psi_s5 = roll_s*theta - u5/r_p;
         driver5 = cc5*y_r - u5 - e_r5 - cos_a*eta5 - cs5*x_r - h*Z_r*theta_c + h*Z_r*theta_r - sc5*x_r + sin_a*zeta5 - ss5*y_r;
         coastr5 = cc5*y_r - u5 - e_r5 - cos_a*eta5 + cs5*x_r - h*Z_r*theta_c + h*Z_r*theta_r - sc5*x_r - sin_a*zeta5 + ss5*y_r;
+        openingr5 = cs5*x_r - sin_a*zeta5 + ss5*y_r;
         overr5 = cc5*y_r - u5 - edger5 - e_r5 - cos_a*eta5 - cs5*flankr5*x_r - h*Z_r*theta_c + h*Z_r*theta_r - sc5*x_r
             + sin_a*flankr5*zeta5 - ss5*flankr5*y_r;
         tau_r5 = cc5*x_r - cos_a*zeta5 + cs5*flankr5*y_r + sc5*y_r - sin_a*flankr5*eta5 - ss5*flankr5*x_r
@@ -872,6 +882,11 @@ equations! {
                     overs1 { _ => k_s1; }
                     overs1_dot { damping => -beta_K*k_s1_mid; }
                 }
+                until lower {
+                    openings1 { _ => 1.0; }
+                    overs1 { _ => 1.0; }
+                    one { _ => b_s1/2.0; }
+                }
             }
             lower (1.0, -b_s1/2.0, 1.0, 0.0, -1.0) rests counts "flanks met" {
                 unless free { overs1 { _ => -1.0; } }
@@ -882,6 +897,11 @@ equations! {
                 until lower_hit {
                     overs1 { _ => -k_s1; }
                     overs1_dot { damping => beta_K*k_s1_mid; }
+                }
+                until upper {
+                    openings1 { _ => 1.0; }
+                    overs1 { _ => -1.0; }
+                    one { _ => b_s1/2.0; }
                 }
             }
             free (0.0, 0.0, 0.0, 0.0, 0.0) rests {
@@ -900,12 +920,22 @@ equations! {
                     overs1 { _ => -k_s1; }
                     overs1_dot { damping => beta_K*k_s1_mid; }
                 }
+                until lower {
+                    openings1 { _ => 1.0; }
+                    overs1 { _ => 1.0; }
+                    one { _ => b_s1/2.0; }
+                }
             }
             lower_hit (1.0, -b_s1/2.0, 0.0, 1.0, -1.0) counts "flanks met" {
                 unless free { overs1 { _ => -1.0; } }
                 until lower {
                     overs1 { _ => k_s1; }
                     overs1_dot { damping => -beta_K*k_s1_mid; }
+                }
+                until upper {
+                    openings1 { _ => 1.0; }
+                    overs1 { _ => -1.0; }
+                    one { _ => b_s1/2.0; }
                 }
             }
             upper_loose (1.0, b_s1/2.0, 0.0, -1.0, 1.0) counts "flanks met" {
@@ -914,12 +944,22 @@ equations! {
                     overs1 { _ => -k_s1; }
                     overs1_dot { damping => -beta_K*k_s1_mid; }
                 }
+                until lower {
+                    openings1 { _ => 1.0; }
+                    overs1 { _ => 1.0; }
+                    one { _ => b_s1/2.0; }
+                }
             }
             lower_loose (1.0, -b_s1/2.0, 0.0, -1.0, -1.0) counts "flanks met" {
                 until free { overs1 { _ => -1.0; } }
                 until lower {
                     overs1 { _ => k_s1; }
                     overs1_dot { damping => beta_K*k_s1_mid; }
+                }
+                until upper {
+                    openings1 { _ => 1.0; }
+                    overs1 { _ => -1.0; }
+                    one { _ => b_s1/2.0; }
                 }
             }
             loss { overs1 { _ => k_s1*clips1*touchs1; } }
@@ -988,6 +1028,11 @@ equations! {
                     overr1 { _ => k_r1; }
                     overr1_dot { damping => -beta_K*k_r1_mid; }
                 }
+                until lower {
+                    openingr1 { _ => 1.0; }
+                    overr1 { _ => 1.0; }
+                    one { _ => b_r1/2.0; }
+                }
             }
             lower (1.0, -b_r1/2.0, 1.0, 0.0, -1.0) rests counts "flanks met" {
                 unless free { overr1 { _ => -1.0; } }
@@ -998,6 +1043,11 @@ equations! {
                 until lower_hit {
                     overr1 { _ => -k_r1; }
                     overr1_dot { damping => beta_K*k_r1_mid; }
+                }
+                until upper {
+                    openingr1 { _ => 1.0; }
+                    overr1 { _ => -1.0; }
+                    one { _ => b_r1/2.0; }
                 }
             }
             free (0.0, 0.0, 0.0, 0.0, 0.0) rests {
@@ -1016,12 +1066,22 @@ equations! {
                     overr1 { _ => -k_r1; }
                     overr1_dot { damping => beta_K*k_r1_mid; }
                 }
+                until lower {
+                    openingr1 { _ => 1.0; }
+                    overr1 { _ => 1.0; }
+                    one { _ => b_r1/2.0; }
+                }
             }
             lower_hit (1.0, -b_r1/2.0, 0.0, 1.0, -1.0) counts "flanks met" {
                 unless free { overr1 { _ => -1.0; } }
                 until lower {
                     overr1 { _ => k_r1; }
                     overr1_dot { damping => -beta_K*k_r1_mid; }
+                }
+                until upper {
+                    openingr1 { _ => 1.0; }
+                    overr1 { _ => -1.0; }
+                    one { _ => b_r1/2.0; }
                 }
             }
             upper_loose (1.0, b_r1/2.0, 0.0, -1.0, 1.0) counts "flanks met" {
@@ -1030,12 +1090,22 @@ equations! {
                     overr1 { _ => -k_r1; }
                     overr1_dot { damping => -beta_K*k_r1_mid; }
                 }
+                until lower {
+                    openingr1 { _ => 1.0; }
+                    overr1 { _ => 1.0; }
+                    one { _ => b_r1/2.0; }
+                }
             }
             lower_loose (1.0, -b_r1/2.0, 0.0, -1.0, -1.0) counts "flanks met" {
                 until free { overr1 { _ => -1.0; } }
                 until lower {
                     overr1 { _ => k_r1; }
                     overr1_dot { damping => beta_K*k_r1_mid; }
+                }
+                until upper {
+                    openingr1 { _ => 1.0; }
+                    overr1 { _ => -1.0; }
+                    one { _ => b_r1/2.0; }
                 }
             }
             loss { overr1 { _ => k_r1*clipr1*touchr1; } }
@@ -1103,6 +1173,11 @@ equations! {
                     overs2 { _ => k_s2; }
                     overs2_dot { damping => -beta_K*k_s2_mid; }
                 }
+                until lower {
+                    openings2 { _ => 1.0; }
+                    overs2 { _ => 1.0; }
+                    one { _ => b_s2/2.0; }
+                }
             }
             lower (1.0, -b_s2/2.0, 1.0, 0.0, -1.0) rests counts "flanks met" {
                 unless free { overs2 { _ => -1.0; } }
@@ -1113,6 +1188,11 @@ equations! {
                 until lower_hit {
                     overs2 { _ => -k_s2; }
                     overs2_dot { damping => beta_K*k_s2_mid; }
+                }
+                until upper {
+                    openings2 { _ => 1.0; }
+                    overs2 { _ => -1.0; }
+                    one { _ => b_s2/2.0; }
                 }
             }
             free (0.0, 0.0, 0.0, 0.0, 0.0) rests {
@@ -1131,12 +1211,22 @@ equations! {
                     overs2 { _ => -k_s2; }
                     overs2_dot { damping => beta_K*k_s2_mid; }
                 }
+                until lower {
+                    openings2 { _ => 1.0; }
+                    overs2 { _ => 1.0; }
+                    one { _ => b_s2/2.0; }
+                }
             }
             lower_hit (1.0, -b_s2/2.0, 0.0, 1.0, -1.0) counts "flanks met" {
                 unless free { overs2 { _ => -1.0; } }
                 until lower {
                     overs2 { _ => k_s2; }
                     overs2_dot { damping => -beta_K*k_s2_mid; }
+                }
+                until upper {
+                    openings2 { _ => 1.0; }
+                    overs2 { _ => -1.0; }
+                    one { _ => b_s2/2.0; }
                 }
             }
             upper_loose (1.0, b_s2/2.0, 0.0, -1.0, 1.0) counts "flanks met" {
@@ -1145,12 +1235,22 @@ equations! {
                     overs2 { _ => -k_s2; }
                     overs2_dot { damping => -beta_K*k_s2_mid; }
                 }
+                until lower {
+                    openings2 { _ => 1.0; }
+                    overs2 { _ => 1.0; }
+                    one { _ => b_s2/2.0; }
+                }
             }
             lower_loose (1.0, -b_s2/2.0, 0.0, -1.0, -1.0) counts "flanks met" {
                 until free { overs2 { _ => -1.0; } }
                 until lower {
                     overs2 { _ => k_s2; }
                     overs2_dot { damping => beta_K*k_s2_mid; }
+                }
+                until upper {
+                    openings2 { _ => 1.0; }
+                    overs2 { _ => -1.0; }
+                    one { _ => b_s2/2.0; }
                 }
             }
             loss { overs2 { _ => k_s2*clips2*touchs2; } }
@@ -1219,6 +1319,11 @@ equations! {
                     overr2 { _ => k_r2; }
                     overr2_dot { damping => -beta_K*k_r2_mid; }
                 }
+                until lower {
+                    openingr2 { _ => 1.0; }
+                    overr2 { _ => 1.0; }
+                    one { _ => b_r2/2.0; }
+                }
             }
             lower (1.0, -b_r2/2.0, 1.0, 0.0, -1.0) rests counts "flanks met" {
                 unless free { overr2 { _ => -1.0; } }
@@ -1229,6 +1334,11 @@ equations! {
                 until lower_hit {
                     overr2 { _ => -k_r2; }
                     overr2_dot { damping => beta_K*k_r2_mid; }
+                }
+                until upper {
+                    openingr2 { _ => 1.0; }
+                    overr2 { _ => -1.0; }
+                    one { _ => b_r2/2.0; }
                 }
             }
             free (0.0, 0.0, 0.0, 0.0, 0.0) rests {
@@ -1247,12 +1357,22 @@ equations! {
                     overr2 { _ => -k_r2; }
                     overr2_dot { damping => beta_K*k_r2_mid; }
                 }
+                until lower {
+                    openingr2 { _ => 1.0; }
+                    overr2 { _ => 1.0; }
+                    one { _ => b_r2/2.0; }
+                }
             }
             lower_hit (1.0, -b_r2/2.0, 0.0, 1.0, -1.0) counts "flanks met" {
                 unless free { overr2 { _ => -1.0; } }
                 until lower {
                     overr2 { _ => k_r2; }
                     overr2_dot { damping => -beta_K*k_r2_mid; }
+                }
+                until upper {
+                    openingr2 { _ => 1.0; }
+                    overr2 { _ => -1.0; }
+                    one { _ => b_r2/2.0; }
                 }
             }
             upper_loose (1.0, b_r2/2.0, 0.0, -1.0, 1.0) counts "flanks met" {
@@ -1261,12 +1381,22 @@ equations! {
                     overr2 { _ => -k_r2; }
                     overr2_dot { damping => -beta_K*k_r2_mid; }
                 }
+                until lower {
+                    openingr2 { _ => 1.0; }
+                    overr2 { _ => 1.0; }
+                    one { _ => b_r2/2.0; }
+                }
             }
             lower_loose (1.0, -b_r2/2.0, 0.0, -1.0, -1.0) counts "flanks met" {
                 until free { overr2 { _ => -1.0; } }
                 until lower {
                     overr2 { _ => k_r2; }
                     overr2_dot { damping => beta_K*k_r2_mid; }
+                }
+                until upper {
+                    openingr2 { _ => 1.0; }
+                    overr2 { _ => -1.0; }
+                    one { _ => b_r2/2.0; }
                 }
             }
             loss { overr2 { _ => k_r2*clipr2*touchr2; } }
@@ -1334,6 +1464,11 @@ equations! {
                     overs3 { _ => k_s3; }
                     overs3_dot { damping => -beta_K*k_s3_mid; }
                 }
+                until lower {
+                    openings3 { _ => 1.0; }
+                    overs3 { _ => 1.0; }
+                    one { _ => b_s3/2.0; }
+                }
             }
             lower (1.0, -b_s3/2.0, 1.0, 0.0, -1.0) rests counts "flanks met" {
                 unless free { overs3 { _ => -1.0; } }
@@ -1344,6 +1479,11 @@ equations! {
                 until lower_hit {
                     overs3 { _ => -k_s3; }
                     overs3_dot { damping => beta_K*k_s3_mid; }
+                }
+                until upper {
+                    openings3 { _ => 1.0; }
+                    overs3 { _ => -1.0; }
+                    one { _ => b_s3/2.0; }
                 }
             }
             free (0.0, 0.0, 0.0, 0.0, 0.0) rests {
@@ -1362,12 +1502,22 @@ equations! {
                     overs3 { _ => -k_s3; }
                     overs3_dot { damping => beta_K*k_s3_mid; }
                 }
+                until lower {
+                    openings3 { _ => 1.0; }
+                    overs3 { _ => 1.0; }
+                    one { _ => b_s3/2.0; }
+                }
             }
             lower_hit (1.0, -b_s3/2.0, 0.0, 1.0, -1.0) counts "flanks met" {
                 unless free { overs3 { _ => -1.0; } }
                 until lower {
                     overs3 { _ => k_s3; }
                     overs3_dot { damping => -beta_K*k_s3_mid; }
+                }
+                until upper {
+                    openings3 { _ => 1.0; }
+                    overs3 { _ => -1.0; }
+                    one { _ => b_s3/2.0; }
                 }
             }
             upper_loose (1.0, b_s3/2.0, 0.0, -1.0, 1.0) counts "flanks met" {
@@ -1376,12 +1526,22 @@ equations! {
                     overs3 { _ => -k_s3; }
                     overs3_dot { damping => -beta_K*k_s3_mid; }
                 }
+                until lower {
+                    openings3 { _ => 1.0; }
+                    overs3 { _ => 1.0; }
+                    one { _ => b_s3/2.0; }
+                }
             }
             lower_loose (1.0, -b_s3/2.0, 0.0, -1.0, -1.0) counts "flanks met" {
                 until free { overs3 { _ => -1.0; } }
                 until lower {
                     overs3 { _ => k_s3; }
                     overs3_dot { damping => beta_K*k_s3_mid; }
+                }
+                until upper {
+                    openings3 { _ => 1.0; }
+                    overs3 { _ => -1.0; }
+                    one { _ => b_s3/2.0; }
                 }
             }
             loss { overs3 { _ => k_s3*clips3*touchs3; } }
@@ -1450,6 +1610,11 @@ equations! {
                     overr3 { _ => k_r3; }
                     overr3_dot { damping => -beta_K*k_r3_mid; }
                 }
+                until lower {
+                    openingr3 { _ => 1.0; }
+                    overr3 { _ => 1.0; }
+                    one { _ => b_r3/2.0; }
+                }
             }
             lower (1.0, -b_r3/2.0, 1.0, 0.0, -1.0) rests counts "flanks met" {
                 unless free { overr3 { _ => -1.0; } }
@@ -1460,6 +1625,11 @@ equations! {
                 until lower_hit {
                     overr3 { _ => -k_r3; }
                     overr3_dot { damping => beta_K*k_r3_mid; }
+                }
+                until upper {
+                    openingr3 { _ => 1.0; }
+                    overr3 { _ => -1.0; }
+                    one { _ => b_r3/2.0; }
                 }
             }
             free (0.0, 0.0, 0.0, 0.0, 0.0) rests {
@@ -1478,12 +1648,22 @@ equations! {
                     overr3 { _ => -k_r3; }
                     overr3_dot { damping => beta_K*k_r3_mid; }
                 }
+                until lower {
+                    openingr3 { _ => 1.0; }
+                    overr3 { _ => 1.0; }
+                    one { _ => b_r3/2.0; }
+                }
             }
             lower_hit (1.0, -b_r3/2.0, 0.0, 1.0, -1.0) counts "flanks met" {
                 unless free { overr3 { _ => -1.0; } }
                 until lower {
                     overr3 { _ => k_r3; }
                     overr3_dot { damping => -beta_K*k_r3_mid; }
+                }
+                until upper {
+                    openingr3 { _ => 1.0; }
+                    overr3 { _ => -1.0; }
+                    one { _ => b_r3/2.0; }
                 }
             }
             upper_loose (1.0, b_r3/2.0, 0.0, -1.0, 1.0) counts "flanks met" {
@@ -1492,12 +1672,22 @@ equations! {
                     overr3 { _ => -k_r3; }
                     overr3_dot { damping => -beta_K*k_r3_mid; }
                 }
+                until lower {
+                    openingr3 { _ => 1.0; }
+                    overr3 { _ => 1.0; }
+                    one { _ => b_r3/2.0; }
+                }
             }
             lower_loose (1.0, -b_r3/2.0, 0.0, -1.0, -1.0) counts "flanks met" {
                 until free { overr3 { _ => -1.0; } }
                 until lower {
                     overr3 { _ => k_r3; }
                     overr3_dot { damping => beta_K*k_r3_mid; }
+                }
+                until upper {
+                    openingr3 { _ => 1.0; }
+                    overr3 { _ => -1.0; }
+                    one { _ => b_r3/2.0; }
                 }
             }
             loss { overr3 { _ => k_r3*clipr3*touchr3; } }
@@ -1565,6 +1755,11 @@ equations! {
                     overs4 { _ => k_s4; }
                     overs4_dot { damping => -beta_K*k_s4_mid; }
                 }
+                until lower {
+                    openings4 { _ => 1.0; }
+                    overs4 { _ => 1.0; }
+                    one { _ => b_s4/2.0; }
+                }
             }
             lower (1.0, -b_s4/2.0, 1.0, 0.0, -1.0) rests counts "flanks met" {
                 unless free { overs4 { _ => -1.0; } }
@@ -1575,6 +1770,11 @@ equations! {
                 until lower_hit {
                     overs4 { _ => -k_s4; }
                     overs4_dot { damping => beta_K*k_s4_mid; }
+                }
+                until upper {
+                    openings4 { _ => 1.0; }
+                    overs4 { _ => -1.0; }
+                    one { _ => b_s4/2.0; }
                 }
             }
             free (0.0, 0.0, 0.0, 0.0, 0.0) rests {
@@ -1593,12 +1793,22 @@ equations! {
                     overs4 { _ => -k_s4; }
                     overs4_dot { damping => beta_K*k_s4_mid; }
                 }
+                until lower {
+                    openings4 { _ => 1.0; }
+                    overs4 { _ => 1.0; }
+                    one { _ => b_s4/2.0; }
+                }
             }
             lower_hit (1.0, -b_s4/2.0, 0.0, 1.0, -1.0) counts "flanks met" {
                 unless free { overs4 { _ => -1.0; } }
                 until lower {
                     overs4 { _ => k_s4; }
                     overs4_dot { damping => -beta_K*k_s4_mid; }
+                }
+                until upper {
+                    openings4 { _ => 1.0; }
+                    overs4 { _ => -1.0; }
+                    one { _ => b_s4/2.0; }
                 }
             }
             upper_loose (1.0, b_s4/2.0, 0.0, -1.0, 1.0) counts "flanks met" {
@@ -1607,12 +1817,22 @@ equations! {
                     overs4 { _ => -k_s4; }
                     overs4_dot { damping => -beta_K*k_s4_mid; }
                 }
+                until lower {
+                    openings4 { _ => 1.0; }
+                    overs4 { _ => 1.0; }
+                    one { _ => b_s4/2.0; }
+                }
             }
             lower_loose (1.0, -b_s4/2.0, 0.0, -1.0, -1.0) counts "flanks met" {
                 until free { overs4 { _ => -1.0; } }
                 until lower {
                     overs4 { _ => k_s4; }
                     overs4_dot { damping => beta_K*k_s4_mid; }
+                }
+                until upper {
+                    openings4 { _ => 1.0; }
+                    overs4 { _ => -1.0; }
+                    one { _ => b_s4/2.0; }
                 }
             }
             loss { overs4 { _ => k_s4*clips4*touchs4; } }
@@ -1681,6 +1901,11 @@ equations! {
                     overr4 { _ => k_r4; }
                     overr4_dot { damping => -beta_K*k_r4_mid; }
                 }
+                until lower {
+                    openingr4 { _ => 1.0; }
+                    overr4 { _ => 1.0; }
+                    one { _ => b_r4/2.0; }
+                }
             }
             lower (1.0, -b_r4/2.0, 1.0, 0.0, -1.0) rests counts "flanks met" {
                 unless free { overr4 { _ => -1.0; } }
@@ -1691,6 +1916,11 @@ equations! {
                 until lower_hit {
                     overr4 { _ => -k_r4; }
                     overr4_dot { damping => beta_K*k_r4_mid; }
+                }
+                until upper {
+                    openingr4 { _ => 1.0; }
+                    overr4 { _ => -1.0; }
+                    one { _ => b_r4/2.0; }
                 }
             }
             free (0.0, 0.0, 0.0, 0.0, 0.0) rests {
@@ -1709,12 +1939,22 @@ equations! {
                     overr4 { _ => -k_r4; }
                     overr4_dot { damping => beta_K*k_r4_mid; }
                 }
+                until lower {
+                    openingr4 { _ => 1.0; }
+                    overr4 { _ => 1.0; }
+                    one { _ => b_r4/2.0; }
+                }
             }
             lower_hit (1.0, -b_r4/2.0, 0.0, 1.0, -1.0) counts "flanks met" {
                 unless free { overr4 { _ => -1.0; } }
                 until lower {
                     overr4 { _ => k_r4; }
                     overr4_dot { damping => -beta_K*k_r4_mid; }
+                }
+                until upper {
+                    openingr4 { _ => 1.0; }
+                    overr4 { _ => -1.0; }
+                    one { _ => b_r4/2.0; }
                 }
             }
             upper_loose (1.0, b_r4/2.0, 0.0, -1.0, 1.0) counts "flanks met" {
@@ -1723,12 +1963,22 @@ equations! {
                     overr4 { _ => -k_r4; }
                     overr4_dot { damping => -beta_K*k_r4_mid; }
                 }
+                until lower {
+                    openingr4 { _ => 1.0; }
+                    overr4 { _ => 1.0; }
+                    one { _ => b_r4/2.0; }
+                }
             }
             lower_loose (1.0, -b_r4/2.0, 0.0, -1.0, -1.0) counts "flanks met" {
                 until free { overr4 { _ => -1.0; } }
                 until lower {
                     overr4 { _ => k_r4; }
                     overr4_dot { damping => beta_K*k_r4_mid; }
+                }
+                until upper {
+                    openingr4 { _ => 1.0; }
+                    overr4 { _ => -1.0; }
+                    one { _ => b_r4/2.0; }
                 }
             }
             loss { overr4 { _ => k_r4*clipr4*touchr4; } }
@@ -1796,6 +2046,11 @@ equations! {
                     overs5 { _ => k_s5; }
                     overs5_dot { damping => -beta_K*k_s5_mid; }
                 }
+                until lower {
+                    openings5 { _ => 1.0; }
+                    overs5 { _ => 1.0; }
+                    one { _ => b_s5/2.0; }
+                }
             }
             lower (1.0, -b_s5/2.0, 1.0, 0.0, -1.0) rests counts "flanks met" {
                 unless free { overs5 { _ => -1.0; } }
@@ -1806,6 +2061,11 @@ equations! {
                 until lower_hit {
                     overs5 { _ => -k_s5; }
                     overs5_dot { damping => beta_K*k_s5_mid; }
+                }
+                until upper {
+                    openings5 { _ => 1.0; }
+                    overs5 { _ => -1.0; }
+                    one { _ => b_s5/2.0; }
                 }
             }
             free (0.0, 0.0, 0.0, 0.0, 0.0) rests {
@@ -1824,12 +2084,22 @@ equations! {
                     overs5 { _ => -k_s5; }
                     overs5_dot { damping => beta_K*k_s5_mid; }
                 }
+                until lower {
+                    openings5 { _ => 1.0; }
+                    overs5 { _ => 1.0; }
+                    one { _ => b_s5/2.0; }
+                }
             }
             lower_hit (1.0, -b_s5/2.0, 0.0, 1.0, -1.0) counts "flanks met" {
                 unless free { overs5 { _ => -1.0; } }
                 until lower {
                     overs5 { _ => k_s5; }
                     overs5_dot { damping => -beta_K*k_s5_mid; }
+                }
+                until upper {
+                    openings5 { _ => 1.0; }
+                    overs5 { _ => -1.0; }
+                    one { _ => b_s5/2.0; }
                 }
             }
             upper_loose (1.0, b_s5/2.0, 0.0, -1.0, 1.0) counts "flanks met" {
@@ -1838,12 +2108,22 @@ equations! {
                     overs5 { _ => -k_s5; }
                     overs5_dot { damping => -beta_K*k_s5_mid; }
                 }
+                until lower {
+                    openings5 { _ => 1.0; }
+                    overs5 { _ => 1.0; }
+                    one { _ => b_s5/2.0; }
+                }
             }
             lower_loose (1.0, -b_s5/2.0, 0.0, -1.0, -1.0) counts "flanks met" {
                 until free { overs5 { _ => -1.0; } }
                 until lower {
                     overs5 { _ => k_s5; }
                     overs5_dot { damping => beta_K*k_s5_mid; }
+                }
+                until upper {
+                    openings5 { _ => 1.0; }
+                    overs5 { _ => -1.0; }
+                    one { _ => b_s5/2.0; }
                 }
             }
             loss { overs5 { _ => k_s5*clips5*touchs5; } }
@@ -1912,6 +2192,11 @@ equations! {
                     overr5 { _ => k_r5; }
                     overr5_dot { damping => -beta_K*k_r5_mid; }
                 }
+                until lower {
+                    openingr5 { _ => 1.0; }
+                    overr5 { _ => 1.0; }
+                    one { _ => b_r5/2.0; }
+                }
             }
             lower (1.0, -b_r5/2.0, 1.0, 0.0, -1.0) rests counts "flanks met" {
                 unless free { overr5 { _ => -1.0; } }
@@ -1922,6 +2207,11 @@ equations! {
                 until lower_hit {
                     overr5 { _ => -k_r5; }
                     overr5_dot { damping => beta_K*k_r5_mid; }
+                }
+                until upper {
+                    openingr5 { _ => 1.0; }
+                    overr5 { _ => -1.0; }
+                    one { _ => b_r5/2.0; }
                 }
             }
             free (0.0, 0.0, 0.0, 0.0, 0.0) rests {
@@ -1940,12 +2230,22 @@ equations! {
                     overr5 { _ => -k_r5; }
                     overr5_dot { damping => beta_K*k_r5_mid; }
                 }
+                until lower {
+                    openingr5 { _ => 1.0; }
+                    overr5 { _ => 1.0; }
+                    one { _ => b_r5/2.0; }
+                }
             }
             lower_hit (1.0, -b_r5/2.0, 0.0, 1.0, -1.0) counts "flanks met" {
                 unless free { overr5 { _ => -1.0; } }
                 until lower {
                     overr5 { _ => k_r5; }
                     overr5_dot { damping => -beta_K*k_r5_mid; }
+                }
+                until upper {
+                    openingr5 { _ => 1.0; }
+                    overr5 { _ => -1.0; }
+                    one { _ => b_r5/2.0; }
                 }
             }
             upper_loose (1.0, b_r5/2.0, 0.0, -1.0, 1.0) counts "flanks met" {
@@ -1954,12 +2254,22 @@ equations! {
                     overr5 { _ => -k_r5; }
                     overr5_dot { damping => -beta_K*k_r5_mid; }
                 }
+                until lower {
+                    openingr5 { _ => 1.0; }
+                    overr5 { _ => 1.0; }
+                    one { _ => b_r5/2.0; }
+                }
             }
             lower_loose (1.0, -b_r5/2.0, 0.0, -1.0, -1.0) counts "flanks met" {
                 until free { overr5 { _ => -1.0; } }
                 until lower {
                     overr5 { _ => k_r5; }
                     overr5_dot { damping => beta_K*k_r5_mid; }
+                }
+                until upper {
+                    openingr5 { _ => 1.0; }
+                    overr5 { _ => -1.0; }
+                    one { _ => b_r5/2.0; }
                 }
             }
             loss { overr5 { _ => k_r5*clipr5*touchr5; } }

@@ -11,7 +11,7 @@
 //! | upper_loose, lower_loose | F_d < -F_s | 0 |
 //! | free | within the play | 0 |
 
-use gearsim_derive::{Expr, Model, Range, half};
+use gearsim_derive::{Describing, Expr, Model, Range, half};
 
 use super::{Flanks, named, observed};
 
@@ -39,7 +39,7 @@ pub fn play(m: &mut Model, part: &str, what: &str, unit: &str, delta: Expr) -> P
 }
 
 /// The same for a mesh whose centres move: each flank has a line of action, and the play opens with the distance of the centres. Declares the names
-/// `flank`, `drive` and `coast` too.
+/// `flank`, `drive`, `coast` and `opening` too. If no play is left, one flank at a time bears the load.
 pub fn play_in_plane(m: &mut Model, part: &str, what: &str, flanks: Flanks) -> Play {
     play_of(m, part, what, "m", flanks)
 }
@@ -71,8 +71,9 @@ fn band(m: &mut Model, part: &str, unit: &str, flanks: Flanks, edge: Expr, [effe
     let name = |what: &str| format!("{what}{part}");
     let Flanks { mean, open } = flanks;
     // The deflections of both flanks without play. Contact begins where they reach the edges.
-    let sides =
-        open.map(|open| [("drive", mean - open), ("coast", mean + open)].map(|(side, x)| m.deflection(&name(side), x)));
+    let sides = open.map(|open| {
+        [("drive", mean - open), ("coast", mean + open), ("opening", open)].map(|(of, x)| m.deflection(&name(of), x))
+    });
     let mut gap = m.switch(&name("over"), unit, mean, effect, doc);
     let touch = gap.factor(&name("touch"), 1);
     gap.offset(&name("edge"));
@@ -88,29 +89,30 @@ fn band(m: &mut Model, part: &str, unit: &str, flanks: Flanks, edge: Expr, [effe
     let (over, spring, damper) = (gap.over(), gap.spring(), gap.damper());
 
     let [zero, one] = [0, 1].map(Expr::from);
-    let contacts = [("upper", one), ("lower", -one)];
-    let [drive, coast] = sides.unwrap_or([over, over]);
+    let contacts = [("upper", one, "lower"), ("lower", -one, "upper")];
+    let [drive, coast, _] = sides.unwrap_or([over; 3]);
+    // Centres that come so close that no play is left press both flanks. The one that is pressed deeper then bears the load: it is the other
+    // one, with the same V, once the middle between both is passed.
+    let or_wedged = |contact: Describing<'_>, side: Expr, other: &str| {
+        if let Some([.., opening]) = sides {
+            contact.until(other, side * over + opening + edge);
+        }
+    };
     let values = |of: [Expr; 4], value: Expr| of.into_iter().chain(flank.map(|_| value)).collect::<Vec<_>>();
-    for (mode, side) in contacts {
-        gap.mode(mode, &values([one, side * edge, one, zero], side))
-            .rests()
-            .counts("flanks met")
-            .unless("free", side * over)
-            .until(&format!("{mode}_loose"), side * (spring + damper))
-            .until(&format!("{mode}_hit"), side * (spring - damper));
+    for (mode, side, other) in contacts {
+        let contact = gap.mode(mode, &values([one, side * edge, one, zero], side)).rests().counts("flanks met");
+        let contact = contact.unless("free", side * over).until(&format!("{mode}_loose"), side * (spring + damper));
+        or_wedged(contact.until(&format!("{mode}_hit"), side * (spring - damper)), side, other);
     }
     gap.mode("free", &values([zero; 4], zero)).rests().until("upper", edge - drive).until("lower", edge + coast);
-    for (mode, side) in contacts {
-        gap.mode(&format!("{mode}_hit"), &values([one, side * edge, zero, one], side))
-            .counts("flanks met")
-            .unless("free", side * over)
-            .until(mode, side * (damper - spring));
+    for (mode, side, other) in contacts {
+        let hit = gap.mode(&format!("{mode}_hit"), &values([one, side * edge, zero, one], side)).counts("flanks met");
+        or_wedged(hit.unless("free", side * over).until(mode, side * (damper - spring)), side, other);
     }
-    for (mode, side) in contacts {
-        gap.mode(&format!("{mode}_loose"), &values([one, side * edge, zero, -one], side))
-            .counts("flanks met")
-            .until("free", side * over)
-            .until(mode, -side * (spring + damper));
+    for (mode, side, other) in contacts {
+        let loose = gap.mode(&format!("{mode}_loose"), &values([one, side * edge, zero, -one], side));
+        let loose = loose.counts("flanks met").until("free", side * over);
+        or_wedged(loose.until(mode, -side * (spring + damper)), side, other);
     }
     gap.loss(clip * spring);
     Play { over, touch, damp, clip, flank }

@@ -147,7 +147,7 @@ fn the_radius_is_named() {
     let unknown = refused(&shaft.replace("{ value = \"2 kg\", radius = \"0.5 m\" }", "\"2 kg\""));
     assert!(unknown.contains("no gear with a base radius") && unknown.contains("radius = \"... mm\""), "{unknown}");
     let wrong = refused(&shaft.replace("\"2 kg\"", "\"2 kg*m^2\""));
-    assert!(wrong.contains("expected kg"), "{wrong}");
+    assert!(wrong.contains("is in kg*m^2, and has a radius"), "{wrong}");
     let negative = refused(&shaft.replacen("0.5 m", "-0.5 m", 1));
     assert!(negative.contains("must be positive"), "{negative}");
     let named = format!("model = \"planar_planetary_3\"{TABLE_1}")

@@ -52,7 +52,7 @@ pub fn exits<R: Real>(
         for &(on, place) in addends {
             let factor = factors[place];
             match on {
-                On::One => guard.constant += factor,
+                On::One => guard.add_constant(factor),
                 On::Deflection(i) => guard.add(factor, &of(i)),
                 On::Rate(i) => guard.add_rate(factor, &of(i)),
                 On::Reaction => guard.on_reaction += factor,

@@ -44,6 +44,8 @@ pub struct Exit<R: Real = f64> {
 pub struct Affine<R: Real = f64> {
     /// Its value at the state zero.
     pub constant: R,
+    /// The sum of the sizes of the constants that `constant` consists of: they may cancel, but not their rounding errors.
+    pub size: R,
     /// The transmission errors in it, each with the index of its law and its factor.
     pub errors: SmallVec<[(usize, R); 1]>,
     /// Its slopes along the coordinates (n).
@@ -60,12 +62,18 @@ impl<R: Real> Affine<R> {
         let zero = R::from(0.0);
         let none: SmallVec<[R; 16]> = SmallVec::from_elem(zero, n);
         let (on_q, on_speed) = (R::row(&none), R::row(&none));
-        Affine { constant: zero, errors: SmallVec::new(), on_q, on_speed, on_reaction: zero }
+        Affine { constant: zero, size: zero, errors: SmallVec::new(), on_q, on_speed, on_reaction: zero }
+    }
+
+    /// Adds a constant.
+    pub fn add_constant(&mut self, constant: R) {
+        self.constant += constant;
+        self.size += (constant * constant).sqrt();
     }
 
     /// Adds a multiple of a deflection.
     pub fn add(&mut self, factor: R, x: &Deflection<R>) {
-        self.constant += factor * x.constant;
+        self.add_constant(factor * x.constant);
         self.errors.extend(x.errors.iter().map(|(law, unit)| (*law, factor * *unit)));
         R::add_times(&mut self.on_q, factor, &x.normal);
     }
@@ -89,6 +97,6 @@ impl Affine {
 
     /// The rounding error of its value near zero.
     pub fn rounding(&self, k: &[f64]) -> f64 {
-        EDGE_ROUNDING * (self.constant.abs() + shift(&self.errors, k).abs())
+        EDGE_ROUNDING * (self.size + shift(&self.errors, k).abs())
     }
 }

@@ -40,9 +40,10 @@ impl<R: Real> Deflection<R> {
 impl<R: Real> Exit<R> {
     /// Itself in numbers of type S.
     pub fn in_numbers<S: Real + From<R>>(&self) -> Exit<S> {
-        let Affine { constant, errors, on_q, on_speed, on_reaction } = &self.guard;
+        let Affine { constant, size, errors, on_q, on_speed, on_reaction } = &self.guard;
         let guard = Affine {
             constant: (*constant).into(),
+            size: (*size).into(),
             errors: errors.iter().map(|&(law, unit)| (law, unit.into())).collect(),
             on_q: row::<R, S>(on_q),
             on_speed: row::<R, S>(on_speed),
