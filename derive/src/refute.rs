@@ -1,10 +1,10 @@
-//! Numbers for the symbols of an expression: what is not zero for some numbers is not identically zero. That is known in a few
-//! microseconds, where algebra takes a millisecond to fail. Only algebra decides that an expression is zero.
+//! Evaluates an expression with numbers for its symbols. If the value is not zero, the expression is not identically zero. This takes a few
+//! microseconds; algebra needs a millisecond to find no proof. Only algebra decides that an expression is zero.
 
 use symbolica::atom::{Atom, AtomView, Symbol};
 use symbolica::coefficient::CoefficientView;
 
-/// A value, and a bound on the sizes of the numbers that its rounding error comes from.
+/// A value, and a measure of its rounding error: the sum of the sizes of the numbers that it was computed from.
 #[derive(Clone, Copy)]
 struct Value {
     value: f64,

@@ -139,6 +139,32 @@ fn small_motions_are_those_of_the_linear_model() {
     }
 }
 
+/// Gears without bearings, the second one displaced: x and y of its centre \[m\], the play b \[m\], the speed v \[m/s\] through it from s = 0.
+struct Floating {
+    x: f64,
+    y: f64,
+    b: f64,
+    v: f64,
+}
+
+fn floating(effects: &[&str], Floating { x, y, b, v }: Floating, more: &[&str]) -> Scene {
+    let set = [
+        "parameters.kb1=0 N/m",
+        "parameters.kb2=0 N/m",
+        &format!("parameters.b12={b} m"),
+        &format!("start.x2={x} m"),
+        &format!("start.y2={y} m"),
+        "start.x1=0 m",
+        "start.y1=0 m",
+        "start.s=0 m",
+        &format!("start.s_dot={v} m/s"),
+        "start.theta_dot=0 rad/s",
+        "run.t_end=1 ms",
+        "output.record=[\"play_opening_12\"]",
+    ];
+    scene(effects, &[&set[..], more].concat())
+}
+
 /// A light gear moves through the play of heavy gears whose centres are apart. It meets the drive flank after the distance b/2 + R (phi +
 /// inv a' - inv a), and the coast flank at the distance b/2 - R phi + R (inv a' - inv a) from the middle.
 #[test]
@@ -150,24 +176,10 @@ fn the_play_opens_as_the_centres_move_apart() {
     let opening = (R1 + R2) * (involute(((R1 + R2) / between).acos()) - involute(ALPHA));
     let turn = (R1 + R2) * y.atan2(distance + x);
     for (v, way) in [(1.0, 0.5 * b + turn + opening), (-1.0, 0.5 * b - turn + opening)] {
-        let scene = scene(
+        let scene = floating(
             &["moving_centres", "backlash"],
-            &[
-                "parameters.kb1=0 N/m",
-                "parameters.kb2=0 N/m",
-                &format!("parameters.b12={b} m"),
-                &format!("start.x2={x} m"),
-                &format!("start.y2={y} m"),
-                "start.x1=0 m",
-                "start.y1=0 m",
-                "start.s=0 m",
-                &format!("start.s_dot={v} m/s"),
-                "start.theta_dot=0 rad/s",
-                "run.t_end=1 ms",
-                "run.tolerance=1e-12",
-                "run.method=dop853",
-                "output.record=[\"play_opening_12\"]",
-            ],
+            Floating { x, y, b, v },
+            &["run.tolerance=1e-12", "run.method=dop853"],
         );
         let outcome = run(&scene);
         let t = &outcome.trajectory;
@@ -185,23 +197,7 @@ fn the_linear_play_opens_by_the_first_order() {
     let (x, y, b) = (0.4e-3, 0.1e-3, 100e-6);
     let (across, opening) = (y * ALPHA.cos(), x * ALPHA.sin());
     for (v, way) in [(1.0, 0.5 * b + across + opening), (-1.0, 0.5 * b - across + opening)] {
-        let scene = scene(
-            &["backlash"],
-            &[
-                "parameters.kb1=0 N/m",
-                "parameters.kb2=0 N/m",
-                &format!("parameters.b12={b} m"),
-                &format!("start.x2={x} m"),
-                &format!("start.y2={y} m"),
-                "start.x1=0 m",
-                "start.y1=0 m",
-                "start.s=0 m",
-                &format!("start.s_dot={v} m/s"),
-                "start.theta_dot=0 rad/s",
-                "run.t_end=1 ms",
-                "output.record=[\"play_opening_12\"]",
-            ],
-        );
+        let scene = floating(&["backlash"], Floating { x, y, b, v }, &[]);
         let outcome = run(&scene);
         let t = &outcome.trajectory;
         let met = t.moment.iter().position(|m| *m == Moment::Before).expect("the flanks meet");
@@ -210,30 +206,14 @@ fn the_linear_play_opens_by_the_first_order() {
     }
 }
 
-/// If the centres are so close that no play is left, the flank that is pressed deeper bears the load: with s the motion is that in
-/// V = k (|s| + w)²/2, w the depth of both at s = 0. From one passage of s = 0 to the next it takes twice the time in which the speed v falls to zero, 2/omega atan(v/(omega w)).
+/// If the centres are so close that no play is left, the flank that is pressed deeper bears the load. Then V = k (|s| + w)²/2, where w is the
+/// depth of both flanks at s = 0. The time between two passages of s = 0 is 2/omega atan(v/(omega w)), twice the time in which the speed v falls to
+/// zero.
 #[test]
 fn closed_play_keeps_the_energy() {
     let (x, b, v) = (-0.4e-3, 100e-6, 0.5);
-    let scene = scene(
-        &["backlash"],
-        &[
-            "parameters.m1=1e13 kg",
-            "parameters.m2=1e13 kg",
-            "parameters.kb1=0 N/m",
-            "parameters.kb2=0 N/m",
-            &format!("parameters.b12={b} m"),
-            &format!("start.x2={x} m"),
-            "start.x1=0 m",
-            "start.y1=0 m",
-            "start.y2=0 m",
-            "start.s=0 m",
-            &format!("start.s_dot={v} m/s"),
-            "start.theta_dot=0 rad/s",
-            "run.t_end=1 ms",
-            "output.record=[\"play_opening_12\"]",
-        ],
-    );
+    let heavy = ["parameters.m1=1e13 kg", "parameters.m2=1e13 kg"];
+    let scene = floating(&["backlash"], Floating { x, y: 0.0, b, v }, &heavy);
     let outcome = run(&scene);
     let t = &outcome.trajectory;
     let value = |name: &str| scene.parameter(name).unwrap();
@@ -253,15 +233,14 @@ fn closed_play_keeps_the_energy() {
     assert!(worst < 1e-12 * t.kinetic[0], "{worst:e} J");
 }
 
-/// Seen in a mirror on the line of centres, a pair that drives backward coasts forward: all rotations and y change their sign, x does not. So the
-/// coast flanks push the centres apart, as the drive flanks do.
+/// A mirror on the line of centres exchanges the flanks. In it all rotations and y have the opposite sign, and x has the same sign. So the coast flanks
+/// push the centres apart, as the drive flanks do.
 #[test]
 fn a_mirror_exchanges_the_flanks() {
-    let pi2 = TAU;
     let law = |first: (&str, f64), second: &str, mirrored: bool| match (first, mirrored) {
         ((value, width), false) => format!("{{steps=[{{value={value},width=\"{width} rad\"}},{{value={second}}}]}}"),
         ((value, width), true) => {
-            format!("{{steps=[{{value={second},width=\"{} rad\"}},{{value={value}}}]}}", pi2 - width)
+            format!("{{steps=[{{value={second},width=\"{} rad\"}},{{value={value}}}]}}", TAU - width)
         }
     };
     for more in [&[][..], &["sliding_friction"], &["moving_centres"]] {

@@ -5,7 +5,7 @@
 use super::picture::Picture;
 use super::{PlotError, canvas};
 
-/// Most points that have a marker each: those of more would touch.
+/// A curve has markers if it has at most this many points. Markers of more points would touch each other.
 pub(super) const MARKED: usize = 250;
 
 /// A figure.

@@ -77,7 +77,7 @@ pub(super) fn marks(
     all
 }
 
-/// The distances of the sidebands of a rotor, in words: `rotor_speed_1`, or the multiples of a gear of a planet set.
+/// The distances of the sidebands of a rotor, as text: `rotor_speed_1`; for a gear of a planet set the multiples of its relative speed.
 fn distances(rotor: &Rotor) -> String {
     match rotor.sidebands().max() {
         Some(most) if rotor.meets > 1 => format!("1 to {most} × {}", term(rotor.name)),

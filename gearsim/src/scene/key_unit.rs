@@ -30,7 +30,7 @@ pub fn unit_of(key: &str, model: &Model) -> Option<String> {
     Some(unit.to_owned())
 }
 
-/// The unit at `rest` within a value in `unit` that may vary in time.
+/// The unit of the key `rest` inside a value in `unit` that may vary in time.
 fn over_time(unit: &'static str, rest: &[&str]) -> Option<&'static str> {
     Some(match rest {
         [] | ["value" | "mean"] | ["ramp", "from" | "to"] => unit,
@@ -42,7 +42,7 @@ fn over_time(unit: &'static str, rest: &[&str]) -> Option<&'static str> {
     })
 }
 
-/// The unit at `rest` within a law in `unit`, whose widths are in the unit of its `phase`.
+/// The unit of the key `rest` inside a law in `unit`. Its widths are in the unit of its `phase`.
 fn of_law(unit: Option<&'static str>, phase: Option<&'static str>, rest: &[&str]) -> Option<&'static str> {
     Some(match rest {
         ["steps", _, "value"] | ["mean"] | ["harmonics", _, "amplitude"] | ["pitch_errors", _] => unit?,
@@ -73,7 +73,7 @@ fn of_key(lists: &[&[Key]], name: &str) -> Option<Kind> {
     lists.iter().flat_map(|keys| keys.iter()).find(|key| key.name == name).map(|key| key.kind)
 }
 
-/// The unit at `rest` within a value of a kind. Of several kinds the first one is that of a bare number.
+/// The unit of the key `rest` inside a value of this kind. If a value may have several kinds, a plain number is of the first one.
 fn of_kind(kind: Kind, rest: &[&str]) -> Option<&'static str> {
     match (kind, rest) {
         (Kind::Number, []) => Some("1"),

@@ -102,7 +102,8 @@ pub(super) fn read(
     laws.into_iter().collect()
 }
 
-/// Reports the laws that tables of a train lack. The laws of friction follow from the teeth of a stiffness.
+/// Reports the missing laws of the parts of a train. Missing friction laws have a message of their own: they are computed from the teeth that a
+/// stiffness states.
 fn missing_in_parts(lacking: Vec<(Home, &Law)>, report: &mut Report) {
     let (friction, others): (Vec<_>, Vec<_>) = lacking.into_iter().partition(|(_, law)| law.role.is_friction());
     friction::without_teeth(friction, report);

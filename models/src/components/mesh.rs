@@ -43,7 +43,7 @@ impl Flanks {
         Flanks { mean: delta, open: None }
     }
 
-    /// Each flank has a line of action, along which it has a deflection that is linear in the coordinates.
+    /// The flanks have different lines of action. Their deflections along these lines are linear in the coordinates.
     pub fn of(drive: Expr, coast: Expr) -> Flanks {
         Flanks { mean: half(drive + coast), open: Some(half(coast - drive)) }
     }

@@ -3,8 +3,8 @@
 use super::*;
 use crate::scene::Scene;
 
-/// A set of 29 and 97 teeth with three planets and a shaft behind its carrier, with a damaged tooth of the sun or not. The numbers
-/// have no common factor, so that no sideband of the one is one of the other.
+/// A planet set with three planets and a shaft behind its carrier. The sun has 29 teeth and the ring 97; `sun_damage` may damage a tooth of the sun.
+/// The numbers of teeth have no common factor. So no sideband of the sun is at the order of a sideband of the ring.
 fn scene(sun_damage: &str) -> Scene {
     let law = |levels: [u32; 2], damage: &str| {
         let [low, high] = levels;

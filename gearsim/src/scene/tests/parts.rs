@@ -16,7 +16,7 @@ fn shafts(effects: &str, more: &str) -> String {
 
 const STIFF: &str = "stiffness = \"1 kN*m/rad\"\n";
 
-/// Every planet has the values of its set: a mistake in them is one mistake.
+/// The values of a planet set are used for each of its planets. A mistake in such a value is still reported once.
 #[test]
 fn a_mistake_in_a_planet_set_is_reported_once() {
     let set = planets("count = 3", "\"400 MN/m\"", "\"400 MN/m\"");

@@ -87,7 +87,7 @@ pub(super) const KEYS: &[Key] = &[
     key("loads", Kind::Named(torques::LOADS), "none", "loads"),
 ];
 
-/// The keys that a part needs for an effect, by what they say of it: `shafts.NAME.damping`.
+/// The keys of parts that need the effect, e.g. `shafts.NAME.damping`. The texts of the keys name their effects.
 pub(super) fn keys_of(effect: &str) -> Vec<String> {
     fn walk(path: &str, kind: Kind, said: &str, found: &mut Vec<String>) {
         match kind {

@@ -1,4 +1,4 @@
-//! Shafts and supports that are stated to be rigid, which they cannot be.
+//! Refuses shafts and supports that a scene states to be rigid. Each needs a finite stiffness.
 
 use super::read::{Item, Reader};
 use crate::scene::document::{Node, Value};
