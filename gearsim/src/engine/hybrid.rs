@@ -25,6 +25,8 @@ mod held;
 mod modes;
 mod rattle;
 
+use rattle::Rattle;
+
 /// Event counts and search cost of a run.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Counts {
@@ -76,8 +78,8 @@ pub struct Hybrid<'a> {
     pub forcing: Option<Box<Forcing>>,
     /// The external torques of the scene, by their numbers.
     pub torques: Arc<[usize]>,
-    /// When a switch last changed its mode \[s\], and the number of changes between which the deflections did not move.
-    pub rattle: (f64, u32),
+    /// The last changes of the modes of switches.
+    pub rattle: Rattle,
 
     /// Energy that damping has taken so far \[J\].
     pub dissipated: f64,
@@ -108,7 +110,7 @@ impl<'a> Hybrid<'a> {
             guards: Arc::default(),
             contact: None,
             forcing: forcing.map(Box::new),
-            rattle: (f64::NAN, 0),
+            rattle: Rattle::default(),
             dissipated: 0.0,
             ignored: 0.0,
             work: vec![0.0; if varying { torques.len() } else { 0 }],

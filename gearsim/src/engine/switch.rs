@@ -311,7 +311,13 @@ pub fn settle(
             true if crossed.is_some() || switch.is_at_rest(equations, (q, q_dot), k) => {
                 exits.iter().find(|exit| exit.guard.on_reaction == 0.0 && violated(exit))
             }
-            true => exits.iter().find(|exit| admits(switch, equations, exit.beyond, (q, q_dot), k)),
+            true => {
+                let admitted = |at_edge| {
+                    let found = |exit: &&Exit| admits(switch, equations, (exit.beyond, at_edge), (q, q_dot), k);
+                    exits.iter().find(found)
+                };
+                admitted(false).or_else(|| admitted(true))
+            }
             false => exits.iter().find(|exit| violated(exit)),
         };
         let Some(exit) = exit else { break };
@@ -321,11 +327,20 @@ pub fn settle(
     switch.mode != before
 }
 
-/// Whether another mode of a switch admits a state: its guards are positive there, or about to be.
-fn admits(switch: &Switch, equations: &dyn Equations, mode: usize, (q, q_dot): (&[f64], &[f64]), k: &[f64]) -> bool {
+/// Whether another mode of a switch admits a state: its guards are positive there, or about to be. `at_edge`: a mode that does not hold also
+/// admits a state at which guards of its coordinates are zero and stay so, e.g. gears that roll without load.
+fn admits(
+    switch: &Switch,
+    equations: &dyn Equations,
+    (mode, at_edge): (usize, bool),
+    (q, q_dot): (&[f64], &[f64]),
+    k: &[f64],
+) -> bool {
     let (other, k) = switch.in_mode(mode, k);
-    other.exits(equations, q, &k).iter().filter(|exit| exit.guard.on_reaction == 0.0).all(|exit| {
-        let value = exit.guard.value(q, q_dot, &k);
-        value > 0.0 || (value == 0.0 && exit.guard.on_q.dot(q_dot) > 0.0)
+    let stays = at_edge && !other.here().held;
+    other.exits(equations, q, &k).iter().map(|exit| &exit.guard).filter(|guard| guard.on_reaction == 0.0).all(|guard| {
+        let value = guard.value(q, q_dot, &k);
+        let edge = stays && guard.on_speed.amax() == 0.0 && value.abs() <= guard.rounding(&k);
+        value > 0.0 || edge || (value == 0.0 && guard.on_q.dot(q_dot) > 0.0)
     })
 }

@@ -1,10 +1,27 @@
 //! Switches that rattle: they change their modes repeatedly at one time, because the guards are rounding errors.
 
-use crate::engine::equations::Exit;
+use crate::engine::equations::{Affine, Exit};
 use crate::engine::switch;
-use crate::tolerance::events::{DOUBLINGS, EVENTS_AT_ONE_TIME, NO_TIME};
+use crate::tolerance::events::{AT_REST, DOUBLINGS, EDGE_ROUNDING, EVENTS_AT_ONE_TIME, NO_TIME};
 
 use super::Hybrid;
+
+/// The last changes of the modes of switches.
+#[derive(Debug, Clone, Copy)]
+pub struct Rattle {
+    /// The time of the last change \[s\].
+    since: f64,
+    /// The number of changes between which the guards did not move.
+    changes: u32,
+    /// Bound on the rates of the motion at the last change \[1/s\].
+    rate: f64,
+}
+
+impl Default for Rattle {
+    fn default() -> Self {
+        Rattle { since: f64::NAN, changes: 0, rate: 0.0 }
+    }
+}
 
 impl Hybrid<'_> {
     /// Value of the guard of an exit of a switch. Before the exit a negative value is a rounding error and counts as zero.
@@ -15,12 +32,19 @@ impl Hybrid<'_> {
         exit.guard.value(&self.state.q, &self.state.q_dot, &self.k).max(0.0) + self.slack_of(exit)
     }
 
+    /// Notes a change of the mode of a switch; `rate` bounds the rates of the motion \[1/s\].
+    pub fn note_change(&mut self, rate: f64) {
+        let now = self.clock.now();
+        let changes = if self.has_not_moved(now - self.rattle.since, rate) { self.rattle.changes + 1 } else { 0 };
+        self.rattle = Rattle { since: now, changes, rate };
+    }
+
     /// Whether the guards of the switches have changed by at most their rounding errors in the last `dt` \[s\]. Their signs then say nothing
-    /// about the side on which the deflections are. `rate` bounds the rates of the motion \[1/s\].
-    pub fn has_not_moved(&self, dt: f64, rate: f64) -> bool {
+    /// about the side on which the deflections are.
+    fn has_not_moved(&self, dt: f64, rate: f64) -> bool {
         let still = |Exit { guard, .. }: &Exit| {
             let by_speed = guard.on_speed.amax() == 0.0 || dt * rate <= NO_TIME;
-            by_speed && (guard.on_q.dot(&self.state.q_dot) * dt).abs() <= guard.rounding(&self.k)
+            by_speed && (guard.on_q.dot(&self.state.q_dot) * dt).abs() <= self.rounding(guard, rate)
         };
         dt == 0.0 || dt > 0.0 && self.guards.exits.iter().flatten().all(still)
     }
@@ -29,8 +53,18 @@ impl Hybrid<'_> {
     /// a method by steps has larger errors.
     pub fn slack_of(&self, Exit { guard, .. }: &Exit) -> f64 {
         let (each, all) = EVENTS_AT_ONE_TIME;
-        let Some(further) = self.rattle.1.checked_sub(all.min(each * self.switches.len() as u32)) else { return 0.0 };
-        let rate = switch::rest(self.equations, (&self.state.q, &self.state.q_dot), &guard.on_speed);
-        2f64.powi(further.min(DOUBLINGS) as i32) * (guard.rounding(&self.k) + rate)
+        let Rattle { changes, rate, .. } = self.rattle;
+        let Some(further) = changes.checked_sub(all.min(each * self.switches.len() as u32)) else { return 0.0 };
+        let speed = switch::rest(self.equations, (&self.state.q, &self.state.q_dot), &guard.on_speed);
+        2f64.powi(further.min(DOUBLINGS) as i32) * (self.rounding(guard, rate) + speed)
+    }
+
+    /// The rounding error of a guard: of its constants, and of the largest deflection that the kinetic energy of the whole train allows. The
+    /// constants alone are zero for flanks that stick, whose guard is the sign of a deflection; without load it stays at zero. `rate` bounds the
+    /// rates of the motion \[1/s\].
+    pub fn rounding(&self, guard: &Affine, rate: f64) -> f64 {
+        let speed = switch::rest(self.equations, (&self.state.q, &self.state.q_dot), &guard.on_q) / AT_REST;
+        let deflection = if rate > 0.0 { speed / rate } else { 0.0 };
+        guard.rounding(&self.k) + EDGE_ROUNDING * deflection
     }
 }

@@ -140,8 +140,7 @@ impl Simulation<'_> {
     /// Goes on after a switch has changed its mode.
     fn follow_switch(&mut self) -> Result<(), Stop> {
         let (rate, now) = (self.solver.rate(), &mut self.now);
-        let t = now.clock.now();
-        now.rattle = (t, if now.has_not_moved(t - now.rattle.0, rate) { now.rattle.1 + 1 } else { 0 });
+        now.note_change(rate);
         // The contact forces have changed: test every held contact again.
         let held = now.contact.take().map_or(vec![], |contact| contact.laws);
         let void = |held: &(usize, Side)| contact::is_void(self.now.equations, self.stand(), *held, &self.now.state);

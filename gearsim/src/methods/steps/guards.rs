@@ -53,7 +53,7 @@ impl Step<'_, '_> {
                     self.interpolated(guard, side, left.max(0.0) + self.now.slack_of(exit))
                 };
                 // The rounding of a guard is sixteen units of its last place.
-                note(side, root::first(&gap, 0.25 * exit.guard.rounding(&self.now.k)));
+                note(side, root::first(&gap, 0.25 * self.now.rounding(&exit.guard, self.solver.fastest)));
             }
             Guard::Hold(which) => {
                 let left = self.now.left_of_hold(which);
