@@ -1,18 +1,19 @@
-//! A damaged tooth of a sun meets the planets with the speed of its gear relative to the carrier: so far apart are its sidebands.
+//! A damaged tooth of a sun or a ring meets the planets with the speed of its gear relative to the carrier: so far apart are its sidebands.
 
 use super::*;
 use crate::scene::Scene;
 
-/// A planet set with three planets and a shaft behind its carrier. The sun has 29 teeth and the ring 97; `sun_damage` may damage a tooth of the sun.
+/// A planet set with three planets and a shaft behind its carrier. The sun has 29 teeth and the ring 97; `sun_damage` and
+/// `ring_damage` may damage a tooth of them.
 /// The numbers of teeth have no common factor. So no sideband of the sun is at the order of a sideband of the ring.
-fn scene(sun_damage: &str) -> Scene {
+fn scene([sun_damage, ring_damage]: [&str; 2]) -> Scene {
     let law = |levels: [u32; 2], damage: &str| {
         let [low, high] = levels;
         format!(
             "{{ steps = [{{ value = \"{low} MN/m\", width = \"2 rad\" }}, {{ value = \"{high} MN/m\" }}]{damage} }}"
         )
     };
-    let (sun, ring) = (law([300, 330], sun_damage), law([400, 430], ""));
+    let (sun, ring) = (law([300, 330], sun_damage), law([400, 430], ring_damage));
     let text = format!(
         "model = \"train\"\neffects = [\"stiffness_step\", \"damping\", \"torques\"]\n[rotors]\nsun = \"2e-3 kg*m^2\"\n\
          c = \"0.05 kg*m^2\"\nout = \"2 kg*m^2\"\n[planets.p]\nsun = \"sun\"\nring = \"ground\"\ncarrier = \"c\"\n\
@@ -33,20 +34,30 @@ fn largest(lines: &Lines, output: &str) -> Vec<(&'static str, i32, f64)> {
 }
 
 /// At 600 rpm of the sun the carrier turns with 10 Hz 29/126, and the mesh frequency is 97 times that. A tooth of the sun meets each planet
-/// (10 - 10 29/126) Hz = 7.698 times a second, and a planet three times as often.
+/// (10 - 10 29/126) Hz = 7.698 times a second, and a planet three times as often; a tooth of the ring 10 Hz 29/126 = 2.302 times.
 #[test]
 fn sidebands_of_a_planet_set_are_those_of_speeds_relative_to_the_carrier() {
-    let apart = 10.0 * 97.0 / 126.0;
-    let scene = scene(", damage = [{ tooth = 1, of = 29, loss = 0.8 }]");
-    let run = scene.run().unwrap().outcome.trajectory;
-    let lines = Lines::of(&run, &scene.output.spectrum).unwrap().unwrap();
-    // Of the three planets together only multiples of three passages remain.
-    for (output, step) in [("mesh_force_p_s1", 1.0), ("shaft_torque_s", 3.0)] {
-        let found = largest(&lines, output);
-        for (rotor, _, frequency) in &found[..4] {
-            assert_eq!(*rotor, "rotor_speed_sun - rotor_speed_c", "{output}: {found:?}");
-            let multiples = frequency / (step * apart);
-            assert!((multiples - multiples.round()).abs() < 0.01, "{output}: {multiples} times {step} x {apart} Hz");
+    let damage = |of: u32| format!(", damage = [{{ tooth = 1, of = {of}, loss = 0.8 }}]");
+    let cases = [
+        ([&damage(29), ""], "mesh_force_p_s1", "rotor_speed_sun - rotor_speed_c", 97.0),
+        (["", &damage(97)], "mesh_force_p_r1", "rotor_speed_c", 29.0),
+    ];
+    for (damages, force, gear, teeth_of_other) in cases {
+        let scene = scene(damages);
+        let run = scene.run().unwrap().outcome.trajectory;
+        let lines = Lines::of(&run, &scene.output.spectrum).unwrap().unwrap();
+        let apart = 10.0 * teeth_of_other / 126.0;
+        // Of the three planets together only multiples of three passages remain.
+        for (output, step) in [(force, 1.0), ("shaft_torque_s", 3.0)] {
+            let found = largest(&lines, output);
+            for (rotor, _, frequency) in &found[..4] {
+                assert_eq!(*rotor, gear, "{output}: {found:?}");
+                let multiples = frequency / (step * apart);
+                assert!(
+                    (multiples - multiples.round()).abs() < 0.01,
+                    "{output}: {multiples} times {step} x {apart} Hz"
+                );
+            }
         }
     }
 }
@@ -57,7 +68,7 @@ fn gears_of_planet_sets_turn_relative_to_the_carrier() {
     let derived = concat!(env!("CARGO_MANIFEST_DIR"), "/../models/scenes/planetary_3.toml");
     for (scene, names, [sun, ring, planet]) in [
         (
-            scene(""),
+            scene(["", ""]),
             ["rotor_speed_sun - rotor_speed_c", "rotor_speed_c", "rotor_speed_p_1 - rotor_speed_c"],
             [29.0, 97.0, 34.0],
         ),
