@@ -10,6 +10,8 @@ use std::time::{Duration, Instant};
 use pyo3::exceptions::PyRuntimeError;
 use pyo3::prelude::*;
 
+use crate::argument::Function;
+
 /// Interval between two checks for signals and reports of the progress.
 const EVERY: Duration = Duration::from_millis(50);
 /// The clock is read once in this many calls.
@@ -17,7 +19,7 @@ const CALLS: u32 = 1 << 8;
 
 /// Progress reports and interruption of a long call.
 pub struct Watch {
-    progress: Option<Py<PyAny>>,
+    progress: Option<Function>,
     calls: u32,
     last: Instant,
 }
@@ -47,7 +49,7 @@ impl Watch {
         self.last = Instant::now();
         Python::attach(|py| {
             py.check_signals()?;
-            self.progress.as_ref().map_or(Ok(()), |progress| progress.call1(py, (place,)).map(drop))
+            self.progress.as_ref().map_or(Ok(()), |progress| progress.0.call1(py, (place,)).map(drop))
         })
     }
 
@@ -64,7 +66,7 @@ fn unwind(error: PyErr) {
 /// Calls `work` without Python's lock.
 pub fn detached<T: Send>(
     py: Python<'_>,
-    progress: Option<Py<PyAny>>,
+    progress: Option<Function>,
     work: impl FnOnce(&mut Watch) -> T + Send,
 ) -> PyResult<T> {
     let mut watch = Watch { progress, calls: 0, last: Instant::now() };

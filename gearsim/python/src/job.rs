@@ -9,6 +9,7 @@ use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use pyo3::types::PyBytes;
 
+use crate::argument::{self, Function};
 use crate::error::{GearsimError, raised};
 use crate::interrupt::detached;
 use crate::scene::{Definition, Scene};
@@ -47,10 +48,10 @@ impl Job {
     fn run<'py>(
         &self,
         py: Python<'py>,
-        first: usize,
-        end: usize,
-        progress: Option<Py<PyAny>>,
-        threads: Option<NonZeroUsize>,
+        #[pyo3(from_py_with = argument::first)] first: usize,
+        #[pyo3(from_py_with = argument::end)] end: usize,
+        #[pyo3(from_py_with = argument::progress)] progress: Option<Function>,
+        #[pyo3(from_py_with = argument::threads)] threads: Option<NonZeroUsize>,
     ) -> PyResult<Bound<'py, PyBytes>> {
         let bytes = detached(py, progress, |watch| {
             let mut raised_by_watch = None;
@@ -70,41 +71,64 @@ impl Job {
     }
 
     /// Mean, deviation and percentiles of each quantity. `table` has all points of the sweep.
-    fn statistics(&self, py: Python<'_>, table: &Table) -> PyResult<Table> {
-        let table = table.inner()?;
+    fn statistics(
+        &self,
+        py: Python<'_>,
+        #[pyo3(from_py_with = argument::table)] table: Bound<'_, Table>,
+    ) -> PyResult<Table> {
+        let table = table.get().inner()?;
         Table::new(py.detach(|| self.inner.statistics(&table)).map_err(raised)?)
     }
 
     /// Indices of sensitivity of each quantity. `table` has all points of a sweep with the design "saltelli".
-    fn sensitivity(&self, py: Python<'_>, table: &Table) -> PyResult<Table> {
-        let table = table.inner()?;
+    fn sensitivity(
+        &self,
+        py: Python<'_>,
+        #[pyo3(from_py_with = argument::table)] table: Bound<'_, Table>,
+    ) -> PyResult<Table> {
+        let table = table.get().inner()?;
         Table::new(py.detach(|| self.inner.sensitivity(&table)).map_err(raised)?)
     }
 
     /// The probability that each of the limits, `"mesh_force_12_max <= 5 kN"`, is broken, with its 95 % interval. `table` has all points of
     /// the sweep.
-    fn limits(&self, py: Python<'_>, table: &Table, limits: &Bound<'_, PyAny>) -> PyResult<Table> {
-        let (table, limits) = (table.inner()?, value::one_or_more(limits, "limits")?);
+    fn limits(
+        &self,
+        py: Python<'_>,
+        #[pyo3(from_py_with = argument::table)] table: Bound<'_, Table>,
+        limits: &Bound<'_, PyAny>,
+    ) -> PyResult<Table> {
+        let (table, limits) = (table.get().inner()?, value::one_or_more(limits, "limits")?);
         let limits: Vec<&str> = limits.iter().map(String::as_str).collect();
         Table::new(py.detach(|| self.inner.limits(&table, &limits)).map_err(raised)?)
     }
 
     /// Opens the folder in which finished rows are stored. It may contain points of an earlier run of the same sweep.
-    fn gather(&self, folder: PathBuf) -> PyResult<Gathering> {
+    fn gather(&self, #[pyo3(from_py_with = argument::folder)] folder: PathBuf) -> PyResult<Gathering> {
         Ok(Gathering { inner: Mutex::new(Some(self.inner.gather(folder).map_err(raised)?)) })
     }
 
     /// Ranges of at most `most` points that are not in the folder yet.
-    fn missing(&self, gathering: &Gathering, most: usize) -> PyResult<Vec<(usize, usize)>> {
-        gathering.with(|inner| {
+    fn missing(
+        &self,
+        #[pyo3(from_py_with = argument::gathering)] gathering: Bound<'_, Gathering>,
+        #[pyo3(from_py_with = argument::most)] most: usize,
+    ) -> PyResult<Vec<(usize, usize)>> {
+        gathering.get().with(|inner| {
             let ranges = self.inner.missing(inner, most)?;
             Ok(ranges.into_iter().map(|range| (range.start, range.end)).collect())
         })
     }
 
     /// Keeps rows in the folder.
-    fn keep(&self, py: Python<'_>, gathering: &Gathering, rows: &Bound<'_, PyBytes>) -> PyResult<()> {
+    fn keep(
+        &self,
+        py: Python<'_>,
+        #[pyo3(from_py_with = argument::gathering)] gathering: Bound<'_, Gathering>,
+        #[pyo3(from_py_with = argument::rows)] rows: Bound<'_, PyBytes>,
+    ) -> PyResult<()> {
         let bytes = rows.as_bytes();
+        let gathering = gathering.get();
         py.detach(|| gathering.with(|inner| inner.keep_packed(bytes)))
     }
 }

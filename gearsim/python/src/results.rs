@@ -5,6 +5,7 @@ use std::path::PathBuf;
 use pyo3::prelude::*;
 use pyo3::types::{PyBytes, PyDict, PyIterator};
 
+use crate::argument::{self, Function};
 use crate::error::raised;
 use crate::interrupt::detached;
 use crate::scene::Scene;
@@ -35,7 +36,7 @@ impl Results {
         self.table.get().columns()
     }
 
-    fn __contains__(&self, name: &str) -> bool {
+    fn __contains__(&self, #[pyo3(from_py_with = argument::column)] name: &str) -> bool {
         self.table.get().__contains__(name)
     }
 
@@ -74,14 +75,19 @@ impl Results {
 
     /// Draws a plot: `outputs`, `orders`, `energy`, `spectrum`, `motion`, ...
     #[pyo3(signature = (name="outputs"))]
-    fn plot(&self, py: Python<'_>, name: &str) -> PyResult<Figure> {
+    fn plot(&self, py: Python<'_>, #[pyo3(from_py_with = argument::plot)] name: &str) -> PyResult<Figure> {
         py.detach(|| self.inner.plot(name)).map(|inner| Figure { inner }).map_err(raised)
     }
 
     /// Writes the result files to `folder`, as `gearsim run` does, and returns their paths. With `html=True`, writes the interactive page
     /// `page.html` too.
     #[pyo3(signature = (folder, html=false))]
-    fn write(&self, py: Python<'_>, folder: PathBuf, html: bool) -> PyResult<Vec<PathBuf>> {
+    fn write(
+        &self,
+        py: Python<'_>,
+        #[pyo3(from_py_with = argument::folder)] folder: PathBuf,
+        #[pyo3(from_py_with = argument::html)] html: bool,
+    ) -> PyResult<Vec<PathBuf>> {
         let written = py.detach(|| if html { self.inner.write_with_page(folder) } else { self.inner.write(folder) });
         written.map_err(raised)
     }
@@ -112,7 +118,11 @@ impl Comparison {
     /// Runs scenes one after the other. `progress` is called with the time that the present run has reached [s].
     #[new]
     #[pyo3(signature = (scenes, progress=None))]
-    fn new(py: Python<'_>, scenes: Vec<(String, Scene)>, progress: Option<Py<PyAny>>) -> PyResult<Self> {
+    fn new(
+        py: Python<'_>,
+        #[pyo3(from_py_with = argument::scenes)] scenes: Vec<(String, Scene)>,
+        #[pyo3(from_py_with = argument::progress)] progress: Option<Function>,
+    ) -> PyResult<Self> {
         let scenes: Vec<_> = scenes.into_iter().map(|(name, scene)| (name, scene.inner)).collect();
         let run = detached(py, progress, |watch| gearsim::Comparison::of(scenes, &mut |t| watch.at_or_unwind(t)))?;
         Ok(Comparison { inner: run.map_err(raised)? })
@@ -130,7 +140,7 @@ impl Comparison {
 
     /// Draws the curves of all runs over each other: `outputs`, `energy`, `spectrum`, ...
     #[pyo3(signature = (name="outputs"))]
-    fn plot(&self, py: Python<'_>, name: &str) -> PyResult<Figure> {
+    fn plot(&self, py: Python<'_>, #[pyo3(from_py_with = argument::plot)] name: &str) -> PyResult<Figure> {
         py.detach(|| self.inner.plot(name)).map(|inner| Figure { inner }).map_err(raised)
     }
 
@@ -150,7 +160,7 @@ pub struct Figure {
 impl Figure {
     /// The figure as SVG; with about `points` points in all curves, if given: their extremes stay.
     #[pyo3(signature = (points=None))]
-    fn svg(&self, points: Option<usize>) -> PyResult<String> {
+    fn svg(&self, #[pyo3(from_py_with = argument::points)] points: Option<usize>) -> PyResult<String> {
         let svg = match points {
             Some(points) => self.inner.reduced(points).svg(),
             None => self.inner.svg(),

@@ -9,6 +9,7 @@ use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use pyo3::types::{IntoPyDict, PyDict};
 
+use crate::argument::{self, Function, Mapping};
 use crate::error::raised;
 use crate::interrupt::{detached, left};
 use crate::job::Job;
@@ -62,9 +63,9 @@ impl Scene {
     #[new]
     #[pyo3(signature = (model, effects=None, name=None, **tables))]
     fn new(
-        model: &str,
+        #[pyo3(from_py_with = argument::model)] model: &str,
         effects: Option<&Bound<'_, PyAny>>,
-        name: Option<&str>,
+        #[pyo3(from_py_with = argument::scene_name)] name: Option<&str>,
         tables: Option<&Bound<'_, PyDict>>,
     ) -> PyResult<Self> {
         let effects = effects.map_or(Ok(vec![]), |effects| value::names(effects, "effects"))?;
@@ -78,22 +79,30 @@ impl Scene {
 
     /// Reads a scene file.
     #[staticmethod]
-    fn load(py: Python<'_>, path: PathBuf) -> PyResult<Self> {
+    fn load(py: Python<'_>, #[pyo3(from_py_with = argument::path)] path: PathBuf) -> PyResult<Self> {
         Ok(Scene { inner: py.detach(|| Inner::load(path)).map_err(raised)? })
     }
 
     /// Reads a scene from its text in TOML.
     #[staticmethod]
     #[pyo3(signature = (text, name="scene"))]
-    fn from_toml(py: Python<'_>, text: &str, name: &str) -> PyResult<Self> {
+    fn from_toml(
+        py: Python<'_>,
+        #[pyo3(from_py_with = argument::text)] text: &str,
+        #[pyo3(from_py_with = argument::scene_name)] name: &str,
+    ) -> PyResult<Self> {
         Ok(Scene { inner: py.detach(|| Inner::from_toml(name, text)).map_err(raised)? })
     }
 
     /// The same scene with other values: `scene.replace({"parameters.T0": 20.0})`, `scene.replace(run={"t_end": "1 s"})`.
     #[pyo3(signature = (values=None, **tables))]
-    fn replace(&self, values: Option<&Bound<'_, PyDict>>, tables: Option<&Bound<'_, PyDict>>) -> PyResult<Self> {
+    fn replace(
+        &self,
+        #[pyo3(from_py_with = argument::values)] values: Option<Mapping<'_>>,
+        tables: Option<&Bound<'_, PyDict>>,
+    ) -> PyResult<Self> {
         let mut all = vec![];
-        for table in [values, tables].into_iter().flatten() {
+        for table in [values.as_ref().map(|values| &values.0), tables].into_iter().flatten() {
             all.extend(value::flat(table, "")?);
         }
         let all = all.iter().map(|(key, value)| (key.as_str(), value.clone()));
@@ -102,7 +111,11 @@ impl Scene {
 
     /// Runs the scene. `progress` is called with the time reached [s] now and then.
     #[pyo3(signature = (progress=None))]
-    fn run(&self, py: Python<'_>, progress: Option<Py<PyAny>>) -> PyResult<Results> {
+    fn run(
+        &self,
+        py: Python<'_>,
+        #[pyo3(from_py_with = argument::progress)] progress: Option<Function>,
+    ) -> PyResult<Results> {
         let run = detached(py, progress, |watch| self.inner.run_watched(&mut |t| watch.at_or_unwind(t)))?;
         Results::new(run.map_err(raised)?)
     }
@@ -124,7 +137,11 @@ impl Scene {
     /// Natural frequencies [Hz], damping factors and shapes at the mid stiffnesses, or at `levels` [SI]: a dict a mode. A shape has one number
     /// for each of the `coordinates` of the scene. `strain_energy` and `kinetic_energy` are dicts too: the shares of stiffnesses and of inertias, by their names in the scene; no strain in a rigid motion.
     #[pyo3(signature = (levels=None))]
-    fn modes<'py>(&self, py: Python<'py>, levels: Option<Vec<f64>>) -> PyResult<Vec<Bound<'py, PyDict>>> {
+    fn modes<'py>(
+        &self,
+        py: Python<'py>,
+        #[pyo3(from_py_with = argument::levels)] levels: Option<Vec<f64>>,
+    ) -> PyResult<Vec<Bound<'py, PyDict>>> {
         let levels = levels.unwrap_or_else(|| self.inner.mid_stiffnesses());
         let scene = self.inner.clone();
         let cell = left(py, move |watch| scene.modes_watched(&levels, watch))?.map_err(raised)?;
@@ -157,7 +174,11 @@ impl Scene {
 
     /// Which effects the scene needs, as the text of `gearsim advise --json`.
     #[pyo3(signature = (progress))]
-    fn _advise(&self, py: Python<'_>, progress: Option<Py<PyAny>>) -> PyResult<String> {
+    fn _advise(
+        &self,
+        py: Python<'_>,
+        #[pyo3(from_py_with = argument::progress)] progress: Option<Function>,
+    ) -> PyResult<String> {
         let advice = detached(py, progress, |watch| {
             let watch = RefCell::new(watch);
             self.inner
@@ -177,9 +198,9 @@ impl Scene {
         &self,
         py: Python<'_>,
         axis: &Bound<'_, PyAny>,
-        start: Option<f64>,
-        progress: Option<Py<PyAny>>,
-        hold: Option<&str>,
+        #[pyo3(from_py_with = argument::axis_start)] start: Option<f64>,
+        #[pyo3(from_py_with = argument::progress)] progress: Option<Function>,
+        #[pyo3(from_py_with = argument::hold)] hold: Option<&str>,
     ) -> PyResult<Table> {
         let [axis] = &value::axes(axis, &self.inner)?[..] else {
             return Err(PyValueError::new_err("a response has one axis: give one key with its values"));
@@ -202,10 +223,10 @@ impl Scene {
         &self,
         axes: &Bound<'_, PyAny>,
         record: Option<&Bound<'_, PyAny>>,
-        start: Option<f64>,
-        samples: Option<usize>,
-        seed: u64,
-        design: &str,
+        #[pyo3(from_py_with = argument::axis_start)] start: Option<f64>,
+        #[pyo3(from_py_with = argument::samples)] samples: Option<usize>,
+        #[pyo3(from_py_with = argument::seed)] seed: u64,
+        #[pyo3(from_py_with = argument::design)] design: &str,
     ) -> PyResult<Job> {
         let design = design.parse().map_err(PyValueError::new_err)?;
         let record = match record {
@@ -217,7 +238,12 @@ impl Scene {
     }
 
     /// Accelerations at a state and law values [SI], with every play closed, for comparison with hand-written equations.
-    fn acceleration(&self, q: Vec<f64>, q_dot: Vec<f64>, laws: Vec<f64>) -> PyResult<Vec<f64>> {
+    fn acceleration(
+        &self,
+        #[pyo3(from_py_with = argument::q)] q: Vec<f64>,
+        #[pyo3(from_py_with = argument::q_dot)] q_dot: Vec<f64>,
+        #[pyo3(from_py_with = argument::laws)] laws: Vec<f64>,
+    ) -> PyResult<Vec<f64>> {
         self.inner.acceleration(&q, &q_dot, &laws).map_err(raised)
     }
 
@@ -277,7 +303,11 @@ impl Scene {
     }
 
     #[staticmethod]
-    fn _restore(name: &str, text: &str, overrides: Vec<String>) -> PyResult<Self> {
+    fn _restore(
+        #[pyo3(from_py_with = argument::scene_name)] name: &str,
+        #[pyo3(from_py_with = argument::text)] text: &str,
+        #[pyo3(from_py_with = argument::overrides)] overrides: Vec<String>,
+    ) -> PyResult<Self> {
         let mut inner = Inner::from_toml_with(name, text, &overrides).map_err(raised)?;
         inner.name = name.into();
         Ok(Scene { inner })

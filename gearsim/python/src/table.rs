@@ -11,6 +11,7 @@ use pyo3::exceptions::{PyKeyError, PyRuntimeError, PyTypeError};
 use pyo3::prelude::*;
 use pyo3::types::{PyCapsule, PyDict, PyIterator};
 
+use crate::argument;
 use crate::error::raised;
 
 /// Key of the unit in the metadata of an Arrow field.
@@ -88,7 +89,7 @@ impl Table {
         self.columns().into_pyobject(py)?.try_iter()
     }
 
-    pub fn __contains__(&self, name: &str) -> bool {
+    pub fn __contains__(&self, #[pyo3(from_py_with = argument::column)] name: &str) -> bool {
         self.batch.column_by_name(name).is_some()
     }
 

@@ -5,14 +5,18 @@ use pyo3::exceptions::{PyTypeError, PyValueError};
 use pyo3::prelude::*;
 use pyo3::types::{PyBool, PyBytes, PyDict, PyMapping, PyString};
 
+use crate::argument::Mapping;
+
 /// The values of a nested dictionary, each with its dotted key: `{"run": {"t_end": 1.0}}` has `run.t_end`.
 pub fn flat(table: &Bound<'_, PyDict>, before: &str) -> PyResult<Vec<(String, Value)>> {
     let mut values = vec![];
     for (key, value) in table.iter() {
         let key = format!("{before}{}", name(&key, before)?);
-        match value.cast::<PyDict>() {
+        match value.extract::<Mapping<'_>>() {
             // A part without keys is a part: it says what it lacks.
-            Ok(table) if !table.is_empty() || before.is_empty() => values.extend(flat(table, &format!("{key}."))?),
+            Ok(Mapping(table)) if !table.is_empty() || before.is_empty() => {
+                values.extend(flat(&table, &format!("{key}."))?);
+            }
             _ => {
                 let value = of(&value).map_err(|error| at(&key, error, value.py()))?;
                 values.push((key, value));
@@ -48,7 +52,7 @@ pub fn of(value: &Bound<'_, PyAny>) -> PyResult<Value> {
     if value.is_instance_of::<PyString>() {
         return Ok(Value::Text(value.extract()?));
     }
-    if let Ok(table) = value.cast::<PyDict>() {
+    if let Ok(Mapping(table)) = value.extract() {
         let entry = |(key, value): (Bound<'_, PyAny>, Bound<'_, PyAny>)| Ok((name(&key, "a table")?, of(&value)?));
         return Ok(Value::Table(table.iter().map(entry).collect::<PyResult<_>>()?));
     }

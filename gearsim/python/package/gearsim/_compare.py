@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from gearsim._gearsim import Comparison, Scene
+from gearsim._gearsim import Comparison, Scene, _check_arguments, _texts
 
 
 def compare(
@@ -20,6 +20,9 @@ def compare(
     """
     if not scenes:
         raise ValueError("nothing is compared: give one scene, or several")
+    for scene in scenes:
+        _check_arguments(scene, progress=progress)
+    names = None if names is None else _texts(names, "names", False)
     if len(scenes) == 1 and names is None:
         return Comparison(list(scenes[0].equation_sets().items()), progress)
     own = [scene.name for scene in scenes]

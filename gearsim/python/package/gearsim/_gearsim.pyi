@@ -28,6 +28,8 @@ __all__ = [
     "SceneError",
     "Table",
     "__version__",
+    "_check_arguments",
+    "_texts",
     "command_line",
     "models",
 ]
@@ -175,3 +177,11 @@ class Scene:
 
 def models() -> list[tuple[str, str]]: ...
 def command_line(arguments: Sequence[str]) -> int: ...
+def _check_arguments(
+    scene: Scene,
+    out: _Path | None = None,
+    points_per_task: int | None = None,
+    threads_per_task: int | None = None,
+    progress: Callable[[Any], object] | None = None,
+) -> None: ...
+def _texts(value: str | Iterable[str], name: str, one: bool) -> list[str]: ...

@@ -8,7 +8,7 @@ from collections.abc import Callable, Sequence
 from concurrent.futures import FIRST_COMPLETED, Executor, Future, wait
 from typing import TYPE_CHECKING, Any
 
-from gearsim._gearsim import Gathering, GearsimError, Job, Scene, Table
+from gearsim._gearsim import Gathering, GearsimError, Job, Scene, Table, _check_arguments, _texts
 
 if TYPE_CHECKING:
     from gearsim._gearsim import _Axis, _Design
@@ -108,6 +108,7 @@ def limits(
 
     The arguments are those of `sweep`. For the table of the points too: `job = scene.job(axes, ...)`, `sweep(...)`, `job.limits(table, limits)`.
     """
+    limits = _texts(limits, "limits", True)
     job, definition = _job(scene, axes, record, start, samples, seed, design)
     table = _run(scene, job, definition, out, executor, points_per_task, threads_per_task, progress)
     return job.limits(table, limits)
@@ -123,7 +124,8 @@ def _job(
     design: _Design,
 ) -> tuple[Job, dict[str, Any]]:
     """The sweep, and its definition for workers."""
-    record = [record] if isinstance(record, str) else list(record)
+    _check_arguments(scene)
+    record = _texts(record, "record", True)
     definition: dict[str, Any] = dict(axes=axes, record=record, start=start, samples=samples, seed=seed, design=design)
     job = scene.job(**definition)
     # Workers get the axes as texts, whatever the values are made of.
@@ -141,6 +143,7 @@ def _run(
     progress: Callable[[int], object] | None,
 ) -> Table:
     """Run the points of a job, and return their table."""
+    _check_arguments(scene, out, points_per_task, threads_per_task, progress)
     _check(executor)
     with tempfile.TemporaryDirectory() as temporary:
         gathering = job.gather(out if out is not None else temporary)

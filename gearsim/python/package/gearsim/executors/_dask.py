@@ -6,7 +6,7 @@ from collections.abc import Callable
 from concurrent.futures import Future
 from typing import Any
 
-from gearsim.executors._remote import RemoteExecutor
+from gearsim.executors._remote import RemoteExecutor, check
 
 
 class DaskExecutor(RemoteExecutor):
@@ -20,6 +20,7 @@ class DaskExecutor(RemoteExecutor):
     """
 
     def __init__(self, client: Any, **options: Any) -> None:
+        check("client", client, "submit", "distributed.Client")
         super().__init__(interval=1.0)
         self._client = client
         # A task with the key of a lost one would get its error.

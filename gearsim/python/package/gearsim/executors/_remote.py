@@ -8,10 +8,17 @@ import time
 from collections.abc import Callable, Iterable
 from concurrent import futures
 from concurrent.futures import Executor, Future
+from numbers import Real
 from typing import Any, ParamSpec, TypeVar
 
 _P = ParamSpec("_P")
 _T = TypeVar("_T")
+
+
+def check(name: str, value: object, method: str, allowed: str) -> None:
+    """Raise an error if the argument `name` is no object with a method: it would be found at the first task, in another thread."""
+    if isinstance(value, type) or not callable(getattr(value, method, None)):
+        raise TypeError(f"`{name}` is a {allowed}, not {value!r} ({type(value).__name__}): {name}={allowed}(...)")
 
 
 class RemoteExecutor(Executor):
@@ -22,6 +29,9 @@ class RemoteExecutor(Executor):
     """
 
     def __init__(self, interval: float | None = None) -> None:
+        # The thread that asks would end by it, and no future would.
+        if interval is not None and not (isinstance(interval, Real) and interval >= 0):
+            raise TypeError(f"`interval` is a time in s, not {interval!r} ({type(interval).__name__}): interval=1.0")
         self._interval = interval
         self._lock = threading.Lock()
         self._open: set[Future[Any]] = set()

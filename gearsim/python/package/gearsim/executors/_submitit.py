@@ -6,7 +6,7 @@ from collections.abc import Callable
 from concurrent.futures import Future
 from typing import Any
 
-from gearsim.executors._remote import RemoteExecutor
+from gearsim.executors._remote import RemoteExecutor, check
 
 
 class SubmititExecutor(RemoteExecutor):
@@ -18,6 +18,7 @@ class SubmititExecutor(RemoteExecutor):
     """
 
     def __init__(self, executor: Any, interval: float = 1.0) -> None:
+        check("executor", executor, "submit_array", "submitit.AutoExecutor")
         super().__init__(interval)
         self._executor = executor
         self._new: list[tuple[Future[Any], Callable[[], object]]] = []
