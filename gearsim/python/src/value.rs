@@ -11,7 +11,7 @@ use crate::argument::Mapping;
 pub fn flat(table: &Bound<'_, PyDict>, before: &str) -> PyResult<Vec<(String, Value)>> {
     let mut values = vec![];
     for (key, value) in table.iter() {
-        let key = format!("{before}{}", name(&key, before)?);
+        let key = format!("{before}{}", path(&key, before)?);
         match value.extract::<Mapping<'_>>() {
             // A part without keys is a part: it says what it lacks.
             Ok(Mapping(table)) if !table.is_empty() || before.is_empty() => {
@@ -26,12 +26,28 @@ pub fn flat(table: &Bound<'_, PyDict>, before: &str) -> PyResult<Vec<(String, Va
     Ok(values)
 }
 
+/// A key of a table, or several that are joined by dots. A key is written before `=` in the scene, which would end it.
+fn path(key: &Bound<'_, PyAny>, before: &str) -> PyResult<String> {
+    let path = name(key, before)?;
+    if path.contains('=') || path.split('.').any(|part| part.trim().is_empty()) {
+        return Err(PyValueError::new_err(format!(
+            "the keys of {} are names, or names joined by dots, not {path:?}: a name has letters, digits and `_`",
+            of_table(before)
+        )));
+    }
+    Ok(path)
+}
+
+/// What has the keys after `before`.
+fn of_table(before: &str) -> String {
+    let table = before.trim_end_matches('.');
+    if table.is_empty() { "a scene".into() } else { format!("`{table}`") }
+}
+
 /// A key of a table.
 fn name(key: &Bound<'_, PyAny>, before: &str) -> PyResult<String> {
     key.extract().map_err(|_| {
-        let table = before.trim_end_matches('.');
-        let place = if table.is_empty() { "a scene".into() } else { format!("`{table}`") };
-        PyTypeError::new_err(format!("the keys of {place} are texts, not {key}: write \"{key}\""))
+        PyTypeError::new_err(format!("the keys of {} are texts, not {key}: write \"{key}\"", of_table(before)))
     })
 }
 
@@ -90,8 +106,8 @@ pub fn axes(axes: &Bound<'_, PyAny>, scene: &Scene) -> PyResult<Vec<String>> {
 fn axes_of(table: &Bound<'_, PyMapping>, before: &str, scene: &Scene) -> PyResult<Vec<String>> {
     let mut axes = vec![];
     for pair in table.items()? {
-        let (key, values): (String, Bound<'_, PyAny>) = pair.extract()?;
-        let key = format!("{before}{key}");
+        let (key, values): (Bound<'_, PyAny>, Bound<'_, PyAny>) = pair.extract()?;
+        let key = format!("{before}{}", path(&key, before)?);
         let values = scalar(&values)?;
         if let Ok(table) = values.cast::<PyMapping>() {
             axes.extend(axes_of(table, &format!("{key}."), scene)?);

@@ -130,6 +130,11 @@ def test_numbers_in_the_tables_of_a_train_are_in_si_units(three):
     [
         ({"loads": {"l": {"rotor": "c", "torque": None}}}, TypeError, "`loads.l.torque` cannot be set: .*not NoneType"),
         ({"loads": {1: {"rotor": "c"}}}, TypeError, 'the keys of `loads` are texts, not 1: write "1"'),
+        ({"loads": {"a=b": {"rotor": "c"}}}, ValueError, 'the keys of `loads` are names, or names joined by dots, not "a=b": a name has letters, digits and `_`'),
+        ({"loads": {"a..b": {"rotor": "c"}}}, ValueError, 'the keys of `loads` are .* not "a..b"'),
+        ({"loads": {"": {"rotor": "c"}}}, ValueError, 'the keys of `loads` are .* not ""'),
+        ({"loads": {"a.b": {"rotor": "c"}}}, gearsim.SceneError, "a name has no dots: `a.b` is the key `b` of `a`"),
+        ({"loads": {"a.rotr": "c"}}, gearsim.SceneError, "did you mean `rotor`?"),
         ({"loads": {"l": {}}}, gearsim.SceneError, r"\[loads.l\] lacks `rotor`"),
         ({"loads": {"l": {"rotor": "c", "torque": float("nan")}}}, gearsim.SceneError, "`loads.l.torque` is not a finite number"),
     ],
@@ -137,6 +142,15 @@ def test_numbers_in_the_tables_of_a_train_are_in_si_units(three):
 def test_wrong_values_are_refused_with_their_key(more, error, said):
     with pytest.raises(error, match=said):
         train(3.0, **more)
+
+
+@pytest.mark.parametrize("axis, error, said", [
+    ({"parameters.ze=ta": [1, 2]}, ValueError, 'the keys of a scene are names, or names joined by dots, not "parameters.ze=ta"'),
+    ({"parameters": {1: [1, 2]}}, TypeError, 'the keys of `parameters` are texts, not 1: write "1"'),
+])
+def test_wrong_keys_of_axes_are_refused(axis, error, said):
+    with pytest.raises(error, match=said):
+        gearsim.load(SCENE).job(axis)
 
 
 @pytest.mark.parametrize("effects", [3, [3], "damping"])

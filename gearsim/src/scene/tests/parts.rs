@@ -152,3 +152,15 @@ fn torques_without_their_effect_are_named_in_a_warning() {
     // Zero says that there is none.
     assert_eq!(warned("[]", "[loads.t]\nrotor = \"b\"\ntorque = 0\n"), [""; 0]);
 }
+
+/// A dot in the name of a part separates keys, in the text and in what is set.
+#[test]
+fn a_name_with_a_dot_is_refused() {
+    for (others, set) in [("[rotors.c.d]\ninertia = \"1 kg*m^2\"", vec![]), ("", vec!["rotors.c.d=1 kg*m^2"])] {
+        let shown = rendered(&shafts("[]", &format!("{STIFF}{others}")), &set);
+        assert!(shown.contains("[rotors.c] has no `d`"), "{shown}");
+        assert!(shown.contains("a name has no dots: `c.d` is the key `d` of `c`"), "{shown}");
+    }
+    let shown = rendered(&shafts("[]", STIFF), &["shafts.s.stifness=1 kN*m/rad"]);
+    assert!(shown.contains("did you mean `stiffness`?") && !shown.contains("a name has no dots"), "{shown}");
+}

@@ -126,9 +126,17 @@ impl Reader<'_> {
         }
     }
 
-    /// Reports unknown keys of an item.
+    /// Reports unknown keys of an item. A dot before one may have been meant as a part of the item's name.
     pub fn known(&mut self, item: &Item<'_>, allowed: &[Key]) {
-        keys::known(item.entries, &item.title(), &[allowed], self.report);
+        let (name, allowed) = (item.name, keys::names(&[allowed]));
+        for Entry { key, place, .. } in keys::unknown(item.entries, &allowed) {
+            let mut help = keys::choices(key, &allowed);
+            let before = place.span.start.saturating_sub(1)..place.span.start;
+            if !help.starts_with("did you mean") && self.report.text(&Place { span: before, ..*place }) == "." {
+                help += &format!("\na name has no dots: `{name}.{key}` is the key `{key}` of `{name}`");
+            }
+            self.report.add(place, format!("{} has no `{key}`", item.title()), "unknown key", help);
+        }
     }
 
     /// A key of an item that it must have.
