@@ -5,7 +5,7 @@ use super::keys::{Key, Kind, Named, REQUIRED, each, key};
 use super::mistake::{Home, Report};
 use super::smooth::{self, SmoothLaw};
 use super::teeth::{self, TeethReader};
-use super::{Effects, damage, field, friction, keys, mesh_phase, transmission_error};
+use super::{Effects, damage, field, friction, keys, mesh_phase, transmission_error, unknown_law};
 use crate::gear::Gears;
 use crate::model::{Law, Model, Role};
 use crate::profile::{Profile, Step};
@@ -81,8 +81,7 @@ pub(super) fn read(
         return Some(Vec::new());
     };
     let entries = field::table("laws", node, report)?;
-    let names: Vec<_> = model.laws.iter().map(|law| law.name).collect();
-    keys::names_known(entries, "[laws]", &names, report);
+    unknown_law::refuse(entries, model, report);
     let (mut lacking, mut homes) = (Vec::new(), Vec::new());
     let mut laws = Vec::new();
     for reader in readers {

@@ -67,6 +67,7 @@ mod train;
 mod transmission_error;
 pub(crate) mod unit;
 mod unknown_effect;
+mod unknown_law;
 
 pub use crate::gear::{Contact, GearError, Gears, Material};
 pub use crate::profile::{Curve, Profile, Step};

@@ -44,6 +44,12 @@ impl Stated {
         self.keys.get(name).map(String::as_str)
     }
 
+    /// The key at which a value is written, or would be.
+    pub fn place_of(&self, name: &str) -> String {
+        let home = || self.home(name).map(|home| format!("{}.{}", home.title.trim_matches(['[', ']']), home.key));
+        self.key(name).map(String::from).or_else(home).unwrap_or_else(|| name.into())
+    }
+
     /// A message in which names in backquotes and titles of laws are replaced by the keys of tables.
     pub fn renamed(&self, text: String) -> String {
         if self.keys.is_empty() {

@@ -153,6 +153,19 @@ fn torques_without_their_effect_are_named_in_a_warning() {
     assert_eq!(warned("[]", "[loads.t]\nrotor = \"b\"\ntorque = 0\n"), [""; 0]);
 }
 
+/// A law for what is constant, stated besides or not.
+#[test]
+fn a_law_of_a_shaft_is_refused_with_its_constant_stiffness() {
+    let law = "[laws.k_s]\nsteps = [{ value = \"1 kN*m/rad\" }]";
+    for stiffness in [STIFF, ""] {
+        let shown = rendered(&shafts("[]", &format!("{stiffness}{law}")), &[]);
+        let said = "`k_s` (torsional stiffness of the shaft s) is constant: state `shafts.s.stiffness` alone, and leave out [laws.k_s]";
+        assert!(shown.contains("[laws] has no `k_s`") && shown.contains(said), "{shown}");
+    }
+    let shown = rendered(&shafts("[]", &format!("{STIFF}{}", law.replace("k_s", "k_t"))), &[]);
+    assert!(shown.contains("no part of this scene has a law: leave out [laws]"), "{shown}");
+}
+
 /// A dot in the name of a part separates keys, in the text and in what is set.
 #[test]
 fn a_name_with_a_dot_is_refused() {
