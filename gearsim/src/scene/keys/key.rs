@@ -13,6 +13,15 @@ pub(crate) struct Key {
     pub default: &'static str,
     /// Its meaning.
     pub doc: &'static str,
+    /// The effect without which it does nothing.
+    pub effect: Option<&'static str>,
+}
+
+impl Key {
+    /// The same key, of an effect.
+    pub(in crate::scene) const fn with(self, effect: &'static str) -> Key {
+        Key { effect: Some(effect), ..self }
+    }
 }
 
 /// The default of a key that a table must always have.
@@ -57,7 +66,7 @@ pub(crate) struct Named {
 
 /// A key, with its `default`.
 pub(in crate::scene) const fn key(name: &'static str, kind: Kind, default: &'static str, doc: &'static str) -> Key {
-    Key { name, kind, default, doc }
+    Key { name, kind, default, doc, effect: None }
 }
 
 /// Keys that the model or the scene names.

@@ -1,6 +1,7 @@
 //! Messages about the parts of trains: they name the keys of tables, each mistake once, and what is allowed.
 
 use super::trains::{parse, planets};
+use crate::scene::train::keys_of;
 
 fn rendered(text: &str, set: &[&str]) -> String {
     parse(text, set).expect_err(text)
@@ -176,4 +177,23 @@ fn a_name_with_a_dot_is_refused() {
     }
     let shown = rendered(&shafts("[]", STIFF), &["shafts.s.stifness=1 kN*m/rad"]);
     assert!(shown.contains("did you mean `stiffness`?") && !shown.contains("a name has no dots"), "{shown}");
+}
+
+/// The keys that do nothing without an effect: what an unknown effect of a train could have been meant for.
+#[test]
+fn keys_know_their_effects() {
+    let of = |effect: &str| keys_of(effect).join(" ");
+    let dampers =
+        ["shafts", "supports", "meshes", "planets", "thrust_bearings"].map(|table| format!("{table}.NAME.damping"));
+    assert_eq!(of("viscous_friction"), format!("{} bearings.NAME.viscous", dampers.join(" ")));
+    assert_eq!(of("transmission_error"), "meshes.NAME.error planets.NAME.sun_error");
+    assert_eq!(of("backlash"), "meshes.NAME.backlash planets.NAME.backlash");
+    assert_eq!(of("sliding_friction"), "meshes.NAME.friction planets.NAME.friction");
+    assert_eq!(of("dry_friction"), "bearings.NAME.friction");
+    assert_eq!(of("overrunning_clutch"), "clutches.NAME.capacity");
+    assert_eq!(of("torques"), "drives.NAME.torque loads.NAME.torque");
+    let motors = ["dc_motor", "induction_motor", "traction_motor"];
+    motors.iter().for_each(|motor| assert_eq!(of(motor), format!("drives.NAME.{motor}")));
+    assert_eq!(of("speed_governor") + " " + &of("fan_load"), "drives.NAME.governor loads.NAME.fan");
+    assert_eq!(of("friction"), "");
 }

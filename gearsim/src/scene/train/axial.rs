@@ -22,7 +22,8 @@ const THRUST_BEARING: &[Key] = &[
     key("rotor", ROTOR, REQUIRED, "the rotor that moves along its axis"),
     key("mass", Kind::Quantity("kg"), ELSEWHERE, "mass that moves along the axis"),
     key("stiffness", Kind::Quantity("N/m"), ELSEWHERE, "axial stiffness"),
-    key("damping", Kind::Quantity("N*s/m"), ELSEWHERE, "axial damping, with the effect viscous_friction"),
+    key("damping", Kind::Quantity("N*s/m"), ELSEWHERE, "axial damping, with the effect viscous_friction")
+        .with("viscous_friction"),
 ];
 
 /// The hand of the first gear of a mesh, or of a sun.

@@ -39,7 +39,8 @@ const SUPPORT: &[Key] = &[
     RADIUS,
 ];
 /// The damper of a shaft or of a support.
-const DAMPER: Key = key("damping", DAMPING, "none", "torsional damping c, or c/r^2, with the effect viscous_friction");
+const DAMPER: Key = key("damping", DAMPING, "none", "torsional damping c, or c/r^2, with the effect viscous_friction")
+    .with("viscous_friction");
 const STIFFNESS: Kind = Kind::Either(&[Kind::Quantity("N*m/rad"), Kind::Quantity("N/m")]);
 pub(super) const DAMPING: Kind = Kind::Either(&[Kind::Quantity("N*m*s/rad"), Kind::Quantity("N*s/m")]);
 
@@ -53,9 +54,11 @@ const BEARING: &[Key] = &[
         "none",
         "instead of rotor: the rotors between which it is, for example of a friction clutch",
     ),
-    key("viscous", DAMPING, "none", "viscous friction c, or c/r^2, with the effect viscous_friction"),
+    key("viscous", DAMPING, "none", "viscous friction c, or c/r^2, with the effect viscous_friction")
+        .with("viscous_friction"),
     RADIUS,
-    key("friction", TORQUE, "none", "friction torque while it slides, with the effect dry_friction"),
+    key("friction", TORQUE, "none", "friction torque while it slides, with the effect dry_friction")
+        .with("dry_friction"),
     key("breakaway", Kind::Number, "0", "breakaway torque over this friction torque, less 1"),
 ];
 
@@ -67,7 +70,8 @@ const CLUTCH: &[Key] = &[
         TORQUE,
         ELSEWHERE,
         "largest torque that it transmits, with the effect overrunning_clutch; beyond it slips",
-    ),
+    )
+    .with("overrunning_clutch"),
     key("drag", TORQUE, "0 N*m", "friction torque while it overruns"),
 ];
 /// A torque, or its values over time.

@@ -26,20 +26,24 @@ const MESH: &[Key] = &[
         "in [laws]",
         "mesh stiffness: a constant, or a law",
     ),
-    key("error", LAW, "in [laws]", "transmission error, with the effect transmission_error: a constant, or a law"),
-    key("backlash", Kind::Quantity("m"), ELSEWHERE, "play along the line of action, with the effect backlash"),
+    key("error", LAW, "in [laws]", "transmission error, with the effect transmission_error: a constant, or a law")
+        .with("transmission_error"),
+    key("backlash", Kind::Quantity("m"), ELSEWHERE, "play along the line of action, with the effect backlash")
+        .with("backlash"),
     key(
         "damping",
         Kind::Quantity("N*s/m"),
         "none",
         "viscous damping along the line of action, in contact and out of it, with the effect viscous_friction",
-    ),
+    )
+    .with("viscous_friction"),
     key(
         "friction",
         Kind::Either(&[Kind::Number, HISTORY]),
         ELSEWHERE,
         "coefficient of friction of the flanks, with the effect sliding_friction",
-    ),
+    )
+    .with("sliding_friction"),
 ];
 /// A law of a mesh, or its constant value.
 pub(super) const LAW: Kind = Kind::Either(&[laws::VALUE, Kind::Table(laws::STIFFNESS)]);

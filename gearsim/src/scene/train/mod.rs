@@ -87,27 +87,25 @@ pub(super) const KEYS: &[Key] = &[
     key("loads", Kind::Named(torques::LOADS), "none", "loads"),
 ];
 
-/// The keys of parts that need the effect, e.g. `shafts.NAME.damping`. The texts of the keys name their effects.
+/// The keys of parts that need the effect, e.g. `shafts.NAME.damping`.
 pub(super) fn keys_of(effect: &str) -> Vec<String> {
-    fn walk(path: &str, kind: Kind, said: &str, found: &mut Vec<String>) {
+    fn walk(path: &str, kind: Kind, effect: &str, found: &mut Vec<String>) {
         match kind {
             Kind::Table(lists) => {
                 for key in lists.iter().flat_map(|keys| keys.iter()) {
                     let path = format!("{path}.{}", key.name);
-                    match key.doc.split_once(said) {
-                        Some((_, rest)) if !rest.starts_with(|c: char| c.is_alphanumeric() || c == '_') => {
-                            found.push(path)
-                        }
-                        _ => walk(&path, key.kind, said, found),
+                    match key.effect {
+                        Some(of) if of == effect => found.push(path),
+                        _ => walk(&path, key.kind, effect, found),
                     }
                 }
             }
-            Kind::Named(all) => all.iter().for_each(|named| walk(&format!("{path}.NAME"), named.kind, said, found)),
+            Kind::Named(all) => all.iter().for_each(|named| walk(&format!("{path}.NAME"), named.kind, effect, found)),
             _ => {}
         }
     }
     let mut found = vec![];
-    KEYS.iter().for_each(|key| walk(key.name, key.kind, &format!("the effect {effect}"), &mut found));
+    KEYS.iter().for_each(|key| walk(key.name, key.kind, effect, &mut found));
     found
 }
 

@@ -34,21 +34,24 @@ const SET: &[Key] = &[
         LAW,
         "in [laws]",
         "transmission error of the meshes with the sun, with the effect transmission_error; phases as those of stiffnesses",
-    ),
+    )
+    .with("transmission_error"),
     key("ring_error", LAW, "in [laws]", "that of the meshes with the ring; likewise"),
-    key("backlash", Kind::Quantity("m"), ELSEWHERE, "play of all meshes, with the effect backlash"),
+    key("backlash", Kind::Quantity("m"), ELSEWHERE, "play of all meshes, with the effect backlash").with("backlash"),
     key(
         "damping",
         Kind::Quantity("N*s/m"),
         "none",
         "viscous damping of each mesh along the line of action, with the effect viscous_friction",
-    ),
+    )
+    .with("viscous_friction"),
     key(
         "friction",
         Kind::Either(&[Kind::Number, HISTORY]),
         ELSEWHERE,
         "coefficient of friction of all flanks, with the effect sliding_friction",
-    ),
+    )
+    .with("sliding_friction"),
 ];
 const ROTOR_OR_GROUND: Kind = Kind::Name("a rotor or \"ground\"");
 

@@ -73,7 +73,8 @@ const TORQUE: Key = key(
     Kind::Either(&[Kind::Quantity("N*m"), HISTORY]),
     ELSEWHERE,
     "a constant, or a function of time; with the effect torques",
-);
+)
+.with("torques");
 const SPEED: Kind = Kind::Quantity("rad/s");
 
 const GOVERNOR: Key = key(
@@ -81,7 +82,8 @@ const GOVERNOR: Key = key(
     Kind::Table(&[OF_GOVERNOR]),
     "none",
     "torque gain (set_point - speed), with the effect speed_governor",
-);
+)
+.with("speed_governor");
 const OF_GOVERNOR: &[Key] = &[
     key("gain", Kind::Quantity("N*m*s/rad"), ELSEWHERE, "torque per difference of speeds"),
     key("set_point", Kind::Either(&[SPEED, HISTORY]), ELSEWHERE, "the speed that it seeks"),
@@ -92,7 +94,8 @@ const DC_MOTOR: Key = key(
     Kind::Table(&[OF_DC_MOTOR]),
     "none",
     "torque that falls linearly with the speed, with the effect dc_motor",
-);
+)
+.with("dc_motor");
 const OF_DC_MOTOR: &[Key] = &[
     key("stall_torque", Kind::Quantity("N*m"), ELSEWHERE, "torque at rest"),
     key("no_load_speed", SPEED, ELSEWHERE, "speed without torque"),
@@ -103,7 +106,8 @@ const INDUCTION_MOTOR: Key = key(
     Kind::Table(&[OF_INDUCTION_MOTOR]),
     "none",
     "torque by Kloss's formula, with the effect induction_motor",
-);
+)
+.with("induction_motor");
 const OF_INDUCTION_MOTOR: &[Key] = &[
     key("breakdown_torque", Kind::Either(&[Kind::Quantity("N*m"), HISTORY]), ELSEWHERE, "largest torque"),
     key("breakdown_slip", Kind::Number, ELSEWHERE, "slip at the largest torque"),
@@ -115,7 +119,8 @@ const TRACTION_MOTOR: Key = key(
     Kind::Table(&[OF_TRACTION_MOTOR]),
     "none",
     "peak torque up to the base speed, constant power above it, with the effect traction_motor",
-);
+)
+.with("traction_motor");
 const OF_TRACTION_MOTOR: &[Key] = &[
     key("peak_torque", Kind::Quantity("N*m"), ELSEWHERE, "torque up to the base speed"),
     key("peak_power", Kind::Quantity("W"), ELSEWHERE, "power above the base speed"),
@@ -133,7 +138,8 @@ const FAN: Key = key(
     Kind::Table(&[OF_FAN]),
     "none",
     "torque that grows with the square of the speed, with the effect fan_load",
-);
+)
+.with("fan_load");
 const OF_FAN: &[Key] = &[
     key(
         "coefficient",
