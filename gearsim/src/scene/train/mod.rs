@@ -12,6 +12,7 @@ mod assembly;
 mod axial;
 mod basis;
 mod bodies;
+mod called;
 mod compose;
 mod draft;
 mod gears;
