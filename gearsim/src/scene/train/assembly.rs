@@ -3,7 +3,8 @@
 //! The phases that follow from teeth and places hold for planets that fit, counted from a planet at 0 deg: others are refused. Where no
 //! phase follows, they give a warning: papers take planets that do not fit, with constant stiffnesses.
 
-use super::read::{Item, Reader};
+use super::item::Item;
+use super::read::Reader;
 use crate::scene::assembly::misfit;
 use crate::scene::document::{Node, Value};
 use crate::scene::{field, keys};

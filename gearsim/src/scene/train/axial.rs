@@ -10,7 +10,8 @@
 //! right-hand rule.
 
 use super::draft::{Axial, Geometry, Rotor, Term, named};
-use super::read::{Item, Reader};
+use super::item::Item;
+use super::read::Reader;
 use super::{ELSEWHERE, ROTOR, senses};
 use crate::scene::document::{Node, Value};
 use crate::scene::field;

@@ -1,7 +1,8 @@
 //! Rotors, shafts, supports, bearings and clutches.
 
 use super::draft::{DraftPart, Rotor, Term, Terms, named};
-use super::read::{Item, Reader};
+use super::item::Item;
+use super::read::Reader;
 use super::{ELSEWHERE, ROTOR, TWO_ROTORS};
 use crate::scene::document::{Entry, Node, Value};
 use crate::scene::keys::{Key, Kind, Named, REQUIRED, each, key};

@@ -1,7 +1,8 @@
 //! Meshes of two gears: their teeth, and gears that are rigid.
 
 use super::draft::{Draft, Gear, Geometry, Rotor, Term, named};
-use super::read::{GROUND, Item, Reader};
+use super::item::Item;
+use super::read::{GROUND, Reader};
 use super::{ELSEWHERE, TWO_ROTORS, axial};
 use crate::model::GearData;
 use crate::scene::document::{Entry, Node, Value};

@@ -1,7 +1,8 @@
 //! Groups of gears that mesh with one another: one base pitch, one phase.
 
 use super::draft::{DraftPart, Gear, Geometry, Group, Term, Terms, named};
-use super::read::{Item, Reader};
+use super::item::Item;
+use super::read::Reader;
 use crate::gear::Gears;
 use crate::scene::document::{Node, Value};
 use crate::scene::field;

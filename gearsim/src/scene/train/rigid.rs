@@ -1,6 +1,7 @@
 //! Refuses shafts and supports that a scene states to be rigid. Each needs a finite stiffness.
 
-use super::read::{Item, Reader};
+use super::item::Item;
+use super::read::Reader;
 use crate::scene::document::{Node, Value};
 use crate::scene::keys::Key;
 

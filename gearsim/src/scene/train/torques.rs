@@ -1,7 +1,8 @@
 //! Drives and loads.
 
 use super::draft::{Term, named};
-use super::read::{Item, Reader};
+use super::item::Item;
+use super::read::Reader;
 use super::{ELSEWHERE, ROTOR};
 use crate::scene::keys::{Key, Kind, Named, REQUIRED, each, key};
 use crate::scene::time_history::HISTORY;
