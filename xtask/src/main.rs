@@ -4,6 +4,7 @@ mod chore;
 mod combinations;
 mod costs;
 mod coverage;
+mod derivation_costs;
 mod derive;
 mod fuzz;
 mod gallery;
@@ -39,6 +40,8 @@ enum Verb {
     Costs(costs::Costs),
     /// Run every effect of every model under every command; write the table to tests/coverage.md.
     Coverage(coverage::Coverage),
+    /// Count the instructions of derivations with their proofs under valgrind; write them to tests/derivation-costs.md.
+    DerivationCosts(derivation_costs::DerivationCosts),
     /// Derive equations, jump rules and proofs from the energies in models/src, into gearsim/src/generated.
     Derive(derive::Derive),
     /// Run the hard cases of the engine; write their table to tests/hard-cases.md.
@@ -73,6 +76,7 @@ fn main() -> ExitCode {
         Verb::Combinations(verb) => verb.run(),
         Verb::Costs(verb) => verb.run(),
         Verb::Coverage(verb) => verb.run(),
+        Verb::DerivationCosts(verb) => verb.run(),
         Verb::Derive(verb) => verb.run(),
         Verb::HardCases(verb) => verb.run(),
         Verb::Published(verb) => verb.run(),
