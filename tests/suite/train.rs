@@ -23,6 +23,9 @@ mod planets;
 #[path = "train/effects.rs"]
 mod effects;
 
+#[path = "train/end_stops.rs"]
+mod end_stops;
+
 #[path = "train/damage.rs"]
 mod damage;
 

@@ -67,6 +67,8 @@ pub mod element_drive;
 #[rustfmt::skip]
 pub mod element_dry_friction;
 #[rustfmt::skip]
+pub mod element_end_stop;
+#[rustfmt::skip]
 pub mod element_fan;
 #[rustfmt::skip]
 pub mod element_governor;

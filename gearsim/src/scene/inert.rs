@@ -9,7 +9,7 @@ use crate::model::Model;
 use indexmap::{IndexMap, IndexSet};
 
 /// Tables of a train whose parts are nothing without an effect.
-const OF_EFFECTS: [&str; 4] = ["drives.", "loads.", "bearings.", "clutches."];
+const OF_EFFECTS: [&str; 5] = ["drives.", "loads.", "bearings.", "clutches.", "end_stops."];
 
 /// Warns of torques, and of parts of a train, that a scene describes without their effect. Other parameters of effects, such as a backlash,
 /// may stay in a scene whose effects change. `is_zero` says whether parameter `i` is always 0, as where a scene says that there is none.

@@ -33,6 +33,7 @@ pub const ELEMENTS: &[Entry] = &[
     ("element_fan", torques::fan),
     ("element_dry_friction", switches::dry_friction),
     ("element_clutch", switches::clutch),
+    ("element_end_stop", switches::end_stop),
 ];
 
 /// Declares a coordinate of an element and its test inertia, named after it.

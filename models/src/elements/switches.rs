@@ -13,6 +13,14 @@ pub fn dry_friction(m: &mut Model) {
     components::dry_friction(m, "x", "bearing {}", ["rad", "N*m"], theta);
 }
 
+/// End stops of a rotor, or of a rotor relative to another one.
+pub fn end_stop(m: &mut Model) {
+    m.title("end stops");
+    m.source("an element of trains");
+    let theta = coordinate(m, "theta", "rad", "rotation of the first rotor relative to the second");
+    components::end_stop(m, "x", "rotation {}", ["rad", "N*m"], theta);
+}
+
 /// An overrunning clutch.
 pub fn clutch(m: &mut Model) {
     m.title("an overrunning clutch");

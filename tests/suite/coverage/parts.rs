@@ -154,6 +154,12 @@ const BESIDE_A_PAIR: &[Part] = &[
         "|[rotors.m]\ninertia = \"0.05 kg*m^2\"\n[clutches.f]\nbetween = [\"m\", \"1\"]\ncapacity = \"300 N*m\"\n\
          [drives.m]\nrotor = \"m\"\ntorque = \"10 N*m\"",
     ),
+    (
+        "end_stops",
+        &[STEPS, "torques", "end_stop"],
+        "|[rotors.arm]\ninertia = \"0.01 kg*m^2\"\n[shafts.a]\nbetween = [\"1\", \"arm\"]\nstiffness = \"500 N*m/rad\"\n\
+         [end_stops.a]\nbetween = [\"1\", \"arm\"]\nupper = \"0.1 deg\"\nlower = \"-0.1 deg\"\nstiffness = \"40 kN*m/rad\"\ndamping = \"2 N*m*s/rad\"",
+    ),
     ("drives.torque, loads.torque", &[STEPS, "torques"], "|"),
     (
         "drives.governor",

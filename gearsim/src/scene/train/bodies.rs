@@ -1,4 +1,4 @@
-//! Rotors, shafts, supports, bearings and clutches.
+//! Rotors, shafts, supports, bearings, clutches and end stops.
 
 use super::draft::{DraftPart, Rotor, Term, Terms, named};
 use super::item::Item;
@@ -75,6 +75,27 @@ const CLUTCH: &[Key] = &[
     .with("overrunning_clutch"),
     key("drag", TORQUE, "0 N*m", "friction torque while it overruns"),
 ];
+
+pub(super) const END_STOPS: &[Named] = &[each("NAME", Kind::Table(&[END_STOP]), "none", "two end stops")];
+const END_STOP: &[Key] = &[
+    key(
+        "between",
+        TWO_ROTORS,
+        REQUIRED,
+        "the rotor that is stopped, and the one that carries the stops, or \"ground\"",
+    ),
+    key(
+        "upper",
+        ANGLE,
+        ELSEWHERE,
+        "largest free rotation of the first relative to the second, from the start of both at 0",
+    )
+    .with("end_stop"),
+    key("lower", ANGLE, ELSEWHERE, "smallest free rotation").with("end_stop"),
+    key("stiffness", Kind::Quantity("N*m/rad"), ELSEWHERE, "torsional stiffness of the stops").with("end_stop"),
+    key("damping", Kind::Quantity("N*m*s/rad"), "0 N*m*s/rad", "torsional damping of the stops; it never pulls"),
+];
+const ANGLE: Kind = Kind::Quantity("rad");
 /// A torque, or its values over time.
 const TORQUE: Kind = Kind::Either(&[Kind::Quantity("N*m"), HISTORY]);
 
@@ -176,6 +197,16 @@ impl Reader<'_> {
         self.stated(named("Tmax", item.name), item, "capacity");
         self.stated(named("Tdrag", item.name), item, "drag");
         self.part(item, "element_clutch", String::new(), vec![difference(ends)]);
+    }
+
+    pub(super) fn end_stop(&mut self, item: &Item<'_>) {
+        self.known(item, END_STOP);
+        let Some(ends) = self.between(item, true) else { return };
+        self.join(item, ends, false);
+        for (parameter, key) in [("hi", "upper"), ("lo", "lower"), ("ks", "stiffness"), ("cs", "damping")] {
+            self.stated(named(parameter, item.name), item, key);
+        }
+        self.part(item, "element_end_stop", String::new(), vec![difference(ends)]);
     }
 }
 

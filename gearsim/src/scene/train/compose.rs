@@ -208,7 +208,8 @@ impl<'a> Composer<'a> {
 
 /// The element of a part: its index and description.
 pub(super) fn element(bare: &'static Model, part: &DraftPart) -> (usize, &'static Model) {
-    let found = bare.elements.iter().position(|model| model.name == part.element).unwrap_or(0);
+    let found = bare.elements.iter().position(|model| model.name == part.element);
+    let found = found.expect("`train` has the elements of all parts");
     (found, bare.elements[found])
 }
 

@@ -86,6 +86,12 @@ pub(super) const KEYS: &[Key] = &[
         "friction between a rotor and the ground, or between two rotors",
     ),
     key("clutches", Kind::Named(bodies::CLUTCHES), "none", "overrunning clutches"),
+    key(
+        "end_stops",
+        Kind::Named(bodies::END_STOPS),
+        "none",
+        "elastic stops of a rotor, or of a rotor relative to another",
+    ),
     key("drives", Kind::Named(torques::DRIVES), "none", "driving torques"),
     key("loads", Kind::Named(torques::LOADS), "none", "loads"),
 ];

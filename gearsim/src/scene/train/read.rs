@@ -95,6 +95,7 @@ impl Reader<'_> {
             "thrust_bearings" => self.thrust_bearing(&item),
             "bearings" => self.bearing(&item),
             "clutches" => self.clutch(&item),
+            "end_stops" => self.end_stop(&item),
             _ => self.torque(&item),
         }
     }

@@ -14,7 +14,7 @@ pub(super) fn joined(draft: &Draft, report: &mut Report) {
         let rigid = draft.joints.iter().any(|joint| joint.ends.contains(&rotor));
         if draft.rotors.len() > 1 && !rigid && !draft.parts.iter().any(acts) {
             let message = format!("rotor `{}` is joined to nothing", part.name);
-            let help = "name it in a shaft, mesh, clutch, support, bearing, drive or load, or leave it out";
+            let help = "name it in a shaft, mesh, clutch, end stop, support, bearing, drive or load, or leave it out";
             report.add(&part.place, message, "no part acts on it", help);
         }
     }
