@@ -7,6 +7,8 @@ least and largest. On a machine that others also use, the processor time is more
 
 With `--side-by-side` the command line runs on one thread beside each executor, which has one worker, at the same time: the speed of a machine may
 drift in the minutes that a long sweep takes, and then it drifts for both. Only processor times are compared.
+
+With `--idle` the processor time of a cluster that waits is measured: schedulers, monitors and heartbeats take it whether points run or not.
 """
 
 import argparse
@@ -27,6 +29,8 @@ import psutil
 
 SCENE = pathlib.Path(__file__).parents[3] / "models" / "scenes" / "oh2005" / "energy_300rpm.toml"
 T_END = "1 ms"
+#: Time for which a cluster waits [s].
+IDLE = 20.0
 
 
 def axes(points):
@@ -163,6 +167,15 @@ def compare_side_by_side(plan, given):
             print(f"| {points} | {name} | {each} | {statistics.median(of):.3f} ({of[0]:.3f} to {of[-1]:.3f}) |", flush=True)
 
 
+def idle(plan, given):
+    print("| executor | workers | processor time while it waits, of one core |")
+    for name in given.executors:
+        with started(plan, name):
+            before = processor_time()
+            time.sleep(IDLE)
+            print(f"| {name} | {plan.workers} | {100 * (processor_time() - before) / IDLE:.1f} % |", flush=True)
+
+
 def compare_in_turn(plan, given):
     print("| points | way | clock, ratio | processor time, ratio | processor time a point |")
     names = ["threads", *given.executors]
@@ -190,19 +203,22 @@ def ratios(times, base):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("points", nargs="+", type=int, help="numbers of points, multiples of 10")
+    parser.add_argument("points", nargs="*", type=int, help="numbers of points, multiples of 10")
     parser.add_argument("--workers", type=int, default=os.cpu_count())
     parser.add_argument("--per-task", type=int, default=10_000)
     parser.add_argument("--t-end", default=T_END, help="end of each run: the cost of a point grows with it")
     parser.add_argument("--record", default="events", choices=["events", "outputs"])
     parser.add_argument("--repeat", type=int, default=5)
     parser.add_argument("--side-by-side", action="store_true", help="one worker, and the command line beside it")
+    parser.add_argument("--idle", action="store_true", help="only the processor time of clusters that wait")
     parser.add_argument("--executors", nargs="+", choices=WAYS, default=["processes", "Dask", "Ray"], help="the executors to measure")
     given = parser.parse_args()
     given.workers = 1 if given.side_by_side else given.workers
     plan = Plan(given)
     print(f"{SCENE.stem} to {plan.t_end}, {plan.record} recorded; {plan.workers} workers, {plan.per_task} points a task; {given.repeat} rounds")
     print(f"load of the machine before: {os.getloadavg()[0]:.1f}")
+    if given.idle:
+        return idle(plan, given)
     compare = compare_side_by_side if given.side_by_side else compare_in_turn
     compare(plan, given)
 
