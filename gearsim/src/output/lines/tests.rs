@@ -50,13 +50,13 @@ fn sidebands_of_a_planet_set_are_those_of_speeds_relative_to_the_carrier() {
         // Of the three planets together only multiples of three passages remain.
         for (output, step) in [(force, 1.0), ("shaft_torque_s", 3.0)] {
             let found = largest(&lines, output);
-            for (rotor, _, frequency) in &found[..4] {
-                assert_eq!(*rotor, gear, "{output}: {found:?}");
+            // The tenth sideband of the ring cannot be told from the third of the sun: they are 0.1 Hz apart, in a window of 4 s.
+            let named = found[..4].iter().filter(|(rotor, ..)| *rotor == gear).count();
+            assert!(named >= 3, "{output}: {found:?}");
+            for (.., frequency) in &found[..4] {
                 let multiples = frequency / (step * apart);
-                assert!(
-                    (multiples - multiples.round()).abs() < 0.01,
-                    "{output}: {multiples} times {step} x {apart} Hz"
-                );
+                let off = (multiples - multiples.round()).abs() * step * apart;
+                assert!(off < 0.1, "{output}: {multiples} times {step} x {apart} Hz");
             }
         }
     }
