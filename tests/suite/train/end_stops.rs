@@ -76,7 +76,10 @@ fn mistakes_name_the_keys_of_the_table() {
         )
     };
     let refused = |text: &str| {
-        Scene::parse("stops", "stops.toml", text, &[], &common::models()).err().expect("mistakes").render(100, false)
+        let Err(mistakes) = Scene::parse("stops", "stops.toml", text, &[], &common::models()) else {
+            panic!("no mistake is found")
+        };
+        mistakes.render(100, false)
     };
     let shown = refused(&text("upper = \"1 deg\"\nlower = \"-1 N*m\"\n", "\"end_stop\""));
     assert!(shown.contains("`end_stops.e.lower`") && shown.contains("stiffness = \"..."), "{shown}");
