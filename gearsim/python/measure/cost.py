@@ -20,7 +20,6 @@ import statistics
 import subprocess
 import sys
 import tempfile
-import threading
 import time
 from concurrent.futures import ProcessPoolExecutor
 
@@ -86,8 +85,10 @@ def by_ray(plan):
     import ray
 
     ray.init(num_cpus=plan.workers, include_dashboard=False, log_to_driver=False, logging_level="error")
-    yield plan.by(gearsim.executors.RayExecutor())
-    ray.shutdown()
+    try:
+        yield plan.by(gearsim.executors.RayExecutor())
+    finally:
+        ray.shutdown()
 
 
 WAYS = {"threads": threads, "processes": processes, "Dask": dask, "Ray": by_ray}
@@ -121,33 +122,16 @@ def measured(way, points):
         return *times, (pathlib.Path(out) / "sweep.parquet").read_bytes()
 
 
-class Beside:
-    """The command line at the same time as an executor, in another folder."""
-
-    def __init__(self, plan, points, out):
-        self.process = subprocess.Popen(plan.command(points, out))
-        self.waits = threading.Thread(target=self.wait)
-        self.waits.start()
-
-    def wait(self):
-        _, status, used = os.wait4(self.process.pid, 0)
-        self.ended_well, self.processor = status == 0, used.ru_utime + used.ru_stime
-        self.process.returncode = os.waitstatus_to_exitcode(status)
-
-    def time(self):
-        """Its processor time [s], once it has ended."""
-        self.waits.join()
-        assert self.ended_well, "the command line failed"
-        return self.processor
-
-
 def side_by_side(plan, way, points):
     """Processor times of the command line and of an executor that run at the same time [s]; their tables must have the same bytes."""
     with tempfile.TemporaryDirectory() as ours, tempfile.TemporaryDirectory() as theirs:
         before = processor_time()
-        beside = Beside(plan, points, theirs)
+        command_line = subprocess.Popen(plan.command(points, theirs))
         way(points, ours)
-        by_command = beside.time()
+        _, status, used = os.wait4(command_line.pid, 0)
+        command_line.returncode = os.waitstatus_to_exitcode(status)
+        assert command_line.returncode == 0, "the command line failed"
+        by_command = used.ru_utime + used.ru_stime
         # The ended command line is a descendant too.
         by_executor = processor_time() - before - by_command
         one, other = (pathlib.Path(out) / "sweep.parquet" for out in (ours, theirs))
@@ -178,7 +162,7 @@ def idle(plan, given):
 
 def compare_in_turn(plan, given):
     print("| points | way | clock, ratio | processor time, ratio | processor time a point |")
-    names = ["threads", *given.executors]
+    names = list(dict.fromkeys(["threads", *given.executors]))
     for points in given.points:
         clock, processor, tables = {name: [] for name in names}, {name: [] for name in names}, set()
         for _ in range(given.repeat):

@@ -47,9 +47,7 @@ impl Compared for Pair<'_> {
         for (name, a) in columns(&derived) {
             let Some((_, b)) = columns(&listed).into_iter().find(|column| column.0 == name) else { continue };
             compared += 1;
-            assert_eq!(a.len(), b.len(), "{}: rows of {name}", self.scene);
-            let size = a.iter().fold(1e-300, |most: f64, x| most.max(x.abs()));
-            let off = a.iter().zip(&b).map(|(a, b)| (a - b).abs() / size).fold(0.0, f64::max);
+            let off = apart(&a, &b);
             if off > worst.0 {
                 worst = (off, name);
             }
@@ -58,6 +56,13 @@ impl Compared for Pair<'_> {
         println!("{} {overrides:?}: {compared} columns, at most {:.1e} apart ({})", self.scene, worst.0, worst.1);
         worst.0
     }
+}
+
+/// Largest difference of two columns, relative to the largest value of the first.
+pub(crate) fn apart(a: &[f64], b: &[f64]) -> f64 {
+    assert_eq!(a.len(), b.len(), "numbers of rows");
+    let size = a.iter().fold(1e-300, |most: f64, x| most.max(x.abs()));
+    a.iter().zip(b).map(|(a, b)| (a - b).abs() / size).fold(0.0, f64::max)
 }
 
 /// The counts of events.

@@ -14,6 +14,8 @@ const FINEST: f64 = 1e-13;
 const IMPLICIT: f64 = 1e-10;
 /// Digits that a run must have left at its end for its events to be compared one by one.
 const ENOUGH: f64 = 7.0;
+/// A run that has not enough digits left after this time \[s\] is at rest: only its end and its account are compared.
+const SHORTEST: f64 = 1e-9;
 /// Allowed difference, in units of the tolerance times the growth factor of rounding errors.
 const UNITS: f64 = 3e3;
 /// Smallest allowed difference, relative to the size of each coordinate and speed.
@@ -40,7 +42,7 @@ pub fn agree(scene: &Scene) -> Result<String, String> {
             continue;
         }
         let left = outcome.digits.ok_or("the companion was refused")?;
-        if left.at_end >= ENOUGH || scene.t_end < 1e-9 {
+        if left.at_end >= ENOUGH || scene.t_end < SHORTEST {
             break (outcome, left);
         }
         // Not a round number, so that the end does not fall on an event.
@@ -91,7 +93,8 @@ fn compared(first: &Outcome, second: &Outcome, left: Digits, claim: &dyn Fn() ->
     // A reflection at which a hold begins is no bounce. Rounding errors release a phase at rest that is hardly pressed, and it is held again.
     let bounces = |run: &Outcome| run.counts.reflections.saturating_sub(run.counts.holds);
     let counts = |run: &Outcome| (run.counts.cell_changes, bounces(run), run.counts.impacts);
-    if counts(first) != counts(second) {
+    // A train at rest has no digits at any time: rounding errors alone move it, and whether they take a phase over a step differs between methods.
+    if left.at_end >= ENOUGH && counts(first) != counts(second) {
         return Err(format!("cell changes, bounces and impacts {:?} and {:?}", counts(first), counts(second)));
     }
     let grown = 10f64.powf(15.95 - left.at_end);

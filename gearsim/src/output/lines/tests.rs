@@ -3,9 +3,9 @@
 use super::*;
 use crate::scene::Scene;
 
-/// A planet set with three planets and a shaft behind its carrier. The sun has 29 teeth and the ring 97; `sun_damage` and
-/// `ring_damage` may damage a tooth of them.
-/// The numbers of teeth have no common factor. So no sideband of the sun is at the order of a sideband of the ring.
+/// A planet set with three planets and a shaft behind its carrier. `sun_damage` and `ring_damage` end the laws of stiffness; each may state a
+/// damaged tooth. The sun has 29 teeth and the ring 97. These numbers have no common factor, so that the sidebands of the sun and of the ring have
+/// different orders.
 fn scene([sun_damage, ring_damage]: [&str; 2]) -> Scene {
     let law = |levels: [u32; 2], damage: &str| {
         let [low, high] = levels;

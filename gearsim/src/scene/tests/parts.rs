@@ -167,7 +167,7 @@ fn a_law_of_a_shaft_is_refused_with_its_constant_stiffness() {
     assert!(shown.contains("no part of this scene has a law: leave out [laws]"), "{shown}");
 }
 
-/// A dot in the name of a part separates keys, in the text and in what is set.
+/// A name with a dot is not one key but two, in the text of a scene and in an override.
 #[test]
 fn a_name_with_a_dot_is_refused() {
     for (others, set) in [("[rotors.c.d]\ninertia = \"1 kg*m^2\"", vec![]), ("", vec!["rotors.c.d=1 kg*m^2"])] {
@@ -190,6 +190,8 @@ fn keys_know_their_effects() {
     assert_eq!(of("backlash"), "meshes.NAME.backlash planets.NAME.backlash");
     assert_eq!(of("sliding_friction"), "meshes.NAME.friction planets.NAME.friction");
     assert_eq!(of("dry_friction"), "bearings.NAME.friction");
+    let stops = ["upper", "lower", "stiffness"].map(|key| format!("end_stops.NAME.{key}"));
+    assert_eq!(of("end_stop"), stops.join(" "));
     assert_eq!(of("overrunning_clutch"), "clutches.NAME.capacity");
     assert_eq!(of("torques"), "drives.NAME.torque loads.NAME.torque");
     let motors = ["dc_motor", "induction_motor", "traction_motor"];

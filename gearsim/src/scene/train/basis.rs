@@ -113,14 +113,13 @@ pub(super) fn choose(draft: &Draft, values: &HashMap<String, f64>) -> Result<Bas
         elastic.into_iter().filter(|(_, vector)| held.add(vector)).map(|(form, _)| form).collect();
     let vectors: Vec<Vec<f64>> = coordinates.iter().map(|chosen: &Chosen| dense(&chosen.form)).collect();
     // Stops hold no rotor, but their forces depend on its rotation.
-    let stopped = draft.parts.iter().filter(|part| part.element == "element_end_stop");
-    let stopped: Vec<Vec<f64>> = stopped.map(|part| dense(&resolved(&part.rows[0]))).collect();
+    let mut acting = held.clone();
+    for part in draft.parts.iter().filter(|part| part.element == "element_end_stop") {
+        acting.add(&dense(&resolved(&part.rows[0])));
+    }
     for (i, chosen) in coordinates.iter_mut().enumerate().take(draft.groups.len()) {
         // Along a phase that rolls, all other coordinates and all deflections stay as they are.
-        let mut others = held.clone();
-        stopped.iter().for_each(|vector| {
-            others.add(vector);
-        });
+        let mut others = acting.clone();
         vectors.iter().enumerate().filter(|(j, _)| *j != i).for_each(|(_, vector)| {
             others.add(vector);
         });

@@ -88,10 +88,10 @@ const END_STOP: &[Key] = &[
         "upper",
         ANGLE,
         ELSEWHERE,
-        "largest free rotation of the first relative to the second, from the start of both at 0",
+        "the stop at the largest rotation of the first rotor relative to the second, with the effect end_stop",
     )
     .with("end_stop"),
-    key("lower", ANGLE, ELSEWHERE, "smallest free rotation").with("end_stop"),
+    key("lower", ANGLE, ELSEWHERE, "the stop at the smallest rotation").with("end_stop"),
     key("stiffness", Kind::Quantity("N*m/rad"), ELSEWHERE, "torsional stiffness of the stops").with("end_stop"),
     key("damping", Kind::Quantity("N*m*s/rad"), "0 N*m*s/rad", "torsional damping of the stops; it never pulls"),
 ];
