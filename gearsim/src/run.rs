@@ -14,7 +14,7 @@ pub use outcome::{Digits, Outcome, Prospect, Solver};
 pub use crate::engine::error::{Refusal, Stop};
 pub use crate::engine::hybrid::Counts;
 
-use std::time::Duration;
+use std::time::{Duration, Instant};
 
 use cpu_time::ThreadTime;
 use indexmap::IndexMap;
@@ -107,6 +107,7 @@ impl<'a> Plan<'a> {
         let (now, lengths) = (&simulation.now, simulation.turn_lengths());
         let mut recorder = Recorder::new(self.scene, now.equations, lengths, now.state.clone(), &now.k);
         recorder.most_rows = self.scene.output.most_rows;
+        recorder.until = self.scene.output.most_time.map(|time| Instant::now() + time);
         recorder
     }
 

@@ -112,6 +112,25 @@ def a_slider_gives_what_the_command_line_gives(browser, gearsim, folder):
         assert shown(page) == run(gearsim, PAIR, folder / "first")["state"]
 
 
+def a_long_run_first_shows_its_beginning(browser, gearsim, folder):
+    """The curves of a long run begin on axes of its whole length before it ends, also while a slider moves; at rest it is shown whole."""
+    with served(gearsim, PAIR) as url, opened(browser, url, **LAPTOP) as page:
+        begun = "body.begun[data-latency]:not([data-shown='1'])"
+        page.get_by_label("t_end", exact=True).fill("40")
+        page.wait_for_selector(begun)
+        first, axis = page.evaluate("[panels[0].canvas.data[0].x.at(-1), panels[0].canvas.layout.xaxis.range]")
+        assert 0 < first < 39 and axis == [0, 40], (first, axis)
+        for place in (300, 320, 340):
+            page.evaluate("delete document.body.dataset.latency")
+            slide(page, "parameters.zeta", place)
+            page.wait_for_selector(begun)
+        after(page, slide, page, "parameters.zeta", 360)
+        assert page.locator("body.begun").count() == 0 and page.evaluate("document.body.dataset.shown") == "1"
+        sets = [f"parameters.zeta={value_of(page, 'parameters.zeta')}", "run.t_end=40 s"]
+        assert shown(page) == run(gearsim, PAIR, folder / "long", *sets)["state"]
+        assert abs(page.evaluate("panels[0].canvas.data[0].x.at(-1)") / 40 - 1) < 1e-3
+
+
 def mistakes_stand_beside_their_controls(browser, gearsim, folder):
     """A value out of range and an effect that needs another are said where they are; the last good plots stay."""
     with served(gearsim, PAIR) as url, opened(browser, url, **LAPTOP) as page:
@@ -287,6 +306,7 @@ def hostile_texts_stay_text(browser, gearsim, folder):
 
 TESTS = [
     a_slider_gives_what_the_command_line_gives,
+    a_long_run_first_shows_its_beginning,
     mistakes_stand_beside_their_controls,
     cost_and_advice_are_shown,
     a_saved_scene_runs_to_the_same_bytes,

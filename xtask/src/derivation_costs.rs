@@ -4,6 +4,8 @@ use std::process::Command;
 
 use anyhow::{Context, bail};
 
+use xtask::callgrind::instructions;
+
 use crate::chore;
 
 /// The models that are derived.
@@ -62,24 +64,14 @@ impl DerivationCosts {
 
 /// Instructions of the derivation of a model [1e6].
 fn count(model: &str) -> anyhow::Result<f64> {
-    let mut command = Command::new("valgrind");
-    command.args(["--tool=callgrind", "--callgrind-out-file=/dev/null", "--toggle-collect=*scale::derived*"]);
-    let output = command.arg(program()?).args(["--once", model]).output();
-    let output = output.context("cannot start valgrind: install it (Debian: apt-get install valgrind)")?;
-    let log = String::from_utf8_lossy(&output.stderr);
-    if !output.status.success() {
-        bail!("the derivation of `{model}` failed under callgrind:\n{log}");
+    let (count, _) = instructions("*scale::derived*", &program()?, &["--once", model])?;
+    if count < 1e6 {
+        bail!("callgrind counted {count} instructions for the derivation of `{model}`");
     }
-    let collected =
-        log.lines().find_map(|line| line.split("Collected :").nth(1)).context("callgrind counted nothing")?;
-    let collected = collected.trim().parse::<f64>()? / 1e6;
-    if collected < 1.0 {
-        bail!("callgrind counted {collected} million instructions for the derivation of `{model}`");
-    }
-    Ok(collected)
+    Ok(count / 1e6)
 }
 
-/// The file of the program. It is in the folder of this program, whatever the target folder is.
+/// The file of [`PROGRAM`]: cargo puts examples into a folder beside the programs, also where another target folder is set.
 fn program() -> anyhow::Result<std::path::PathBuf> {
     let itself = std::env::current_exe().context("cannot tell where this program is")?;
     Ok(itself.with_file_name("examples").join(PROGRAM).with_extension(std::env::consts::EXE_EXTENSION))

@@ -95,6 +95,8 @@ pub enum Stop {
         at(*t)
     )]
     Rows { t: f64, rows: usize },
+    #[error("at t = {} s the time that the run may take is over", at(*t))]
+    Time { t: f64 },
     #[error(
         "at t = {} s the run has reached the limit of {steps} steps ({state}, cell {cell}): raise run.tolerance or run.step, or end the run earlier",
         at(*t)

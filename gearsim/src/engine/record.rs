@@ -1,5 +1,7 @@
 //! Records a run: samples at a chosen rate, and the left and right limits at events.
 
+use std::time::Instant;
+
 use smallvec::SmallVec;
 
 use crate::engine::equations::Equations;
@@ -112,6 +114,10 @@ pub struct Recorder<'a> {
     pub trajectory: Trajectory,
     /// Rows that may be recorded.
     pub most_rows: u64,
+    /// When the run stops, finished or not.
+    pub until: Option<Instant>,
+    /// How many times the run was allowed to go on.
+    turns: u32,
 }
 
 impl<'a> Recorder<'a> {
@@ -131,21 +137,34 @@ impl<'a> Recorder<'a> {
             beyond: vec![],
             trajectory,
             most_rows: u64::MAX,
+            until: None,
+            turns: 0,
         }
     }
 
-    /// Ends a run that has recorded as many rows as it may.
+    /// Ends a run that has recorded as many rows as it may, or whose time is over. The clock is read once in 16 turns of the hybrid loop.
     ///
     /// # Errors
-    /// [`Stop::Rows`].
+    /// [`Stop::Rows`], [`Stop::Time`].
     #[inline]
-    pub fn demand_room(&self) -> Result<(), Stop> {
-        if (self.trajectory.len() as u64) < self.most_rows { Ok(()) } else { Err(self.full()) }
+    pub fn allow(&mut self) -> Result<(), Stop> {
+        let rows = self.trajectory.len();
+        if rows as u64 >= self.most_rows {
+            return Err(Stop::Rows { t: self.reached(), rows });
+        }
+        self.turns = self.turns.wrapping_add(1);
+        match self.until {
+            Some(until) if self.turns.is_multiple_of(16) && Instant::now() >= until => {
+                Err(Stop::Time { t: self.reached() })
+            }
+            _ => Ok(()),
+        }
     }
 
+    /// The time of the last row \[s\].
     #[cold]
-    fn full(&self) -> Stop {
-        Stop::Rows { t: self.trajectory.t.last().copied().unwrap_or(0.0), rows: self.trajectory.len() }
+    fn reached(&self) -> f64 {
+        self.trajectory.t.last().copied().unwrap_or(0.0)
     }
 
     /// Adds a row of the run `now` in a `state` of its present mode with the law values `k`; `lost` is the energy that damping has

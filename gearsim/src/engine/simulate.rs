@@ -103,8 +103,8 @@ impl<'a> Simulation<'a> {
         let mut recording = recorder.map(|(recorder, rate, events)| Recording::new(recorder, rate, events));
         while !self.go_on(&mut recording)? {
             watch(self.now.clock.now());
-            if let Some(recording) = &recording {
-                recording.require_room()?;
+            if let Some(recording) = &mut recording {
+                recording.allow()?;
             }
         }
         Ok(())

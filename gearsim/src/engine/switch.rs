@@ -210,11 +210,16 @@ impl Switch {
     }
 }
 
+/// The largest rate along `normal` (n) that the kinetic energy of the state `q`, `q_dot` allows: sqrt(2 T n.M⁻¹n).
+pub fn fastest(equations: &dyn Equations, (q, q_dot): (&[f64], &[f64]), normal: &Vector) -> f64 {
+    let compliance = normal.dot(&(&equations.mobility(q) * normal));
+    (2.0 * equations.kinetic(q, q_dot) * compliance).sqrt()
+}
+
 /// The rate along `normal` (n) up to which a deflection counts as at rest in the state `q`, `q_dot`: rounding errors of the speeds are
 /// smaller.
-pub fn rest(equations: &dyn Equations, (q, q_dot): (&[f64], &[f64]), normal: &Vector) -> f64 {
-    let compliance = normal.dot(&(&equations.mobility(q) * normal));
-    AT_REST * (2.0 * equations.kinetic(q, q_dot) * compliance).sqrt()
+pub fn rest(equations: &dyn Equations, state: (&[f64], &[f64]), normal: &Vector) -> f64 {
+    AT_REST * fastest(equations, state, normal)
 }
 
 /// The guards of the present modes of switches.

@@ -39,7 +39,7 @@ impl Explorer {
     pub(super) fn judge(&self, choice: &Choice, go_on: &dyn Fn() -> bool) -> Option<Judgement> {
         let text = self.edited(choice).to_string();
         let scene = self.read(&text).ok()?;
-        let results = self.ran(&text, scene, go_on)?.ok()?;
+        let results = self.ran(&text, scene, None, go_on)?.ok()?;
         interruptible(go_on, |watch| of(&results, watch))?.ok()
     }
 }

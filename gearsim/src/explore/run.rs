@@ -1,6 +1,7 @@
 //! The answer to a choice: the controls, and either the run with its plots or the mistakes.
 
 use std::sync::Arc;
+use std::time::Duration;
 
 use serde::Serialize;
 
@@ -12,8 +13,12 @@ use crate::library::interrupt::interruptible;
 use crate::library::{Error, Results};
 use crate::output::number::{short, time};
 use crate::page;
+use crate::run::Stop;
 use crate::scene::text::Text;
 use crate::scene::{Scene, SceneMistakes};
+
+/// Time after which the beginning of a run is shown: with the time to draw it, a change is seen within 100 ms.
+const BEGINNING: Duration = Duration::from_millis(55);
 
 /// Most rows of a run. A page that redraws them takes some 10 ms for each 100,000.
 const MOST_ROWS: u64 = 300_000;
@@ -27,6 +32,23 @@ pub(super) struct Answer {
     /// Mistakes; if there are any, there is no run.
     mistakes: Vec<Wrong>,
     run: Option<Shown>,
+    /// Instead of a run that takes longer: its beginning.
+    beginning: Option<Beginning>,
+}
+
+/// The beginning of a run: those of the visible sections whose plots are over time.
+#[derive(Serialize)]
+struct Beginning {
+    /// Time to be simulated, and time simulated so far \[s\].
+    length: f64,
+    reached: f64,
+    page: page::Parts,
+}
+
+/// What an answer shows of a run.
+enum Part {
+    Whole(Shown),
+    Beginning(Beginning),
 }
 
 /// A mistake.
@@ -66,21 +88,26 @@ impl Explorer {
     pub(super) fn run(&self, choice: &Choice, go_on: &dyn Fn() -> bool) -> Option<Answer> {
         let edited = self.edited(choice);
         let text = edited.to_string();
-        let (mistakes, run) = match self.read(&text) {
+        // Plots over frequencies and tables of a beginning would not be those of the run.
+        let grows = choice.seen.iter().any(|id| page::run::OVER_TIME.contains(&&**id));
+        let most_time = (grows && !choice.whole).then_some(BEGINNING);
+        let (mistakes, part) = match self.read(&text) {
             Err(mistakes) => (wrong(&mistakes, &text), None),
-            Ok(scene) => match self.ran(&text, scene, go_on)?.and_then(|results| shown(&results, choice, go_on)) {
-                Ok(None) => return None,
-                Ok(run) => (vec![], run),
-                Err(error) => (vec![Wrong::general(&error)], None),
-            },
+            Ok(scene) => {
+                match self.ran(&text, scene, most_time, go_on)?.and_then(|results| part(&results, choice, go_on)) {
+                    Ok(None) => return None,
+                    Ok(part) => (vec![], part),
+                    Err(error) => (vec![Wrong::general(&error)], None),
+                }
+            }
         };
-        Some(self.answer(&edited, mistakes, run))
+        Some(self.answer(&edited, mistakes, part))
     }
 
     /// The sections of the run with a choice that the first answer did not have whole; `None` if `go_on` ended it, or if there is no such run.
     pub(super) fn rest(&self, choice: &Choice, go_on: &dyn Fn() -> bool) -> Option<page::Parts> {
         let text = self.edited(choice).to_string();
-        let results = self.ran(&text, self.read(&text).ok()?, go_on)?.ok()?;
+        let results = self.ran(&text, self.read(&text).ok()?, None, go_on)?.ok()?;
         let is_wanted = |id: &str| choice.view.is_some() || !choice.seen.iter().any(|seen| seen == id);
         parts(&results, format!("rest{}-", choice.number), &is_wanted, None, go_on).ok()?
     }
@@ -96,13 +123,19 @@ impl Explorer {
     }
 
     /// The answer with the controls of a text.
-    fn answer(&self, text: &Text, mistakes: Vec<Wrong>, run: Option<Shown>) -> Answer {
+    fn answer(&self, text: &Text, mistakes: Vec<Wrong>, part: Option<Part>) -> Answer {
+        let (run, beginning) = match part {
+            Some(Part::Whole(run)) => (Some(run), None),
+            Some(Part::Beginning(beginning)) => (None, Some(beginning)),
+            None => (None, None),
+        };
         Answer {
             controls: controls::controls(&self.scene, text, &self.first),
             effects: controls::effects(&self.scene, text),
             solver: controls::solver(text),
             mistakes,
             run,
+            beginning,
         }
     }
 
@@ -115,11 +148,12 @@ impl Explorer {
         }
     }
 
-    /// The run of `scene`, whose text is `text`: the last one, or a new one.
+    /// The run of `scene`, whose text is `text`: the last one, or a new one, which stops after `most_time` on the clock.
     pub(super) fn ran(
         &self,
         text: &str,
         scene: Scene,
+        most_time: Option<Duration>,
         go_on: &dyn Fn() -> bool,
     ) -> Option<Result<Arc<Results>, Error>> {
         let last = || self.last.lock().unwrap_or_else(|poisoned| poisoned.into_inner());
@@ -128,10 +162,13 @@ impl Explorer {
         }
         let mut bounded = scene;
         bounded.output.most_rows = bounded.output.most_rows.min(MOST_ROWS);
+        bounded.output.most_time = most_time;
         let run = interruptible(go_on, |watch| bounded.run_alone(&mut |t| watch(t)))?;
         Some(run.map(|results| {
             let results = Arc::new(results);
-            *last() = Some((text.to_owned(), results.clone()));
+            if !is_beginning(&results) {
+                *last() = Some((text.to_owned(), results.clone()));
+            }
             results
         }))
     }
@@ -158,8 +195,25 @@ fn wrong(mistakes: &SceneMistakes, text: &str) -> Vec<Wrong> {
     mistakes.mistakes().iter().map(of).collect()
 }
 
-/// The first part of a run's page: the visible sections (`seen`), or all sections if `seen` is empty, with what is in `view`. `None` if
-/// `go_on` cancelled the run.
+/// Whether a run was stopped since its time was over.
+fn is_beginning(results: &Results) -> bool {
+    matches!(results.outcome.stopped_by, Some(Stop::Time { .. }))
+}
+
+/// The first part of a run's page, of a whole run or of its beginning. `None` if `go_on` cancelled the run.
+fn part(results: &Results, choice: &Choice, go_on: &dyn Fn() -> bool) -> Result<Option<Part>, Error> {
+    if !is_beginning(results) {
+        return Ok(shown(results, choice, go_on)?.map(Part::Whole));
+    }
+    let seen = |id: &str| choice.seen.iter().any(|seen| seen == id);
+    let is_wanted = |id: &str| page::run::OVER_TIME.contains(&id) && seen(id);
+    let name = format!("beginning{}-", choice.number);
+    let page = parts(results, name, &is_wanted, choice.view.as_ref(), go_on)?;
+    let reached = results.trajectory().t.last().copied().unwrap_or(0.0);
+    Ok(page.map(|page| Part::Beginning(Beginning { length: results.scene.t_end, reached, page })))
+}
+
+/// The visible sections (`seen`), or all sections if `seen` is empty, with what is in `view`. `None` if `go_on` cancelled the run.
 fn shown(results: &Results, choice: &Choice, go_on: &dyn Fn() -> bool) -> Result<Option<Shown>, Error> {
     let seen = &choice.seen;
     let is_wanted = |id: &str| seen.is_empty() || seen.iter().any(|seen| seen == id);

@@ -24,9 +24,13 @@ fn choice(value: Value) -> Choice {
     serde_json::from_value(value).unwrap()
 }
 
-/// The answer to a choice, as the page gets it.
+/// The answer to a choice with the whole run, as the page gets it.
 fn answer(explorer: &Explorer, value: Value) -> Value {
-    serde_json::to_value(explorer.run(&choice(value), &|| true).unwrap()).unwrap()
+    first_answer(explorer, Choice { whole: true, ..choice(value) })
+}
+
+fn first_answer(explorer: &Explorer, choice: Choice) -> Value {
+    serde_json::to_value(explorer.run(&choice, &|| true).unwrap()).unwrap()
 }
 
 /// The end state that the page shows.
@@ -95,6 +99,28 @@ fn visible_sections_come_first_and_the_others_after_them() {
     // If the request names no visible sections, one answer has all of them. A cancelled run gives no answer.
     assert_eq!(ids(&answer(&explorer, json!({}))["run"]["page"], "of"), ids(&rest, "order")[1..]);
     assert!(explorer.rest(&choice(json!({ "seen": ["motion"] })), &|| false).is_none());
+}
+
+/// The first answer to a long run has the beginning of its plots over time, which is the beginning of the whole run.
+#[test]
+fn a_long_run_first_shows_its_beginning() {
+    let explorer = explorer("oh2005/energy_300rpm");
+    let choice = choice(json!({ "values": { "run.t_end": 20 }, "seen": ["motion", "orders"], "number": 3 }));
+    let first = first_answer(&explorer, choice.clone());
+    assert!(first["run"].is_null() && first["mistakes"].as_array().unwrap().is_empty());
+    let beginning = &first["beginning"];
+    assert_eq!(beginning["page"]["of"], json!(["motion"]));
+    let (reached, length) = (beginning["reached"].as_f64().unwrap(), beginning["length"].as_f64().unwrap());
+    assert!(0.0 < reached && reached < length && length == 20.0, "{reached} of {length} s");
+    assert!(explorer.last.lock().unwrap().is_none(), "the beginning is not kept as the run");
+    // A run that ends in time, and sections without plots over time, have no beginning.
+    let short = Choice { values: [("run.t_end".to_owned(), 1e-3)].into(), ..choice.clone() };
+    let elsewhere = Choice { seen: vec!["scene".into()], ..choice.clone() };
+    let whole = Choice { whole: true, ..choice };
+    for choice in [short, elsewhere, whole] {
+        let answer = first_answer(&explorer, choice);
+        assert!(answer["run"].is_object() && answer["beginning"].is_null());
+    }
 }
 
 /// With a view the first answer has only the curves that are seen, in few rows; `rest` has all.

@@ -24,6 +24,7 @@ static ASKED: std::sync::LazyLock<Output> = std::sync::LazyLock::new(|| Output {
     csv: false,
     from: 0.0,
     most_rows: 1_000_000,
+    most_time: None,
 });
 
 pub(super) fn run<'a>(label: &'a str, trajectory: &'a Trajectory) -> Run<'a> {

@@ -85,6 +85,7 @@ pub use time_history::TimeHistory;
 pub(crate) use train::in_place_of;
 
 use std::sync::Arc;
+use std::time::Duration;
 
 use fixedbitset::FixedBitSet;
 
@@ -226,4 +227,6 @@ pub struct Output {
     pub csv: bool,
     /// Largest number of rows. A run that reaches it stops and keeps its rows.
     pub most_rows: u64,
+    /// Time on the clock after which a run stops and keeps its rows; no scene states it.
+    pub most_time: Option<Duration>,
 }

@@ -131,7 +131,20 @@ pub(super) fn read(
     let (rate, events, csv, most_rows) = (rate?, events?, csv?, most_rows? as u64);
     let (record, from, spectrum, rainflow, sound) = (record?, from?, spectrum?, rainflow?, sound?);
     let default_plots = keys::get(given, "plots").is_none();
-    Some(Output { rate, events, plots, default_plots, record, from, spectrum, rainflow, sound, csv, most_rows })
+    Some(Output {
+        rate,
+        events,
+        plots,
+        default_plots,
+        record,
+        from,
+        spectrum,
+        rainflow,
+        sound,
+        csv,
+        most_rows,
+        most_time: None,
+    })
 }
 
 /// The default plots: the outputs, and their orders if the model has meshes; the motion if no outputs are recorded; load spectra if they

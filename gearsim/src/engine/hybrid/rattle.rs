@@ -2,7 +2,7 @@
 
 use crate::engine::equations::{Affine, Exit};
 use crate::engine::switch;
-use crate::tolerance::events::{AT_REST, DOUBLINGS, EDGE_ROUNDING, EVENTS_AT_ONE_TIME, NO_TIME};
+use crate::tolerance::events::{DOUBLINGS, EDGE_ROUNDING, EVENTS_AT_ONE_TIME, NO_TIME};
 
 use super::Hybrid;
 
@@ -63,8 +63,8 @@ impl Hybrid<'_> {
     /// constants alone are zero for flanks that stick, whose guard is the sign of a deflection; without load it stays at zero. `rate` bounds the
     /// rates of the motion \[1/s\].
     pub fn rounding(&self, guard: &Affine, rate: f64) -> f64 {
-        let speed = switch::rest(self.equations, (&self.state.q, &self.state.q_dot), &guard.on_q) / AT_REST;
-        let deflection = if rate > 0.0 { speed / rate } else { 0.0 };
+        let fastest = switch::fastest(self.equations, (&self.state.q, &self.state.q_dot), &guard.on_q);
+        let deflection = if rate > 0.0 { fastest / rate } else { 0.0 };
         guard.rounding(&self.k) + EDGE_ROUNDING * deflection
     }
 }

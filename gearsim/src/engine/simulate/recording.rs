@@ -60,13 +60,13 @@ impl<'r, 'e> Recording<'r, 'e> {
         now.note(self.recorder, moment);
     }
 
-    /// Ends a run that has recorded as many rows as it may.
+    /// Ends a run that has recorded as many rows as it may, or whose time is over.
     ///
     /// # Errors
-    /// [`Stop::Rows`].
+    /// [`Stop::Rows`], [`Stop::Time`].
     #[inline]
-    pub fn require_room(&self) -> Result<(), Stop> {
-        self.recorder.demand_room()
+    pub fn allow(&mut self) -> Result<(), Stop> {
+        self.recorder.allow()
     }
 }
 

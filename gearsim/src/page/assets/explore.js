@@ -22,20 +22,24 @@ async function post(what) {
 /** A person changed the choice. */
 function changed() {
   since = performance.now();
+  delete document.body.dataset.latency;
   number++;
   clearTimeout(timer);
   advised(null);
   if (!flight) return send();
   waiting = true;
-  if (since - flight.began > PATIENCE) send();
+  if (flight.whole || since - flight.began > PATIENCE) send();
 }
 
-/** Sends the choice. While an answer is under way, only the newest choice waits for it. */
-async function send() {
+/**
+ * Sends the choice. While an answer is under way, only the newest choice waits for it. The first answer to a long run has its beginning; then the
+ * `whole` is asked for.
+ */
+async function send(whole = false) {
   waiting = false;
-  const mine = { began: performance.now(), since };
+  const mine = { began: performance.now(), since, whole };
   flight = mine;
-  Object.assign(choice, { seen: inSight(byId("sections")), view: inView(), number });
+  Object.assign(choice, { seen: inSight(byId("sections")), view: inView(), number, whole });
   const slow = setTimeout(() => { if (flight === mine) status("running ..."); }, PATIENCE);
   let answer = null;
   try {
@@ -48,7 +52,7 @@ async function send() {
   flight = null;
   if (answer?.superseded) waiting = true;
   else if (answer) show(answer, mine.since);
-  if (waiting) return send();
+  if (waiting || answer?.beginning) return send(!waiting);
   if (answer?.run) timer = setTimeout(rest, REST);
 }
 
@@ -82,15 +86,21 @@ function show(answer, from) {
   showEffects(answer.effects);
   showSolver(answer.solver, answer.run?.method);
   showMistakes(answer.mistakes);
-  document.body.classList.toggle("old", !answer.run);
-  if (answer.run) {
-    Panel.part = COARSE;
-    showRun(answer.run);
-  } else status("the plots are those of the last choice without a mistake");
+  const { run, beginning } = answer;
+  document.body.classList.toggle("old", !run && !beginning);
+  document.body.classList.toggle("begun", Boolean(beginning));
+  Panel.part = COARSE;
+  Panel.until = beginning ? beginning.length : -Infinity;
+  if (run) showRun(run);
+  else if (beginning) showSections(byId("sections"), beginning.page, `beginning${choice.number}-`);
+  else status("the plots are those of the last choice without a mistake");
   requestAnimationFrame(() => setTimeout(() => {
-    document.body.dataset.latency = String(performance.now() - from);
+    // Of a long run, until its beginning is on the screen.
+    document.body.dataset.latency ??= String(performance.now() - from);
+    document.body.dataset.shown = beginning ? String(beginning.reached / beginning.length) : "1";
+    if (beginning) return;
     document.body.dataset.drawn = String(number);
-    if (!answer.run) whole();
+    if (!run) whole();
   }));
 }
 

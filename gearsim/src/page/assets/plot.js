@@ -104,6 +104,8 @@ class Panel {
   static axis = {};
   /** Pixels in each part of which a curve has its lowest and its highest value. */
   static part = 1;
+  /** End of the axes over time while the beginning of a run is shown. */
+  static until = -Infinity;
   /** Draws the curves of a plot that looks almost as before without plotly.js; whether it could. */
   static sketch = () => false;
 
@@ -123,7 +125,8 @@ class Panel {
   /** The limits of all its abscissae. */
   limits() {
     const ends = this.plot.curves.map((curve) => column(curve.x).values).filter((x) => x.length > 0);
-    return [Math.min(...ends.map((x) => x[0])), Math.max(...ends.map((x) => x[x.length - 1]))];
+    const until = this.plot.group === "time" ? Panel.until : -Infinity;
+    return [Math.min(...ends.map((x) => x[0])), Math.max(until, ...ends.map((x) => x[x.length - 1]))];
   }
 
   build() {

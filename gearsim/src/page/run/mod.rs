@@ -39,6 +39,9 @@ const SECTIONS: &[Section] = &[
     Section { id: "provenance", title: "Provenance", fill: provenance },
 ];
 
+/// The sections whose plots are over time, and show the beginning of a run as they show the whole.
+pub const OVER_TIME: [&str; 2] = ["motion", "energy"];
+
 /// A section of the page of a run.
 struct Section {
     id: &'static str,

@@ -1,5 +1,4 @@
-//! Counts the instructions that the main code paths execute; `cargo xtask instructions` starts it. Unlike times, the counts of
-//! one program are the same in every run.
+//! Counts the instructions that the main code paths execute; `cargo xtask instructions` starts it.
 //!
 //! It writes tests/instructions.md. With `--check` it writes nothing, and fails if a count differs from the table by more than
 //! 3 %. Each path runs in a process of its own under callgrind, which counts the instructions executed in `measured` alone.
@@ -11,10 +10,10 @@ mod sides;
 mod table;
 
 use std::path::PathBuf;
-use std::process::Command;
 
 use anyhow::{Context, bail};
 use clap::Parser;
+use xtask::callgrind::instructions;
 
 use paths::{PATHS, Path};
 use table::Table;
@@ -62,19 +61,10 @@ fn measured(job: &mut dyn FnMut() -> u64) -> u64 {
 /// Instructions per item of a path.
 fn count(path: &Path) -> anyhow::Result<f64> {
     let itself = std::env::current_exe()?;
-    let mut command = Command::new("valgrind");
-    command.args(["--tool=callgrind", "--callgrind-out-file=/dev/null", "--toggle-collect=*instructions::measured*"]);
-    let output = command.arg(itself).args(["--path", path.name]).output();
-    let output = output.context("cannot start valgrind: install it (Debian: apt-get install valgrind)")?;
-    let (out, log) = (String::from_utf8_lossy(&output.stdout), String::from_utf8_lossy(&output.stderr));
-    if !output.status.success() {
-        bail!("the path `{}` failed under callgrind:\n{log}", path.name);
+    let (count, printed) = instructions("*instructions::measured*", &itself, &["--path", path.name])?;
+    let items: f64 = printed.trim().parse()?;
+    if count < items {
+        bail!("callgrind counted {count} instructions for {items} items of `{}`", path.name);
     }
-    let collected =
-        log.lines().find_map(|line| line.split("Collected :").nth(1)).context("callgrind counted nothing")?;
-    let (collected, items): (f64, f64) = (collected.trim().parse()?, out.trim().parse()?);
-    if collected < items {
-        bail!("callgrind counted {collected} instructions for {items} items of `{}`", path.name);
-    }
-    Ok(collected / items)
+    Ok(count / items)
 }

@@ -1,0 +1,24 @@
+//! Counts of instructions under callgrind. Unlike times, those of one program are the same in every run.
+
+use std::path::Path;
+use std::process::Command;
+
+use anyhow::{Context, bail};
+
+/// The number of instructions that a program executes within the functions `within` (a pattern of callgrind), and what it prints.
+///
+/// # Errors
+/// If valgrind cannot be started, the program fails, or nothing is counted.
+pub fn instructions(within: &str, program: &Path, arguments: &[&str]) -> anyhow::Result<(f64, String)> {
+    let mut command = Command::new("valgrind");
+    command.args(["--tool=callgrind", "--callgrind-out-file=/dev/null", &format!("--toggle-collect={within}")]);
+    let output = command.arg(program).args(arguments).output();
+    let output = output.context("cannot start valgrind: install it (Debian: apt-get install valgrind)")?;
+    let log = String::from_utf8_lossy(&output.stderr);
+    if !output.status.success() {
+        bail!("`{} {}` failed under callgrind:\n{log}", program.display(), arguments.join(" "));
+    }
+    let collected = log.lines().find_map(|line| line.split("Collected :").nth(1));
+    let count: f64 = collected.context("callgrind counted nothing")?.trim().parse()?;
+    Ok((count, String::from_utf8(output.stdout)?))
+}
