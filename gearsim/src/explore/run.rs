@@ -31,7 +31,7 @@ pub(super) struct Answer {
     solver: SolverFields,
     /// Mistakes; if there are any, there is no run.
     mistakes: Vec<Wrong>,
-    run: Option<Shown>,
+    run: Option<Box<Shown>>,
     /// Instead of a run that takes longer: its beginning.
     beginning: Option<Beginning>,
 }
@@ -47,7 +47,7 @@ struct Beginning {
 
 /// What an answer shows of a run.
 enum Part {
-    Whole(Shown),
+    Whole(Box<Shown>),
     Beginning(Beginning),
 }
 
@@ -203,7 +203,7 @@ fn is_beginning(results: &Results) -> bool {
 /// The first part of a run's page, of a whole run or of its beginning. `None` if `go_on` cancelled the run.
 fn part(results: &Results, choice: &Choice, go_on: &dyn Fn() -> bool) -> Result<Option<Part>, Error> {
     if !is_beginning(results) {
-        return Ok(shown(results, choice, go_on)?.map(Part::Whole));
+        return Ok(shown(results, choice, go_on)?.map(|shown| Part::Whole(Box::new(shown))));
     }
     let seen = |id: &str| choice.seen.iter().any(|seen| seen == id);
     let is_wanted = |id: &str| page::run::OVER_TIME.contains(&id) && seen(id);
