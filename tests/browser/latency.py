@@ -31,7 +31,7 @@ STEP = 2
 
 HEAD = """# From a slider to the plots
 
-`gearsim explore` draws a change within 100 ms. If the run takes longer than 55 ms, it draws the beginning of the curves over time first, and the whole
+`gearsim explore` is meant to draw a change within 100 ms; how many scenes it does is below. If the run takes longer than 55 ms, it draws the beginning of the curves over time first, and the whole
 when the slider rests. The table is written by
 
     cargo build --release --features html

@@ -17,7 +17,7 @@ use crate::run::Stop;
 use crate::scene::text::Text;
 use crate::scene::{Scene, SceneMistakes};
 
-/// Time after which the beginning of a run is shown: with the time to draw it, a change is seen within 100 ms.
+/// Time after which the beginning of a run is shown. Some 30 ms more pass until it is drawn.
 const BEGINNING: Duration = Duration::from_millis(55);
 
 /// Most rows of a run. A page that redraws them takes some 10 ms for each 100,000.
