@@ -5,7 +5,8 @@ use std::process::Command;
 
 use anyhow::{Context, bail};
 
-/// The number of instructions that a program executes within the functions `within` (a pattern of callgrind), and what it prints.
+/// Counts the instructions that a program executes in the functions whose names match `within`, a pattern of callgrind. Returns the count and what
+/// the program prints.
 ///
 /// # Errors
 /// If valgrind cannot be started, the program fails, or nothing is counted.

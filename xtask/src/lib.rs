@@ -1,3 +1,3 @@
-//! What the commands of this project share with the programs that they start.
+//! Functions that the commands of xtask and the programs in `chores` both use.
 
 pub mod callgrind;

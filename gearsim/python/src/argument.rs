@@ -1,7 +1,8 @@
 //! Arguments of functions: what each is, with an example. A value of another type is refused in the words of this table, since those
 //! of PyO3 name types of Rust.
 //!
-//! The arguments of functions are read with `#[pyo3(from_py_with = argument::NAME)]`. `tests/test_arguments.py` finds those that are not.
+//! Each function reads its arguments with `#[pyo3(from_py_with = argument::NAME)]`. `tests/test_arguments.py` finds arguments that are read in
+//! another way.
 
 use pyo3::exceptions::{PyOverflowError, PyTypeError, PyValueError};
 use pyo3::prelude::*;

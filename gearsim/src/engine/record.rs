@@ -142,7 +142,7 @@ impl<'a> Recorder<'a> {
         }
     }
 
-    /// Ends a run that has recorded as many rows as it may, or whose time is over. The clock is read once in 16 turns of the hybrid loop.
+    /// Stops a run that has the largest allowed number of rows, or that has reached the time `until`. The clock is read at every 16th call.
     ///
     /// # Errors
     /// [`Stop::Rows`], [`Stop::Time`].

@@ -29,7 +29,7 @@ pub(super) struct Choice {
     pub seen: Vec<String>,
     /// What a person sees of the plots over time: in the answer to `run` they have this alone, and that to `rest` has all sections.
     pub view: Option<View>,
-    /// Whether the answer to `run` waits for the whole run. Otherwise it has the beginning of a run that takes longer.
+    /// If true, the answer to `run` comes after the end of the run. If false, the answer to a long run has its beginning.
     pub whole: bool,
     /// A number of the choice, in the identifiers of the arrays of its plots.
     pub number: u32,

@@ -17,7 +17,7 @@ use crate::run::Stop;
 use crate::scene::text::Text;
 use crate::scene::{Scene, SceneMistakes};
 
-/// Time after which the beginning of a run is shown. Some 30 ms more pass until it is drawn.
+/// A run that takes longer than this is stopped, and its beginning is shown. Drawing takes some 30 ms more.
 const BEGINNING: Duration = Duration::from_millis(55);
 
 /// Most rows of a run. A page that redraws them takes some 10 ms for each 100,000.
@@ -148,7 +148,7 @@ impl Explorer {
         }
     }
 
-    /// The run of `scene`, whose text is `text`: the last one, or a new one, which stops after `most_time` on the clock.
+    /// Runs `scene`, whose text is `text`. If the last run had this text, returns that run. A new run stops after `most_time` on the clock.
     pub(super) fn ran(
         &self,
         text: &str,
@@ -195,7 +195,7 @@ fn wrong(mistakes: &SceneMistakes, text: &str) -> Vec<Wrong> {
     mistakes.mistakes().iter().map(of).collect()
 }
 
-/// Whether a run was stopped since its time was over.
+/// Whether a run was stopped because it reached `most_time`.
 fn is_beginning(results: &Results) -> bool {
     matches!(results.outcome.stopped_by, Some(Stop::Time { .. }))
 }

@@ -3,7 +3,7 @@
 use gearsim::{Results, Scene};
 
 use crate::common;
-use crate::same::apart;
+use crate::same::difference;
 
 fn run(text: &str) -> Results {
     Scene::from_toml("stops", text).unwrap_or_else(|e| panic!("{e}")).run().unwrap_or_else(|e| panic!("{e}"))
@@ -32,7 +32,7 @@ fn a_rotor_meets_its_stops_as_the_derived_model() {
         assert_eq!(derived.outcome.counts.impacts, listed.outcome.counts.impacts);
         for (own, of_train) in [("stop_force", "stop_force_e"), ("stop_loss", "stop_loss_e"), ("kinetic", "kinetic")] {
             let [a, b] = [(&derived, own), (&listed, of_train)].map(|(run, name)| run.column(name).unwrap().to_vec());
-            let off = apart(&a, &b);
+            let off = difference(&a, &b);
             println!("{method}: {own} differs by {off:e}");
             assert!(off < allowed, "{method}: {own} differs by {off:e}");
         }

@@ -47,7 +47,7 @@ impl Compared for Pair<'_> {
         for (name, a) in columns(&derived) {
             let Some((_, b)) = columns(&listed).into_iter().find(|column| column.0 == name) else { continue };
             compared += 1;
-            let off = apart(&a, &b);
+            let off = difference(&a, &b);
             if off > worst.0 {
                 worst = (off, name);
             }
@@ -59,7 +59,7 @@ impl Compared for Pair<'_> {
 }
 
 /// Largest difference of two columns, relative to the largest value of the first.
-pub(crate) fn apart(a: &[f64], b: &[f64]) -> f64 {
+pub(crate) fn difference(a: &[f64], b: &[f64]) -> f64 {
     assert_eq!(a.len(), b.len(), "numbers of rows");
     let size = a.iter().fold(1e-300, |most: f64, x| most.max(x.abs()));
     a.iter().zip(b).map(|(a, b)| (a - b).abs() / size).fold(0.0, f64::max)

@@ -60,7 +60,7 @@ impl<'r, 'e> Recording<'r, 'e> {
         now.note(self.recorder, moment);
     }
 
-    /// Ends a run that has recorded as many rows as it may, or whose time is over.
+    /// Stops a run that has reached a limit: [`Recorder::allow`].
     ///
     /// # Errors
     /// [`Stop::Rows`], [`Stop::Time`].

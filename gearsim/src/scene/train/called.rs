@@ -32,8 +32,8 @@ fn of_place(place: &Place) -> (usize, usize, usize) {
     (place.source, place.span.start, place.span.end)
 }
 
-/// Tells the report the names that messages use for the values that were moved: their keys in the tables. A parameter that is overridden keeps its
-/// own name.
+/// Messages about a value that was moved shall name its key in the tables. This gives these keys to the report. A parameter that is overridden
+/// keeps its own name.
 pub(super) fn call(
     names: Vec<(String, Node)>,
     homes: Vec<(String, Home)>,

@@ -1,4 +1,4 @@
-//! Counts the instructions that the main code paths execute; `cargo xtask instructions` starts it.
+//! The program of `cargo xtask instructions`: it counts the instructions that the main code paths execute.
 //!
 //! It writes tests/instructions.md. With `--check` it writes nothing, and fails if a count differs from the table by more than
 //! 3 %. Each path runs in a process of its own under callgrind, which counts the instructions executed in `measured` alone.
