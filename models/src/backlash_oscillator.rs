@@ -2,7 +2,7 @@
 
 use gearsim_derive::{Model, Range, Start, half};
 
-use crate::components::{driven, fan, play, rotor};
+use crate::components::{driven, play, rotor};
 
 /// Coordinate: the rotation phi of the rotor. Without the effect `backlash` the spring always acts.
 pub fn backlash_oscillator(m: &mut Model) {
@@ -19,7 +19,6 @@ pub fn backlash_oscillator(m: &mut Model) {
         m.dissipation(half(d * gap.damp * gap.over.dot().sq()));
     });
     driven(m, "motor", "rotor", phi);
-    fan(m, "load", "rotor", phi, phi.dot());
     m.output(
         "contact_torque",
         "N*m",

@@ -2,7 +2,7 @@
 
 use gearsim_derive::{Model, Range, half};
 
-use crate::components::{damping, driven, fan, pair, pressure_tangent, rotor, universal_joint};
+use crate::components::{damping, driven, machines, pair, pressure_tangent, rotor, universal_joint};
 
 /// Coordinates: those of the gear pair. The shaft behind the joint is rigid: its speed follows from the rotation of the driven gear.
 pub fn cardan_drive(m: &mut Model) {
@@ -23,9 +23,8 @@ pub fn cardan_drive(m: &mut Model) {
         let load = m.parameter("T_load", "N*m", None, Range::Any, doc);
         m.torque_along("load", load, -speed, doc);
     });
-    // On the shaft before the joint, where its speed is linear in those of the coordinates.
-    let omega = m.deflection("theta_fan", gears.theta2).dot();
-    fan(m, "fan", "driven gear", gears.theta2, omega);
+    // On the shaft before the joint, where the speed is linear in those of the coordinates.
+    machines(m, "2", "driven gear", gears.theta2);
     damping(m);
     m.motion("speed", "rad/s", &[(gears.theta, gears.n1)], "rotational speed of the driving gear");
 }

@@ -2,7 +2,7 @@
 
 use gearsim_derive::{Model, Start};
 
-use crate::components::{driven, dry_friction, end_stop, fan, rotor, shaft};
+use crate::components::{driven, dry_friction, end_stop, rotor, shaft};
 
 /// Coordinate: the rotation phi of the rotor. A torque acts on it, which may vary in time.
 pub fn friction_oscillator(m: &mut Model) {
@@ -15,6 +15,5 @@ pub fn friction_oscillator(m: &mut Model) {
     dry_friction(m, "", "bearing", ["rad", "N*m"], phi);
     end_stop(m, "", "rotor", ["rad", "N*m"], phi);
     driven(m, "motor", "rotor", phi);
-    fan(m, "load", "rotor", phi, phi.dot());
     m.motion("speed", "rad/s", &[(phi, 1.into())], "rotational speed");
 }

@@ -5,7 +5,7 @@ use std::f64::consts::TAU;
 use gearsim_derive::{GearData, Model, Range, Start, half};
 
 use crate::components::{
-    Mesh, Sliding, fan, machine, mesh_stiffness, observed, play, pressure_tangent, sliding_friction, transmission_error,
+    Mesh, Sliding, machines, mesh_stiffness, observed, play, pressure_tangent, sliding_friction, transmission_error,
 };
 
 /// Coordinates: the mean rotation theta and the relative deflection phi, both scaled so that one tooth pitch is 2 pi.
@@ -91,9 +91,8 @@ pub fn gear_pair(m: &mut Model) {
     sliding_friction(m, "", "mesh", "rad", mesh, Sliding { phase: theta, tau, psi: q1 / N1 + q2 / N2 });
 
     // The torque T0 is one for both gears. What depends on speed acts on each gear by itself.
-    machine(m, "motor", "driving gear", q1 / N1);
-    let omega2 = m.deflection("theta_load", q2 / N2).dot();
-    fan(m, "load", "driven gear", q2 / N2, omega2);
+    machines(m, "motor", "driving gear", q1 / N1);
+    machines(m, "load", "driven gear", q2 / N2);
 
     m.motion("speed", "rad/s", &[(theta, N1)], "rotational speed of the driving gear");
 }

@@ -12,7 +12,7 @@
 //!      where they balance, and becomes an output.
 //!    - [`components`] add bodies and their connections, with their parameters: `rotor`, `planar_rotor`, `shaft`, `ground`, `torsional_support`,
 //!      `bearing`, `dry_friction`, `viscous`, `overrunning_clutch`, `mesh_with_play` (with transmission errors
-//!      and backlash), `sliding_friction`, `pair` (two gears), `geared` (rigidly), `stage` (planets), `end_stop`, `driven` and `loaded` (every drive and load: `drive`, `governor`, `dc_motor`, `induction_motor`, `traction_motor`, `load`, `fan`), and last `damping`. The
+//!      and backlash), `sliding_friction`, `pair` (two gears), `geared` (rigidly), `stage` (planets), `end_stop`, `driven` and `loaded` (a constant torque, and `machines`: `governor`, `dc_motor`, `induction_motor`, `traction_motor`, `fan`), and last `damping`. The
 //!      names of parameters end in the name of the part: `rotor(m, "1", ...)` declares `I1`, `rotor(m, "t", ...)` declares `I_t`.
 //!      Components take rotations and displacements as expressions, so that you choose the coordinates. Best are small elastic
 //!      ones (twists, deflections), and one phase, which grows, for each mesh or group of meshes that roll together.

@@ -2,7 +2,7 @@
 
 use gearsim_derive::{Model, Start};
 
-use crate::components::{damping, drive, loaded, machine, pair, pressure_tangent_of, rotor, shaft, stage};
+use crate::components::{damping, driven, loaded, pair, pressure_tangent_of, rotor, shaft, stage};
 
 /// Coordinates: the phases of both stages, the rotations in excess of rigid rolling, and the twists of the low-speed and the
 /// high-speed shaft.
@@ -28,9 +28,8 @@ pub fn wind_turbine(m: &mut Model) {
     let what = "mesh of the parallel stage";
     let tangent = pressure_tangent_of(m, "12", what);
     gears.mesh(m, "12", what, tangent);
-    drive(m, "wind", "rotor", theta_b);
+    driven(m, "wind", "rotor", theta_b);
     loaded(m, "generator", "generator", theta_g);
-    machine(m, "g", "generator", theta_g);
     damping(m);
     let speeds = [(planetary.theta, planetary.per_sun), (gears.theta, gears.n1)];
     m.motion("speed", "rad/s", &speeds, "rotational speed of the sun");

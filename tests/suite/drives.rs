@@ -84,7 +84,7 @@ fn a_motor_and_a_fan_reach_their_working_point() {
     let scene = scene("drives/fan_run_up", &[]);
     let outcome = run(&scene);
     assert_eq!(outcome.solver.method, "dop853");
-    for said in ["in the torque `induction`", "in the torque `fan`"] {
+    for said in ["in the torque `induction_motor`", "in the torque `fan_load`"] {
         assert!(outcome.solver.why.contains(said), "{}", outcome.solver.why);
     }
     let (found, expected) = (motor_speed(&scene, &outcome, 0.2), working_point(&scene));
@@ -92,7 +92,8 @@ fn a_motor_and_a_fan_reach_their_working_point() {
     assert!(unaccounted(&outcome) < 1e-6, "{:e}", unaccounted(&outcome));
     // The motor does positive work and the fan negative work.
     let t = &outcome.trajectory;
-    let works = ["induction", "fan"].map(|name| *t.work_of(name).expect("a torque of the scene").last().expect("rows"));
+    let works = ["induction_motor", "fan_load"]
+        .map(|name| *t.work_of(name).expect("a torque of the scene").last().expect("rows"));
     assert!(works[0] > 0.0 && works[1] < 0.0, "{works:?}");
 }
 
@@ -172,22 +173,67 @@ fn a_dc_motor_moves_as_the_equivalent_governor() {
     assert!(off(&governor.trajectory.q, &dc.trajectory.q) < 1e-11);
 }
 
-/// Every model has every drive and every load, one motor at a time. A train has those that its tables list.
+/// In every model, every rotor on which a constant torque acts has every motor, one at a time, and a fan. A train has those that its tables
+/// list.
 #[test]
-fn every_model_has_every_drive_and_load() {
-    const MOTORS: [&str; 4] = ["speed_governor", "dc_motor", "induction_motor", "traction_motor"];
+fn every_rotor_has_every_drive_and_load() {
+    const MOTORS: [&str; 4] = ["governor", "dc", "induction", "traction"];
     for model in common::models().into_iter().filter(|model| model.elements.is_empty()) {
-        for name in MOTORS.iter().chain(&["fan_load"]) {
-            assert!(model.effects.iter().any(|effect| effect.name == *name), "{} has no {name}", model.name);
-        }
+        let has =
+            |name: &String| assert!(model.effects.iter().any(|e| e.name == *name), "{} has no {name}", model.name);
         let excludes = |a: &str, b: &str| {
             let lists = |a: &str, b: &str| model.effects.iter().any(|e| e.name == a && e.excludes.contains(&b));
-            lists(a, b) || lists(b, a)
+            assert!(lists(a, b) || lists(b, a), "{}: {a} and {b} together", model.name);
         };
-        for (i, a) in MOTORS.iter().enumerate() {
-            assert!(MOTORS[i + 1..].iter().all(|b| excludes(a, b)), "{}: {a} and another motor", model.name);
+        let of_torques = model.torques.iter().filter(|torque| torque.with.contains(&"torques"));
+        let rotors: Vec<&str> = match model.name {
+            // One torque for both gears.
+            "gear_pair" => vec!["motor", "load"],
+            // The load is behind the joint, where the speed is not linear in the coordinates. The machines are before it, on gear 2.
+            "cardan_drive" => vec!["motor", "2"],
+            _ => of_torques.map(|torque| torque.name).filter(|name| *name != "piston").collect(),
+        };
+        assert!(!rotors.is_empty(), "{}", model.name);
+        for rotor in rotors {
+            has(&format!("fan_{rotor}"));
+            let motors = MOTORS.map(|motor| format!("{motor}_{rotor}"));
+            motors.iter().for_each(has);
+            for (i, a) in motors.iter().enumerate() {
+                motors[i + 1..].iter().for_each(|b| excludes(a, b));
+            }
         }
     }
+}
+
+/// A test bench: a DC motor drives, and a second one at the other end of the gears brakes as a generator. The speed is that at which both
+/// torques are in balance.
+#[test]
+fn a_second_motor_brakes_as_a_generator() {
+    let set = [
+        "effects=[\"stiffness_step\", \"damping\", \"torques\", \"dc\"]",
+        "parameters.Ts_motor=\"640 N*m\"",
+        "parameters.n0_motor=\"80 rad/s\"",
+        "parameters.Ts_load=\"200 N*m\"",
+        "parameters.n0_load=\"5 rad/s\"",
+        "parameters.T_load=\"0 N*m\"",
+        "parameters.beta_K=\"40 us\"",
+        "start.speed=\"500 rpm\"",
+        "run.t_end=\"3 s\"",
+    ];
+    let scene = scene("drives/governor", &set.map(String::from));
+    let outcome = run(&scene);
+    assert_eq!(outcome.solver.method, "exact");
+    let ratio = named(&scene, "N1") / named(&scene, "N2");
+    // Ts (1 - w/n0) + ratio Ts' (1 - ratio w/n0') = 0.
+    let (a, b) = (640.0 / 80.0, 200.0 / 5.0);
+    let expected = (640.0 + ratio * 200.0) / (a + b * ratio * ratio);
+    let found = motor_speed(&scene, &outcome, 0.1);
+    assert!((found / expected - 1.0).abs() < 1e-4, "{found} {expected}");
+    assert!(ratio * expected > 5.0, "the second motor turns above its no-load speed");
+    let t = &outcome.trajectory;
+    let last = |name: &str| *t.work_of(name).expect("a torque of the scene").last().expect("rows");
+    assert!(last("dc_motor") > 0.0 && last("dc_load") > 0.0, "the constant parts of both torques drive");
+    assert!(unaccounted(&outcome) < 1e-11, "{:e}", unaccounted(&outcome));
 }
 
 /// The end scene: what is nonlinear is named; without it every cell is solved exactly. Friction takes energy, and the account closes.
@@ -195,7 +241,7 @@ fn every_model_has_every_drive_and_load() {
 fn the_electric_axle_is_exact_where_its_cells_are_linear() {
     let outcome = run(&scene("electric_axle", &[]));
     assert_eq!(outcome.solver.method, "dop853");
-    for said in ["in the torque `traction`", "in the torque `slide12`", "in the torque `roll12`"] {
+    for said in ["in the torque `traction_motor`", "in the torque `slide12`", "in the torque `roll12`"] {
         assert!(outcome.solver.why.contains(said), "{}", outcome.solver.why);
     }
     assert!(unaccounted(&outcome) < 1e-7, "{:e}", unaccounted(&outcome));

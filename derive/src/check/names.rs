@@ -101,7 +101,10 @@ pub(super) fn declared(model: &Model) -> Result<BTreeMap<String, &'static str>, 
     model.effects.iter().try_for_each(|e| declare(&e.name, "an effect", false))?;
     [JUMP_TERMS, MOVING_PHASE].into_iter().try_for_each(|name| declare(name, "a condition", true))?;
     for torque in &model.torques {
-        declare(&torque.name, "a torque", false)?;
+        // A torque may have the name of its effect: only its power is a symbol.
+        if !model.effects.iter().any(|e| e.name == torque.name) {
+            declare(&torque.name, "a torque", false)?;
+        }
         declare(&power_name(&torque.name), known(Known), true)?;
     }
     model.outputs.iter().try_for_each(|o| declare(&o.name, known(Output), false))?;

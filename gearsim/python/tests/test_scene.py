@@ -167,7 +167,7 @@ def row(rotors, fan=False):
     if not fan:
         return gearsim.Scene("train", ["viscous_friction"], rotors=inertias, shafts=shafts)
     loads = {"f": {"rotor": "r3", "fan": {"coefficient": 0.1}}}
-    effects = ["viscous_friction", "fan_load"]
+    effects = ["viscous_friction", "fan"]
     return gearsim.Scene("train", effects, rotors=inertias, shafts=shafts, loads=loads, start={"speed": 10.0})
 
 

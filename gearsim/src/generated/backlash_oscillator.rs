@@ -17,23 +17,28 @@ equations! {
         b "rad" required with backlash, open 0.0 to inf, "backlash of the contact: no contact within b/2 to either side";
         d "N*m*s/rad" required with damping, from 0.0 to inf, "damping of the contact";
         T_motor "N*m" required with torques, open -inf to inf, "driving torque of the rotor";
-        c_motor "N*m*s/rad" required with speed_governor, open 0.0 to inf,
+        c_motor "N*m*s/rad" required with governor_motor, open 0.0 to inf,
             "gain of the governor of the rotor: torque per difference of set point and speed";
-        n_motor "rad/s" required with speed_governor, open -inf to inf, "set point of the speed governor of the rotor";
-        Ts_motor "N*m" required with dc_motor, open 0.0 to inf, "stall torque of the rotor";
-        n0_motor "rad/s" required with dc_motor, open 0.0 to inf, "no-load speed of the rotor";
-        Tb_motor "N*m" required with induction_motor, open 0.0 to inf, "breakdown torque of the rotor, its largest torque";
-        sb_motor "1" required with induction_motor, open 0.0 to inf, "slip at which the rotor has its breakdown torque";
-        ns_motor "rad/s" required with induction_motor, open 0.0 to inf, "synchronous speed of the rotor";
-        Tp_motor "N*m" required with traction_motor, open 0.0 to inf, "peak torque of the rotor, up to its base speed";
-        Pp_motor "W" required with traction_motor, open 0.0 to inf, "peak power of the rotor, above its base speed Pp/Tp";
+        n_motor "rad/s" required with governor_motor, open -inf to inf, "set point of the speed governor of the rotor";
+        Ts_motor "N*m" required with dc_motor, open 0.0 to inf, "stall torque of the DC motor of the rotor";
+        n0_motor "rad/s" required with dc_motor, open 0.0 to inf, "no-load speed of the DC motor of the rotor";
+        Tb_motor "N*m" required with induction_motor, open 0.0 to inf,
+            "breakdown torque of the induction motor of the rotor, its largest torque";
+        sb_motor "1" required with induction_motor, open 0.0 to inf,
+            "slip at which the induction motor of the rotor has its breakdown torque";
+        ns_motor "rad/s" required with induction_motor, open 0.0 to inf, "synchronous speed of the induction motor of the rotor";
+        Tp_motor "N*m" required with traction_motor, open 0.0 to inf,
+            "peak torque of the traction motor of the rotor, up to its base speed";
+        Pp_motor "W" required with traction_motor, open 0.0 to inf,
+            "peak power of the traction motor of the rotor, above its base speed Pp/Tp";
         d_motor "1" default 1.0 with traction_motor, open -inf to inf,
-            "demand on the rotor: 1 drives with its peak torque or power, -1 brakes with them";
+            "demand on the traction motor of the rotor: 1 drives with its peak torque or power, -1 brakes with them";
         round_motor "1" default 0.01 with traction_motor, open 0.0 to inf,
-            "rounding of the corner of the torque of the rotor at its base speed, relative to that";
-        cf_load "N*m*s^2/rad^2" required with fan_load, from 0.0 to inf, "fan torque of the rotor divided by the square of its speed";
-        w0_load "rad/s" default 0.01 with fan_load, open 0.0 to inf,
-            "speed of the rotor below which the fan torque is linear instead of quadratic in the speed";
+            "rounding of the corner of the torque of the traction motor of the rotor at its base speed, relative to that";
+        cf_motor "N*m*s^2/rad^2" required with fan_motor, from 0.0 to inf,
+            "torque of the fan of the rotor divided by the square of its speed";
+        w0_motor "rad/s" default 0.01 with fan_motor, open 0.0 to inf,
+            "speed of the rotor below which the torque of its fan is linear instead of quadratic in the speed";
     }
     laws {
     }
@@ -42,13 +47,13 @@ equations! {
         backlash "play between the flanks: contact on the drive or coast flank, free motion between";
         damping "a damper parallel to the spring";
         torques "constant torques of motor and load";
-        speed_governor excludes(dc_motor, induction_motor, traction_motor)
-            "a speed governor: motor torque proportional to the set point minus the speed";
-        dc_motor excludes(induction_motor, traction_motor)
+        governor_motor of governor excludes(dc_motor, induction_motor, traction_motor)
+            "a motor with a speed governor: its torque is proportional to the set point minus the speed";
+        dc_motor of dc excludes(induction_motor, traction_motor)
             "a DC motor at constant voltage: its torque falls linearly from stall to no load";
-        induction_motor excludes(traction_motor) "an induction motor, its torque by the formula of Kloss";
-        traction_motor "a traction motor: its peak torque up to the base speed, constant power above it, times the demand";
-        fan_load "a fan as load: torque proportional to the square of the speed, against the rotation";
+        induction_motor of induction excludes(traction_motor) "an induction motor, its torque by the formula of Kloss";
+        traction_motor of traction "a traction motor: its peak torque up to the base speed, constant power above it, times the demand";
+        fan_motor of fan "a fan as load: torque proportional to the square of the speed, against the rotation";
     }
     conditions {
     }
@@ -68,7 +73,7 @@ equations! {
                 /((round_motor.powi(2) + (1.0 - per_wb_motor*theta_motor_dot).powi(2)).sqrt()
                 + (round_motor.powi(2) + (1.0 + per_wb_motor*theta_motor_dot).powi(2)).sqrt());
         }
-        T_fan_load { fan_load => -cf_load*phi_dot*(w0_load.powi(2) + phi_dot.powi(2)).sqrt(); }
+        T_fan_motor { fan_motor => -cf_motor*theta_motor_dot*(w0_motor.powi(2) + theta_motor_dot.powi(2)).sqrt(); }
     }
     partials {
         T_induction_motor_by_theta_motor_dot {
@@ -85,9 +90,9 @@ equations! {
                 /((round_motor.powi(2) + (1.0 - per_wb_motor*theta_motor_dot).powi(2)).sqrt()
                 + (round_motor.powi(2) + (1.0 + per_wb_motor*theta_motor_dot).powi(2)).sqrt()).powi(2);
         }
-        T_fan_load_by_phi_dot {
-            fan_load => -cf_load*phi_dot.powi(2)/(w0_load.powi(2) + phi_dot.powi(2)).sqrt()
-                - cf_load*(w0_load.powi(2) + phi_dot.powi(2)).sqrt();
+        T_fan_motor_by_theta_motor_dot {
+            fan_motor => -cf_motor*theta_motor_dot.powi(2)/(w0_motor.powi(2) + theta_motor_dot.powi(2)).sqrt()
+                - cf_motor*(w0_motor.powi(2) + theta_motor_dot.powi(2)).sqrt();
         }
     }
     switches {
@@ -160,25 +165,25 @@ equations! {
         potential { _ => c*touch*over.powi(2)/2.0; }
         dissipation {
             damping => d*damp*over_dot.powi(2)/2.0;
-            speed_governor => c_motor*theta_motor_dot.powi(2)/2.0;
+            governor_motor => c_motor*theta_motor_dot.powi(2)/2.0;
             dc_motor => Ts_motor*theta_motor_dot.powi(2)/(2.0*n0_motor);
         }
     }
     torques {
         motor "driving torque of the rotor" { torques => T_motor*phi; }
-        governor "torque c n of the governor; its part -c omega is in D" { speed_governor => c_motor*n_motor*phi; }
-        dc "stall torque of the DC motor; the part proportional to the speed is in D" { dc_motor => Ts_motor*phi; }
-        induction "torque of the induction motor" {}
+        governor_motor "torque c n of the governor of the rotor; its part -c omega is in D" { governor_motor => c_motor*n_motor*phi; }
+        dc_motor "torque Ts of the DC motor of the rotor; its part -Ts omega/n0 is in D" { dc_motor => Ts_motor*phi; }
+        induction_motor "torque of the induction motor of the rotor" {}
         power { induction_motor => T_induction_motor*phi_dot; }
-        traction "torque of the traction motor" {}
+        traction_motor "torque of the traction motor of the rotor" {}
         power { traction_motor => T_traction_motor*phi_dot; }
-        fan "torque of the fan, against its rotation" {}
-        power { fan_load => T_fan_load*phi_dot; }
+        fan_motor "torque of the fan of the rotor, against the rotation" {}
+        power { fan_motor => T_fan_motor*phi_dot; }
     }
     work {
         phi {
             torques => T_motor;
-            speed_governor => c_motor*n_motor;
+            governor_motor => c_motor*n_motor;
             dc_motor => Ts_motor;
         }
     }
@@ -190,25 +195,25 @@ equations! {
             backlash => -c*clip*touch*over;
             damping => -d*damp*over_dot;
             torques => T_motor;
-            speed_governor => c_motor*n_motor - c_motor*theta_motor_dot;
+            governor_motor => c_motor*n_motor - c_motor*theta_motor_dot;
             dc_motor => Ts_motor - Ts_motor*theta_motor_dot/n0_motor;
             induction_motor => T_induction_motor;
             traction_motor => T_traction_motor;
-            fan_load => T_fan_load;
+            fan_motor => T_fan_motor;
         }
     }
     jacobian {
-        phi phi_dot { fan_load => T_fan_load_by_phi_dot; }
         phi over {
             _ => -c*touch;
             backlash => -c*clip*touch;
         }
         phi over_dot { damping => -d*damp; }
         phi theta_motor_dot {
-            speed_governor => -c_motor;
+            governor_motor => -c_motor;
             dc_motor => -Ts_motor/n0_motor;
             induction_motor => T_induction_motor_by_theta_motor_dot;
             traction_motor => T_traction_motor_by_theta_motor_dot;
+            fan_motor => T_fan_motor_by_theta_motor_dot;
         }
     }
     cell {
@@ -221,14 +226,14 @@ equations! {
         damping {
             over over { damping => d*damp; }
             theta_motor theta_motor {
-                speed_governor => c_motor;
+                governor_motor => c_motor;
                 dc_motor => Ts_motor/n0_motor;
             }
         }
         load {
             phi {
                 torques => T_motor;
-                speed_governor => c_motor*n_motor;
+                governor_motor => c_motor*n_motor;
                 dc_motor => Ts_motor;
             }
             over {
@@ -238,9 +243,9 @@ equations! {
         }
     }
     nonlinear_with {
-        induction_motor "T_induction_motor in the torque `induction`";
-        traction_motor "T_traction_motor in the torque `traction`";
-        fan_load "T_fan_load in the torque `fan`";
+        induction_motor "T_induction_motor in the torque `induction_motor`";
+        traction_motor "T_traction_motor in the torque `traction_motor`";
+        fan_motor "T_fan_motor in the torque `fan_motor`";
     }
     outputs {
         rotor_speed "rad/s", "rotational speed of the rotor" { _ => phi_dot; }
@@ -248,27 +253,31 @@ equations! {
             _ => 1.0 - touch*(1.0 + clip*(1.0 - clip)/2.0);
         }
         power_motor "W" with torques, "power of the driving torque of the rotor: positive if it drives" { _ => motor_power; }
-        governor_braking "W" with speed_governor,
+        braking_governor_motor "W" with governor_motor,
             "power that the motor takes back: the part of its torque that is proportional to the speed, times the speed" {
             _ => c_motor*theta_motor_dot.powi(2);
         }
-        power_governor "W" with speed_governor,
-            "power of the torque c n of the governor; its part -c omega is in D: positive if it drives" {
-            _ => governor_power;
+        power_governor_motor "W" with governor_motor,
+            "power of the torque c n of the governor of the rotor; its part -c omega is in D: positive if it drives" {
+            _ => governor_motor_power;
         }
-        dc_braking "W" with dc_motor,
+        braking_dc_motor "W" with dc_motor,
             "power that the motor takes back: the part of its torque that is proportional to the speed, times the speed" {
             _ => Ts_motor*theta_motor_dot.powi(2)/n0_motor;
         }
-        power_dc "W" with dc_motor,
-            "power of the stall torque of the DC motor; the part proportional to the speed is in D: positive if it drives" {
-            _ => dc_power;
+        power_dc_motor "W" with dc_motor,
+            "power of the torque Ts of the DC motor of the rotor; its part -Ts omega/n0 is in D: positive if it drives" {
+            _ => dc_motor_power;
         }
-        power_induction "W" with induction_motor, "power of the torque of the induction motor: positive if it drives" {
-            _ => induction_power;
+        power_induction_motor "W" with induction_motor, "power of the torque of the induction motor of the rotor: positive if it drives" {
+            _ => induction_motor_power;
         }
-        power_traction "W" with traction_motor, "power of the torque of the traction motor: positive if it drives" { _ => traction_power; }
-        power_fan "W" with fan_load, "power of the torque of the fan, against its rotation: positive if it drives" { _ => fan_power; }
+        power_traction_motor "W" with traction_motor, "power of the torque of the traction motor of the rotor: positive if it drives" {
+            _ => traction_motor_power;
+        }
+        power_fan_motor "W" with fan_motor, "power of the torque of the fan of the rotor, against the rotation: positive if it drives" {
+            _ => fan_motor_power;
+        }
         contact_torque "N*m", "torque of the contact, damper included" {
             _ => c*touch*over;
             backlash => c*clip*touch*over;

@@ -30,24 +30,48 @@ equations! {
         mu_rise12 "1" default 0.0 with flank_stiction_12, from 0.0 to inf,
             "excess of the static coefficient of friction of the mesh over that of sliding, relative to that";
         T_motor "N*m" required with torques, open -inf to inf, "driving torque of the driving gear";
-        c_motor "N*m*s/rad" required with speed_governor, open 0.0 to inf,
+        c_motor "N*m*s/rad" required with governor_motor, open 0.0 to inf,
             "gain of the governor of the driving gear: torque per difference of set point and speed";
-        n_motor "rad/s" required with speed_governor, open -inf to inf, "set point of the speed governor of the driving gear";
-        Ts_motor "N*m" required with dc_motor, open 0.0 to inf, "stall torque of the driving gear";
-        n0_motor "rad/s" required with dc_motor, open 0.0 to inf, "no-load speed of the driving gear";
-        Tb_motor "N*m" required with induction_motor, open 0.0 to inf, "breakdown torque of the driving gear, its largest torque";
-        sb_motor "1" required with induction_motor, open 0.0 to inf, "slip at which the driving gear has its breakdown torque";
-        ns_motor "rad/s" required with induction_motor, open 0.0 to inf, "synchronous speed of the driving gear";
-        Tp_motor "N*m" required with traction_motor, open 0.0 to inf, "peak torque of the driving gear, up to its base speed";
-        Pp_motor "W" required with traction_motor, open 0.0 to inf, "peak power of the driving gear, above its base speed Pp/Tp";
+        n_motor "rad/s" required with governor_motor, open -inf to inf, "set point of the speed governor of the driving gear";
+        Ts_motor "N*m" required with dc_motor, open 0.0 to inf, "stall torque of the DC motor of the driving gear";
+        n0_motor "rad/s" required with dc_motor, open 0.0 to inf, "no-load speed of the DC motor of the driving gear";
+        Tb_motor "N*m" required with induction_motor, open 0.0 to inf,
+            "breakdown torque of the induction motor of the driving gear, its largest torque";
+        sb_motor "1" required with induction_motor, open 0.0 to inf,
+            "slip at which the induction motor of the driving gear has its breakdown torque";
+        ns_motor "rad/s" required with induction_motor, open 0.0 to inf, "synchronous speed of the induction motor of the driving gear";
+        Tp_motor "N*m" required with traction_motor, open 0.0 to inf,
+            "peak torque of the traction motor of the driving gear, up to its base speed";
+        Pp_motor "W" required with traction_motor, open 0.0 to inf,
+            "peak power of the traction motor of the driving gear, above its base speed Pp/Tp";
         d_motor "1" default 1.0 with traction_motor, open -inf to inf,
-            "demand on the driving gear: 1 drives with its peak torque or power, -1 brakes with them";
+            "demand on the traction motor of the driving gear: 1 drives with its peak torque or power, -1 brakes with them";
         round_motor "1" default 0.01 with traction_motor, open 0.0 to inf,
-            "rounding of the corner of the torque of the driving gear at its base speed, relative to that";
+            "rounding of the corner of the torque of the traction motor of the driving gear at its base speed, relative to that";
+        cf_motor "N*m*s^2/rad^2" required with fan_motor, from 0.0 to inf,
+            "torque of the fan of the driving gear divided by the square of its speed";
+        w0_motor "rad/s" default 0.01 with fan_motor, open 0.0 to inf,
+            "speed of the driving gear below which the torque of its fan is linear instead of quadratic in the speed";
         T_load "N*m" required with torques, open -inf to inf, "load torque behind the joint, against its rotation";
-        cf_fan "N*m*s^2/rad^2" required with fan_load, from 0.0 to inf, "fan torque of the driven gear divided by the square of its speed";
-        w0_fan "rad/s" default 0.01 with fan_load, open 0.0 to inf,
-            "speed of the driven gear below which the fan torque is linear instead of quadratic in the speed";
+        c2 "N*m*s/rad" required with governor_2, open 0.0 to inf,
+            "gain of the governor of the driven gear: torque per difference of set point and speed";
+        n2 "rad/s" required with governor_2, open -inf to inf, "set point of the speed governor of the driven gear";
+        Ts2 "N*m" required with dc_2, open 0.0 to inf, "stall torque of the DC motor of the driven gear";
+        n02 "rad/s" required with dc_2, open 0.0 to inf, "no-load speed of the DC motor of the driven gear";
+        Tb2 "N*m" required with induction_2, open 0.0 to inf,
+            "breakdown torque of the induction motor of the driven gear, its largest torque";
+        sb2 "1" required with induction_2, open 0.0 to inf, "slip at which the induction motor of the driven gear has its breakdown torque";
+        ns2 "rad/s" required with induction_2, open 0.0 to inf, "synchronous speed of the induction motor of the driven gear";
+        Tp2 "N*m" required with traction_2, open 0.0 to inf, "peak torque of the traction motor of the driven gear, up to its base speed";
+        Pp2 "W" required with traction_2, open 0.0 to inf,
+            "peak power of the traction motor of the driven gear, above its base speed Pp/Tp";
+        d2 "1" default 1.0 with traction_2, open -inf to inf,
+            "demand on the traction motor of the driven gear: 1 drives with its peak torque or power, -1 brakes with them";
+        round2 "1" default 0.01 with traction_2, open 0.0 to inf,
+            "rounding of the corner of the torque of the traction motor of the driven gear at its base speed, relative to that";
+        cf2 "N*m*s^2/rad^2" required with fan_2, from 0.0 to inf, "torque of the fan of the driven gear divided by the square of its speed";
+        w02 "rad/s" default 0.01 with fan_2, open 0.0 to inf,
+            "speed of the driven gear below which the torque of its fan is linear instead of quadratic in the speed";
         alpha_M "1/s" default 0.0, from 0.0 to inf, "damping in proportion to inertia";
         beta_K "s" default 0.0, from 0.0 to inf, "damping in proportion to stiffness";
     }
@@ -75,13 +99,19 @@ equations! {
         flank_stiction_12 of flank_stiction requires(sliding_friction_12)
             "flanks at rest stick, up to their static friction; sliding, their friction has its full size at any speed";
         torques "constant torques of motor and load";
-        speed_governor excludes(dc_motor, induction_motor, traction_motor)
-            "a speed governor: motor torque proportional to the set point minus the speed";
-        dc_motor excludes(induction_motor, traction_motor)
+        governor_motor of governor excludes(dc_motor, induction_motor, traction_motor)
+            "a motor with a speed governor: its torque is proportional to the set point minus the speed";
+        dc_motor of dc excludes(induction_motor, traction_motor)
             "a DC motor at constant voltage: its torque falls linearly from stall to no load";
-        induction_motor excludes(traction_motor) "an induction motor, its torque by the formula of Kloss";
-        traction_motor "a traction motor: its peak torque up to the base speed, constant power above it, times the demand";
-        fan_load "a fan as load: torque proportional to the square of the speed, against the rotation";
+        induction_motor of induction excludes(traction_motor) "an induction motor, its torque by the formula of Kloss";
+        traction_motor of traction "a traction motor: its peak torque up to the base speed, constant power above it, times the demand";
+        fan_motor of fan "a fan as load: torque proportional to the square of the speed, against the rotation";
+        governor_2 of governor excludes(dc_2, induction_2, traction_2)
+            "a motor with a speed governor: its torque is proportional to the set point minus the speed";
+        dc_2 of dc excludes(induction_2, traction_2) "a DC motor at constant voltage: its torque falls linearly from stall to no load";
+        induction_2 of induction excludes(traction_2) "an induction motor, its torque by the formula of Kloss";
+        traction_2 of traction "a traction motor: its peak torque up to the base speed, constant power above it, times the demand";
+        fan_2 of fan "a fan as load: torque proportional to the square of the speed, against the rotation";
         damping "Rayleigh damping, C = alpha_M M + beta_K K at the mid stiffness";
     }
     switching {
@@ -106,6 +136,7 @@ equations! {
         tan_a = alpha.sin()/alpha.cos();
         tiny12 = 1.0/1000000000000.0;
         per_wb_motor = Tp_motor/Pp_motor;
+        per_wb2 = Tp2/Pp2;
     }
     deflections {
         fork = theta/N2 - s/(2.0*h*N2);
@@ -113,7 +144,7 @@ equations! {
         tau12 = tan_a*s;
         psi12 = s/(2.0*h*N1) - s/(2.0*h*N2) + theta/N1 + theta/N2;
         theta_motor = s/(2.0*h*N1) + theta/N1;
-        theta_fan = theta/N2 - s/(2.0*h*N2);
+        theta2 = theta/N2 - s/(2.0*h*N2);
     }
     functions {
         ratio = beta.cos()/(1.0 - fork.cos().powi(2)*beta.sin().powi(2));
@@ -145,7 +176,13 @@ equations! {
                 /((round_motor.powi(2) + (1.0 - per_wb_motor*theta_motor_dot).powi(2)).sqrt()
                 + (round_motor.powi(2) + (1.0 + per_wb_motor*theta_motor_dot).powi(2)).sqrt());
         }
-        T_fan_fan { fan_load => -cf_fan*theta_fan_dot*(w0_fan.powi(2) + theta_fan_dot.powi(2)).sqrt(); }
+        T_fan_motor { fan_motor => -cf_motor*theta_motor_dot*(w0_motor.powi(2) + theta_motor_dot.powi(2)).sqrt(); }
+        T_induction2 { induction_2 => 2.0*Tb2*sb2*(1.0 - theta2_dot/ns2)/(sb2.powi(2) + (1.0 - theta2_dot/ns2).powi(2)); }
+        T_traction2 {
+            traction_2 => 2.0*Tp2*d2/((round2.powi(2) + (1.0 - per_wb2*theta2_dot).powi(2)).sqrt()
+                + (round2.powi(2) + (1.0 + per_wb2*theta2_dot).powi(2)).sqrt());
+        }
+        T_fan2 { fan_2 => -cf2*theta2_dot*(w02.powi(2) + theta2_dot.powi(2)).sqrt(); }
     }
     partials {
         F_mu12_by_over12 {
@@ -187,9 +224,22 @@ equations! {
                 /((round_motor.powi(2) + (1.0 - per_wb_motor*theta_motor_dot).powi(2)).sqrt()
                 + (round_motor.powi(2) + (1.0 + per_wb_motor*theta_motor_dot).powi(2)).sqrt()).powi(2);
         }
-        T_fan_fan_by_theta_fan_dot {
-            fan_load => -cf_fan*theta_fan_dot.powi(2)/(w0_fan.powi(2) + theta_fan_dot.powi(2)).sqrt()
-                - cf_fan*(w0_fan.powi(2) + theta_fan_dot.powi(2)).sqrt();
+        T_fan_motor_by_theta_motor_dot {
+            fan_motor => -cf_motor*theta_motor_dot.powi(2)/(w0_motor.powi(2) + theta_motor_dot.powi(2)).sqrt()
+                - cf_motor*(w0_motor.powi(2) + theta_motor_dot.powi(2)).sqrt();
+        }
+        T_induction2_by_theta2_dot {
+            induction_2 => 4.0*Tb2*sb2*(1.0 - theta2_dot/ns2).powi(2)/(ns2*(sb2.powi(2) + (1.0 - theta2_dot/ns2).powi(2)).powi(2))
+                - 2.0*Tb2*sb2/(ns2*(sb2.powi(2) + (1.0 - theta2_dot/ns2).powi(2)));
+        }
+        T_traction2_by_theta2_dot {
+            traction_2 => -2.0*Tp2*d2*(per_wb2*(1.0 + per_wb2*theta2_dot)/(round2.powi(2) + (1.0 + per_wb2*theta2_dot).powi(2)).sqrt()
+                - per_wb2*(1.0 - per_wb2*theta2_dot)/(round2.powi(2) + (1.0 - per_wb2*theta2_dot).powi(2)).sqrt())
+                /((round2.powi(2) + (1.0 - per_wb2*theta2_dot).powi(2)).sqrt()
+                + (round2.powi(2) + (1.0 + per_wb2*theta2_dot).powi(2)).sqrt()).powi(2);
+        }
+        T_fan2_by_theta2_dot {
+            fan_2 => -cf2*theta2_dot.powi(2)/(w02.powi(2) + theta2_dot.powi(2)).sqrt() - cf2*(w02.powi(2) + theta2_dot.powi(2)).sqrt();
         }
     }
     switches {
@@ -316,8 +366,10 @@ equations! {
         }
         potential { _ => k12*touch12*over12.powi(2)/2.0; }
         dissipation {
-            speed_governor => c_motor*theta_motor_dot.powi(2)/2.0;
+            governor_motor => c_motor*theta_motor_dot.powi(2)/2.0;
             dc_motor => Ts_motor*theta_motor_dot.powi(2)/(2.0*n0_motor);
+            governor_2 => c2*theta2_dot.powi(2)/2.0;
+            dc_2 => Ts2*theta2_dot.powi(2)/(2.0*n02);
             damping => (I1*alpha_M*(s_dot/(2.0*h*N1) + theta_dot/N1).powi(2) + I2*alpha_M*(theta_dot/N2 - s_dot/(2.0*h*N2)).powi(2)
                 + beta_K*k12_mid*damp12*over12_dot.powi(2))/2.0;
         }
@@ -328,27 +380,45 @@ equations! {
         roll12 "friction of the mesh, through the rolling of the gears" {}
         power { sliding_friction_12 => -arm12*F_mu12*psi12_dot; }
         motor "driving torque of the driving gear" { torques => T_motor*(s/(2.0*h*N1) + theta/N1); }
-        governor "torque c n of the governor; its part -c omega is in D" { speed_governor => c_motor*n_motor*(s/(2.0*h*N1) + theta/N1); }
-        dc "stall torque of the DC motor; the part proportional to the speed is in D" { dc_motor => Ts_motor*(s/(2.0*h*N1) + theta/N1); }
-        induction "torque of the induction motor" {}
+        governor_motor "torque c n of the governor of the driving gear; its part -c omega is in D" {
+            governor_motor => c_motor*n_motor*(s/(2.0*h*N1) + theta/N1);
+        }
+        dc_motor "torque Ts of the DC motor of the driving gear; its part -Ts omega/n0 is in D" {
+            dc_motor => Ts_motor*(s/(2.0*h*N1) + theta/N1);
+        }
+        induction_motor "torque of the induction motor of the driving gear" {}
         power { induction_motor => T_induction_motor*(s_dot/(2.0*h*N1) + theta_dot/N1); }
-        traction "torque of the traction motor" {}
+        traction_motor "torque of the traction motor of the driving gear" {}
         power { traction_motor => T_traction_motor*(s_dot/(2.0*h*N1) + theta_dot/N1); }
+        fan_motor "torque of the fan of the driving gear, against the rotation" {}
+        power { fan_motor => T_fan_motor*(s_dot/(2.0*h*N1) + theta_dot/N1); }
         load "load torque behind the joint, against its rotation" {}
         power { torques => -T_load*ratio*(theta_dot/N2 - s_dot/(2.0*h*N2)); }
-        fan "torque of the fan, against its rotation" {}
-        power { fan_load => T_fan_fan*(theta_dot/N2 - s_dot/(2.0*h*N2)); }
+        governor2 "torque c n of the governor of the driven gear; its part -c omega is in D" {
+            governor_2 => c2*n2*(theta/N2 - s/(2.0*h*N2));
+        }
+        dc2 "torque Ts of the DC motor of the driven gear; its part -Ts omega/n0 is in D" { dc_2 => Ts2*(theta/N2 - s/(2.0*h*N2)); }
+        induction2 "torque of the induction motor of the driven gear" {}
+        power { induction_2 => T_induction2*(theta_dot/N2 - s_dot/(2.0*h*N2)); }
+        traction2 "torque of the traction motor of the driven gear" {}
+        power { traction_2 => T_traction2*(theta_dot/N2 - s_dot/(2.0*h*N2)); }
+        fan2 "torque of the fan of the driven gear, against the rotation" {}
+        power { fan_2 => T_fan2*(theta_dot/N2 - s_dot/(2.0*h*N2)); }
     }
     work {
         theta {
             torques => T_motor/N1;
-            speed_governor => c_motor*n_motor/N1;
+            governor_motor => c_motor*n_motor/N1;
             dc_motor => Ts_motor/N1;
+            governor_2 => c2*n2/N2;
+            dc_2 => Ts2/N2;
         }
         s {
             torques => T_motor/(2.0*h*N1);
-            speed_governor => c_motor*n_motor/(2.0*h*N1);
+            governor_motor => c_motor*n_motor/(2.0*h*N1);
             dc_motor => Ts_motor/(2.0*h*N1);
+            governor_2 => -c2*n2/(2.0*h*N2);
+            dc_2 => -Ts2/(2.0*h*N2);
         }
     }
     mass {
@@ -383,11 +453,16 @@ equations! {
             transmission_error_12_and_jump_terms => k12*de12*touch12*over12;
             sliding_friction_12 => -arm12*F_mu12/N1 - arm12*F_mu12/N2;
             torques => T_motor/N1 - T_load*ratio/N2;
-            speed_governor => c_motor*n_motor/N1 - c_motor*theta_motor_dot/N1;
+            governor_motor => c_motor*n_motor/N1 - c_motor*theta_motor_dot/N1;
             dc_motor => Ts_motor/N1 - Ts_motor*theta_motor_dot/(N1*n0_motor);
             induction_motor => T_induction_motor/N1;
             traction_motor => T_traction_motor/N1;
-            fan_load => T_fan_fan/N2;
+            fan_motor => T_fan_motor/N1;
+            governor_2 => c2*n2/N2 - c2*theta2_dot/N2;
+            dc_2 => Ts2/N2 - Ts2*theta2_dot/(N2*n02);
+            induction_2 => T_induction2/N2;
+            traction_2 => T_traction2/N2;
+            fan_2 => T_fan2/N2;
             damping => I2*alpha_M*s_dot/(2.0*h*N2.powi(2)) - I1*alpha_M*theta_dot/N1.powi(2) - I2*alpha_M*theta_dot/N2.powi(2)
                 - I1*alpha_M*s_dot/(2.0*h*N1.powi(2));
             jump_terms => -dk12*touch12*over12.powi(2)/2.0;
@@ -398,11 +473,16 @@ equations! {
             backlash_12 => -k12*clip12*touch12*over12;
             sliding_friction_12 => arm12*F_mu12/(2.0*h*N2) - tan_a*side12*F_tau12 - arm12*F_mu12/(2.0*h*N1);
             torques => (T_motor/(h*N1) + T_load*ratio/(h*N2))/2.0;
-            speed_governor => (c_motor*n_motor/(h*N1) - c_motor*theta_motor_dot/(h*N1))/2.0;
+            governor_motor => (c_motor*n_motor/(h*N1) - c_motor*theta_motor_dot/(h*N1))/2.0;
             dc_motor => (Ts_motor/(h*N1) - Ts_motor*theta_motor_dot/(h*N1*n0_motor))/2.0;
             induction_motor => T_induction_motor/(2.0*h*N1);
             traction_motor => T_traction_motor/(2.0*h*N1);
-            fan_load => -T_fan_fan/(2.0*h*N2);
+            fan_motor => T_fan_motor/(2.0*h*N1);
+            governor_2 => (c2*theta2_dot/(h*N2) - c2*n2/(h*N2))/2.0;
+            dc_2 => (Ts2*theta2_dot/(h*N2*n02) - Ts2/(h*N2))/2.0;
+            induction_2 => -T_induction2/(2.0*h*N2);
+            traction_2 => -T_traction2/(2.0*h*N2);
+            fan_2 => -T_fan2/(2.0*h*N2);
             damping => I2*alpha_M*theta_dot/(2.0*h*N2.powi(2)) - beta_K*k12_mid*damp12*over12_dot
                 - I1*alpha_M*s_dot/(4.0*h.powi(2)*N1.powi(2)) - I2*alpha_M*s_dot/(4.0*h.powi(2)*N2.powi(2))
                 - I1*alpha_M*theta_dot/(2.0*h*N1.powi(2));
@@ -438,12 +518,19 @@ equations! {
         }
         theta psi12_dot { sliding_friction_12 => -arm12*F_mu12_by_psi12_dot/N1 - arm12*F_mu12_by_psi12_dot/N2; }
         theta theta_motor_dot {
-            speed_governor => -c_motor/N1;
+            governor_motor => -c_motor/N1;
             dc_motor => -Ts_motor/(N1*n0_motor);
             induction_motor => T_induction_motor_by_theta_motor_dot/N1;
             traction_motor => T_traction_motor_by_theta_motor_dot/N1;
+            fan_motor => T_fan_motor_by_theta_motor_dot/N1;
         }
-        theta theta_fan_dot { fan_load => T_fan_fan_by_theta_fan_dot/N2; }
+        theta theta2_dot {
+            governor_2 => -c2/N2;
+            dc_2 => -Ts2/(N2*n02);
+            induction_2 => T_induction2_by_theta2_dot/N2;
+            traction_2 => T_traction2_by_theta2_dot/N2;
+            fan_2 => T_fan2_by_theta2_dot/N2;
+        }
         s theta {
             transmission_error_12_and_backlash_12_and_moving_phase => k12*de12*clip12*touch12;
             transmission_error_12_and_sliding_friction_12_and_moving_phase => tan_a*de12*side12*F_mu12_by_over12*F_tau12_by_F_mu12
@@ -482,12 +569,19 @@ equations! {
                 - arm12*F_mu12_by_psi12_dot/(2.0*h*N1);
         }
         s theta_motor_dot {
-            speed_governor => -c_motor/(2.0*h*N1);
+            governor_motor => -c_motor/(2.0*h*N1);
             dc_motor => -Ts_motor/(2.0*h*N1*n0_motor);
             induction_motor => T_induction_motor_by_theta_motor_dot/(2.0*h*N1);
             traction_motor => T_traction_motor_by_theta_motor_dot/(2.0*h*N1);
+            fan_motor => T_fan_motor_by_theta_motor_dot/(2.0*h*N1);
         }
-        s theta_fan_dot { fan_load => -T_fan_fan_by_theta_fan_dot/(2.0*h*N2); }
+        s theta2_dot {
+            governor_2 => c2/(2.0*h*N2);
+            dc_2 => Ts2/(2.0*h*N2*n02);
+            induction_2 => -T_induction2_by_theta2_dot/(2.0*h*N2);
+            traction_2 => -T_traction2_by_theta2_dot/(2.0*h*N2);
+            fan_2 => -T_fan2_by_theta2_dot/(2.0*h*N2);
+        }
     }
     cell {
         stiffness {
@@ -502,20 +596,28 @@ equations! {
             s s { damping => (I1*alpha_M/(h.powi(2)*N1.powi(2)) + I2*alpha_M/(h.powi(2)*N2.powi(2)))/4.0; }
             over12 over12 { damping => beta_K*k12_mid*damp12; }
             theta_motor theta_motor {
-                speed_governor => c_motor;
+                governor_motor => c_motor;
                 dc_motor => Ts_motor/n0_motor;
+            }
+            theta2 theta2 {
+                governor_2 => c2;
+                dc_2 => Ts2/n02;
             }
         }
         load {
             theta {
                 torques => T_motor/N1;
-                speed_governor => c_motor*n_motor/N1;
+                governor_motor => c_motor*n_motor/N1;
                 dc_motor => Ts_motor/N1;
+                governor_2 => c2*n2/N2;
+                dc_2 => Ts2/N2;
             }
             s {
                 torques => T_motor/(2.0*h*N1);
-                speed_governor => c_motor*n_motor/(2.0*h*N1);
+                governor_motor => c_motor*n_motor/(2.0*h*N1);
                 dc_motor => Ts_motor/(2.0*h*N1);
+                governor_2 => -c2*n2/(2.0*h*N2);
+                dc_2 => -Ts2/(2.0*h*N2);
             }
             over12 {
                 _ => k12*touch12*edge12 + k12*touch12*e12;
@@ -527,10 +629,13 @@ equations! {
     nonlinear_with {
         sliding_friction_12 "-side12*F_tau12 in the torque `slide12`";
         sliding_friction_12 "-arm12*F_mu12 in the torque `roll12`";
-        induction_motor "T_induction_motor in the torque `induction`";
-        traction_motor "T_traction_motor in the torque `traction`";
+        induction_motor "T_induction_motor in the torque `induction_motor`";
+        traction_motor "T_traction_motor in the torque `traction_motor`";
+        fan_motor "T_fan_motor in the torque `fan_motor`";
         torques "T_load in the torque `load`, whose displacement is not linear";
-        fan_load "T_fan_fan in the torque `fan`";
+        induction_2 "T_induction2 in the torque `induction2`";
+        traction_2 "T_traction2 in the torque `traction2`";
+        fan_2 "T_fan2 in the torque `fan2`";
     }
     jump k12 { step { _ => dk12*touch12*over12.powi(2)/2.0; } }
     jump e12 { step { _ => k12*de12.powi(2)*touch12/2.0 - k12*de12*touch12*over12; } }
@@ -566,30 +671,62 @@ equations! {
             _ => roll12_power;
         }
         power_motor "W" with torques, "power of the driving torque of the driving gear: positive if it drives" { _ => motor_power; }
-        governor_braking "W" with speed_governor,
+        braking_governor_motor "W" with governor_motor,
             "power that the motor takes back: the part of its torque that is proportional to the speed, times the speed" {
             _ => c_motor*theta_motor_dot.powi(2);
         }
-        power_governor "W" with speed_governor,
-            "power of the torque c n of the governor; its part -c omega is in D: positive if it drives" {
-            _ => governor_power;
+        power_governor_motor "W" with governor_motor,
+            "power of the torque c n of the governor of the driving gear; its part -c omega is in D: positive if it drives" {
+            _ => governor_motor_power;
         }
-        dc_braking "W" with dc_motor,
+        braking_dc_motor "W" with dc_motor,
             "power that the motor takes back: the part of its torque that is proportional to the speed, times the speed" {
             _ => Ts_motor*theta_motor_dot.powi(2)/n0_motor;
         }
-        power_dc "W" with dc_motor,
-            "power of the stall torque of the DC motor; the part proportional to the speed is in D: positive if it drives" {
-            _ => dc_power;
+        power_dc_motor "W" with dc_motor,
+            "power of the torque Ts of the DC motor of the driving gear; its part -Ts omega/n0 is in D: positive if it drives" {
+            _ => dc_motor_power;
         }
-        power_induction "W" with induction_motor, "power of the torque of the induction motor: positive if it drives" {
-            _ => induction_power;
+        power_induction_motor "W" with induction_motor,
+            "power of the torque of the induction motor of the driving gear: positive if it drives" {
+            _ => induction_motor_power;
         }
-        power_traction "W" with traction_motor, "power of the torque of the traction motor: positive if it drives" { _ => traction_power; }
+        power_traction_motor "W" with traction_motor,
+            "power of the torque of the traction motor of the driving gear: positive if it drives" {
+            _ => traction_motor_power;
+        }
+        power_fan_motor "W" with fan_motor,
+            "power of the torque of the fan of the driving gear, against the rotation: positive if it drives" {
+            _ => fan_motor_power;
+        }
         power_load "W" with torques, "power of the load torque behind the joint, against its rotation: positive if it drives" {
             _ => load_power;
         }
-        power_fan "W" with fan_load, "power of the torque of the fan, against its rotation: positive if it drives" { _ => fan_power; }
+        braking_governor2 "W" with governor_2,
+            "power that the motor takes back: the part of its torque that is proportional to the speed, times the speed" {
+            _ => c2*theta2_dot.powi(2);
+        }
+        power_governor2 "W" with governor_2,
+            "power of the torque c n of the governor of the driven gear; its part -c omega is in D: positive if it drives" {
+            _ => governor2_power;
+        }
+        braking_dc2 "W" with dc_2,
+            "power that the motor takes back: the part of its torque that is proportional to the speed, times the speed" {
+            _ => Ts2*theta2_dot.powi(2)/n02;
+        }
+        power_dc2 "W" with dc_2,
+            "power of the torque Ts of the DC motor of the driven gear; its part -Ts omega/n0 is in D: positive if it drives" {
+            _ => dc2_power;
+        }
+        power_induction2 "W" with induction_2, "power of the torque of the induction motor of the driven gear: positive if it drives" {
+            _ => induction2_power;
+        }
+        power_traction2 "W" with traction_2, "power of the torque of the traction motor of the driven gear: positive if it drives" {
+            _ => traction2_power;
+        }
+        power_fan2 "W" with fan_2, "power of the torque of the fan of the driven gear, against the rotation: positive if it drives" {
+            _ => fan2_power;
+        }
         inertia_damping_loss "W" with damping, "power that the damping in proportion to inertia takes" {
             _ => 2.0*alpha_M*((I1*(s_dot/(2.0*h*N1) + theta_dot/N1).powi(2) + I2*(theta_dot/N2 - s_dot/(2.0*h*N2)).powi(2))/2.0);
         }
@@ -631,7 +768,7 @@ equations! {
 //
 // | output | sums | products, quotients | functions, roots |
 // | --- | --- | --- | --- |
-// | constants (once a scene) | 0 | 3 | 2 |
-// | named forces | 22 | 67 | 9 |
-// | force | 21 | 176 | 0 |
+// | constants (once a scene) | 0 | 4 | 2 |
+// | named forces | 37 | 106 | 12 |
+// | force | 25 | 212 | 0 |
 // | energy steps, all laws | 1 | 11 | 0 |

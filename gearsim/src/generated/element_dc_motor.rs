@@ -13,41 +13,41 @@ equations! {
     coordinates { theta "rad" start static, "rotation"; }
     parameters {
         J_theta "kg*m^2" required, open 0.0 to inf, "test inertia, 0 in trains";
-        Ts_x "N*m" required with dc_motor, open 0.0 to inf, "stall torque of the drive {}";
-        n0_x "rad/s" required with dc_motor, open 0.0 to inf, "no-load speed of the drive {}";
+        Ts_x "N*m" required with dc_x, open 0.0 to inf, "stall torque of the DC motor of the drive {}";
+        n0_x "rad/s" required with dc_x, open 0.0 to inf, "no-load speed of the DC motor of the drive {}";
     }
     laws {
     }
     motions {
     }
-    effects { dc_motor "a DC motor at constant voltage: its torque falls linearly from stall to no load"; }
+    effects { dc_x of dc "a DC motor at constant voltage: its torque falls linearly from stall to no load"; }
     conditions {
     }
 
     energies {
         kinetic { _ => J_theta*theta_dot.powi(2)/2.0; }
-        dissipation { dc_motor => Ts_x*theta_dot.powi(2)/(2.0*n0_x); }
+        dissipation { dc_x => Ts_x*theta_dot.powi(2)/(2.0*n0_x); }
     }
-    torques { dc "stall torque of the DC motor; the part proportional to the speed is in D" { dc_motor => Ts_x*theta; } }
-    work { theta { dc_motor => Ts_x; } }
+    torques { dc_x "torque Ts of the DC motor of the drive {}; its part -Ts omega/n0 is in D" { dc_x => Ts_x*theta; } }
+    work { theta { dc_x => Ts_x; } }
     mass { theta theta { _ => J_theta; } }
     mobility { theta theta { _ => 1.0/J_theta; } }
-    force { theta { dc_motor => Ts_x - Ts_x*theta_dot/n0_x; } }
-    jacobian { theta theta_dot { dc_motor => -Ts_x/n0_x; } }
+    force { theta { dc_x => Ts_x - Ts_x*theta_dot/n0_x; } }
+    jacobian { theta theta_dot { dc_x => -Ts_x/n0_x; } }
     cell {
         stiffness {
         }
-        damping { theta theta { dc_motor => Ts_x/n0_x; } }
-        load { theta { dc_motor => Ts_x; } }
+        damping { theta theta { dc_x => Ts_x/n0_x; } }
+        load { theta { dc_x => Ts_x; } }
     }
     outputs {
-        dc_braking "W" with dc_motor,
+        braking_dc_x "W" with dc_x,
             "power that the motor takes back: the part of its torque that is proportional to the speed, times the speed" {
             _ => Ts_x*theta_dot.powi(2)/n0_x;
         }
-        power_dc "W" with dc_motor,
-            "power of the stall torque of the DC motor; the part proportional to the speed is in D: positive if it drives" {
-            _ => dc_power;
+        power_dc_x "W" with dc_x,
+            "power of the torque Ts of the DC motor of the drive {}; its part -Ts omega/n0 is in D: positive if it drives" {
+            _ => dc_x_power;
         }
     }
 

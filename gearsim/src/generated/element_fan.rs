@@ -13,35 +13,35 @@ equations! {
     coordinates { theta "rad" start static, "rotation"; }
     parameters {
         J_theta "kg*m^2" required, open 0.0 to inf, "test inertia, 0 in trains";
-        cf_x "N*m*s^2/rad^2" required with fan_load, from 0.0 to inf, "fan torque of the drive {} divided by the square of its speed";
-        w0_x "rad/s" default 0.01 with fan_load, open 0.0 to inf,
-            "speed of the drive {} below which the fan torque is linear instead of quadratic in the speed";
+        cf_x "N*m*s^2/rad^2" required with fan_x, from 0.0 to inf, "torque of the fan of the drive {} divided by the square of its speed";
+        w0_x "rad/s" default 0.01 with fan_x, open 0.0 to inf,
+            "speed of the drive {} below which the torque of its fan is linear instead of quadratic in the speed";
     }
     laws {
     }
     motions {
     }
-    effects { fan_load "a fan as load: torque proportional to the square of the speed, against the rotation"; }
+    effects { fan_x of fan "a fan as load: torque proportional to the square of the speed, against the rotation"; }
     conditions {
     }
 
-    forces { T_fan_x { fan_load => -cf_x*theta_dot*(w0_x.powi(2) + theta_dot.powi(2)).sqrt(); } }
+    forces { T_fan_x { fan_x => -cf_x*theta_dot*(w0_x.powi(2) + theta_dot.powi(2)).sqrt(); } }
     partials {
         T_fan_x_by_theta_dot {
-            fan_load => -cf_x*theta_dot.powi(2)/(w0_x.powi(2) + theta_dot.powi(2)).sqrt() - cf_x*(w0_x.powi(2) + theta_dot.powi(2)).sqrt();
+            fan_x => -cf_x*theta_dot.powi(2)/(w0_x.powi(2) + theta_dot.powi(2)).sqrt() - cf_x*(w0_x.powi(2) + theta_dot.powi(2)).sqrt();
         }
     }
     energies { kinetic { _ => J_theta*theta_dot.powi(2)/2.0; } }
     torques {
-        fan "torque of the fan, against its rotation" {}
-        power { fan_load => T_fan_x*theta_dot; }
+        fan_x "torque of the fan of the drive {}, against the rotation" {}
+        power { fan_x => T_fan_x*theta_dot; }
     }
     work {
     }
     mass { theta theta { _ => J_theta; } }
     mobility { theta theta { _ => 1.0/J_theta; } }
-    force { theta { fan_load => T_fan_x; } }
-    jacobian { theta theta_dot { fan_load => T_fan_x_by_theta_dot; } }
+    force { theta { fan_x => T_fan_x; } }
+    jacobian { theta theta_dot { fan_x => T_fan_x_by_theta_dot; } }
     cell {
         stiffness {
         }
@@ -50,9 +50,11 @@ equations! {
         load {
         }
     }
-    nonlinear_with { fan_load "T_fan_x in the torque `fan`"; }
+    nonlinear_with { fan_x "T_fan_x in the torque `fan_x`"; }
     outputs {
-        power_fan "W" with fan_load, "power of the torque of the fan, against its rotation: positive if it drives" { _ => fan_power; }
+        power_fan_x "W" with fan_x, "power of the torque of the fan of the drive {}, against the rotation: positive if it drives" {
+            _ => fan_x_power;
+        }
     }
 
     text "text/element_fan.txt";

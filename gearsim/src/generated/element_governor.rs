@@ -13,42 +13,42 @@ equations! {
     coordinates { theta "rad" start static, "rotation"; }
     parameters {
         J_theta "kg*m^2" required, open 0.0 to inf, "test inertia, 0 in trains";
-        c_x "N*m*s/rad" required with speed_governor, open 0.0 to inf,
+        c_x "N*m*s/rad" required with governor_x, open 0.0 to inf,
             "gain of the governor of the drive {}: torque per difference of set point and speed";
-        n_x "rad/s" required with speed_governor, open -inf to inf, "set point of the speed governor of the drive {}";
+        n_x "rad/s" required with governor_x, open -inf to inf, "set point of the speed governor of the drive {}";
     }
     laws {
     }
     motions {
     }
-    effects { speed_governor "a speed governor: motor torque proportional to the set point minus the speed"; }
+    effects { governor_x of governor "a motor with a speed governor: its torque is proportional to the set point minus the speed"; }
     conditions {
     }
 
     energies {
         kinetic { _ => J_theta*theta_dot.powi(2)/2.0; }
-        dissipation { speed_governor => c_x*theta_dot.powi(2)/2.0; }
+        dissipation { governor_x => c_x*theta_dot.powi(2)/2.0; }
     }
-    torques { governor "torque c n of the governor; its part -c omega is in D" { speed_governor => c_x*n_x*theta; } }
-    work { theta { speed_governor => c_x*n_x; } }
+    torques { governor_x "torque c n of the governor of the drive {}; its part -c omega is in D" { governor_x => c_x*n_x*theta; } }
+    work { theta { governor_x => c_x*n_x; } }
     mass { theta theta { _ => J_theta; } }
     mobility { theta theta { _ => 1.0/J_theta; } }
-    force { theta { speed_governor => c_x*n_x - c_x*theta_dot; } }
-    jacobian { theta theta_dot { speed_governor => -c_x; } }
+    force { theta { governor_x => c_x*n_x - c_x*theta_dot; } }
+    jacobian { theta theta_dot { governor_x => -c_x; } }
     cell {
         stiffness {
         }
-        damping { theta theta { speed_governor => c_x; } }
-        load { theta { speed_governor => c_x*n_x; } }
+        damping { theta theta { governor_x => c_x; } }
+        load { theta { governor_x => c_x*n_x; } }
     }
     outputs {
-        governor_braking "W" with speed_governor,
+        braking_governor_x "W" with governor_x,
             "power that the motor takes back: the part of its torque that is proportional to the speed, times the speed" {
             _ => c_x*theta_dot.powi(2);
         }
-        power_governor "W" with speed_governor,
-            "power of the torque c n of the governor; its part -c omega is in D: positive if it drives" {
-            _ => governor_power;
+        power_governor_x "W" with governor_x,
+            "power of the torque c n of the governor of the drive {}; its part -c omega is in D: positive if it drives" {
+            _ => governor_x_power;
         }
     }
 

@@ -13,36 +13,37 @@ equations! {
     coordinates { theta "rad" start static, "rotation"; }
     parameters {
         J_theta "kg*m^2" required, open 0.0 to inf, "test inertia, 0 in trains";
-        Tb_x "N*m" required with induction_motor, open 0.0 to inf, "breakdown torque of the drive {}, its largest torque";
-        sb_x "1" required with induction_motor, open 0.0 to inf, "slip at which the drive {} has its breakdown torque";
-        ns_x "rad/s" required with induction_motor, open 0.0 to inf, "synchronous speed of the drive {}";
+        Tb_x "N*m" required with induction_x, open 0.0 to inf,
+            "breakdown torque of the induction motor of the drive {}, its largest torque";
+        sb_x "1" required with induction_x, open 0.0 to inf, "slip at which the induction motor of the drive {} has its breakdown torque";
+        ns_x "rad/s" required with induction_x, open 0.0 to inf, "synchronous speed of the induction motor of the drive {}";
     }
     laws {
     }
     motions {
     }
-    effects { induction_motor "an induction motor, its torque by the formula of Kloss"; }
+    effects { induction_x of induction "an induction motor, its torque by the formula of Kloss"; }
     conditions {
     }
 
-    forces { T_induction_x { induction_motor => 2.0*Tb_x*sb_x*(1.0 - theta_dot/ns_x)/(sb_x.powi(2) + (1.0 - theta_dot/ns_x).powi(2)); } }
+    forces { T_induction_x { induction_x => 2.0*Tb_x*sb_x*(1.0 - theta_dot/ns_x)/(sb_x.powi(2) + (1.0 - theta_dot/ns_x).powi(2)); } }
     partials {
         T_induction_x_by_theta_dot {
-            induction_motor => 4.0*Tb_x*sb_x*(1.0 - theta_dot/ns_x).powi(2)/(ns_x*(sb_x.powi(2) + (1.0 - theta_dot/ns_x).powi(2)).powi(2))
+            induction_x => 4.0*Tb_x*sb_x*(1.0 - theta_dot/ns_x).powi(2)/(ns_x*(sb_x.powi(2) + (1.0 - theta_dot/ns_x).powi(2)).powi(2))
                 - 2.0*Tb_x*sb_x/(ns_x*(sb_x.powi(2) + (1.0 - theta_dot/ns_x).powi(2)));
         }
     }
     energies { kinetic { _ => J_theta*theta_dot.powi(2)/2.0; } }
     torques {
-        induction "torque of the induction motor" {}
-        power { induction_motor => T_induction_x*theta_dot; }
+        induction_x "torque of the induction motor of the drive {}" {}
+        power { induction_x => T_induction_x*theta_dot; }
     }
     work {
     }
     mass { theta theta { _ => J_theta; } }
     mobility { theta theta { _ => 1.0/J_theta; } }
-    force { theta { induction_motor => T_induction_x; } }
-    jacobian { theta theta_dot { induction_motor => T_induction_x_by_theta_dot; } }
+    force { theta { induction_x => T_induction_x; } }
+    jacobian { theta theta_dot { induction_x => T_induction_x_by_theta_dot; } }
     cell {
         stiffness {
         }
@@ -51,10 +52,10 @@ equations! {
         load {
         }
     }
-    nonlinear_with { induction_motor "T_induction_x in the torque `induction`"; }
+    nonlinear_with { induction_x "T_induction_x in the torque `induction_x`"; }
     outputs {
-        power_induction "W" with induction_motor, "power of the torque of the induction motor: positive if it drives" {
-            _ => induction_power;
+        power_induction_x "W" with induction_x, "power of the torque of the induction motor of the drive {}: positive if it drives" {
+            _ => induction_x_power;
         }
     }
 

@@ -29,23 +29,50 @@ equations! {
             "rolling speed omega1 + omega2 of the mesh below which friction decreases to zero (mixed film)";
         mu_rise "1" default 0.0 with flank_stiction, from 0.0 to inf,
             "excess of the static coefficient of friction of the mesh over that of sliding, relative to that";
-        c_motor "N*m*s/rad" required with speed_governor, open 0.0 to inf,
+        c_motor "N*m*s/rad" required with governor_motor, open 0.0 to inf,
             "gain of the governor of the driving gear: torque per difference of set point and speed";
-        n_motor "rad/s" required with speed_governor, open -inf to inf, "set point of the speed governor of the driving gear";
-        Ts_motor "N*m" required with dc_motor, open 0.0 to inf, "stall torque of the driving gear";
-        n0_motor "rad/s" required with dc_motor, open 0.0 to inf, "no-load speed of the driving gear";
-        Tb_motor "N*m" required with induction_motor, open 0.0 to inf, "breakdown torque of the driving gear, its largest torque";
-        sb_motor "1" required with induction_motor, open 0.0 to inf, "slip at which the driving gear has its breakdown torque";
-        ns_motor "rad/s" required with induction_motor, open 0.0 to inf, "synchronous speed of the driving gear";
-        Tp_motor "N*m" required with traction_motor, open 0.0 to inf, "peak torque of the driving gear, up to its base speed";
-        Pp_motor "W" required with traction_motor, open 0.0 to inf, "peak power of the driving gear, above its base speed Pp/Tp";
+        n_motor "rad/s" required with governor_motor, open -inf to inf, "set point of the speed governor of the driving gear";
+        Ts_motor "N*m" required with dc_motor, open 0.0 to inf, "stall torque of the DC motor of the driving gear";
+        n0_motor "rad/s" required with dc_motor, open 0.0 to inf, "no-load speed of the DC motor of the driving gear";
+        Tb_motor "N*m" required with induction_motor, open 0.0 to inf,
+            "breakdown torque of the induction motor of the driving gear, its largest torque";
+        sb_motor "1" required with induction_motor, open 0.0 to inf,
+            "slip at which the induction motor of the driving gear has its breakdown torque";
+        ns_motor "rad/s" required with induction_motor, open 0.0 to inf, "synchronous speed of the induction motor of the driving gear";
+        Tp_motor "N*m" required with traction_motor, open 0.0 to inf,
+            "peak torque of the traction motor of the driving gear, up to its base speed";
+        Pp_motor "W" required with traction_motor, open 0.0 to inf,
+            "peak power of the traction motor of the driving gear, above its base speed Pp/Tp";
         d_motor "1" default 1.0 with traction_motor, open -inf to inf,
-            "demand on the driving gear: 1 drives with its peak torque or power, -1 brakes with them";
+            "demand on the traction motor of the driving gear: 1 drives with its peak torque or power, -1 brakes with them";
         round_motor "1" default 0.01 with traction_motor, open 0.0 to inf,
-            "rounding of the corner of the torque of the driving gear at its base speed, relative to that";
-        cf_load "N*m*s^2/rad^2" required with fan_load, from 0.0 to inf, "fan torque of the driven gear divided by the square of its speed";
+            "rounding of the corner of the torque of the traction motor of the driving gear at its base speed, relative to that";
+        cf_motor "N*m*s^2/rad^2" required with fan_motor, from 0.0 to inf,
+            "torque of the fan of the driving gear divided by the square of its speed";
+        w0_motor "rad/s" default 0.01 with fan_motor, open 0.0 to inf,
+            "speed of the driving gear below which the torque of its fan is linear instead of quadratic in the speed";
+        c_load "N*m*s/rad" required with governor_load, open 0.0 to inf,
+            "gain of the governor of the driven gear: torque per difference of set point and speed";
+        n_load "rad/s" required with governor_load, open -inf to inf, "set point of the speed governor of the driven gear";
+        Ts_load "N*m" required with dc_load, open 0.0 to inf, "stall torque of the DC motor of the driven gear";
+        n0_load "rad/s" required with dc_load, open 0.0 to inf, "no-load speed of the DC motor of the driven gear";
+        Tb_load "N*m" required with induction_load, open 0.0 to inf,
+            "breakdown torque of the induction motor of the driven gear, its largest torque";
+        sb_load "1" required with induction_load, open 0.0 to inf,
+            "slip at which the induction motor of the driven gear has its breakdown torque";
+        ns_load "rad/s" required with induction_load, open 0.0 to inf, "synchronous speed of the induction motor of the driven gear";
+        Tp_load "N*m" required with traction_load, open 0.0 to inf,
+            "peak torque of the traction motor of the driven gear, up to its base speed";
+        Pp_load "W" required with traction_load, open 0.0 to inf,
+            "peak power of the traction motor of the driven gear, above its base speed Pp/Tp";
+        d_load "1" default 1.0 with traction_load, open -inf to inf,
+            "demand on the traction motor of the driven gear: 1 drives with its peak torque or power, -1 brakes with them";
+        round_load "1" default 0.01 with traction_load, open 0.0 to inf,
+            "rounding of the corner of the torque of the traction motor of the driven gear at its base speed, relative to that";
+        cf_load "N*m*s^2/rad^2" required with fan_load, from 0.0 to inf,
+            "torque of the fan of the driven gear divided by the square of its speed";
         w0_load "rad/s" default 0.01 with fan_load, open 0.0 to inf,
-            "speed of the driven gear below which the fan torque is linear instead of quadratic in the speed";
+            "speed of the driven gear below which the torque of its fan is linear instead of quadratic in the speed";
     }
     laws {
         k "N*m" phase theta period 6.283185307179586 rolling,
@@ -74,13 +101,20 @@ equations! {
             "Coulomb friction between the flanks, against their sliding, which turns as a tooth pair passes the pitch point";
         flank_stiction requires(sliding_friction)
             "flanks at rest stick, up to their static friction; sliding, their friction has its full size at any speed";
-        speed_governor excludes(dc_motor, induction_motor, traction_motor)
-            "a speed governor: motor torque proportional to the set point minus the speed";
-        dc_motor excludes(induction_motor, traction_motor)
+        governor_motor of governor excludes(dc_motor, induction_motor, traction_motor)
+            "a motor with a speed governor: its torque is proportional to the set point minus the speed";
+        dc_motor of dc excludes(induction_motor, traction_motor)
             "a DC motor at constant voltage: its torque falls linearly from stall to no load";
-        induction_motor excludes(traction_motor) "an induction motor, its torque by the formula of Kloss";
-        traction_motor "a traction motor: its peak torque up to the base speed, constant power above it, times the demand";
-        fan_load "a fan as load: torque proportional to the square of the speed, against the rotation";
+        induction_motor of induction excludes(traction_motor) "an induction motor, its torque by the formula of Kloss";
+        traction_motor of traction "a traction motor: its peak torque up to the base speed, constant power above it, times the demand";
+        fan_motor of fan "a fan as load: torque proportional to the square of the speed, against the rotation";
+        governor_load of governor excludes(dc_load, induction_load, traction_load)
+            "a motor with a speed governor: its torque is proportional to the set point minus the speed";
+        dc_load of dc excludes(induction_load, traction_load)
+            "a DC motor at constant voltage: its torque falls linearly from stall to no load";
+        induction_load of induction excludes(traction_load) "an induction motor, its torque by the formula of Kloss";
+        traction_load of traction "a traction motor: its peak torque up to the base speed, constant power above it, times the demand";
+        fan_load of fan "a fan as load: torque proportional to the square of the speed, against the rotation";
     }
     switching {
         stiffness_step => with_jump;
@@ -105,6 +139,7 @@ equations! {
         tan_a = alpha.sin()/alpha.cos();
         tiny = 1.0/1000000000000.0;
         per_wb_motor = Tp_motor/Pp_motor;
+        per_wb_load = Tp_load/Pp_load;
     }
     deflections {
         over = phi - edge - e;
@@ -128,6 +163,15 @@ equations! {
             traction_motor => 2.0*Tp_motor*d_motor
                 /((round_motor.powi(2) + (1.0 - per_wb_motor*theta_motor_dot).powi(2)).sqrt()
                 + (round_motor.powi(2) + (1.0 + per_wb_motor*theta_motor_dot).powi(2)).sqrt());
+        }
+        T_fan_motor { fan_motor => -cf_motor*theta_motor_dot*(w0_motor.powi(2) + theta_motor_dot.powi(2)).sqrt(); }
+        T_induction_load {
+            induction_load => 2.0*Tb_load*sb_load*(1.0 - theta_load_dot/ns_load)/(sb_load.powi(2) + (1.0 - theta_load_dot/ns_load).powi(2));
+        }
+        T_traction_load {
+            traction_load => 2.0*Tp_load*d_load
+                /((round_load.powi(2) + (1.0 - per_wb_load*theta_load_dot).powi(2)).sqrt()
+                + (round_load.powi(2) + (1.0 + per_wb_load*theta_load_dot).powi(2)).sqrt());
         }
         T_fan_load { fan_load => -cf_load*theta_load_dot*(w0_load.powi(2) + theta_load_dot.powi(2)).sqrt(); }
     }
@@ -166,6 +210,22 @@ equations! {
                 /(round_motor.powi(2) + (1.0 - per_wb_motor*theta_motor_dot).powi(2)).sqrt())
                 /((round_motor.powi(2) + (1.0 - per_wb_motor*theta_motor_dot).powi(2)).sqrt()
                 + (round_motor.powi(2) + (1.0 + per_wb_motor*theta_motor_dot).powi(2)).sqrt()).powi(2);
+        }
+        T_fan_motor_by_theta_motor_dot {
+            fan_motor => -cf_motor*theta_motor_dot.powi(2)/(w0_motor.powi(2) + theta_motor_dot.powi(2)).sqrt()
+                - cf_motor*(w0_motor.powi(2) + theta_motor_dot.powi(2)).sqrt();
+        }
+        T_induction_load_by_theta_load_dot {
+            induction_load => 4.0*Tb_load*sb_load*(1.0 - theta_load_dot/ns_load).powi(2)
+                /(ns_load*(sb_load.powi(2) + (1.0 - theta_load_dot/ns_load).powi(2)).powi(2))
+                - 2.0*Tb_load*sb_load/(ns_load*(sb_load.powi(2) + (1.0 - theta_load_dot/ns_load).powi(2)));
+        }
+        T_traction_load_by_theta_load_dot {
+            traction_load => -2.0*Tp_load*d_load
+                *(per_wb_load*(1.0 + per_wb_load*theta_load_dot)/(round_load.powi(2) + (1.0 + per_wb_load*theta_load_dot).powi(2)).sqrt()
+                - per_wb_load*(1.0 - per_wb_load*theta_load_dot)/(round_load.powi(2) + (1.0 - per_wb_load*theta_load_dot).powi(2)).sqrt())
+                /((round_load.powi(2) + (1.0 - per_wb_load*theta_load_dot).powi(2)).sqrt()
+                + (round_load.powi(2) + (1.0 + per_wb_load*theta_load_dot).powi(2)).sqrt()).powi(2);
         }
         T_fan_load_by_theta_load_dot {
             fan_load => -cf_load*theta_load_dot.powi(2)/(w0_load.powi(2) + theta_load_dot.powi(2)).sqrt()
@@ -295,8 +355,10 @@ equations! {
         potential { _ => k*touch*over.powi(2); }
         dissipation {
             damping => C*damp*over_dot.powi(2);
-            speed_governor => c_motor*theta_motor_dot.powi(2)/2.0;
+            governor_motor => c_motor*theta_motor_dot.powi(2)/2.0;
             dc_motor => Ts_motor*theta_motor_dot.powi(2)/(2.0*n0_motor);
+            governor_load => c_load*theta_load_dot.powi(2)/2.0;
+            dc_load => Ts_load*theta_load_dot.powi(2)/(2.0*n0_load);
         }
     }
     torques {
@@ -306,24 +368,42 @@ equations! {
         power { sliding_friction => -side*F_tau*tau_dot; }
         roll "friction of the mesh, through the rolling of the gears" {}
         power { sliding_friction => -arm*F_mu*psi_dot; }
-        governor "torque c n of the governor; its part -c omega is in D" { speed_governor => c_motor*n_motor*(phi/N1 + theta/N1); }
-        dc "stall torque of the DC motor; the part proportional to the speed is in D" { dc_motor => Ts_motor*(phi/N1 + theta/N1); }
-        induction "torque of the induction motor" {}
+        governor_motor "torque c n of the governor of the driving gear; its part -c omega is in D" {
+            governor_motor => c_motor*n_motor*(phi/N1 + theta/N1);
+        }
+        dc_motor "torque Ts of the DC motor of the driving gear; its part -Ts omega/n0 is in D" {
+            dc_motor => Ts_motor*(phi/N1 + theta/N1);
+        }
+        induction_motor "torque of the induction motor of the driving gear" {}
         power { induction_motor => T_induction_motor*(phi_dot/N1 + theta_dot/N1); }
-        traction "torque of the traction motor" {}
+        traction_motor "torque of the traction motor of the driving gear" {}
         power { traction_motor => T_traction_motor*(phi_dot/N1 + theta_dot/N1); }
-        fan "torque of the fan, against its rotation" {}
+        fan_motor "torque of the fan of the driving gear, against the rotation" {}
+        power { fan_motor => T_fan_motor*(phi_dot/N1 + theta_dot/N1); }
+        governor_load "torque c n of the governor of the driven gear; its part -c omega is in D" {
+            governor_load => c_load*n_load*(theta/N2 - phi/N2);
+        }
+        dc_load "torque Ts of the DC motor of the driven gear; its part -Ts omega/n0 is in D" { dc_load => Ts_load*(theta/N2 - phi/N2); }
+        induction_load "torque of the induction motor of the driven gear" {}
+        power { induction_load => T_induction_load*(theta_dot/N2 - phi_dot/N2); }
+        traction_load "torque of the traction motor of the driven gear" {}
+        power { traction_load => T_traction_load*(theta_dot/N2 - phi_dot/N2); }
+        fan_load "torque of the fan of the driven gear, against the rotation" {}
         power { fan_load => T_fan_load*(theta_dot/N2 - phi_dot/N2); }
     }
     work {
         theta {
-            speed_governor => c_motor*n_motor/N1;
+            governor_motor => c_motor*n_motor/N1;
             dc_motor => Ts_motor/N1;
+            governor_load => c_load*n_load/N2;
+            dc_load => Ts_load/N2;
         }
         phi {
             torques => 2.0*T0;
-            speed_governor => c_motor*n_motor/N1;
+            governor_motor => c_motor*n_motor/N1;
             dc_motor => Ts_motor/N1;
+            governor_load => -c_load*n_load/N2;
+            dc_load => -Ts_load/N2;
         }
     }
     mass {
@@ -340,10 +420,15 @@ equations! {
         theta {
             transmission_error_and_jump_terms => 2.0*k*de*touch*over;
             sliding_friction => -arm*F_mu/N1 - arm*F_mu/N2;
-            speed_governor => c_motor*n_motor/N1 - c_motor*theta_motor_dot/N1;
+            governor_motor => c_motor*n_motor/N1 - c_motor*theta_motor_dot/N1;
             dc_motor => Ts_motor/N1 - Ts_motor*theta_motor_dot/(N1*n0_motor);
             induction_motor => T_induction_motor/N1;
             traction_motor => T_traction_motor/N1;
+            fan_motor => T_fan_motor/N1;
+            governor_load => c_load*n_load/N2 - c_load*theta_load_dot/N2;
+            dc_load => Ts_load/N2 - Ts_load*theta_load_dot/(N2*n0_load);
+            induction_load => T_induction_load/N2;
+            traction_load => T_traction_load/N2;
             fan_load => T_fan_load/N2;
             jump_terms => -dk*touch*over.powi(2);
         }
@@ -353,10 +438,15 @@ equations! {
             damping => -2.0*C*damp*over_dot;
             torques => 2.0*T0;
             sliding_friction => arm*F_mu/N2 - 2.0*tan_a*side*F_tau - arm*F_mu/N1;
-            speed_governor => c_motor*n_motor/N1 - c_motor*theta_motor_dot/N1;
+            governor_motor => c_motor*n_motor/N1 - c_motor*theta_motor_dot/N1;
             dc_motor => Ts_motor/N1 - Ts_motor*theta_motor_dot/(N1*n0_motor);
             induction_motor => T_induction_motor/N1;
             traction_motor => T_traction_motor/N1;
+            fan_motor => T_fan_motor/N1;
+            governor_load => c_load*theta_load_dot/N2 - c_load*n_load/N2;
+            dc_load => Ts_load*theta_load_dot/(N2*n0_load) - Ts_load/N2;
+            induction_load => -T_induction_load/N2;
+            traction_load => -T_traction_load/N2;
             fan_load => -T_fan_load/N2;
         }
     }
@@ -374,12 +464,19 @@ equations! {
         }
         theta psi_dot { sliding_friction => -arm*F_mu_by_psi_dot/N1 - arm*F_mu_by_psi_dot/N2; }
         theta theta_motor_dot {
-            speed_governor => -c_motor/N1;
+            governor_motor => -c_motor/N1;
             dc_motor => -Ts_motor/(N1*n0_motor);
             induction_motor => T_induction_motor_by_theta_motor_dot/N1;
             traction_motor => T_traction_motor_by_theta_motor_dot/N1;
+            fan_motor => T_fan_motor_by_theta_motor_dot/N1;
         }
-        theta theta_load_dot { fan_load => T_fan_load_by_theta_load_dot/N2; }
+        theta theta_load_dot {
+            governor_load => -c_load/N2;
+            dc_load => -Ts_load/(N2*n0_load);
+            induction_load => T_induction_load_by_theta_load_dot/N2;
+            traction_load => T_traction_load_by_theta_load_dot/N2;
+            fan_load => T_fan_load_by_theta_load_dot/N2;
+        }
         phi theta {
             transmission_error_and_backlash_and_moving_phase => 2.0*k*de*clip*touch;
             transmission_error_and_sliding_friction_and_moving_phase => 2.0*tan_a*de*side*F_mu_by_over*F_tau_by_F_mu
@@ -399,12 +496,19 @@ equations! {
         phi over_dot { damping => -2.0*C*damp; }
         phi psi_dot { sliding_friction => arm*F_mu_by_psi_dot/N2 - 2.0*tan_a*side*F_mu_by_psi_dot*F_tau_by_F_mu - arm*F_mu_by_psi_dot/N1; }
         phi theta_motor_dot {
-            speed_governor => -c_motor/N1;
+            governor_motor => -c_motor/N1;
             dc_motor => -Ts_motor/(N1*n0_motor);
             induction_motor => T_induction_motor_by_theta_motor_dot/N1;
             traction_motor => T_traction_motor_by_theta_motor_dot/N1;
+            fan_motor => T_fan_motor_by_theta_motor_dot/N1;
         }
-        phi theta_load_dot { fan_load => -T_fan_load_by_theta_load_dot/N2; }
+        phi theta_load_dot {
+            governor_load => c_load/N2;
+            dc_load => Ts_load/(N2*n0_load);
+            induction_load => -T_induction_load_by_theta_load_dot/N2;
+            traction_load => -T_traction_load_by_theta_load_dot/N2;
+            fan_load => -T_fan_load_by_theta_load_dot/N2;
+        }
     }
     cell {
         stiffness {
@@ -416,19 +520,27 @@ equations! {
         damping {
             over over { damping => 2.0*C*damp; }
             theta_motor theta_motor {
-                speed_governor => c_motor;
+                governor_motor => c_motor;
                 dc_motor => Ts_motor/n0_motor;
+            }
+            theta_load theta_load {
+                governor_load => c_load;
+                dc_load => Ts_load/n0_load;
             }
         }
         load {
             theta {
-                speed_governor => c_motor*n_motor/N1;
+                governor_motor => c_motor*n_motor/N1;
                 dc_motor => Ts_motor/N1;
+                governor_load => c_load*n_load/N2;
+                dc_load => Ts_load/N2;
             }
             phi {
                 torques => 2.0*T0;
-                speed_governor => c_motor*n_motor/N1;
+                governor_motor => c_motor*n_motor/N1;
                 dc_motor => Ts_motor/N1;
+                governor_load => -c_load*n_load/N2;
+                dc_load => -Ts_load/N2;
             }
             over {
                 _ => 2.0*(k*touch*edge + k*touch*e);
@@ -439,9 +551,12 @@ equations! {
     nonlinear_with {
         sliding_friction "-side*F_tau in the torque `slide`";
         sliding_friction "-arm*F_mu in the torque `roll`";
-        induction_motor "T_induction_motor in the torque `induction`";
-        traction_motor "T_traction_motor in the torque `traction`";
-        fan_load "T_fan_load in the torque `fan`";
+        induction_motor "T_induction_motor in the torque `induction_motor`";
+        traction_motor "T_traction_motor in the torque `traction_motor`";
+        fan_motor "T_fan_motor in the torque `fan_motor`";
+        induction_load "T_induction_load in the torque `induction_load`";
+        traction_load "T_traction_load in the torque `traction_load`";
+        fan_load "T_fan_load in the torque `fan_load`";
     }
     jump k {
         compliance { _ => M2/2.0; }
@@ -490,27 +605,60 @@ equations! {
         power_roll "W" with sliding_friction, "power of the friction of the mesh, through the rolling of the gears: positive if it drives" {
             _ => roll_power;
         }
-        governor_braking "W" with speed_governor,
+        braking_governor_motor "W" with governor_motor,
             "power that the motor takes back: the part of its torque that is proportional to the speed, times the speed" {
             _ => c_motor*theta_motor_dot.powi(2);
         }
-        power_governor "W" with speed_governor,
-            "power of the torque c n of the governor; its part -c omega is in D: positive if it drives" {
-            _ => governor_power;
+        power_governor_motor "W" with governor_motor,
+            "power of the torque c n of the governor of the driving gear; its part -c omega is in D: positive if it drives" {
+            _ => governor_motor_power;
         }
-        dc_braking "W" with dc_motor,
+        braking_dc_motor "W" with dc_motor,
             "power that the motor takes back: the part of its torque that is proportional to the speed, times the speed" {
             _ => Ts_motor*theta_motor_dot.powi(2)/n0_motor;
         }
-        power_dc "W" with dc_motor,
-            "power of the stall torque of the DC motor; the part proportional to the speed is in D: positive if it drives" {
-            _ => dc_power;
+        power_dc_motor "W" with dc_motor,
+            "power of the torque Ts of the DC motor of the driving gear; its part -Ts omega/n0 is in D: positive if it drives" {
+            _ => dc_motor_power;
         }
-        power_induction "W" with induction_motor, "power of the torque of the induction motor: positive if it drives" {
-            _ => induction_power;
+        power_induction_motor "W" with induction_motor,
+            "power of the torque of the induction motor of the driving gear: positive if it drives" {
+            _ => induction_motor_power;
         }
-        power_traction "W" with traction_motor, "power of the torque of the traction motor: positive if it drives" { _ => traction_power; }
-        power_fan "W" with fan_load, "power of the torque of the fan, against its rotation: positive if it drives" { _ => fan_power; }
+        power_traction_motor "W" with traction_motor,
+            "power of the torque of the traction motor of the driving gear: positive if it drives" {
+            _ => traction_motor_power;
+        }
+        power_fan_motor "W" with fan_motor,
+            "power of the torque of the fan of the driving gear, against the rotation: positive if it drives" {
+            _ => fan_motor_power;
+        }
+        braking_governor_load "W" with governor_load,
+            "power that the motor takes back: the part of its torque that is proportional to the speed, times the speed" {
+            _ => c_load*theta_load_dot.powi(2);
+        }
+        power_governor_load "W" with governor_load,
+            "power of the torque c n of the governor of the driven gear; its part -c omega is in D: positive if it drives" {
+            _ => governor_load_power;
+        }
+        braking_dc_load "W" with dc_load,
+            "power that the motor takes back: the part of its torque that is proportional to the speed, times the speed" {
+            _ => Ts_load*theta_load_dot.powi(2)/n0_load;
+        }
+        power_dc_load "W" with dc_load,
+            "power of the torque Ts of the DC motor of the driven gear; its part -Ts omega/n0 is in D: positive if it drives" {
+            _ => dc_load_power;
+        }
+        power_induction_load "W" with induction_load,
+            "power of the torque of the induction motor of the driven gear: positive if it drives" {
+            _ => induction_load_power;
+        }
+        power_traction_load "W" with traction_load, "power of the torque of the traction motor of the driven gear: positive if it drives" {
+            _ => traction_load_power;
+        }
+        power_fan_load "W" with fan_load, "power of the torque of the fan of the driven gear, against the rotation: positive if it drives" {
+            _ => fan_load_power;
+        }
     }
 
     text "text/gear_pair.txt";
@@ -546,8 +694,8 @@ equations! {
 //
 // | output | sums | products, quotients | functions, roots |
 // | --- | --- | --- | --- |
-// | constants (once a scene) | 2 | 17 | 3 |
-// | named forces | 22 | 67 | 9 |
-// | force | 7 | 51 | 0 |
-// | acceleration | 26 | 178 | 0 |
+// | constants (once a scene) | 2 | 18 | 3 |
+// | named forces | 37 | 106 | 12 |
+// | force | 11 | 73 | 0 |
+// | acceleration | 44 | 278 | 0 |
 // | energy steps, all laws | 1 | 10 | 0 |

@@ -38,24 +38,51 @@ equations! {
         mu_rise12 "1" default 0.0 with flank_stiction_12, from 0.0 to inf,
             "excess of the static coefficient of friction of the mesh over that of sliding, relative to that";
         T_motor "N*m" required with torques, open -inf to inf, "driving torque of the driving gear";
-        c_motor "N*m*s/rad" required with speed_governor, open 0.0 to inf,
+        c_motor "N*m*s/rad" required with governor_motor, open 0.0 to inf,
             "gain of the governor of the driving gear: torque per difference of set point and speed";
-        n_motor "rad/s" required with speed_governor, open -inf to inf, "set point of the speed governor of the driving gear";
-        Ts_motor "N*m" required with dc_motor, open 0.0 to inf, "stall torque of the driving gear";
-        n0_motor "rad/s" required with dc_motor, open 0.0 to inf, "no-load speed of the driving gear";
-        Tb_motor "N*m" required with induction_motor, open 0.0 to inf, "breakdown torque of the driving gear, its largest torque";
-        sb_motor "1" required with induction_motor, open 0.0 to inf, "slip at which the driving gear has its breakdown torque";
-        ns_motor "rad/s" required with induction_motor, open 0.0 to inf, "synchronous speed of the driving gear";
-        Tp_motor "N*m" required with traction_motor, open 0.0 to inf, "peak torque of the driving gear, up to its base speed";
-        Pp_motor "W" required with traction_motor, open 0.0 to inf, "peak power of the driving gear, above its base speed Pp/Tp";
+        n_motor "rad/s" required with governor_motor, open -inf to inf, "set point of the speed governor of the driving gear";
+        Ts_motor "N*m" required with dc_motor, open 0.0 to inf, "stall torque of the DC motor of the driving gear";
+        n0_motor "rad/s" required with dc_motor, open 0.0 to inf, "no-load speed of the DC motor of the driving gear";
+        Tb_motor "N*m" required with induction_motor, open 0.0 to inf,
+            "breakdown torque of the induction motor of the driving gear, its largest torque";
+        sb_motor "1" required with induction_motor, open 0.0 to inf,
+            "slip at which the induction motor of the driving gear has its breakdown torque";
+        ns_motor "rad/s" required with induction_motor, open 0.0 to inf, "synchronous speed of the induction motor of the driving gear";
+        Tp_motor "N*m" required with traction_motor, open 0.0 to inf,
+            "peak torque of the traction motor of the driving gear, up to its base speed";
+        Pp_motor "W" required with traction_motor, open 0.0 to inf,
+            "peak power of the traction motor of the driving gear, above its base speed Pp/Tp";
         d_motor "1" default 1.0 with traction_motor, open -inf to inf,
-            "demand on the driving gear: 1 drives with its peak torque or power, -1 brakes with them";
+            "demand on the traction motor of the driving gear: 1 drives with its peak torque or power, -1 brakes with them";
         round_motor "1" default 0.01 with traction_motor, open 0.0 to inf,
-            "rounding of the corner of the torque of the driving gear at its base speed, relative to that";
+            "rounding of the corner of the torque of the traction motor of the driving gear at its base speed, relative to that";
+        cf_motor "N*m*s^2/rad^2" required with fan_motor, from 0.0 to inf,
+            "torque of the fan of the driving gear divided by the square of its speed";
+        w0_motor "rad/s" default 0.01 with fan_motor, open 0.0 to inf,
+            "speed of the driving gear below which the torque of its fan is linear instead of quadratic in the speed";
         T_load "N*m" required with torques, open -inf to inf, "load torque of the driven gear, against its rotation";
-        cf_load "N*m*s^2/rad^2" required with fan_load, from 0.0 to inf, "fan torque of the driven gear divided by the square of its speed";
+        c_load "N*m*s/rad" required with governor_load, open 0.0 to inf,
+            "gain of the governor of the driven gear: torque per difference of set point and speed";
+        n_load "rad/s" required with governor_load, open -inf to inf, "set point of the speed governor of the driven gear";
+        Ts_load "N*m" required with dc_load, open 0.0 to inf, "stall torque of the DC motor of the driven gear";
+        n0_load "rad/s" required with dc_load, open 0.0 to inf, "no-load speed of the DC motor of the driven gear";
+        Tb_load "N*m" required with induction_load, open 0.0 to inf,
+            "breakdown torque of the induction motor of the driven gear, its largest torque";
+        sb_load "1" required with induction_load, open 0.0 to inf,
+            "slip at which the induction motor of the driven gear has its breakdown torque";
+        ns_load "rad/s" required with induction_load, open 0.0 to inf, "synchronous speed of the induction motor of the driven gear";
+        Tp_load "N*m" required with traction_load, open 0.0 to inf,
+            "peak torque of the traction motor of the driven gear, up to its base speed";
+        Pp_load "W" required with traction_load, open 0.0 to inf,
+            "peak power of the traction motor of the driven gear, above its base speed Pp/Tp";
+        d_load "1" default 1.0 with traction_load, open -inf to inf,
+            "demand on the traction motor of the driven gear: 1 drives with its peak torque or power, -1 brakes with them";
+        round_load "1" default 0.01 with traction_load, open 0.0 to inf,
+            "rounding of the corner of the torque of the traction motor of the driven gear at its base speed, relative to that";
+        cf_load "N*m*s^2/rad^2" required with fan_load, from 0.0 to inf,
+            "torque of the fan of the driven gear divided by the square of its speed";
         w0_load "rad/s" default 0.01 with fan_load, open 0.0 to inf,
-            "speed of the driven gear below which the fan torque is linear instead of quadratic in the speed";
+            "speed of the driven gear below which the torque of its fan is linear instead of quadratic in the speed";
         alpha_M "1/s" default 0.0, from 0.0 to inf, "damping in proportion to inertia";
         beta_K "s" default 0.0, from 0.0 to inf, "damping in proportion to stiffness";
     }
@@ -88,13 +115,20 @@ equations! {
         flank_stiction_12 of flank_stiction requires(sliding_friction_12)
             "flanks at rest stick, up to their static friction; sliding, their friction has its full size at any speed";
         torques "constant torques of motor and load";
-        speed_governor excludes(dc_motor, induction_motor, traction_motor)
-            "a speed governor: motor torque proportional to the set point minus the speed";
-        dc_motor excludes(induction_motor, traction_motor)
+        governor_motor of governor excludes(dc_motor, induction_motor, traction_motor)
+            "a motor with a speed governor: its torque is proportional to the set point minus the speed";
+        dc_motor of dc excludes(induction_motor, traction_motor)
             "a DC motor at constant voltage: its torque falls linearly from stall to no load";
-        induction_motor excludes(traction_motor) "an induction motor, its torque by the formula of Kloss";
-        traction_motor "a traction motor: its peak torque up to the base speed, constant power above it, times the demand";
-        fan_load "a fan as load: torque proportional to the square of the speed, against the rotation";
+        induction_motor of induction excludes(traction_motor) "an induction motor, its torque by the formula of Kloss";
+        traction_motor of traction "a traction motor: its peak torque up to the base speed, constant power above it, times the demand";
+        fan_motor of fan "a fan as load: torque proportional to the square of the speed, against the rotation";
+        governor_load of governor excludes(dc_load, induction_load, traction_load)
+            "a motor with a speed governor: its torque is proportional to the set point minus the speed";
+        dc_load of dc excludes(induction_load, traction_load)
+            "a DC motor at constant voltage: its torque falls linearly from stall to no load";
+        induction_load of induction excludes(traction_load) "an induction motor, its torque by the formula of Kloss";
+        traction_load of traction "a traction motor: its peak torque up to the base speed, constant power above it, times the demand";
+        fan_load of fan "a fan as load: torque proportional to the square of the speed, against the rotation";
         damping "Rayleigh damping, C = alpha_M M + beta_K K at the mid stiffness";
     }
     switching {
@@ -131,6 +165,7 @@ equations! {
         inv12 = sin_a/cos_a - alpha;
         tiny12 = 1.0/1000000000000.0;
         per_wb_motor = Tp_motor/Pp_motor;
+        per_wb_load = Tp_load/Pp_load;
     }
     deflections {
         bx1 = x1;
@@ -206,6 +241,15 @@ equations! {
                 /((round_motor.powi(2) + (1.0 - per_wb_motor*theta_motor_dot).powi(2)).sqrt()
                 + (round_motor.powi(2) + (1.0 + per_wb_motor*theta_motor_dot).powi(2)).sqrt());
         }
+        T_fan_motor { fan_motor => -cf_motor*theta_motor_dot*(w0_motor.powi(2) + theta_motor_dot.powi(2)).sqrt(); }
+        T_induction_load {
+            induction_load => 2.0*Tb_load*sb_load*(1.0 - theta_load_dot/ns_load)/(sb_load.powi(2) + (1.0 - theta_load_dot/ns_load).powi(2));
+        }
+        T_traction_load {
+            traction_load => 2.0*Tp_load*d_load
+                /((round_load.powi(2) + (1.0 - per_wb_load*theta_load_dot).powi(2)).sqrt()
+                + (round_load.powi(2) + (1.0 + per_wb_load*theta_load_dot).powi(2)).sqrt());
+        }
         T_fan_load { fan_load => -cf_load*theta_load_dot*(w0_load.powi(2) + theta_load_dot.powi(2)).sqrt(); }
     }
     partials {
@@ -242,6 +286,22 @@ equations! {
                 /(round_motor.powi(2) + (1.0 - per_wb_motor*theta_motor_dot).powi(2)).sqrt())
                 /((round_motor.powi(2) + (1.0 - per_wb_motor*theta_motor_dot).powi(2)).sqrt()
                 + (round_motor.powi(2) + (1.0 + per_wb_motor*theta_motor_dot).powi(2)).sqrt()).powi(2);
+        }
+        T_fan_motor_by_theta_motor_dot {
+            fan_motor => -cf_motor*theta_motor_dot.powi(2)/(w0_motor.powi(2) + theta_motor_dot.powi(2)).sqrt()
+                - cf_motor*(w0_motor.powi(2) + theta_motor_dot.powi(2)).sqrt();
+        }
+        T_induction_load_by_theta_load_dot {
+            induction_load => 4.0*Tb_load*sb_load*(1.0 - theta_load_dot/ns_load).powi(2)
+                /(ns_load*(sb_load.powi(2) + (1.0 - theta_load_dot/ns_load).powi(2)).powi(2))
+                - 2.0*Tb_load*sb_load/(ns_load*(sb_load.powi(2) + (1.0 - theta_load_dot/ns_load).powi(2)));
+        }
+        T_traction_load_by_theta_load_dot {
+            traction_load => -2.0*Tp_load*d_load
+                *(per_wb_load*(1.0 + per_wb_load*theta_load_dot)/(round_load.powi(2) + (1.0 + per_wb_load*theta_load_dot).powi(2)).sqrt()
+                - per_wb_load*(1.0 - per_wb_load*theta_load_dot)/(round_load.powi(2) + (1.0 - per_wb_load*theta_load_dot).powi(2)).sqrt())
+                /((round_load.powi(2) + (1.0 - per_wb_load*theta_load_dot).powi(2)).sqrt()
+                + (round_load.powi(2) + (1.0 + per_wb_load*theta_load_dot).powi(2)).sqrt()).powi(2);
         }
         T_fan_load_by_theta_load_dot {
             fan_load => -cf_load*theta_load_dot.powi(2)/(w0_load.powi(2) + theta_load_dot.powi(2)).sqrt()
@@ -404,8 +464,10 @@ equations! {
         dissipation {
             viscous_friction_1 => (cb1*bx1_dot.powi(2) + cb1*by1_dot.powi(2))/2.0;
             viscous_friction_2 => (cb2*bx2_dot.powi(2) + cb2*by2_dot.powi(2))/2.0;
-            speed_governor => c_motor*theta_motor_dot.powi(2)/2.0;
+            governor_motor => c_motor*theta_motor_dot.powi(2)/2.0;
             dc_motor => Ts_motor*theta_motor_dot.powi(2)/(2.0*n0_motor);
+            governor_load => c_load*theta_load_dot.powi(2)/2.0;
+            dc_load => Ts_load*theta_load_dot.powi(2)/(2.0*n0_load);
             damping => (I1*alpha_M*(s_dot/(2.0*h*N1) + theta_dot/N1).powi(2) + I2*alpha_M*(theta_dot/N2 - s_dot/(2.0*h*N2)).powi(2)
                 + alpha_M*m1*x1_dot.powi(2) + alpha_M*m1*y1_dot.powi(2) + alpha_M*m2*x2_dot.powi(2) + alpha_M*m2*y2_dot.powi(2)
                 + beta_K*kb1*bx1_dot.powi(2) + beta_K*kb1*by1_dot.powi(2) + beta_K*kb2*bx2_dot.powi(2) + beta_K*kb2*by2_dot.powi(2)
@@ -418,26 +480,46 @@ equations! {
         roll12 "friction of the mesh, through the rolling of the gears" {}
         power { sliding_friction_12 => -arm12*F_mu12*psi12_dot; }
         motor "driving torque of the driving gear" { torques => T_motor*(s/(2.0*h*N1) + theta/N1); }
-        governor "torque c n of the governor; its part -c omega is in D" { speed_governor => c_motor*n_motor*(s/(2.0*h*N1) + theta/N1); }
-        dc "stall torque of the DC motor; the part proportional to the speed is in D" { dc_motor => Ts_motor*(s/(2.0*h*N1) + theta/N1); }
-        induction "torque of the induction motor" {}
+        governor_motor "torque c n of the governor of the driving gear; its part -c omega is in D" {
+            governor_motor => c_motor*n_motor*(s/(2.0*h*N1) + theta/N1);
+        }
+        dc_motor "torque Ts of the DC motor of the driving gear; its part -Ts omega/n0 is in D" {
+            dc_motor => Ts_motor*(s/(2.0*h*N1) + theta/N1);
+        }
+        induction_motor "torque of the induction motor of the driving gear" {}
         power { induction_motor => T_induction_motor*(s_dot/(2.0*h*N1) + theta_dot/N1); }
-        traction "torque of the traction motor" {}
+        traction_motor "torque of the traction motor of the driving gear" {}
         power { traction_motor => T_traction_motor*(s_dot/(2.0*h*N1) + theta_dot/N1); }
+        fan_motor "torque of the fan of the driving gear, against the rotation" {}
+        power { fan_motor => T_fan_motor*(s_dot/(2.0*h*N1) + theta_dot/N1); }
         load "load torque of the driven gear, against its rotation" { torques => T_load*(s/(2.0*h*N2) - theta/N2); }
-        fan "torque of the fan, against its rotation" {}
+        governor_load "torque c n of the governor of the driven gear; its part -c omega is in D" {
+            governor_load => c_load*n_load*(theta/N2 - s/(2.0*h*N2));
+        }
+        dc_load "torque Ts of the DC motor of the driven gear; its part -Ts omega/n0 is in D" {
+            dc_load => Ts_load*(theta/N2 - s/(2.0*h*N2));
+        }
+        induction_load "torque of the induction motor of the driven gear" {}
+        power { induction_load => T_induction_load*(theta_dot/N2 - s_dot/(2.0*h*N2)); }
+        traction_load "torque of the traction motor of the driven gear" {}
+        power { traction_load => T_traction_load*(theta_dot/N2 - s_dot/(2.0*h*N2)); }
+        fan_load "torque of the fan of the driven gear, against the rotation" {}
         power { fan_load => T_fan_load*(theta_dot/N2 - s_dot/(2.0*h*N2)); }
     }
     work {
         theta {
             torques => T_motor/N1 - T_load/N2;
-            speed_governor => c_motor*n_motor/N1;
+            governor_motor => c_motor*n_motor/N1;
             dc_motor => Ts_motor/N1;
+            governor_load => c_load*n_load/N2;
+            dc_load => Ts_load/N2;
         }
         s {
             torques => (T_motor/(h*N1) + T_load/(h*N2))/2.0;
-            speed_governor => c_motor*n_motor/(2.0*h*N1);
+            governor_motor => c_motor*n_motor/(2.0*h*N1);
             dc_motor => Ts_motor/(2.0*h*N1);
+            governor_load => -c_load*n_load/(2.0*h*N2);
+            dc_load => -Ts_load/(2.0*h*N2);
         }
     }
     mass {
@@ -454,10 +536,15 @@ equations! {
             transmission_error_12_and_jump_terms => k12*de12*touch12*over12;
             sliding_friction_12 => -arm12*F_mu12/N1 - arm12*F_mu12/N2;
             torques => T_motor/N1 - T_load/N2;
-            speed_governor => c_motor*n_motor/N1 - c_motor*theta_motor_dot/N1;
+            governor_motor => c_motor*n_motor/N1 - c_motor*theta_motor_dot/N1;
             dc_motor => Ts_motor/N1 - Ts_motor*theta_motor_dot/(N1*n0_motor);
             induction_motor => T_induction_motor/N1;
             traction_motor => T_traction_motor/N1;
+            fan_motor => T_fan_motor/N1;
+            governor_load => c_load*n_load/N2 - c_load*theta_load_dot/N2;
+            dc_load => Ts_load/N2 - Ts_load*theta_load_dot/(N2*n0_load);
+            induction_load => T_induction_load/N2;
+            traction_load => T_traction_load/N2;
             fan_load => T_fan_load/N2;
             damping => I2*alpha_M*s_dot/(2.0*h*N2.powi(2)) - I1*alpha_M*theta_dot/N1.powi(2) - I2*alpha_M*theta_dot/N2.powi(2)
                 - I1*alpha_M*s_dot/(2.0*h*N1.powi(2));
@@ -468,10 +555,15 @@ equations! {
             backlash_12 => -k12*clip12*touch12*over12;
             sliding_friction_12 => arm12*F_mu12/(2.0*h*N2) - sin_a*side12*F_mu12*flank12/cos_a - arm12*F_mu12/(2.0*h*N1);
             torques => (T_motor/(h*N1) + T_load/(h*N2))/2.0;
-            speed_governor => (c_motor*n_motor/(h*N1) - c_motor*theta_motor_dot/(h*N1))/2.0;
+            governor_motor => (c_motor*n_motor/(h*N1) - c_motor*theta_motor_dot/(h*N1))/2.0;
             dc_motor => (Ts_motor/(h*N1) - Ts_motor*theta_motor_dot/(h*N1*n0_motor))/2.0;
             induction_motor => T_induction_motor/(2.0*h*N1);
             traction_motor => T_traction_motor/(2.0*h*N1);
+            fan_motor => T_fan_motor/(2.0*h*N1);
+            governor_load => (c_load*theta_load_dot/(h*N2) - c_load*n_load/(h*N2))/2.0;
+            dc_load => (Ts_load*theta_load_dot/(h*N2*n0_load) - Ts_load/(h*N2))/2.0;
+            induction_load => -T_induction_load/(2.0*h*N2);
+            traction_load => -T_traction_load/(2.0*h*N2);
             fan_load => -T_fan_load/(2.0*h*N2);
             damping => I2*alpha_M*theta_dot/(2.0*h*N2.powi(2)) - beta_K*k12_mid*damp12*over12_dot
                 - I1*alpha_M*s_dot/(4.0*h.powi(2)*N1.powi(2)) - I2*alpha_M*s_dot/(4.0*h.powi(2)*N2.powi(2))
@@ -544,12 +636,19 @@ equations! {
         }
         theta psi12_dot { sliding_friction_12 => -arm12*F_mu12_by_psi12_dot/N1 - arm12*F_mu12_by_psi12_dot/N2; }
         theta theta_motor_dot {
-            speed_governor => -c_motor/N1;
+            governor_motor => -c_motor/N1;
             dc_motor => -Ts_motor/(N1*n0_motor);
             induction_motor => T_induction_motor_by_theta_motor_dot/N1;
             traction_motor => T_traction_motor_by_theta_motor_dot/N1;
+            fan_motor => T_fan_motor_by_theta_motor_dot/N1;
         }
-        theta theta_load_dot { fan_load => T_fan_load_by_theta_load_dot/N2; }
+        theta theta_load_dot {
+            governor_load => -c_load/N2;
+            dc_load => -Ts_load/(N2*n0_load);
+            induction_load => T_induction_load_by_theta_load_dot/N2;
+            traction_load => T_traction_load_by_theta_load_dot/N2;
+            fan_load => T_fan_load_by_theta_load_dot/N2;
+        }
         s theta {
             transmission_error_12_and_backlash_12_and_moving_phase => k12*de12*clip12*touch12;
             transmission_error_12_and_sliding_friction_12_and_moving_phase => sin_a*de12*side12*F_mu12_by_over12*flank12/cos_a
@@ -591,12 +690,19 @@ equations! {
                 - arm12*F_mu12_by_psi12_dot/(2.0*h*N1);
         }
         s theta_motor_dot {
-            speed_governor => -c_motor/(2.0*h*N1);
+            governor_motor => -c_motor/(2.0*h*N1);
             dc_motor => -Ts_motor/(2.0*h*N1*n0_motor);
             induction_motor => T_induction_motor_by_theta_motor_dot/(2.0*h*N1);
             traction_motor => T_traction_motor_by_theta_motor_dot/(2.0*h*N1);
+            fan_motor => T_fan_motor_by_theta_motor_dot/(2.0*h*N1);
         }
-        s theta_load_dot { fan_load => -T_fan_load_by_theta_load_dot/(2.0*h*N2); }
+        s theta_load_dot {
+            governor_load => c_load/(2.0*h*N2);
+            dc_load => Ts_load/(2.0*h*N2*n0_load);
+            induction_load => -T_induction_load_by_theta_load_dot/(2.0*h*N2);
+            traction_load => -T_traction_load_by_theta_load_dot/(2.0*h*N2);
+            fan_load => -T_fan_load_by_theta_load_dot/(2.0*h*N2);
+        }
         x1 theta {
             moving_centres_12_and_transmission_error_12_and_backlash_12_and_moving_phase => k12*de12*clip12*flank12*touch12
                 *open12_by_x_c12 + k12*de12*clip12*touch12*turn12_by_x_c12;
@@ -1015,20 +1121,28 @@ equations! {
             }
             over12 over12 { damping => beta_K*k12_mid*damp12; }
             theta_motor theta_motor {
-                speed_governor => c_motor;
+                governor_motor => c_motor;
                 dc_motor => Ts_motor/n0_motor;
+            }
+            theta_load theta_load {
+                governor_load => c_load;
+                dc_load => Ts_load/n0_load;
             }
         }
         load {
             theta {
                 torques => T_motor/N1 - T_load/N2;
-                speed_governor => c_motor*n_motor/N1;
+                governor_motor => c_motor*n_motor/N1;
                 dc_motor => Ts_motor/N1;
+                governor_load => c_load*n_load/N2;
+                dc_load => Ts_load/N2;
             }
             s {
                 torques => (T_motor/(h*N1) + T_load/(h*N2))/2.0;
-                speed_governor => c_motor*n_motor/(2.0*h*N1);
+                governor_motor => c_motor*n_motor/(2.0*h*N1);
                 dc_motor => Ts_motor/(2.0*h*N1);
+                governor_load => -c_load*n_load/(2.0*h*N2);
+                dc_load => -Ts_load/(2.0*h*N2);
             }
             over12 {
                 _ => k12*touch12*edge12 + k12*touch12*e12;
@@ -1039,9 +1153,12 @@ equations! {
     nonlinear_with {
         sliding_friction_12 "-side12*F_mu12 in the torque `slide12`";
         sliding_friction_12 "-arm12*F_mu12 in the torque `roll12`";
-        induction_motor "T_induction_motor in the torque `induction`";
-        traction_motor "T_traction_motor in the torque `traction`";
-        fan_load "T_fan_load in the torque `fan`";
+        induction_motor "T_induction_motor in the torque `induction_motor`";
+        traction_motor "T_traction_motor in the torque `traction_motor`";
+        fan_motor "T_fan_motor in the torque `fan_motor`";
+        induction_load "T_induction_load in the torque `induction_load`";
+        traction_load "T_traction_load in the torque `traction_load`";
+        fan_load "T_fan_load in the torque `fan_load`";
         moving_centres_12 "the deflection drive12 bends";
         moving_centres_12 "the deflection coast12 bends";
         moving_centres_12 "the deflection opening12 bends";
@@ -1123,30 +1240,63 @@ equations! {
             _ => roll12_power;
         }
         power_motor "W" with torques, "power of the driving torque of the driving gear: positive if it drives" { _ => motor_power; }
-        governor_braking "W" with speed_governor,
+        braking_governor_motor "W" with governor_motor,
             "power that the motor takes back: the part of its torque that is proportional to the speed, times the speed" {
             _ => c_motor*theta_motor_dot.powi(2);
         }
-        power_governor "W" with speed_governor,
-            "power of the torque c n of the governor; its part -c omega is in D: positive if it drives" {
-            _ => governor_power;
+        power_governor_motor "W" with governor_motor,
+            "power of the torque c n of the governor of the driving gear; its part -c omega is in D: positive if it drives" {
+            _ => governor_motor_power;
         }
-        dc_braking "W" with dc_motor,
+        braking_dc_motor "W" with dc_motor,
             "power that the motor takes back: the part of its torque that is proportional to the speed, times the speed" {
             _ => Ts_motor*theta_motor_dot.powi(2)/n0_motor;
         }
-        power_dc "W" with dc_motor,
-            "power of the stall torque of the DC motor; the part proportional to the speed is in D: positive if it drives" {
-            _ => dc_power;
+        power_dc_motor "W" with dc_motor,
+            "power of the torque Ts of the DC motor of the driving gear; its part -Ts omega/n0 is in D: positive if it drives" {
+            _ => dc_motor_power;
         }
-        power_induction "W" with induction_motor, "power of the torque of the induction motor: positive if it drives" {
-            _ => induction_power;
+        power_induction_motor "W" with induction_motor,
+            "power of the torque of the induction motor of the driving gear: positive if it drives" {
+            _ => induction_motor_power;
         }
-        power_traction "W" with traction_motor, "power of the torque of the traction motor: positive if it drives" { _ => traction_power; }
+        power_traction_motor "W" with traction_motor,
+            "power of the torque of the traction motor of the driving gear: positive if it drives" {
+            _ => traction_motor_power;
+        }
+        power_fan_motor "W" with fan_motor,
+            "power of the torque of the fan of the driving gear, against the rotation: positive if it drives" {
+            _ => fan_motor_power;
+        }
         power_load "W" with torques, "power of the load torque of the driven gear, against its rotation: positive if it drives" {
             _ => load_power;
         }
-        power_fan "W" with fan_load, "power of the torque of the fan, against its rotation: positive if it drives" { _ => fan_power; }
+        braking_governor_load "W" with governor_load,
+            "power that the motor takes back: the part of its torque that is proportional to the speed, times the speed" {
+            _ => c_load*theta_load_dot.powi(2);
+        }
+        power_governor_load "W" with governor_load,
+            "power of the torque c n of the governor of the driven gear; its part -c omega is in D: positive if it drives" {
+            _ => governor_load_power;
+        }
+        braking_dc_load "W" with dc_load,
+            "power that the motor takes back: the part of its torque that is proportional to the speed, times the speed" {
+            _ => Ts_load*theta_load_dot.powi(2)/n0_load;
+        }
+        power_dc_load "W" with dc_load,
+            "power of the torque Ts of the DC motor of the driven gear; its part -Ts omega/n0 is in D: positive if it drives" {
+            _ => dc_load_power;
+        }
+        power_induction_load "W" with induction_load,
+            "power of the torque of the induction motor of the driven gear: positive if it drives" {
+            _ => induction_load_power;
+        }
+        power_traction_load "W" with traction_load, "power of the torque of the traction motor of the driven gear: positive if it drives" {
+            _ => traction_load_power;
+        }
+        power_fan_load "W" with fan_load, "power of the torque of the fan of the driven gear, against the rotation: positive if it drives" {
+            _ => fan_load_power;
+        }
         inertia_damping_loss "W" with damping, "power that the damping in proportion to inertia takes" {
             _ => 2.0*alpha_M*((I1*(s_dot/(2.0*h*N1) + theta_dot/N1).powi(2) + I2*(theta_dot/N2 - s_dot/(2.0*h*N2)).powi(2)
                 + m1*x1_dot.powi(2) + m1*y1_dot.powi(2) + m2*x2_dot.powi(2) + m2*y2_dot.powi(2))/2.0);
@@ -1189,7 +1339,7 @@ equations! {
 //
 // | output | sums | products, quotients | functions, roots |
 // | --- | --- | --- | --- |
-// | constants (once a scene) | 2 | 6 | 2 |
-// | named forces | 21 | 63 | 8 |
-// | force | 40 | 305 | 0 |
+// | constants (once a scene) | 2 | 7 | 2 |
+// | named forces | 36 | 102 | 11 |
+// | force | 44 | 341 | 0 |
 // | energy steps, all laws | 1 | 11 | 0 |

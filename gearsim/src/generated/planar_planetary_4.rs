@@ -118,24 +118,50 @@ equations! {
             "excess of the static coefficient of friction of the mesh of ring and planet 4 over that of sliding, relative to that";
         cb_p "N*s/m" required with viscous_friction_p, from 0.0 to inf, "radial damping of the bearing of a planet: force per speed";
         T_motor "N*m" required with torques, open -inf to inf, "driving torque of the sun";
-        c_motor "N*m*s/rad" required with speed_governor, open 0.0 to inf,
+        c_motor "N*m*s/rad" required with governor_motor, open 0.0 to inf,
             "gain of the governor of the sun: torque per difference of set point and speed";
-        n_motor "rad/s" required with speed_governor, open -inf to inf, "set point of the speed governor of the sun";
-        Ts_motor "N*m" required with dc_motor, open 0.0 to inf, "stall torque of the sun";
-        n0_motor "rad/s" required with dc_motor, open 0.0 to inf, "no-load speed of the sun";
-        Tb_motor "N*m" required with induction_motor, open 0.0 to inf, "breakdown torque of the sun, its largest torque";
-        sb_motor "1" required with induction_motor, open 0.0 to inf, "slip at which the sun has its breakdown torque";
-        ns_motor "rad/s" required with induction_motor, open 0.0 to inf, "synchronous speed of the sun";
-        Tp_motor "N*m" required with traction_motor, open 0.0 to inf, "peak torque of the sun, up to its base speed";
-        Pp_motor "W" required with traction_motor, open 0.0 to inf, "peak power of the sun, above its base speed Pp/Tp";
+        n_motor "rad/s" required with governor_motor, open -inf to inf, "set point of the speed governor of the sun";
+        Ts_motor "N*m" required with dc_motor, open 0.0 to inf, "stall torque of the DC motor of the sun";
+        n0_motor "rad/s" required with dc_motor, open 0.0 to inf, "no-load speed of the DC motor of the sun";
+        Tb_motor "N*m" required with induction_motor, open 0.0 to inf,
+            "breakdown torque of the induction motor of the sun, its largest torque";
+        sb_motor "1" required with induction_motor, open 0.0 to inf,
+            "slip at which the induction motor of the sun has its breakdown torque";
+        ns_motor "rad/s" required with induction_motor, open 0.0 to inf, "synchronous speed of the induction motor of the sun";
+        Tp_motor "N*m" required with traction_motor, open 0.0 to inf, "peak torque of the traction motor of the sun, up to its base speed";
+        Pp_motor "W" required with traction_motor, open 0.0 to inf,
+            "peak power of the traction motor of the sun, above its base speed Pp/Tp";
         d_motor "1" default 1.0 with traction_motor, open -inf to inf,
-            "demand on the sun: 1 drives with its peak torque or power, -1 brakes with them";
+            "demand on the traction motor of the sun: 1 drives with its peak torque or power, -1 brakes with them";
         round_motor "1" default 0.01 with traction_motor, open 0.0 to inf,
-            "rounding of the corner of the torque of the sun at its base speed, relative to that";
+            "rounding of the corner of the torque of the traction motor of the sun at its base speed, relative to that";
+        cf_motor "N*m*s^2/rad^2" required with fan_motor, from 0.0 to inf,
+            "torque of the fan of the sun divided by the square of its speed";
+        w0_motor "rad/s" default 0.01 with fan_motor, open 0.0 to inf,
+            "speed of the sun below which the torque of its fan is linear instead of quadratic in the speed";
         T_load "N*m" required with torques, open -inf to inf, "load torque of the carrier, against its rotation";
-        cf_load "N*m*s^2/rad^2" required with fan_load, from 0.0 to inf, "fan torque of the carrier divided by the square of its speed";
+        c_load "N*m*s/rad" required with governor_load, open 0.0 to inf,
+            "gain of the governor of the carrier: torque per difference of set point and speed";
+        n_load "rad/s" required with governor_load, open -inf to inf, "set point of the speed governor of the carrier";
+        Ts_load "N*m" required with dc_load, open 0.0 to inf, "stall torque of the DC motor of the carrier";
+        n0_load "rad/s" required with dc_load, open 0.0 to inf, "no-load speed of the DC motor of the carrier";
+        Tb_load "N*m" required with induction_load, open 0.0 to inf,
+            "breakdown torque of the induction motor of the carrier, its largest torque";
+        sb_load "1" required with induction_load, open 0.0 to inf,
+            "slip at which the induction motor of the carrier has its breakdown torque";
+        ns_load "rad/s" required with induction_load, open 0.0 to inf, "synchronous speed of the induction motor of the carrier";
+        Tp_load "N*m" required with traction_load, open 0.0 to inf,
+            "peak torque of the traction motor of the carrier, up to its base speed";
+        Pp_load "W" required with traction_load, open 0.0 to inf,
+            "peak power of the traction motor of the carrier, above its base speed Pp/Tp";
+        d_load "1" default 1.0 with traction_load, open -inf to inf,
+            "demand on the traction motor of the carrier: 1 drives with its peak torque or power, -1 brakes with them";
+        round_load "1" default 0.01 with traction_load, open 0.0 to inf,
+            "rounding of the corner of the torque of the traction motor of the carrier at its base speed, relative to that";
+        cf_load "N*m*s^2/rad^2" required with fan_load, from 0.0 to inf,
+            "torque of the fan of the carrier divided by the square of its speed";
         w0_load "rad/s" default 0.01 with fan_load, open 0.0 to inf,
-            "speed of the carrier below which the fan torque is linear instead of quadratic in the speed";
+            "speed of the carrier below which the torque of its fan is linear instead of quadratic in the speed";
         alpha_M "1/s" default 0.0, from 0.0 to inf, "damping in proportion to inertia";
         beta_K "s" default 0.0, from 0.0 to inf, "damping in proportion to stiffness";
     }
@@ -276,13 +302,20 @@ equations! {
             "flanks at rest stick, up to their static friction; sliding, their friction has its full size at any speed";
         viscous_friction_p of viscous_friction "friction proportional to speed";
         torques "constant torques of motor and load";
-        speed_governor excludes(dc_motor, induction_motor, traction_motor)
-            "a speed governor: motor torque proportional to the set point minus the speed";
-        dc_motor excludes(induction_motor, traction_motor)
+        governor_motor of governor excludes(dc_motor, induction_motor, traction_motor)
+            "a motor with a speed governor: its torque is proportional to the set point minus the speed";
+        dc_motor of dc excludes(induction_motor, traction_motor)
             "a DC motor at constant voltage: its torque falls linearly from stall to no load";
-        induction_motor excludes(traction_motor) "an induction motor, its torque by the formula of Kloss";
-        traction_motor "a traction motor: its peak torque up to the base speed, constant power above it, times the demand";
-        fan_load "a fan as load: torque proportional to the square of the speed, against the rotation";
+        induction_motor of induction excludes(traction_motor) "an induction motor, its torque by the formula of Kloss";
+        traction_motor of traction "a traction motor: its peak torque up to the base speed, constant power above it, times the demand";
+        fan_motor of fan "a fan as load: torque proportional to the square of the speed, against the rotation";
+        governor_load of governor excludes(dc_load, induction_load, traction_load)
+            "a motor with a speed governor: its torque is proportional to the set point minus the speed";
+        dc_load of dc excludes(induction_load, traction_load)
+            "a DC motor at constant voltage: its torque falls linearly from stall to no load";
+        induction_load of induction excludes(traction_load) "an induction motor, its torque by the formula of Kloss";
+        traction_load of traction "a traction motor: its peak torque up to the base speed, constant power above it, times the demand";
+        fan_load of fan "a fan as load: torque proportional to the square of the speed, against the rotation";
         damping "Rayleigh damping, C = alpha_M M + beta_K K at the mid stiffness";
     }
     switching {
@@ -394,6 +427,7 @@ equations! {
         tiny_s4 = 1.0/1000000000000.0;
         tiny_r4 = 1.0/1000000000000.0;
         per_wb_motor = Tp_motor/Pp_motor;
+        per_wb_load = Tp_load/Pp_load;
     }
     deflections {
         bx_s = x_s;
@@ -529,6 +563,15 @@ equations! {
             traction_motor => 2.0*Tp_motor*d_motor
                 /((round_motor.powi(2) + (1.0 - per_wb_motor*theta_motor_dot).powi(2)).sqrt()
                 + (round_motor.powi(2) + (1.0 + per_wb_motor*theta_motor_dot).powi(2)).sqrt());
+        }
+        T_fan_motor { fan_motor => -cf_motor*theta_motor_dot*(w0_motor.powi(2) + theta_motor_dot.powi(2)).sqrt(); }
+        T_induction_load {
+            induction_load => 2.0*Tb_load*sb_load*(1.0 - theta_load_dot/ns_load)/(sb_load.powi(2) + (1.0 - theta_load_dot/ns_load).powi(2));
+        }
+        T_traction_load {
+            traction_load => 2.0*Tp_load*d_load
+                /((round_load.powi(2) + (1.0 - per_wb_load*theta_load_dot).powi(2)).sqrt()
+                + (round_load.powi(2) + (1.0 + per_wb_load*theta_load_dot).powi(2)).sqrt());
         }
         T_fan_load { fan_load => -cf_load*theta_load_dot*(w0_load.powi(2) + theta_load_dot.powi(2)).sqrt(); }
     }
@@ -722,6 +765,22 @@ equations! {
                 /(round_motor.powi(2) + (1.0 - per_wb_motor*theta_motor_dot).powi(2)).sqrt())
                 /((round_motor.powi(2) + (1.0 - per_wb_motor*theta_motor_dot).powi(2)).sqrt()
                 + (round_motor.powi(2) + (1.0 + per_wb_motor*theta_motor_dot).powi(2)).sqrt()).powi(2);
+        }
+        T_fan_motor_by_theta_motor_dot {
+            fan_motor => -cf_motor*theta_motor_dot.powi(2)/(w0_motor.powi(2) + theta_motor_dot.powi(2)).sqrt()
+                - cf_motor*(w0_motor.powi(2) + theta_motor_dot.powi(2)).sqrt();
+        }
+        T_induction_load_by_theta_load_dot {
+            induction_load => 4.0*Tb_load*sb_load*(1.0 - theta_load_dot/ns_load).powi(2)
+                /(ns_load*(sb_load.powi(2) + (1.0 - theta_load_dot/ns_load).powi(2)).powi(2))
+                - 2.0*Tb_load*sb_load/(ns_load*(sb_load.powi(2) + (1.0 - theta_load_dot/ns_load).powi(2)));
+        }
+        T_traction_load_by_theta_load_dot {
+            traction_load => -2.0*Tp_load*d_load
+                *(per_wb_load*(1.0 + per_wb_load*theta_load_dot)/(round_load.powi(2) + (1.0 + per_wb_load*theta_load_dot).powi(2)).sqrt()
+                - per_wb_load*(1.0 - per_wb_load*theta_load_dot)/(round_load.powi(2) + (1.0 - per_wb_load*theta_load_dot).powi(2)).sqrt())
+                /((round_load.powi(2) + (1.0 - per_wb_load*theta_load_dot).powi(2)).sqrt()
+                + (round_load.powi(2) + (1.0 + per_wb_load*theta_load_dot).powi(2)).sqrt()).powi(2);
         }
         T_fan_load_by_theta_load_dot {
             fan_load => -cf_load*theta_load_dot.powi(2)/(w0_load.powi(2) + theta_load_dot.powi(2)).sqrt()
@@ -1925,8 +1984,10 @@ equations! {
             viscous_friction_p => (cb_p*radial1_dot.powi(2) + cb_p*radial2_dot.powi(2) + cb_p*radial3_dot.powi(2)
                 + cb_p*radial4_dot.powi(2) + cb_p*tangential1_dot.powi(2) + cb_p*tangential2_dot.powi(2) + cb_p*tangential3_dot.powi(2)
                 + cb_p*tangential4_dot.powi(2))/2.0;
-            speed_governor => c_motor*theta_motor_dot.powi(2)/2.0;
+            governor_motor => c_motor*theta_motor_dot.powi(2)/2.0;
             dc_motor => Ts_motor*theta_motor_dot.powi(2)/(2.0*n0_motor);
+            governor_load => c_load*theta_load_dot.powi(2)/2.0;
+            dc_load => Ts_load*theta_load_dot.powi(2)/(2.0*n0_load);
             damping => (I_c*alpha_M*(theta_c_dot + theta_dot/Z_r).powi(2)
                 + I_p*alpha_M*(theta_c_dot + (u1_dot - h*theta_dot)/r_p + theta_dot/Z_r).powi(2)
                 + I_p*alpha_M*(theta_c_dot + (u2_dot - h*theta_dot)/r_p + theta_dot/Z_r).powi(2)
@@ -1985,30 +2046,44 @@ equations! {
         roll_r4 "friction of the mesh of ring and planet 4, through the rolling of the gears" {}
         power { sliding_friction_r4 => -arm_r4*F_mu_r4*psi_r4_dot; }
         motor "driving torque of the sun" { torques => T_motor*(theta_c + theta*(1.0/Z_r + 1.0/Z_s)); }
-        governor "torque c n of the governor; its part -c omega is in D" {
-            speed_governor => c_motor*n_motor*(theta_c + theta*(1.0/Z_r + 1.0/Z_s));
+        governor_motor "torque c n of the governor of the sun; its part -c omega is in D" {
+            governor_motor => c_motor*n_motor*(theta_c + theta*(1.0/Z_r + 1.0/Z_s));
         }
-        dc "stall torque of the DC motor; the part proportional to the speed is in D" {
+        dc_motor "torque Ts of the DC motor of the sun; its part -Ts omega/n0 is in D" {
             dc_motor => Ts_motor*(theta_c + theta*(1.0/Z_r + 1.0/Z_s));
         }
-        induction "torque of the induction motor" {}
+        induction_motor "torque of the induction motor of the sun" {}
         power { induction_motor => T_induction_motor*(theta_c_dot + theta_dot*(1.0/Z_r + 1.0/Z_s)); }
-        traction "torque of the traction motor" {}
+        traction_motor "torque of the traction motor of the sun" {}
         power { traction_motor => T_traction_motor*(theta_c_dot + theta_dot*(1.0/Z_r + 1.0/Z_s)); }
+        fan_motor "torque of the fan of the sun, against the rotation" {}
+        power { fan_motor => T_fan_motor*(theta_c_dot + theta_dot*(1.0/Z_r + 1.0/Z_s)); }
         load "load torque of the carrier, against its rotation" { torques => T_load*(-theta_c - theta/Z_r); }
-        fan "torque of the fan, against its rotation" {}
+        governor_load "torque c n of the governor of the carrier; its part -c omega is in D" {
+            governor_load => c_load*n_load*(theta_c + theta/Z_r);
+        }
+        dc_load "torque Ts of the DC motor of the carrier; its part -Ts omega/n0 is in D" { dc_load => Ts_load*(theta_c + theta/Z_r); }
+        induction_load "torque of the induction motor of the carrier" {}
+        power { induction_load => T_induction_load*(theta_c_dot + theta_dot/Z_r); }
+        traction_load "torque of the traction motor of the carrier" {}
+        power { traction_load => T_traction_load*(theta_c_dot + theta_dot/Z_r); }
+        fan_load "torque of the fan of the carrier, against the rotation" {}
         power { fan_load => T_fan_load*(theta_c_dot + theta_dot/Z_r); }
     }
     work {
         theta {
             torques => T_motor/Z_r - T_load/Z_r + T_motor/Z_s;
-            speed_governor => c_motor*n_motor/Z_r + c_motor*n_motor/Z_s;
+            governor_motor => c_motor*n_motor/Z_r + c_motor*n_motor/Z_s;
             dc_motor => Ts_motor/Z_r + Ts_motor/Z_s;
+            governor_load => c_load*n_load/Z_r;
+            dc_load => Ts_load/Z_r;
         }
         theta_c {
             torques => T_motor - T_load;
-            speed_governor => c_motor*n_motor;
+            governor_motor => c_motor*n_motor;
             dc_motor => Ts_motor;
+            governor_load => c_load*n_load;
+            dc_load => Ts_load;
         }
     }
     mass {
@@ -2077,10 +2152,15 @@ equations! {
             transmission_error_r4_and_jump_terms => k_r4*de_r4*touchr4*overr4;
             sliding_friction_r4 => -roll_r*arm_r4*F_mu_r4;
             torques => T_motor/Z_r - T_load/Z_r + T_motor/Z_s;
-            speed_governor => c_motor*n_motor/Z_r - c_motor*theta_motor_dot/Z_r + c_motor*n_motor/Z_s - c_motor*theta_motor_dot/Z_s;
+            governor_motor => c_motor*n_motor/Z_r - c_motor*theta_motor_dot/Z_r + c_motor*n_motor/Z_s - c_motor*theta_motor_dot/Z_s;
             dc_motor => Ts_motor/Z_r - Ts_motor*theta_motor_dot/(Z_r*n0_motor) + Ts_motor/Z_s - Ts_motor*theta_motor_dot/(Z_s*n0_motor);
             induction_motor => T_induction_motor/Z_r + T_induction_motor/Z_s;
             traction_motor => T_traction_motor/Z_r + T_traction_motor/Z_s;
+            fan_motor => T_fan_motor/Z_r + T_fan_motor/Z_s;
+            governor_load => c_load*n_load/Z_r - c_load*theta_load_dot/Z_r;
+            dc_load => Ts_load/Z_r - Ts_load*theta_load_dot/(Z_r*n0_load);
+            induction_load => T_induction_load/Z_r;
+            traction_load => T_traction_load/Z_r;
             fan_load => T_fan_load/Z_r;
             damping => h*I_p*alpha_M*u1_dot/r_p.powi(2) - a*alpha_M*m_p*eta1_dot/Z_r - a*alpha_M*m_p*eta2_dot/Z_r
                 - a*alpha_M*m_p*eta3_dot/Z_r - a*alpha_M*m_p*eta4_dot/Z_r + h*I_p*alpha_M*u2_dot/r_p.powi(2)
@@ -2110,10 +2190,15 @@ equations! {
             backlash_r4 => h*Z_r*k_r4*clipr4*touchr4*overr4;
             sliding_friction_r4 => arm_r4*F_mu_r4 + h*sin_a*Z_r*side_r4*F_mu_r4*flankr4/cos_a;
             torques => T_motor - T_load;
-            speed_governor => c_motor*n_motor - c_motor*theta_motor_dot;
+            governor_motor => c_motor*n_motor - c_motor*theta_motor_dot;
             dc_motor => Ts_motor - Ts_motor*theta_motor_dot/n0_motor;
             induction_motor => T_induction_motor;
             traction_motor => T_traction_motor;
+            fan_motor => T_fan_motor;
+            governor_load => c_load*n_load - c_load*theta_load_dot;
+            dc_load => Ts_load - Ts_load*theta_load_dot/n0_load;
+            induction_load => T_induction_load;
+            traction_load => T_traction_load;
             fan_load => T_fan_load;
             damping => h*Z_r*beta_K*k_r1_mid*dampr1*overr1_dot - a*alpha_M*m_p*eta1_dot - a*alpha_M*m_p*eta2_dot - a*alpha_M*m_p*eta3_dot
                 - a*alpha_M*m_p*eta4_dot + h*Z_r*beta_K*k_r2_mid*dampr2*overr2_dot + h*Z_r*beta_K*k_r3_mid*dampr3*overr3_dot
@@ -2459,12 +2544,19 @@ equations! {
         theta psi_s4_dot { sliding_friction_s4 => -roll_s*arm_s4*F_mu_s4_by_psi_s4_dot; }
         theta psi_r4_dot { sliding_friction_r4 => -roll_r*arm_r4*F_mu_r4_by_psi_r4_dot; }
         theta theta_motor_dot {
-            speed_governor => -c_motor/Z_r - c_motor/Z_s;
+            governor_motor => -c_motor/Z_r - c_motor/Z_s;
             dc_motor => -Ts_motor/(Z_r*n0_motor) - Ts_motor/(Z_s*n0_motor);
             induction_motor => T_induction_motor_by_theta_motor_dot/Z_r + T_induction_motor_by_theta_motor_dot/Z_s;
             traction_motor => T_traction_motor_by_theta_motor_dot/Z_r + T_traction_motor_by_theta_motor_dot/Z_s;
+            fan_motor => T_fan_motor_by_theta_motor_dot/Z_r + T_fan_motor_by_theta_motor_dot/Z_s;
         }
-        theta theta_load_dot { fan_load => T_fan_load_by_theta_load_dot/Z_r; }
+        theta theta_load_dot {
+            governor_load => -c_load/Z_r;
+            dc_load => -Ts_load/(Z_r*n0_load);
+            induction_load => T_induction_load_by_theta_load_dot/Z_r;
+            traction_load => T_traction_load_by_theta_load_dot/Z_r;
+            fan_load => T_fan_load_by_theta_load_dot/Z_r;
+        }
         theta_c theta {
             transmission_error_r1_and_backlash_r1_and_moving_phase => -h*Z_r*k_r1*de_r1*clipr1*touchr1;
             transmission_error_r1_and_sliding_friction_r1_and_moving_phase => -de_r1*arm_r1*F_mu_r1_by_overr1
@@ -2551,12 +2643,19 @@ equations! {
             sliding_friction_r4 => arm_r4*F_mu_r4_by_psi_r4_dot + h*sin_a*Z_r*side_r4*F_mu_r4_by_psi_r4_dot*flankr4/cos_a;
         }
         theta_c theta_motor_dot {
-            speed_governor => -c_motor;
+            governor_motor => -c_motor;
             dc_motor => -Ts_motor/n0_motor;
             induction_motor => T_induction_motor_by_theta_motor_dot;
             traction_motor => T_traction_motor_by_theta_motor_dot;
+            fan_motor => T_fan_motor_by_theta_motor_dot;
         }
-        theta_c theta_load_dot { fan_load => T_fan_load_by_theta_load_dot; }
+        theta_c theta_load_dot {
+            governor_load => -c_load;
+            dc_load => -Ts_load/n0_load;
+            induction_load => T_induction_load_by_theta_load_dot;
+            traction_load => T_traction_load_by_theta_load_dot;
+            fan_load => T_fan_load_by_theta_load_dot;
+        }
         theta_r theta {
             transmission_error_r1_and_backlash_r1_and_moving_phase => h*Z_r*k_r1*de_r1*clipr1*touchr1;
             transmission_error_r1_and_sliding_friction_r1_and_moving_phase => de_r1*arm_r1*F_mu_r1_by_overr1
@@ -3567,20 +3666,28 @@ equations! {
             overs4 overs4 { damping => beta_K*k_s4_mid*damps4; }
             overr4 overr4 { damping => beta_K*k_r4_mid*dampr4; }
             theta_motor theta_motor {
-                speed_governor => c_motor;
+                governor_motor => c_motor;
                 dc_motor => Ts_motor/n0_motor;
+            }
+            theta_load theta_load {
+                governor_load => c_load;
+                dc_load => Ts_load/n0_load;
             }
         }
         load {
             theta {
                 torques => T_motor/Z_r - T_load/Z_r + T_motor/Z_s;
-                speed_governor => c_motor*n_motor/Z_r + c_motor*n_motor/Z_s;
+                governor_motor => c_motor*n_motor/Z_r + c_motor*n_motor/Z_s;
                 dc_motor => Ts_motor/Z_r + Ts_motor/Z_s;
+                governor_load => c_load*n_load/Z_r;
+                dc_load => Ts_load/Z_r;
             }
             theta_c {
                 torques => T_motor - T_load;
-                speed_governor => c_motor*n_motor;
+                governor_motor => c_motor*n_motor;
                 dc_motor => Ts_motor;
+                governor_load => c_load*n_load;
+                dc_load => Ts_load;
             }
             overs1 {
                 _ => k_s1*touchs1*edges1 + k_s1*touchs1*e_s1;
@@ -3633,9 +3740,12 @@ equations! {
         sliding_friction_s4 "-arm_s4*F_mu_s4 in the torque `roll_s4`";
         sliding_friction_r4 "-side_r4*F_mu_r4 in the torque `slide_r4`";
         sliding_friction_r4 "-arm_r4*F_mu_r4 in the torque `roll_r4`";
-        induction_motor "T_induction_motor in the torque `induction`";
-        traction_motor "T_traction_motor in the torque `traction`";
-        fan_load "T_fan_load in the torque `fan`";
+        induction_motor "T_induction_motor in the torque `induction_motor`";
+        traction_motor "T_traction_motor in the torque `traction_motor`";
+        fan_motor "T_fan_motor in the torque `fan_motor`";
+        induction_load "T_induction_load in the torque `induction_load`";
+        traction_load "T_traction_load in the torque `traction_load`";
+        fan_load "T_fan_load in the torque `fan_load`";
     }
     jump k_s1 { step { _ => dk_s1*touchs1*overs1.powi(2)/2.0; } }
     jump k_r1 { step { _ => dk_r1*touchr1*overr1.powi(2)/2.0; } }
@@ -4282,30 +4392,59 @@ equations! {
             _ => roll_r4_power;
         }
         power_motor "W" with torques, "power of the driving torque of the sun: positive if it drives" { _ => motor_power; }
-        governor_braking "W" with speed_governor,
+        braking_governor_motor "W" with governor_motor,
             "power that the motor takes back: the part of its torque that is proportional to the speed, times the speed" {
             _ => c_motor*theta_motor_dot.powi(2);
         }
-        power_governor "W" with speed_governor,
-            "power of the torque c n of the governor; its part -c omega is in D: positive if it drives" {
-            _ => governor_power;
+        power_governor_motor "W" with governor_motor,
+            "power of the torque c n of the governor of the sun; its part -c omega is in D: positive if it drives" {
+            _ => governor_motor_power;
         }
-        dc_braking "W" with dc_motor,
+        braking_dc_motor "W" with dc_motor,
             "power that the motor takes back: the part of its torque that is proportional to the speed, times the speed" {
             _ => Ts_motor*theta_motor_dot.powi(2)/n0_motor;
         }
-        power_dc "W" with dc_motor,
-            "power of the stall torque of the DC motor; the part proportional to the speed is in D: positive if it drives" {
-            _ => dc_power;
+        power_dc_motor "W" with dc_motor,
+            "power of the torque Ts of the DC motor of the sun; its part -Ts omega/n0 is in D: positive if it drives" {
+            _ => dc_motor_power;
         }
-        power_induction "W" with induction_motor, "power of the torque of the induction motor: positive if it drives" {
-            _ => induction_power;
+        power_induction_motor "W" with induction_motor, "power of the torque of the induction motor of the sun: positive if it drives" {
+            _ => induction_motor_power;
         }
-        power_traction "W" with traction_motor, "power of the torque of the traction motor: positive if it drives" { _ => traction_power; }
+        power_traction_motor "W" with traction_motor, "power of the torque of the traction motor of the sun: positive if it drives" {
+            _ => traction_motor_power;
+        }
+        power_fan_motor "W" with fan_motor, "power of the torque of the fan of the sun, against the rotation: positive if it drives" {
+            _ => fan_motor_power;
+        }
         power_load "W" with torques, "power of the load torque of the carrier, against its rotation: positive if it drives" {
             _ => load_power;
         }
-        power_fan "W" with fan_load, "power of the torque of the fan, against its rotation: positive if it drives" { _ => fan_power; }
+        braking_governor_load "W" with governor_load,
+            "power that the motor takes back: the part of its torque that is proportional to the speed, times the speed" {
+            _ => c_load*theta_load_dot.powi(2);
+        }
+        power_governor_load "W" with governor_load,
+            "power of the torque c n of the governor of the carrier; its part -c omega is in D: positive if it drives" {
+            _ => governor_load_power;
+        }
+        braking_dc_load "W" with dc_load,
+            "power that the motor takes back: the part of its torque that is proportional to the speed, times the speed" {
+            _ => Ts_load*theta_load_dot.powi(2)/n0_load;
+        }
+        power_dc_load "W" with dc_load,
+            "power of the torque Ts of the DC motor of the carrier; its part -Ts omega/n0 is in D: positive if it drives" {
+            _ => dc_load_power;
+        }
+        power_induction_load "W" with induction_load, "power of the torque of the induction motor of the carrier: positive if it drives" {
+            _ => induction_load_power;
+        }
+        power_traction_load "W" with traction_load, "power of the torque of the traction motor of the carrier: positive if it drives" {
+            _ => traction_load_power;
+        }
+        power_fan_load "W" with fan_load, "power of the torque of the fan of the carrier, against the rotation: positive if it drives" {
+            _ => fan_load_power;
+        }
         inertia_damping_loss "W" with damping, "power that the damping in proportion to inertia takes" {
             _ => 2.0*alpha_M*((I_c*(theta_c_dot + theta_dot/Z_r).powi(2)
                 + I_p*(theta_c_dot + (u1_dot - h*theta_dot)/r_p + theta_dot/Z_r).powi(2)
@@ -4437,7 +4576,7 @@ equations! {
 //
 // | output | sums | products, quotients | functions, roots |
 // | --- | --- | --- | --- |
-// | constants (once a scene) | 4 | 30 | 10 |
-// | named forces | 63 | 231 | 43 |
-// | force | 316 | 1592 | 0 |
+// | constants (once a scene) | 4 | 31 | 10 |
+// | named forces | 78 | 270 | 46 |
+// | force | 321 | 1608 | 0 |
 // | energy steps, all laws | 8 | 88 | 0 |

@@ -74,24 +74,50 @@ equations! {
         mu_rise_r3 "1" default 0.0 with flank_stiction_r3, from 0.0 to inf,
             "excess of the static coefficient of friction of the mesh of ring and planet 3 over that of sliding, relative to that";
         T_motor "N*m" required with torques, open -inf to inf, "driving torque of the sun";
-        c_motor "N*m*s/rad" required with speed_governor, open 0.0 to inf,
+        c_motor "N*m*s/rad" required with governor_motor, open 0.0 to inf,
             "gain of the governor of the sun: torque per difference of set point and speed";
-        n_motor "rad/s" required with speed_governor, open -inf to inf, "set point of the speed governor of the sun";
-        Ts_motor "N*m" required with dc_motor, open 0.0 to inf, "stall torque of the sun";
-        n0_motor "rad/s" required with dc_motor, open 0.0 to inf, "no-load speed of the sun";
-        Tb_motor "N*m" required with induction_motor, open 0.0 to inf, "breakdown torque of the sun, its largest torque";
-        sb_motor "1" required with induction_motor, open 0.0 to inf, "slip at which the sun has its breakdown torque";
-        ns_motor "rad/s" required with induction_motor, open 0.0 to inf, "synchronous speed of the sun";
-        Tp_motor "N*m" required with traction_motor, open 0.0 to inf, "peak torque of the sun, up to its base speed";
-        Pp_motor "W" required with traction_motor, open 0.0 to inf, "peak power of the sun, above its base speed Pp/Tp";
+        n_motor "rad/s" required with governor_motor, open -inf to inf, "set point of the speed governor of the sun";
+        Ts_motor "N*m" required with dc_motor, open 0.0 to inf, "stall torque of the DC motor of the sun";
+        n0_motor "rad/s" required with dc_motor, open 0.0 to inf, "no-load speed of the DC motor of the sun";
+        Tb_motor "N*m" required with induction_motor, open 0.0 to inf,
+            "breakdown torque of the induction motor of the sun, its largest torque";
+        sb_motor "1" required with induction_motor, open 0.0 to inf,
+            "slip at which the induction motor of the sun has its breakdown torque";
+        ns_motor "rad/s" required with induction_motor, open 0.0 to inf, "synchronous speed of the induction motor of the sun";
+        Tp_motor "N*m" required with traction_motor, open 0.0 to inf, "peak torque of the traction motor of the sun, up to its base speed";
+        Pp_motor "W" required with traction_motor, open 0.0 to inf,
+            "peak power of the traction motor of the sun, above its base speed Pp/Tp";
         d_motor "1" default 1.0 with traction_motor, open -inf to inf,
-            "demand on the sun: 1 drives with its peak torque or power, -1 brakes with them";
+            "demand on the traction motor of the sun: 1 drives with its peak torque or power, -1 brakes with them";
         round_motor "1" default 0.01 with traction_motor, open 0.0 to inf,
-            "rounding of the corner of the torque of the sun at its base speed, relative to that";
+            "rounding of the corner of the torque of the traction motor of the sun at its base speed, relative to that";
+        cf_motor "N*m*s^2/rad^2" required with fan_motor, from 0.0 to inf,
+            "torque of the fan of the sun divided by the square of its speed";
+        w0_motor "rad/s" default 0.01 with fan_motor, open 0.0 to inf,
+            "speed of the sun below which the torque of its fan is linear instead of quadratic in the speed";
         T_load "N*m" required with torques, open -inf to inf, "load torque of the carrier, against its rotation";
-        cf_load "N*m*s^2/rad^2" required with fan_load, from 0.0 to inf, "fan torque of the carrier divided by the square of its speed";
+        c_load "N*m*s/rad" required with governor_load, open 0.0 to inf,
+            "gain of the governor of the carrier: torque per difference of set point and speed";
+        n_load "rad/s" required with governor_load, open -inf to inf, "set point of the speed governor of the carrier";
+        Ts_load "N*m" required with dc_load, open 0.0 to inf, "stall torque of the DC motor of the carrier";
+        n0_load "rad/s" required with dc_load, open 0.0 to inf, "no-load speed of the DC motor of the carrier";
+        Tb_load "N*m" required with induction_load, open 0.0 to inf,
+            "breakdown torque of the induction motor of the carrier, its largest torque";
+        sb_load "1" required with induction_load, open 0.0 to inf,
+            "slip at which the induction motor of the carrier has its breakdown torque";
+        ns_load "rad/s" required with induction_load, open 0.0 to inf, "synchronous speed of the induction motor of the carrier";
+        Tp_load "N*m" required with traction_load, open 0.0 to inf,
+            "peak torque of the traction motor of the carrier, up to its base speed";
+        Pp_load "W" required with traction_load, open 0.0 to inf,
+            "peak power of the traction motor of the carrier, above its base speed Pp/Tp";
+        d_load "1" default 1.0 with traction_load, open -inf to inf,
+            "demand on the traction motor of the carrier: 1 drives with its peak torque or power, -1 brakes with them";
+        round_load "1" default 0.01 with traction_load, open 0.0 to inf,
+            "rounding of the corner of the torque of the traction motor of the carrier at its base speed, relative to that";
+        cf_load "N*m*s^2/rad^2" required with fan_load, from 0.0 to inf,
+            "torque of the fan of the carrier divided by the square of its speed";
         w0_load "rad/s" default 0.01 with fan_load, open 0.0 to inf,
-            "speed of the carrier below which the fan torque is linear instead of quadratic in the speed";
+            "speed of the carrier below which the torque of its fan is linear instead of quadratic in the speed";
         alpha_M "1/s" default 0.0, from 0.0 to inf, "damping in proportion to inertia";
         beta_K "s" default 0.0, from 0.0 to inf, "damping in proportion to stiffness";
     }
@@ -198,13 +224,20 @@ equations! {
         flank_stiction_r3 of flank_stiction requires(sliding_friction_r3)
             "flanks at rest stick, up to their static friction; sliding, their friction has its full size at any speed";
         torques "constant torques of motor and load";
-        speed_governor excludes(dc_motor, induction_motor, traction_motor)
-            "a speed governor: motor torque proportional to the set point minus the speed";
-        dc_motor excludes(induction_motor, traction_motor)
+        governor_motor of governor excludes(dc_motor, induction_motor, traction_motor)
+            "a motor with a speed governor: its torque is proportional to the set point minus the speed";
+        dc_motor of dc excludes(induction_motor, traction_motor)
             "a DC motor at constant voltage: its torque falls linearly from stall to no load";
-        induction_motor excludes(traction_motor) "an induction motor, its torque by the formula of Kloss";
-        traction_motor "a traction motor: its peak torque up to the base speed, constant power above it, times the demand";
-        fan_load "a fan as load: torque proportional to the square of the speed, against the rotation";
+        induction_motor of induction excludes(traction_motor) "an induction motor, its torque by the formula of Kloss";
+        traction_motor of traction "a traction motor: its peak torque up to the base speed, constant power above it, times the demand";
+        fan_motor of fan "a fan as load: torque proportional to the square of the speed, against the rotation";
+        governor_load of governor excludes(dc_load, induction_load, traction_load)
+            "a motor with a speed governor: its torque is proportional to the set point minus the speed";
+        dc_load of dc excludes(induction_load, traction_load)
+            "a DC motor at constant voltage: its torque falls linearly from stall to no load";
+        induction_load of induction excludes(traction_load) "an induction motor, its torque by the formula of Kloss";
+        traction_load of traction "a traction motor: its peak torque up to the base speed, constant power above it, times the demand";
+        fan_load of fan "a fan as load: torque proportional to the square of the speed, against the rotation";
         damping "Rayleigh damping, C = alpha_M M + beta_K K at the mid stiffness";
     }
     switching {
@@ -276,6 +309,7 @@ equations! {
         tiny_s3 = 1.0/1000000000000.0;
         tiny_r3 = 1.0/1000000000000.0;
         per_wb_motor = Tp_motor/Pp_motor;
+        per_wb_load = Tp_load/Pp_load;
     }
     deflections {
         twist_r = theta_r;
@@ -353,6 +387,15 @@ equations! {
             traction_motor => 2.0*Tp_motor*d_motor
                 /((round_motor.powi(2) + (1.0 - per_wb_motor*theta_motor_dot).powi(2)).sqrt()
                 + (round_motor.powi(2) + (1.0 + per_wb_motor*theta_motor_dot).powi(2)).sqrt());
+        }
+        T_fan_motor { fan_motor => -cf_motor*theta_motor_dot*(w0_motor.powi(2) + theta_motor_dot.powi(2)).sqrt(); }
+        T_induction_load {
+            induction_load => 2.0*Tb_load*sb_load*(1.0 - theta_load_dot/ns_load)/(sb_load.powi(2) + (1.0 - theta_load_dot/ns_load).powi(2));
+        }
+        T_traction_load {
+            traction_load => 2.0*Tp_load*d_load
+                /((round_load.powi(2) + (1.0 - per_wb_load*theta_load_dot).powi(2)).sqrt()
+                + (round_load.powi(2) + (1.0 + per_wb_load*theta_load_dot).powi(2)).sqrt());
         }
         T_fan_load { fan_load => -cf_load*theta_load_dot*(w0_load.powi(2) + theta_load_dot.powi(2)).sqrt(); }
     }
@@ -532,6 +575,22 @@ equations! {
                 /(round_motor.powi(2) + (1.0 - per_wb_motor*theta_motor_dot).powi(2)).sqrt())
                 /((round_motor.powi(2) + (1.0 - per_wb_motor*theta_motor_dot).powi(2)).sqrt()
                 + (round_motor.powi(2) + (1.0 + per_wb_motor*theta_motor_dot).powi(2)).sqrt()).powi(2);
+        }
+        T_fan_motor_by_theta_motor_dot {
+            fan_motor => -cf_motor*theta_motor_dot.powi(2)/(w0_motor.powi(2) + theta_motor_dot.powi(2)).sqrt()
+                - cf_motor*(w0_motor.powi(2) + theta_motor_dot.powi(2)).sqrt();
+        }
+        T_induction_load_by_theta_load_dot {
+            induction_load => 4.0*Tb_load*sb_load*(1.0 - theta_load_dot/ns_load).powi(2)
+                /(ns_load*(sb_load.powi(2) + (1.0 - theta_load_dot/ns_load).powi(2)).powi(2))
+                - 2.0*Tb_load*sb_load/(ns_load*(sb_load.powi(2) + (1.0 - theta_load_dot/ns_load).powi(2)));
+        }
+        T_traction_load_by_theta_load_dot {
+            traction_load => -2.0*Tp_load*d_load
+                *(per_wb_load*(1.0 + per_wb_load*theta_load_dot)/(round_load.powi(2) + (1.0 + per_wb_load*theta_load_dot).powi(2)).sqrt()
+                - per_wb_load*(1.0 - per_wb_load*theta_load_dot)/(round_load.powi(2) + (1.0 - per_wb_load*theta_load_dot).powi(2)).sqrt())
+                /((round_load.powi(2) + (1.0 - per_wb_load*theta_load_dot).powi(2)).sqrt()
+                + (round_load.powi(2) + (1.0 + per_wb_load*theta_load_dot).powi(2)).sqrt()).powi(2);
         }
         T_fan_load_by_theta_load_dot {
             fan_load => -cf_load*theta_load_dot.powi(2)/(w0_load.powi(2) + theta_load_dot.powi(2)).sqrt()
@@ -1248,8 +1307,10 @@ equations! {
         dissipation {
             torsional_support_s_and_damping => beta_K*k_s*twist_s_dot.powi(2)/2.0;
             torsional_support_c_and_damping => beta_K*k_c*twist_c_dot.powi(2)/2.0;
-            speed_governor => c_motor*theta_motor_dot.powi(2)/2.0;
+            governor_motor => c_motor*theta_motor_dot.powi(2)/2.0;
             dc_motor => Ts_motor*theta_motor_dot.powi(2)/(2.0*n0_motor);
+            governor_load => c_load*theta_load_dot.powi(2)/2.0;
+            dc_load => Ts_load*theta_load_dot.powi(2)/(2.0*n0_load);
             damping => I_c*alpha_M*(theta_c_dot + theta_dot/Z_r).powi(2)/2.0
                 + I_p*alpha_M*(theta_c_dot + (u1_dot - h*theta_dot)/r_p + theta_dot/Z_r).powi(2)/2.0
                 + I_p*alpha_M*(theta_c_dot + (u2_dot - h*theta_dot)/r_p + theta_dot/Z_r).powi(2)/2.0
@@ -1287,30 +1348,44 @@ equations! {
         roll_r3 "friction of the mesh of ring and planet 3, through the rolling of the gears" {}
         power { sliding_friction_r3 => -arm_r3*F_mu_r3*psi_r3_dot; }
         motor "driving torque of the sun" { torques => T_motor*(theta_c + theta*(1.0/Z_r + 1.0/Z_s)); }
-        governor "torque c n of the governor; its part -c omega is in D" {
-            speed_governor => c_motor*n_motor*(theta_c + theta*(1.0/Z_r + 1.0/Z_s));
+        governor_motor "torque c n of the governor of the sun; its part -c omega is in D" {
+            governor_motor => c_motor*n_motor*(theta_c + theta*(1.0/Z_r + 1.0/Z_s));
         }
-        dc "stall torque of the DC motor; the part proportional to the speed is in D" {
+        dc_motor "torque Ts of the DC motor of the sun; its part -Ts omega/n0 is in D" {
             dc_motor => Ts_motor*(theta_c + theta*(1.0/Z_r + 1.0/Z_s));
         }
-        induction "torque of the induction motor" {}
+        induction_motor "torque of the induction motor of the sun" {}
         power { induction_motor => T_induction_motor*(theta_c_dot + theta_dot*(1.0/Z_r + 1.0/Z_s)); }
-        traction "torque of the traction motor" {}
+        traction_motor "torque of the traction motor of the sun" {}
         power { traction_motor => T_traction_motor*(theta_c_dot + theta_dot*(1.0/Z_r + 1.0/Z_s)); }
+        fan_motor "torque of the fan of the sun, against the rotation" {}
+        power { fan_motor => T_fan_motor*(theta_c_dot + theta_dot*(1.0/Z_r + 1.0/Z_s)); }
         load "load torque of the carrier, against its rotation" { torques => T_load*(-theta_c - theta/Z_r); }
-        fan "torque of the fan, against its rotation" {}
+        governor_load "torque c n of the governor of the carrier; its part -c omega is in D" {
+            governor_load => c_load*n_load*(theta_c + theta/Z_r);
+        }
+        dc_load "torque Ts of the DC motor of the carrier; its part -Ts omega/n0 is in D" { dc_load => Ts_load*(theta_c + theta/Z_r); }
+        induction_load "torque of the induction motor of the carrier" {}
+        power { induction_load => T_induction_load*(theta_c_dot + theta_dot/Z_r); }
+        traction_load "torque of the traction motor of the carrier" {}
+        power { traction_load => T_traction_load*(theta_c_dot + theta_dot/Z_r); }
+        fan_load "torque of the fan of the carrier, against the rotation" {}
         power { fan_load => T_fan_load*(theta_c_dot + theta_dot/Z_r); }
     }
     work {
         theta {
             torques => T_motor/Z_r - T_load/Z_r + T_motor/Z_s;
-            speed_governor => c_motor*n_motor/Z_r + c_motor*n_motor/Z_s;
+            governor_motor => c_motor*n_motor/Z_r + c_motor*n_motor/Z_s;
             dc_motor => Ts_motor/Z_r + Ts_motor/Z_s;
+            governor_load => c_load*n_load/Z_r;
+            dc_load => Ts_load/Z_r;
         }
         theta_c {
             torques => T_motor - T_load;
-            speed_governor => c_motor*n_motor;
+            governor_motor => c_motor*n_motor;
             dc_motor => Ts_motor;
+            governor_load => c_load*n_load;
+            dc_load => Ts_load;
         }
     }
     mass {
@@ -1350,10 +1425,15 @@ equations! {
             transmission_error_r3_and_jump_terms => k_r3*de_r3*touchr3*overr3;
             sliding_friction_r3 => -roll_r*arm_r3*F_mu_r3;
             torques => T_motor/Z_r - T_load/Z_r + T_motor/Z_s;
-            speed_governor => c_motor*n_motor/Z_r - c_motor*theta_motor_dot/Z_r + c_motor*n_motor/Z_s - c_motor*theta_motor_dot/Z_s;
+            governor_motor => c_motor*n_motor/Z_r - c_motor*theta_motor_dot/Z_r + c_motor*n_motor/Z_s - c_motor*theta_motor_dot/Z_s;
             dc_motor => Ts_motor/Z_r - Ts_motor*theta_motor_dot/(Z_r*n0_motor) + Ts_motor/Z_s - Ts_motor*theta_motor_dot/(Z_s*n0_motor);
             induction_motor => T_induction_motor/Z_r + T_induction_motor/Z_s;
             traction_motor => T_traction_motor/Z_r + T_traction_motor/Z_s;
+            fan_motor => T_fan_motor/Z_r + T_fan_motor/Z_s;
+            governor_load => c_load*n_load/Z_r - c_load*theta_load_dot/Z_r;
+            dc_load => Ts_load/Z_r - Ts_load*theta_load_dot/(Z_r*n0_load);
+            induction_load => T_induction_load/Z_r;
+            traction_load => T_traction_load/Z_r;
             fan_load => T_fan_load/Z_r;
             damping => h*I_p*alpha_M*u1_dot/r_p.powi(2) + h*I_p*alpha_M*u2_dot/r_p.powi(2) + h*I_p*alpha_M*u3_dot/r_p.powi(2)
                 + 3.0*h*I_p*alpha_M*theta_c_dot/r_p + 6.0*h*I_p*alpha_M*theta_dot/(r_p*Z_r) - I_c*alpha_M*theta_dot/Z_r.powi(2)
@@ -1378,10 +1458,15 @@ equations! {
             backlash_r3 => h*Z_r*k_r3*clipr3*touchr3*overr3;
             sliding_friction_r3 => arm_r3*F_mu_r3 + h*sin_a*Z_r*side_r3*F_tau_r3/cos_a;
             torques => T_motor - T_load;
-            speed_governor => c_motor*n_motor - c_motor*theta_motor_dot;
+            governor_motor => c_motor*n_motor - c_motor*theta_motor_dot;
             dc_motor => Ts_motor - Ts_motor*theta_motor_dot/n0_motor;
             induction_motor => T_induction_motor;
             traction_motor => T_traction_motor;
+            fan_motor => T_fan_motor;
+            governor_load => c_load*n_load - c_load*theta_load_dot;
+            dc_load => Ts_load - Ts_load*theta_load_dot/n0_load;
+            induction_load => T_induction_load;
+            traction_load => T_traction_load;
             fan_load => T_fan_load;
             damping => h*Z_r*beta_K*k_r1_mid*dampr1*overr1_dot + h*Z_r*beta_K*k_r2_mid*dampr2*overr2_dot
                 + h*Z_r*beta_K*k_r3_mid*dampr3*overr3_dot + 3.0*h*I_p*alpha_M*theta_dot/r_p - I_c*alpha_M*theta_c_dot
@@ -1510,12 +1595,19 @@ equations! {
         theta psi_s3_dot { sliding_friction_s3 => -roll_s*arm_s3*F_mu_s3_by_psi_s3_dot; }
         theta psi_r3_dot { sliding_friction_r3 => -roll_r*arm_r3*F_mu_r3_by_psi_r3_dot; }
         theta theta_motor_dot {
-            speed_governor => -c_motor/Z_r - c_motor/Z_s;
+            governor_motor => -c_motor/Z_r - c_motor/Z_s;
             dc_motor => -Ts_motor/(Z_r*n0_motor) - Ts_motor/(Z_s*n0_motor);
             induction_motor => T_induction_motor_by_theta_motor_dot/Z_r + T_induction_motor_by_theta_motor_dot/Z_s;
             traction_motor => T_traction_motor_by_theta_motor_dot/Z_r + T_traction_motor_by_theta_motor_dot/Z_s;
+            fan_motor => T_fan_motor_by_theta_motor_dot/Z_r + T_fan_motor_by_theta_motor_dot/Z_s;
         }
-        theta theta_load_dot { fan_load => T_fan_load_by_theta_load_dot/Z_r; }
+        theta theta_load_dot {
+            governor_load => -c_load/Z_r;
+            dc_load => -Ts_load/(Z_r*n0_load);
+            induction_load => T_induction_load_by_theta_load_dot/Z_r;
+            traction_load => T_traction_load_by_theta_load_dot/Z_r;
+            fan_load => T_fan_load_by_theta_load_dot/Z_r;
+        }
         theta_c theta {
             transmission_error_r1_and_backlash_r1_and_moving_phase => -h*Z_r*k_r1*de_r1*clipr1*touchr1;
             transmission_error_r1_and_sliding_friction_r1_and_moving_phase => -de_r1*arm_r1*F_mu_r1_by_overr1
@@ -1586,12 +1678,19 @@ equations! {
             sliding_friction_r3 => arm_r3*F_mu_r3_by_psi_r3_dot + h*sin_a*Z_r*side_r3*F_mu_r3_by_psi_r3_dot*F_tau_r3_by_F_mu_r3/cos_a;
         }
         theta_c theta_motor_dot {
-            speed_governor => -c_motor;
+            governor_motor => -c_motor;
             dc_motor => -Ts_motor/n0_motor;
             induction_motor => T_induction_motor_by_theta_motor_dot;
             traction_motor => T_traction_motor_by_theta_motor_dot;
+            fan_motor => T_fan_motor_by_theta_motor_dot;
         }
-        theta_c theta_load_dot { fan_load => T_fan_load_by_theta_load_dot; }
+        theta_c theta_load_dot {
+            governor_load => -c_load;
+            dc_load => -Ts_load/n0_load;
+            induction_load => T_induction_load_by_theta_load_dot;
+            traction_load => T_traction_load_by_theta_load_dot;
+            fan_load => T_fan_load_by_theta_load_dot;
+        }
         theta_r theta {
             transmission_error_r1_and_backlash_r1_and_moving_phase => h*Z_r*k_r1*de_r1*clipr1*touchr1;
             transmission_error_r1_and_sliding_friction_r1_and_moving_phase => de_r1*arm_r1*F_mu_r1_by_overr1
@@ -1834,20 +1933,28 @@ equations! {
             overs3 overs3 { damping => beta_K*k_s3_mid*damps3; }
             overr3 overr3 { damping => beta_K*k_r3_mid*dampr3; }
             theta_motor theta_motor {
-                speed_governor => c_motor;
+                governor_motor => c_motor;
                 dc_motor => Ts_motor/n0_motor;
+            }
+            theta_load theta_load {
+                governor_load => c_load;
+                dc_load => Ts_load/n0_load;
             }
         }
         load {
             theta {
                 torques => T_motor/Z_r - T_load/Z_r + T_motor/Z_s;
-                speed_governor => c_motor*n_motor/Z_r + c_motor*n_motor/Z_s;
+                governor_motor => c_motor*n_motor/Z_r + c_motor*n_motor/Z_s;
                 dc_motor => Ts_motor/Z_r + Ts_motor/Z_s;
+                governor_load => c_load*n_load/Z_r;
+                dc_load => Ts_load/Z_r;
             }
             theta_c {
                 torques => T_motor - T_load;
-                speed_governor => c_motor*n_motor;
+                governor_motor => c_motor*n_motor;
                 dc_motor => Ts_motor;
+                governor_load => c_load*n_load;
+                dc_load => Ts_load;
             }
             overs1 {
                 _ => k_s1*touchs1*edges1 + k_s1*touchs1*e_s1;
@@ -1888,9 +1995,12 @@ equations! {
         sliding_friction_s3 "-arm_s3*F_mu_s3 in the torque `roll_s3`";
         sliding_friction_r3 "-side_r3*F_tau_r3 in the torque `slide_r3`";
         sliding_friction_r3 "-arm_r3*F_mu_r3 in the torque `roll_r3`";
-        induction_motor "T_induction_motor in the torque `induction`";
-        traction_motor "T_traction_motor in the torque `traction`";
-        fan_load "T_fan_load in the torque `fan`";
+        induction_motor "T_induction_motor in the torque `induction_motor`";
+        traction_motor "T_traction_motor in the torque `traction_motor`";
+        fan_motor "T_fan_motor in the torque `fan_motor`";
+        induction_load "T_induction_load in the torque `induction_load`";
+        traction_load "T_traction_load in the torque `traction_load`";
+        fan_load "T_fan_load in the torque `fan_load`";
     }
     jump k_s1 { step { _ => dk_s1*touchs1*overs1.powi(2)/2.0; } }
     jump k_r1 { step { _ => dk_r1*touchr1*overr1.powi(2)/2.0; } }
@@ -2158,30 +2268,59 @@ equations! {
             _ => roll_r3_power;
         }
         power_motor "W" with torques, "power of the driving torque of the sun: positive if it drives" { _ => motor_power; }
-        governor_braking "W" with speed_governor,
+        braking_governor_motor "W" with governor_motor,
             "power that the motor takes back: the part of its torque that is proportional to the speed, times the speed" {
             _ => c_motor*theta_motor_dot.powi(2);
         }
-        power_governor "W" with speed_governor,
-            "power of the torque c n of the governor; its part -c omega is in D: positive if it drives" {
-            _ => governor_power;
+        power_governor_motor "W" with governor_motor,
+            "power of the torque c n of the governor of the sun; its part -c omega is in D: positive if it drives" {
+            _ => governor_motor_power;
         }
-        dc_braking "W" with dc_motor,
+        braking_dc_motor "W" with dc_motor,
             "power that the motor takes back: the part of its torque that is proportional to the speed, times the speed" {
             _ => Ts_motor*theta_motor_dot.powi(2)/n0_motor;
         }
-        power_dc "W" with dc_motor,
-            "power of the stall torque of the DC motor; the part proportional to the speed is in D: positive if it drives" {
-            _ => dc_power;
+        power_dc_motor "W" with dc_motor,
+            "power of the torque Ts of the DC motor of the sun; its part -Ts omega/n0 is in D: positive if it drives" {
+            _ => dc_motor_power;
         }
-        power_induction "W" with induction_motor, "power of the torque of the induction motor: positive if it drives" {
-            _ => induction_power;
+        power_induction_motor "W" with induction_motor, "power of the torque of the induction motor of the sun: positive if it drives" {
+            _ => induction_motor_power;
         }
-        power_traction "W" with traction_motor, "power of the torque of the traction motor: positive if it drives" { _ => traction_power; }
+        power_traction_motor "W" with traction_motor, "power of the torque of the traction motor of the sun: positive if it drives" {
+            _ => traction_motor_power;
+        }
+        power_fan_motor "W" with fan_motor, "power of the torque of the fan of the sun, against the rotation: positive if it drives" {
+            _ => fan_motor_power;
+        }
         power_load "W" with torques, "power of the load torque of the carrier, against its rotation: positive if it drives" {
             _ => load_power;
         }
-        power_fan "W" with fan_load, "power of the torque of the fan, against its rotation: positive if it drives" { _ => fan_power; }
+        braking_governor_load "W" with governor_load,
+            "power that the motor takes back: the part of its torque that is proportional to the speed, times the speed" {
+            _ => c_load*theta_load_dot.powi(2);
+        }
+        power_governor_load "W" with governor_load,
+            "power of the torque c n of the governor of the carrier; its part -c omega is in D: positive if it drives" {
+            _ => governor_load_power;
+        }
+        braking_dc_load "W" with dc_load,
+            "power that the motor takes back: the part of its torque that is proportional to the speed, times the speed" {
+            _ => Ts_load*theta_load_dot.powi(2)/n0_load;
+        }
+        power_dc_load "W" with dc_load,
+            "power of the torque Ts of the DC motor of the carrier; its part -Ts omega/n0 is in D: positive if it drives" {
+            _ => dc_load_power;
+        }
+        power_induction_load "W" with induction_load, "power of the torque of the induction motor of the carrier: positive if it drives" {
+            _ => induction_load_power;
+        }
+        power_traction_load "W" with traction_load, "power of the torque of the traction motor of the carrier: positive if it drives" {
+            _ => traction_load_power;
+        }
+        power_fan_load "W" with fan_load, "power of the torque of the fan of the carrier, against the rotation: positive if it drives" {
+            _ => fan_load_power;
+        }
         inertia_damping_loss "W" with damping, "power that the damping in proportion to inertia takes" {
             _ => 2.0*alpha_M*(I_c*(theta_c_dot + theta_dot/Z_r).powi(2)/2.0
                 + I_p*(theta_c_dot + (u1_dot - h*theta_dot)/r_p + theta_dot/Z_r).powi(2)/2.0
@@ -2285,7 +2424,7 @@ equations! {
 //
 // | output | sums | products, quotients | functions, roots |
 // | --- | --- | --- | --- |
-// | constants (once a scene) | 4 | 14 | 2 |
-// | named forces | 57 | 207 | 39 |
-// | force | 93 | 492 | 0 |
+// | constants (once a scene) | 4 | 15 | 2 |
+// | named forces | 72 | 246 | 42 |
+// | force | 98 | 508 | 0 |
 // | energy steps, all laws | 6 | 66 | 0 |

@@ -48,24 +48,48 @@ equations! {
         mu_rise34 "1" default 0.0 with flank_stiction_34, from 0.0 to inf,
             "excess of the static coefficient of friction of the mesh of gears 3 and 4 over that of sliding, relative to that";
         T_motor "N*m" required with torques, open -inf to inf, "driving torque of the motor";
-        c_motor "N*m*s/rad" required with speed_governor, open 0.0 to inf,
+        c_motor "N*m*s/rad" required with governor_motor, open 0.0 to inf,
             "gain of the governor of the motor: torque per difference of set point and speed";
-        n_motor "rad/s" required with speed_governor, open -inf to inf, "set point of the speed governor of the motor";
-        Ts_motor "N*m" required with dc_motor, open 0.0 to inf, "stall torque of the motor";
-        n0_motor "rad/s" required with dc_motor, open 0.0 to inf, "no-load speed of the motor";
-        Tb_motor "N*m" required with induction_motor, open 0.0 to inf, "breakdown torque of the motor, its largest torque";
-        sb_motor "1" required with induction_motor, open 0.0 to inf, "slip at which the motor has its breakdown torque";
-        ns_motor "rad/s" required with induction_motor, open 0.0 to inf, "synchronous speed of the motor";
-        Tp_motor "N*m" required with traction_motor, open 0.0 to inf, "peak torque of the motor, up to its base speed";
-        Pp_motor "W" required with traction_motor, open 0.0 to inf, "peak power of the motor, above its base speed Pp/Tp";
+        n_motor "rad/s" required with governor_motor, open -inf to inf, "set point of the speed governor of the motor";
+        Ts_motor "N*m" required with dc_motor, open 0.0 to inf, "stall torque of the DC motor of the motor";
+        n0_motor "rad/s" required with dc_motor, open 0.0 to inf, "no-load speed of the DC motor of the motor";
+        Tb_motor "N*m" required with induction_motor, open 0.0 to inf,
+            "breakdown torque of the induction motor of the motor, its largest torque";
+        sb_motor "1" required with induction_motor, open 0.0 to inf,
+            "slip at which the induction motor of the motor has its breakdown torque";
+        ns_motor "rad/s" required with induction_motor, open 0.0 to inf, "synchronous speed of the induction motor of the motor";
+        Tp_motor "N*m" required with traction_motor, open 0.0 to inf,
+            "peak torque of the traction motor of the motor, up to its base speed";
+        Pp_motor "W" required with traction_motor, open 0.0 to inf,
+            "peak power of the traction motor of the motor, above its base speed Pp/Tp";
         d_motor "1" default 1.0 with traction_motor, open -inf to inf,
-            "demand on the motor: 1 drives with its peak torque or power, -1 brakes with them";
+            "demand on the traction motor of the motor: 1 drives with its peak torque or power, -1 brakes with them";
         round_motor "1" default 0.01 with traction_motor, open 0.0 to inf,
-            "rounding of the corner of the torque of the motor at its base speed, relative to that";
+            "rounding of the corner of the torque of the traction motor of the motor at its base speed, relative to that";
+        cf_motor "N*m*s^2/rad^2" required with fan_motor, from 0.0 to inf,
+            "torque of the fan of the motor divided by the square of its speed";
+        w0_motor "rad/s" default 0.01 with fan_motor, open 0.0 to inf,
+            "speed of the motor below which the torque of its fan is linear instead of quadratic in the speed";
         T_load "N*m" required with torques, open -inf to inf, "load torque of the load, against its rotation";
-        cf_load "N*m*s^2/rad^2" required with fan_load, from 0.0 to inf, "fan torque of the load divided by the square of its speed";
+        c_load "N*m*s/rad" required with governor_load, open 0.0 to inf,
+            "gain of the governor of the load: torque per difference of set point and speed";
+        n_load "rad/s" required with governor_load, open -inf to inf, "set point of the speed governor of the load";
+        Ts_load "N*m" required with dc_load, open 0.0 to inf, "stall torque of the DC motor of the load";
+        n0_load "rad/s" required with dc_load, open 0.0 to inf, "no-load speed of the DC motor of the load";
+        Tb_load "N*m" required with induction_load, open 0.0 to inf,
+            "breakdown torque of the induction motor of the load, its largest torque";
+        sb_load "1" required with induction_load, open 0.0 to inf, "slip at which the induction motor of the load has its breakdown torque";
+        ns_load "rad/s" required with induction_load, open 0.0 to inf, "synchronous speed of the induction motor of the load";
+        Tp_load "N*m" required with traction_load, open 0.0 to inf, "peak torque of the traction motor of the load, up to its base speed";
+        Pp_load "W" required with traction_load, open 0.0 to inf,
+            "peak power of the traction motor of the load, above its base speed Pp/Tp";
+        d_load "1" default 1.0 with traction_load, open -inf to inf,
+            "demand on the traction motor of the load: 1 drives with its peak torque or power, -1 brakes with them";
+        round_load "1" default 0.01 with traction_load, open 0.0 to inf,
+            "rounding of the corner of the torque of the traction motor of the load at its base speed, relative to that";
+        cf_load "N*m*s^2/rad^2" required with fan_load, from 0.0 to inf, "torque of the fan of the load divided by the square of its speed";
         w0_load "rad/s" default 0.01 with fan_load, open 0.0 to inf,
-            "speed of the load below which the fan torque is linear instead of quadratic in the speed";
+            "speed of the load below which the torque of its fan is linear instead of quadratic in the speed";
         alpha_M "1/s" default 0.0, from 0.0 to inf, "damping in proportion to inertia";
         beta_K "s" default 0.0, from 0.0 to inf, "damping in proportion to stiffness";
     }
@@ -108,13 +132,20 @@ equations! {
         flank_stiction_34 of flank_stiction requires(sliding_friction_34)
             "flanks at rest stick, up to their static friction; sliding, their friction has its full size at any speed";
         torques "constant torques of motor and load";
-        speed_governor excludes(dc_motor, induction_motor, traction_motor)
-            "a speed governor: motor torque proportional to the set point minus the speed";
-        dc_motor excludes(induction_motor, traction_motor)
+        governor_motor of governor excludes(dc_motor, induction_motor, traction_motor)
+            "a motor with a speed governor: its torque is proportional to the set point minus the speed";
+        dc_motor of dc excludes(induction_motor, traction_motor)
             "a DC motor at constant voltage: its torque falls linearly from stall to no load";
-        induction_motor excludes(traction_motor) "an induction motor, its torque by the formula of Kloss";
-        traction_motor "a traction motor: its peak torque up to the base speed, constant power above it, times the demand";
-        fan_load "a fan as load: torque proportional to the square of the speed, against the rotation";
+        induction_motor of induction excludes(traction_motor) "an induction motor, its torque by the formula of Kloss";
+        traction_motor of traction "a traction motor: its peak torque up to the base speed, constant power above it, times the demand";
+        fan_motor of fan "a fan as load: torque proportional to the square of the speed, against the rotation";
+        governor_load of governor excludes(dc_load, induction_load, traction_load)
+            "a motor with a speed governor: its torque is proportional to the set point minus the speed";
+        dc_load of dc excludes(induction_load, traction_load)
+            "a DC motor at constant voltage: its torque falls linearly from stall to no load";
+        induction_load of induction excludes(traction_load) "an induction motor, its torque by the formula of Kloss";
+        traction_load of traction "a traction motor: its peak torque up to the base speed, constant power above it, times the demand";
+        fan_load of fan "a fan as load: torque proportional to the square of the speed, against the rotation";
         damping "Rayleigh damping, C = alpha_M M + beta_K K at the mid stiffness";
     }
     switching {
@@ -148,6 +179,7 @@ equations! {
         tiny12 = 1.0/1000000000000.0;
         tiny34 = 1.0/1000000000000.0;
         per_wb_motor = Tp_motor/Pp_motor;
+        per_wb_load = Tp_load/Pp_load;
     }
     deflections {
         twist_m = psi_m;
@@ -185,6 +217,15 @@ equations! {
             traction_motor => 2.0*Tp_motor*d_motor
                 /((round_motor.powi(2) + (1.0 - per_wb_motor*theta_motor_dot).powi(2)).sqrt()
                 + (round_motor.powi(2) + (1.0 + per_wb_motor*theta_motor_dot).powi(2)).sqrt());
+        }
+        T_fan_motor { fan_motor => -cf_motor*theta_motor_dot*(w0_motor.powi(2) + theta_motor_dot.powi(2)).sqrt(); }
+        T_induction_load {
+            induction_load => 2.0*Tb_load*sb_load*(1.0 - theta_load_dot/ns_load)/(sb_load.powi(2) + (1.0 - theta_load_dot/ns_load).powi(2));
+        }
+        T_traction_load {
+            traction_load => 2.0*Tp_load*d_load
+                /((round_load.powi(2) + (1.0 - per_wb_load*theta_load_dot).powi(2)).sqrt()
+                + (round_load.powi(2) + (1.0 + per_wb_load*theta_load_dot).powi(2)).sqrt());
         }
         T_fan_load { fan_load => -cf_load*theta_load_dot*(w0_load.powi(2) + theta_load_dot.powi(2)).sqrt(); }
     }
@@ -252,6 +293,22 @@ equations! {
                 /(round_motor.powi(2) + (1.0 - per_wb_motor*theta_motor_dot).powi(2)).sqrt())
                 /((round_motor.powi(2) + (1.0 - per_wb_motor*theta_motor_dot).powi(2)).sqrt()
                 + (round_motor.powi(2) + (1.0 + per_wb_motor*theta_motor_dot).powi(2)).sqrt()).powi(2);
+        }
+        T_fan_motor_by_theta_motor_dot {
+            fan_motor => -cf_motor*theta_motor_dot.powi(2)/(w0_motor.powi(2) + theta_motor_dot.powi(2)).sqrt()
+                - cf_motor*(w0_motor.powi(2) + theta_motor_dot.powi(2)).sqrt();
+        }
+        T_induction_load_by_theta_load_dot {
+            induction_load => 4.0*Tb_load*sb_load*(1.0 - theta_load_dot/ns_load).powi(2)
+                /(ns_load*(sb_load.powi(2) + (1.0 - theta_load_dot/ns_load).powi(2)).powi(2))
+                - 2.0*Tb_load*sb_load/(ns_load*(sb_load.powi(2) + (1.0 - theta_load_dot/ns_load).powi(2)));
+        }
+        T_traction_load_by_theta_load_dot {
+            traction_load => -2.0*Tp_load*d_load
+                *(per_wb_load*(1.0 + per_wb_load*theta_load_dot)/(round_load.powi(2) + (1.0 + per_wb_load*theta_load_dot).powi(2)).sqrt()
+                - per_wb_load*(1.0 - per_wb_load*theta_load_dot)/(round_load.powi(2) + (1.0 - per_wb_load*theta_load_dot).powi(2)).sqrt())
+                /((round_load.powi(2) + (1.0 - per_wb_load*theta_load_dot).powi(2)).sqrt()
+                + (round_load.powi(2) + (1.0 + per_wb_load*theta_load_dot).powi(2)).sqrt()).powi(2);
         }
         T_fan_load_by_theta_load_dot {
             fan_load => -cf_load*theta_load_dot.powi(2)/(w0_load.powi(2) + theta_load_dot.powi(2)).sqrt()
@@ -502,8 +559,10 @@ equations! {
                 + k34*touch34*over34.powi(2))/2.0;
         }
         dissipation {
-            speed_governor => c_motor*theta_motor_dot.powi(2)/2.0;
+            governor_motor => c_motor*theta_motor_dot.powi(2)/2.0;
             dc_motor => Ts_motor*theta_motor_dot.powi(2)/(2.0*n0_motor);
+            governor_load => c_load*theta_load_dot.powi(2)/2.0;
+            dc_load => Ts_load*theta_load_dot.powi(2)/(2.0*n0_load);
             damping => (I1*alpha_M*(s1_dot/(2.0*h1*N1) + theta1_dot/N1).powi(2) + I2*alpha_M*(theta1_dot/N2 - s1_dot/(2.0*h1*N2)).powi(2)
                 + I3*alpha_M*(s2_dot/(2.0*h2*N3) + theta2_dot/N3).powi(2) + I4*alpha_M*(theta2_dot/N4 - s2_dot/(2.0*h2*N4)).powi(2)
                 + I_l*alpha_M*(theta2_dot/N4 - psi_l_dot - s2_dot/(2.0*h2*N4)).powi(2)
@@ -522,39 +581,63 @@ equations! {
         roll34 "friction of the mesh of gears 3 and 4, through the rolling of the gears" {}
         power { sliding_friction_34 => -arm34*F_mu34*psi34_dot; }
         motor "driving torque of the motor" { torques => T_motor*(psi_m + s1/(2.0*h1*N1) + theta1/N1); }
-        governor "torque c n of the governor; its part -c omega is in D" {
-            speed_governor => c_motor*n_motor*(psi_m + s1/(2.0*h1*N1) + theta1/N1);
+        governor_motor "torque c n of the governor of the motor; its part -c omega is in D" {
+            governor_motor => c_motor*n_motor*(psi_m + s1/(2.0*h1*N1) + theta1/N1);
         }
-        dc "stall torque of the DC motor; the part proportional to the speed is in D" {
+        dc_motor "torque Ts of the DC motor of the motor; its part -Ts omega/n0 is in D" {
             dc_motor => Ts_motor*(psi_m + s1/(2.0*h1*N1) + theta1/N1);
         }
-        induction "torque of the induction motor" {}
+        induction_motor "torque of the induction motor of the motor" {}
         power { induction_motor => T_induction_motor*(psi_m_dot + s1_dot/(2.0*h1*N1) + theta1_dot/N1); }
-        traction "torque of the traction motor" {}
+        traction_motor "torque of the traction motor of the motor" {}
         power { traction_motor => T_traction_motor*(psi_m_dot + s1_dot/(2.0*h1*N1) + theta1_dot/N1); }
+        fan_motor "torque of the fan of the motor, against the rotation" {}
+        power { fan_motor => T_fan_motor*(psi_m_dot + s1_dot/(2.0*h1*N1) + theta1_dot/N1); }
         load "load torque of the load, against its rotation" { torques => T_load*(psi_l + s2/(2.0*h2*N4) - theta2/N4); }
-        fan "torque of the fan, against its rotation" {}
+        governor_load "torque c n of the governor of the load; its part -c omega is in D" {
+            governor_load => c_load*n_load*(theta2/N4 - psi_l - s2/(2.0*h2*N4));
+        }
+        dc_load "torque Ts of the DC motor of the load; its part -Ts omega/n0 is in D" {
+            dc_load => Ts_load*(theta2/N4 - psi_l - s2/(2.0*h2*N4));
+        }
+        induction_load "torque of the induction motor of the load" {}
+        power { induction_load => T_induction_load*(theta2_dot/N4 - psi_l_dot - s2_dot/(2.0*h2*N4)); }
+        traction_load "torque of the traction motor of the load" {}
+        power { traction_load => T_traction_load*(theta2_dot/N4 - psi_l_dot - s2_dot/(2.0*h2*N4)); }
+        fan_load "torque of the fan of the load, against the rotation" {}
         power { fan_load => T_fan_load*(theta2_dot/N4 - psi_l_dot - s2_dot/(2.0*h2*N4)); }
     }
     work {
         theta1 {
             torques => T_motor/N1;
-            speed_governor => c_motor*n_motor/N1;
+            governor_motor => c_motor*n_motor/N1;
             dc_motor => Ts_motor/N1;
         }
         s1 {
             torques => T_motor/(2.0*h1*N1);
-            speed_governor => c_motor*n_motor/(2.0*h1*N1);
+            governor_motor => c_motor*n_motor/(2.0*h1*N1);
             dc_motor => Ts_motor/(2.0*h1*N1);
         }
-        theta2 { torques => -T_load/N4; }
-        s2 { torques => T_load/(2.0*h2*N4); }
+        theta2 {
+            torques => -T_load/N4;
+            governor_load => c_load*n_load/N4;
+            dc_load => Ts_load/N4;
+        }
+        s2 {
+            torques => T_load/(2.0*h2*N4);
+            governor_load => -c_load*n_load/(2.0*h2*N4);
+            dc_load => -Ts_load/(2.0*h2*N4);
+        }
         psi_m {
             torques => T_motor;
-            speed_governor => c_motor*n_motor;
+            governor_motor => c_motor*n_motor;
             dc_motor => Ts_motor;
         }
-        psi_l { torques => T_load; }
+        psi_l {
+            torques => T_load;
+            governor_load => -c_load*n_load;
+            dc_load => -Ts_load;
+        }
     }
     mass {
         theta1 theta1 { _ => I1/N1.powi(2) + I2/N2.powi(2) + I_m/N1.powi(2); }
@@ -576,10 +659,11 @@ equations! {
             transmission_error_12_and_jump_terms => k12*de12*touch12*over12;
             sliding_friction_12 => -arm12*F_mu12/N1 - arm12*F_mu12/N2;
             torques => T_motor/N1;
-            speed_governor => c_motor*n_motor/N1 - c_motor*theta_motor_dot/N1;
+            governor_motor => c_motor*n_motor/N1 - c_motor*theta_motor_dot/N1;
             dc_motor => Ts_motor/N1 - Ts_motor*theta_motor_dot/(N1*n0_motor);
             induction_motor => T_induction_motor/N1;
             traction_motor => T_traction_motor/N1;
+            fan_motor => T_fan_motor/N1;
             damping => I2*alpha_M*s1_dot/(2.0*h1*N2.powi(2)) - I1*alpha_M*theta1_dot/N1.powi(2) - I2*alpha_M*theta1_dot/N2.powi(2)
                 - I_m*alpha_M*theta1_dot/N1.powi(2) - I_m*alpha_M*psi_m_dot/N1 - I1*alpha_M*s1_dot/(2.0*h1*N1.powi(2))
                 - I_m*alpha_M*s1_dot/(2.0*h1*N1.powi(2)) - beta_K*k_c*twist_c_dot/N2;
@@ -590,10 +674,11 @@ equations! {
             backlash_12 => -k12*clip12*touch12*over12;
             sliding_friction_12 => arm12*F_mu12/(2.0*h1*N2) - tan_a*side12*F_tau12 - arm12*F_mu12/(2.0*h1*N1);
             torques => T_motor/(2.0*h1*N1);
-            speed_governor => (c_motor*n_motor/(h1*N1) - c_motor*theta_motor_dot/(h1*N1))/2.0;
+            governor_motor => (c_motor*n_motor/(h1*N1) - c_motor*theta_motor_dot/(h1*N1))/2.0;
             dc_motor => (Ts_motor/(h1*N1) - Ts_motor*theta_motor_dot/(h1*N1*n0_motor))/2.0;
             induction_motor => T_induction_motor/(2.0*h1*N1);
             traction_motor => T_traction_motor/(2.0*h1*N1);
+            fan_motor => T_fan_motor/(2.0*h1*N1);
             damping => I2*alpha_M*theta1_dot/(2.0*h1*N2.powi(2)) - beta_K*k12_mid*damp12*over12_dot
                 - I1*alpha_M*s1_dot/(4.0*h1.powi(2)*N1.powi(2)) - I2*alpha_M*s1_dot/(4.0*h1.powi(2)*N2.powi(2))
                 - I_m*alpha_M*s1_dot/(4.0*h1.powi(2)*N1.powi(2)) - I1*alpha_M*theta1_dot/(2.0*h1*N1.powi(2))
@@ -604,6 +689,10 @@ equations! {
             transmission_error_34_and_jump_terms => k34*de34*touch34*over34;
             sliding_friction_34 => -arm34*F_mu34/N3 - arm34*F_mu34/N4;
             torques => -T_load/N4;
+            governor_load => c_load*n_load/N4 - c_load*theta_load_dot/N4;
+            dc_load => Ts_load/N4 - Ts_load*theta_load_dot/(N4*n0_load);
+            induction_load => T_induction_load/N4;
+            traction_load => T_traction_load/N4;
             fan_load => T_fan_load/N4;
             damping => I_l*alpha_M*psi_l_dot/N4 - I3*alpha_M*theta2_dot/N3.powi(2) - I4*alpha_M*theta2_dot/N4.powi(2)
                 - I_l*alpha_M*theta2_dot/N4.powi(2) - I3*alpha_M*s2_dot/(2.0*h2*N3.powi(2)) + I4*alpha_M*s2_dot/(2.0*h2*N4.powi(2))
@@ -615,6 +704,10 @@ equations! {
             backlash_34 => -k34*clip34*touch34*over34;
             sliding_friction_34 => arm34*F_mu34/(2.0*h2*N4) - tan_a*side34*F_tau34 - arm34*F_mu34/(2.0*h2*N3);
             torques => T_load/(2.0*h2*N4);
+            governor_load => (c_load*theta_load_dot/(h2*N4) - c_load*n_load/(h2*N4))/2.0;
+            dc_load => (Ts_load*theta_load_dot/(h2*N4*n0_load) - Ts_load/(h2*N4))/2.0;
+            induction_load => -T_induction_load/(2.0*h2*N4);
+            traction_load => -T_traction_load/(2.0*h2*N4);
             fan_load => -T_fan_load/(2.0*h2*N4);
             damping => I4*alpha_M*theta2_dot/(2.0*h2*N4.powi(2)) - beta_K*k34_mid*damp34*over34_dot
                 - I3*alpha_M*s2_dot/(4.0*h2.powi(2)*N3.powi(2)) - I4*alpha_M*s2_dot/(4.0*h2.powi(2)*N4.powi(2))
@@ -624,15 +717,20 @@ equations! {
         psi_m {
             _ => -k_m*twist_m;
             torques => T_motor;
-            speed_governor => c_motor*n_motor - c_motor*theta_motor_dot;
+            governor_motor => c_motor*n_motor - c_motor*theta_motor_dot;
             dc_motor => Ts_motor - Ts_motor*theta_motor_dot/n0_motor;
             induction_motor => T_induction_motor;
             traction_motor => T_traction_motor;
+            fan_motor => T_fan_motor;
             damping => -I_m*alpha_M*psi_m_dot - I_m*alpha_M*theta1_dot/N1 - beta_K*k_m*twist_m_dot - I_m*alpha_M*s1_dot/(2.0*h1*N1);
         }
         psi_l {
             _ => -k_l*twist_l;
             torques => T_load;
+            governor_load => c_load*theta_load_dot - c_load*n_load;
+            dc_load => Ts_load*theta_load_dot/n0_load - Ts_load;
+            induction_load => -T_induction_load;
+            traction_load => -T_traction_load;
             fan_load => -T_fan_load;
             damping => I_l*alpha_M*theta2_dot/N4 - I_l*alpha_M*psi_l_dot - beta_K*k_l*twist_l_dot - I_l*alpha_M*s2_dot/(2.0*h2*N4);
         }
@@ -658,10 +756,11 @@ equations! {
         theta1 twist_c_dot { damping => -beta_K*k_c/N2; }
         theta1 psi12_dot { sliding_friction_12 => -arm12*F_mu12_by_psi12_dot/N1 - arm12*F_mu12_by_psi12_dot/N2; }
         theta1 theta_motor_dot {
-            speed_governor => -c_motor/N1;
+            governor_motor => -c_motor/N1;
             dc_motor => -Ts_motor/(N1*n0_motor);
             induction_motor => T_induction_motor_by_theta_motor_dot/N1;
             traction_motor => T_traction_motor_by_theta_motor_dot/N1;
+            fan_motor => T_fan_motor_by_theta_motor_dot/N1;
         }
         s1 theta1 {
             transmission_error_12_and_backlash_12_and_moving_phase => k12*de12*clip12*touch12;
@@ -693,10 +792,11 @@ equations! {
                 - arm12*F_mu12_by_psi12_dot/(2.0*h1*N1);
         }
         s1 theta_motor_dot {
-            speed_governor => -c_motor/(2.0*h1*N1);
+            governor_motor => -c_motor/(2.0*h1*N1);
             dc_motor => -Ts_motor/(2.0*h1*N1*n0_motor);
             induction_motor => T_induction_motor_by_theta_motor_dot/(2.0*h1*N1);
             traction_motor => T_traction_motor_by_theta_motor_dot/(2.0*h1*N1);
+            fan_motor => T_fan_motor_by_theta_motor_dot/(2.0*h1*N1);
         }
         theta2 theta2 {
             transmission_error_34_and_sliding_friction_34_and_moving_phase => de34*arm34*F_mu34_by_over34/N3
@@ -717,7 +817,13 @@ equations! {
         }
         theta2 twist_c_dot { damping => beta_K*k_c/N3; }
         theta2 psi34_dot { sliding_friction_34 => -arm34*F_mu34_by_psi34_dot/N3 - arm34*F_mu34_by_psi34_dot/N4; }
-        theta2 theta_load_dot { fan_load => T_fan_load_by_theta_load_dot/N4; }
+        theta2 theta_load_dot {
+            governor_load => -c_load/N4;
+            dc_load => -Ts_load/(N4*n0_load);
+            induction_load => T_induction_load_by_theta_load_dot/N4;
+            traction_load => T_traction_load_by_theta_load_dot/N4;
+            fan_load => T_fan_load_by_theta_load_dot/N4;
+        }
         s2 theta2 {
             transmission_error_34_and_backlash_34_and_moving_phase => k34*de34*clip34*touch34;
             transmission_error_34_and_sliding_friction_34_and_moving_phase => tan_a*de34*side34*F_mu34_by_over34*F_tau34_by_F_mu34
@@ -747,24 +853,37 @@ equations! {
             sliding_friction_34 => arm34*F_mu34_by_psi34_dot/(2.0*h2*N4) - tan_a*side34*F_mu34_by_psi34_dot*F_tau34_by_F_mu34
                 - arm34*F_mu34_by_psi34_dot/(2.0*h2*N3);
         }
-        s2 theta_load_dot { fan_load => -T_fan_load_by_theta_load_dot/(2.0*h2*N4); }
+        s2 theta_load_dot {
+            governor_load => c_load/(2.0*h2*N4);
+            dc_load => Ts_load/(2.0*h2*N4*n0_load);
+            induction_load => -T_induction_load_by_theta_load_dot/(2.0*h2*N4);
+            traction_load => -T_traction_load_by_theta_load_dot/(2.0*h2*N4);
+            fan_load => -T_fan_load_by_theta_load_dot/(2.0*h2*N4);
+        }
         psi_m theta1_dot { damping => -I_m*alpha_M/N1; }
         psi_m s1_dot { damping => -I_m*alpha_M/(2.0*h1*N1); }
         psi_m psi_m_dot { damping => -I_m*alpha_M; }
         psi_m twist_m { _ => -k_m; }
         psi_m twist_m_dot { damping => -beta_K*k_m; }
         psi_m theta_motor_dot {
-            speed_governor => -c_motor;
+            governor_motor => -c_motor;
             dc_motor => -Ts_motor/n0_motor;
             induction_motor => T_induction_motor_by_theta_motor_dot;
             traction_motor => T_traction_motor_by_theta_motor_dot;
+            fan_motor => T_fan_motor_by_theta_motor_dot;
         }
         psi_l theta2_dot { damping => I_l*alpha_M/N4; }
         psi_l s2_dot { damping => -I_l*alpha_M/(2.0*h2*N4); }
         psi_l psi_l_dot { damping => -I_l*alpha_M; }
         psi_l twist_l { _ => -k_l; }
         psi_l twist_l_dot { damping => -beta_K*k_l; }
-        psi_l theta_load_dot { fan_load => -T_fan_load_by_theta_load_dot; }
+        psi_l theta_load_dot {
+            governor_load => c_load;
+            dc_load => Ts_load/n0_load;
+            induction_load => -T_induction_load_by_theta_load_dot;
+            traction_load => -T_traction_load_by_theta_load_dot;
+            fan_load => -T_fan_load_by_theta_load_dot;
+        }
     }
     cell {
         stiffness {
@@ -805,29 +924,45 @@ equations! {
             over12 over12 { damping => beta_K*k12_mid*damp12; }
             over34 over34 { damping => beta_K*k34_mid*damp34; }
             theta_motor theta_motor {
-                speed_governor => c_motor;
+                governor_motor => c_motor;
                 dc_motor => Ts_motor/n0_motor;
+            }
+            theta_load theta_load {
+                governor_load => c_load;
+                dc_load => Ts_load/n0_load;
             }
         }
         load {
             theta1 {
                 torques => T_motor/N1;
-                speed_governor => c_motor*n_motor/N1;
+                governor_motor => c_motor*n_motor/N1;
                 dc_motor => Ts_motor/N1;
             }
             s1 {
                 torques => T_motor/(2.0*h1*N1);
-                speed_governor => c_motor*n_motor/(2.0*h1*N1);
+                governor_motor => c_motor*n_motor/(2.0*h1*N1);
                 dc_motor => Ts_motor/(2.0*h1*N1);
             }
-            theta2 { torques => -T_load/N4; }
-            s2 { torques => T_load/(2.0*h2*N4); }
+            theta2 {
+                torques => -T_load/N4;
+                governor_load => c_load*n_load/N4;
+                dc_load => Ts_load/N4;
+            }
+            s2 {
+                torques => T_load/(2.0*h2*N4);
+                governor_load => -c_load*n_load/(2.0*h2*N4);
+                dc_load => -Ts_load/(2.0*h2*N4);
+            }
             psi_m {
                 torques => T_motor;
-                speed_governor => c_motor*n_motor;
+                governor_motor => c_motor*n_motor;
                 dc_motor => Ts_motor;
             }
-            psi_l { torques => T_load; }
+            psi_l {
+                torques => T_load;
+                governor_load => -c_load*n_load;
+                dc_load => -Ts_load;
+            }
             over12 {
                 _ => k12*touch12*edge12 + k12*touch12*e12;
                 backlash_12 => k12*clip12*touch12*edge12 + k12*clip12*touch12*e12;
@@ -843,9 +978,12 @@ equations! {
         sliding_friction_12 "-arm12*F_mu12 in the torque `roll12`";
         sliding_friction_34 "-side34*F_tau34 in the torque `slide34`";
         sliding_friction_34 "-arm34*F_mu34 in the torque `roll34`";
-        induction_motor "T_induction_motor in the torque `induction`";
-        traction_motor "T_traction_motor in the torque `traction`";
-        fan_load "T_fan_load in the torque `fan`";
+        induction_motor "T_induction_motor in the torque `induction_motor`";
+        traction_motor "T_traction_motor in the torque `traction_motor`";
+        fan_motor "T_fan_motor in the torque `fan_motor`";
+        induction_load "T_induction_load in the torque `induction_load`";
+        traction_load "T_traction_load in the torque `traction_load`";
+        fan_load "T_fan_load in the torque `fan_load`";
     }
     jump k12 { step { _ => dk12*touch12*over12.powi(2)/2.0; } }
     jump k34 { step { _ => dk34*touch34*over34.powi(2)/2.0; } }
@@ -956,30 +1094,59 @@ equations! {
             _ => roll34_power;
         }
         power_motor "W" with torques, "power of the driving torque of the motor: positive if it drives" { _ => motor_power; }
-        governor_braking "W" with speed_governor,
+        braking_governor_motor "W" with governor_motor,
             "power that the motor takes back: the part of its torque that is proportional to the speed, times the speed" {
             _ => c_motor*theta_motor_dot.powi(2);
         }
-        power_governor "W" with speed_governor,
-            "power of the torque c n of the governor; its part -c omega is in D: positive if it drives" {
-            _ => governor_power;
+        power_governor_motor "W" with governor_motor,
+            "power of the torque c n of the governor of the motor; its part -c omega is in D: positive if it drives" {
+            _ => governor_motor_power;
         }
-        dc_braking "W" with dc_motor,
+        braking_dc_motor "W" with dc_motor,
             "power that the motor takes back: the part of its torque that is proportional to the speed, times the speed" {
             _ => Ts_motor*theta_motor_dot.powi(2)/n0_motor;
         }
-        power_dc "W" with dc_motor,
-            "power of the stall torque of the DC motor; the part proportional to the speed is in D: positive if it drives" {
-            _ => dc_power;
+        power_dc_motor "W" with dc_motor,
+            "power of the torque Ts of the DC motor of the motor; its part -Ts omega/n0 is in D: positive if it drives" {
+            _ => dc_motor_power;
         }
-        power_induction "W" with induction_motor, "power of the torque of the induction motor: positive if it drives" {
-            _ => induction_power;
+        power_induction_motor "W" with induction_motor, "power of the torque of the induction motor of the motor: positive if it drives" {
+            _ => induction_motor_power;
         }
-        power_traction "W" with traction_motor, "power of the torque of the traction motor: positive if it drives" { _ => traction_power; }
+        power_traction_motor "W" with traction_motor, "power of the torque of the traction motor of the motor: positive if it drives" {
+            _ => traction_motor_power;
+        }
+        power_fan_motor "W" with fan_motor, "power of the torque of the fan of the motor, against the rotation: positive if it drives" {
+            _ => fan_motor_power;
+        }
         power_load "W" with torques, "power of the load torque of the load, against its rotation: positive if it drives" {
             _ => load_power;
         }
-        power_fan "W" with fan_load, "power of the torque of the fan, against its rotation: positive if it drives" { _ => fan_power; }
+        braking_governor_load "W" with governor_load,
+            "power that the motor takes back: the part of its torque that is proportional to the speed, times the speed" {
+            _ => c_load*theta_load_dot.powi(2);
+        }
+        power_governor_load "W" with governor_load,
+            "power of the torque c n of the governor of the load; its part -c omega is in D: positive if it drives" {
+            _ => governor_load_power;
+        }
+        braking_dc_load "W" with dc_load,
+            "power that the motor takes back: the part of its torque that is proportional to the speed, times the speed" {
+            _ => Ts_load*theta_load_dot.powi(2)/n0_load;
+        }
+        power_dc_load "W" with dc_load,
+            "power of the torque Ts of the DC motor of the load; its part -Ts omega/n0 is in D: positive if it drives" {
+            _ => dc_load_power;
+        }
+        power_induction_load "W" with induction_load, "power of the torque of the induction motor of the load: positive if it drives" {
+            _ => induction_load_power;
+        }
+        power_traction_load "W" with traction_load, "power of the torque of the traction motor of the load: positive if it drives" {
+            _ => traction_load_power;
+        }
+        power_fan_load "W" with fan_load, "power of the torque of the fan of the load, against the rotation: positive if it drives" {
+            _ => fan_load_power;
+        }
         inertia_damping_loss "W" with damping, "power that the damping in proportion to inertia takes" {
             _ => 2.0*alpha_M*((I1*(s1_dot/(2.0*h1*N1) + theta1_dot/N1).powi(2) + I2*(theta1_dot/N2 - s1_dot/(2.0*h1*N2)).powi(2)
                 + I3*(s2_dot/(2.0*h2*N3) + theta2_dot/N3).powi(2) + I4*(theta2_dot/N4 - s2_dot/(2.0*h2*N4)).powi(2)
@@ -1033,7 +1200,7 @@ equations! {
 //
 // | output | sums | products, quotients | functions, roots |
 // | --- | --- | --- | --- |
-// | constants (once a scene) | 0 | 4 | 2 |
-// | named forces | 29 | 95 | 15 |
-// | force | 50 | 314 | 0 |
+// | constants (once a scene) | 0 | 5 | 2 |
+// | named forces | 44 | 134 | 18 |
+// | force | 56 | 354 | 0 |
 // | energy steps, all laws | 2 | 22 | 0 |

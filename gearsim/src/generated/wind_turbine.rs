@@ -92,25 +92,51 @@ equations! {
         mu_rise12 "1" default 0.0 with flank_stiction_12, from 0.0 to inf,
             "excess of the static coefficient of friction of the mesh of the parallel stage over that of sliding, relative to that";
         T_wind "N*m" required with torques, open -inf to inf, "driving torque of the rotor";
+        c_wind "N*m*s/rad" required with governor_wind, open 0.0 to inf,
+            "gain of the governor of the rotor: torque per difference of set point and speed";
+        n_wind "rad/s" required with governor_wind, open -inf to inf, "set point of the speed governor of the rotor";
+        Ts_wind "N*m" required with dc_wind, open 0.0 to inf, "stall torque of the DC motor of the rotor";
+        n0_wind "rad/s" required with dc_wind, open 0.0 to inf, "no-load speed of the DC motor of the rotor";
+        Tb_wind "N*m" required with induction_wind, open 0.0 to inf,
+            "breakdown torque of the induction motor of the rotor, its largest torque";
+        sb_wind "1" required with induction_wind, open 0.0 to inf,
+            "slip at which the induction motor of the rotor has its breakdown torque";
+        ns_wind "rad/s" required with induction_wind, open 0.0 to inf, "synchronous speed of the induction motor of the rotor";
+        Tp_wind "N*m" required with traction_wind, open 0.0 to inf, "peak torque of the traction motor of the rotor, up to its base speed";
+        Pp_wind "W" required with traction_wind, open 0.0 to inf,
+            "peak power of the traction motor of the rotor, above its base speed Pp/Tp";
+        d_wind "1" default 1.0 with traction_wind, open -inf to inf,
+            "demand on the traction motor of the rotor: 1 drives with its peak torque or power, -1 brakes with them";
+        round_wind "1" default 0.01 with traction_wind, open 0.0 to inf,
+            "rounding of the corner of the torque of the traction motor of the rotor at its base speed, relative to that";
+        cf_wind "N*m*s^2/rad^2" required with fan_wind, from 0.0 to inf,
+            "torque of the fan of the rotor divided by the square of its speed";
+        w0_wind "rad/s" default 0.01 with fan_wind, open 0.0 to inf,
+            "speed of the rotor below which the torque of its fan is linear instead of quadratic in the speed";
         T_generator "N*m" required with torques, open -inf to inf, "load torque of the generator, against its rotation";
-        cf_generator "N*m*s^2/rad^2" required with fan_load, from 0.0 to inf,
-            "fan torque of the generator divided by the square of its speed";
-        w0_generator "rad/s" default 0.01 with fan_load, open 0.0 to inf,
-            "speed of the generator below which the fan torque is linear instead of quadratic in the speed";
-        c_g "N*m*s/rad" required with speed_governor, open 0.0 to inf,
+        c_generator "N*m*s/rad" required with governor_generator, open 0.0 to inf,
             "gain of the governor of the generator: torque per difference of set point and speed";
-        n_g "rad/s" required with speed_governor, open -inf to inf, "set point of the speed governor of the generator";
-        Ts_g "N*m" required with dc_motor, open 0.0 to inf, "stall torque of the generator";
-        n0_g "rad/s" required with dc_motor, open 0.0 to inf, "no-load speed of the generator";
-        Tb_g "N*m" required with induction_motor, open 0.0 to inf, "breakdown torque of the generator, its largest torque";
-        sb_g "1" required with induction_motor, open 0.0 to inf, "slip at which the generator has its breakdown torque";
-        ns_g "rad/s" required with induction_motor, open 0.0 to inf, "synchronous speed of the generator";
-        Tp_g "N*m" required with traction_motor, open 0.0 to inf, "peak torque of the generator, up to its base speed";
-        Pp_g "W" required with traction_motor, open 0.0 to inf, "peak power of the generator, above its base speed Pp/Tp";
-        d_g "1" default 1.0 with traction_motor, open -inf to inf,
-            "demand on the generator: 1 drives with its peak torque or power, -1 brakes with them";
-        round_g "1" default 0.01 with traction_motor, open 0.0 to inf,
-            "rounding of the corner of the torque of the generator at its base speed, relative to that";
+        n_generator "rad/s" required with governor_generator, open -inf to inf, "set point of the speed governor of the generator";
+        Ts_generator "N*m" required with dc_generator, open 0.0 to inf, "stall torque of the DC motor of the generator";
+        n0_generator "rad/s" required with dc_generator, open 0.0 to inf, "no-load speed of the DC motor of the generator";
+        Tb_generator "N*m" required with induction_generator, open 0.0 to inf,
+            "breakdown torque of the induction motor of the generator, its largest torque";
+        sb_generator "1" required with induction_generator, open 0.0 to inf,
+            "slip at which the induction motor of the generator has its breakdown torque";
+        ns_generator "rad/s" required with induction_generator, open 0.0 to inf,
+            "synchronous speed of the induction motor of the generator";
+        Tp_generator "N*m" required with traction_generator, open 0.0 to inf,
+            "peak torque of the traction motor of the generator, up to its base speed";
+        Pp_generator "W" required with traction_generator, open 0.0 to inf,
+            "peak power of the traction motor of the generator, above its base speed Pp/Tp";
+        d_generator "1" default 1.0 with traction_generator, open -inf to inf,
+            "demand on the traction motor of the generator: 1 drives with its peak torque or power, -1 brakes with them";
+        round_generator "1" default 0.01 with traction_generator, open 0.0 to inf,
+            "rounding of the corner of the torque of the traction motor of the generator at its base speed, relative to that";
+        cf_generator "N*m*s^2/rad^2" required with fan_generator, from 0.0 to inf,
+            "torque of the fan of the generator divided by the square of its speed";
+        w0_generator "rad/s" default 0.01 with fan_generator, open 0.0 to inf,
+            "speed of the generator below which the torque of its fan is linear instead of quadratic in the speed";
         alpha_M "1/s" default 0.0, from 0.0 to inf, "damping in proportion to inertia";
         beta_K "s" default 0.0, from 0.0 to inf, "damping in proportion to stiffness";
     }
@@ -223,13 +249,20 @@ equations! {
         flank_stiction_12 of flank_stiction requires(sliding_friction_12)
             "flanks at rest stick, up to their static friction; sliding, their friction has its full size at any speed";
         torques "constant torques of motor and load";
-        fan_load "a fan as load: torque proportional to the square of the speed, against the rotation";
-        speed_governor excludes(dc_motor, induction_motor, traction_motor)
-            "a speed governor: motor torque proportional to the set point minus the speed";
-        dc_motor excludes(induction_motor, traction_motor)
+        governor_wind of governor excludes(dc_wind, induction_wind, traction_wind)
+            "a motor with a speed governor: its torque is proportional to the set point minus the speed";
+        dc_wind of dc excludes(induction_wind, traction_wind)
             "a DC motor at constant voltage: its torque falls linearly from stall to no load";
-        induction_motor excludes(traction_motor) "an induction motor, its torque by the formula of Kloss";
-        traction_motor "a traction motor: its peak torque up to the base speed, constant power above it, times the demand";
+        induction_wind of induction excludes(traction_wind) "an induction motor, its torque by the formula of Kloss";
+        traction_wind of traction "a traction motor: its peak torque up to the base speed, constant power above it, times the demand";
+        fan_wind of fan "a fan as load: torque proportional to the square of the speed, against the rotation";
+        governor_generator of governor excludes(dc_generator, induction_generator, traction_generator)
+            "a motor with a speed governor: its torque is proportional to the set point minus the speed";
+        dc_generator of dc excludes(induction_generator, traction_generator)
+            "a DC motor at constant voltage: its torque falls linearly from stall to no load";
+        induction_generator of induction excludes(traction_generator) "an induction motor, its torque by the formula of Kloss";
+        traction_generator of traction "a traction motor: its peak torque up to the base speed, constant power above it, times the demand";
+        fan_generator of fan "a fan as load: torque proportional to the square of the speed, against the rotation";
         damping "Rayleigh damping, C = alpha_M M + beta_K K at the mid stiffness";
     }
     switching {
@@ -308,7 +341,8 @@ equations! {
         tiny_r3 = 1.0/1000000000000.0;
         tan_a12 = alpha12.sin()/alpha12.cos();
         tiny12 = 1.0/1000000000000.0;
-        per_wb_g = Tp_g/Pp_g;
+        per_wb_wind = Tp_wind/Pp_wind;
+        per_wb_generator = Tp_generator/Pp_generator;
     }
     deflections {
         twist_l = psi_l;
@@ -335,8 +369,8 @@ equations! {
         over12 = s2 - edge12 - e12;
         tau12 = tan_a12*s2;
         psi12 = s2/(2.0*h2*N1) - s2/(2.0*h2*N2) + theta2/N1 + theta2/N2;
+        theta_wind = psi_l + theta_c + theta/Z_r;
         theta_generator = theta2/N2 - psi_h - s2/(2.0*h2*N2);
-        theta_g = theta2/N2 - psi_h - s2/(2.0*h2*N2);
     }
     forces {
         F_mu_s1 {
@@ -388,12 +422,25 @@ equations! {
                 - mu12*k12*touch12*psi12_dot*(tiny12.powi(2) + over12.powi(2)).sqrt()/(w_mix12.powi(2) + psi12_dot.powi(2)).sqrt();
         }
         F_tau12 { sliding_friction_12 => F_mu12*over12/(tiny12.powi(2) + over12.powi(2)).sqrt(); }
-        T_fan_generator { fan_load => -cf_generator*theta_generator_dot*(w0_generator.powi(2) + theta_generator_dot.powi(2)).sqrt(); }
-        T_induction_g { induction_motor => 2.0*Tb_g*sb_g*(1.0 - theta_g_dot/ns_g)/(sb_g.powi(2) + (1.0 - theta_g_dot/ns_g).powi(2)); }
-        T_traction_g {
-            traction_motor => 2.0*Tp_g*d_g/((round_g.powi(2) + (1.0 - per_wb_g*theta_g_dot).powi(2)).sqrt()
-                + (round_g.powi(2) + (1.0 + per_wb_g*theta_g_dot).powi(2)).sqrt());
+        T_induction_wind {
+            induction_wind => 2.0*Tb_wind*sb_wind*(1.0 - theta_wind_dot/ns_wind)/(sb_wind.powi(2) + (1.0 - theta_wind_dot/ns_wind).powi(2));
         }
+        T_traction_wind {
+            traction_wind => 2.0*Tp_wind*d_wind
+                /((round_wind.powi(2) + (1.0 - per_wb_wind*theta_wind_dot).powi(2)).sqrt()
+                + (round_wind.powi(2) + (1.0 + per_wb_wind*theta_wind_dot).powi(2)).sqrt());
+        }
+        T_fan_wind { fan_wind => -cf_wind*theta_wind_dot*(w0_wind.powi(2) + theta_wind_dot.powi(2)).sqrt(); }
+        T_induction_generator {
+            induction_generator => 2.0*Tb_generator*sb_generator*(1.0 - theta_generator_dot/ns_generator)
+                /(sb_generator.powi(2) + (1.0 - theta_generator_dot/ns_generator).powi(2));
+        }
+        T_traction_generator {
+            traction_generator => 2.0*Tp_generator*d_generator
+                /((round_generator.powi(2) + (1.0 - per_wb_generator*theta_generator_dot).powi(2)).sqrt()
+                + (round_generator.powi(2) + (1.0 + per_wb_generator*theta_generator_dot).powi(2)).sqrt());
+        }
+        T_fan_generator { fan_generator => -cf_generator*theta_generator_dot*(w0_generator.powi(2) + theta_generator_dot.powi(2)).sqrt(); }
     }
     partials {
         F_mu_s1_by_overs1 {
@@ -583,21 +630,39 @@ equations! {
                 - F_mu12*over12.powi(2)/(tiny12.powi(2) + over12.powi(2)).powf(3.0/2.0);
         }
         F_tau12_by_F_mu12 { sliding_friction_12 => over12/(tiny12.powi(2) + over12.powi(2)).sqrt(); }
+        T_induction_wind_by_theta_wind_dot {
+            induction_wind => 4.0*Tb_wind*sb_wind*(1.0 - theta_wind_dot/ns_wind).powi(2)
+                /(ns_wind*(sb_wind.powi(2) + (1.0 - theta_wind_dot/ns_wind).powi(2)).powi(2))
+                - 2.0*Tb_wind*sb_wind/(ns_wind*(sb_wind.powi(2) + (1.0 - theta_wind_dot/ns_wind).powi(2)));
+        }
+        T_traction_wind_by_theta_wind_dot {
+            traction_wind => -2.0*Tp_wind*d_wind
+                *(per_wb_wind*(1.0 + per_wb_wind*theta_wind_dot)/(round_wind.powi(2) + (1.0 + per_wb_wind*theta_wind_dot).powi(2)).sqrt()
+                - per_wb_wind*(1.0 - per_wb_wind*theta_wind_dot)/(round_wind.powi(2) + (1.0 - per_wb_wind*theta_wind_dot).powi(2)).sqrt())
+                /((round_wind.powi(2) + (1.0 - per_wb_wind*theta_wind_dot).powi(2)).sqrt()
+                + (round_wind.powi(2) + (1.0 + per_wb_wind*theta_wind_dot).powi(2)).sqrt()).powi(2);
+        }
+        T_fan_wind_by_theta_wind_dot {
+            fan_wind => -cf_wind*theta_wind_dot.powi(2)/(w0_wind.powi(2) + theta_wind_dot.powi(2)).sqrt()
+                - cf_wind*(w0_wind.powi(2) + theta_wind_dot.powi(2)).sqrt();
+        }
+        T_induction_generator_by_theta_generator_dot {
+            induction_generator => 4.0*Tb_generator*sb_generator*(1.0 - theta_generator_dot/ns_generator).powi(2)
+                /(ns_generator*(sb_generator.powi(2) + (1.0 - theta_generator_dot/ns_generator).powi(2)).powi(2))
+                - 2.0*Tb_generator*sb_generator/(ns_generator*(sb_generator.powi(2) + (1.0 - theta_generator_dot/ns_generator).powi(2)));
+        }
+        T_traction_generator_by_theta_generator_dot {
+            traction_generator => -2.0*Tp_generator*d_generator
+                *(per_wb_generator*(1.0 + per_wb_generator*theta_generator_dot)
+                /(round_generator.powi(2) + (1.0 + per_wb_generator*theta_generator_dot).powi(2)).sqrt()
+                - per_wb_generator*(1.0 - per_wb_generator*theta_generator_dot)
+                /(round_generator.powi(2) + (1.0 - per_wb_generator*theta_generator_dot).powi(2)).sqrt())
+                /((round_generator.powi(2) + (1.0 - per_wb_generator*theta_generator_dot).powi(2)).sqrt()
+                + (round_generator.powi(2) + (1.0 + per_wb_generator*theta_generator_dot).powi(2)).sqrt()).powi(2);
+        }
         T_fan_generator_by_theta_generator_dot {
-            fan_load => -cf_generator*theta_generator_dot.powi(2)/(w0_generator.powi(2) + theta_generator_dot.powi(2)).sqrt()
+            fan_generator => -cf_generator*theta_generator_dot.powi(2)/(w0_generator.powi(2) + theta_generator_dot.powi(2)).sqrt()
                 - cf_generator*(w0_generator.powi(2) + theta_generator_dot.powi(2)).sqrt();
-        }
-        T_induction_g_by_theta_g_dot {
-            induction_motor => 4.0*Tb_g*sb_g*(1.0 - theta_g_dot/ns_g).powi(2)
-                /(ns_g*(sb_g.powi(2) + (1.0 - theta_g_dot/ns_g).powi(2)).powi(2))
-                - 2.0*Tb_g*sb_g/(ns_g*(sb_g.powi(2) + (1.0 - theta_g_dot/ns_g).powi(2)));
-        }
-        T_traction_g_by_theta_g_dot {
-            traction_motor => -2.0*Tp_g*d_g*(per_wb_g*(1.0 + per_wb_g*theta_g_dot)
-                /(round_g.powi(2) + (1.0 + per_wb_g*theta_g_dot).powi(2)).sqrt()
-                - per_wb_g*(1.0 - per_wb_g*theta_g_dot)/(round_g.powi(2) + (1.0 - per_wb_g*theta_g_dot).powi(2)).sqrt())
-                /((round_g.powi(2) + (1.0 - per_wb_g*theta_g_dot).powi(2)).sqrt()
-                + (round_g.powi(2) + (1.0 + per_wb_g*theta_g_dot).powi(2)).sqrt()).powi(2);
         }
     }
     switches {
@@ -1424,8 +1489,10 @@ equations! {
                 + k_s2*touchs2*overs2.powi(2) + k_s3*touchs3*overs3.powi(2))/2.0;
         }
         dissipation {
-            speed_governor => c_g*theta_g_dot.powi(2)/2.0;
-            dc_motor => Ts_g*theta_g_dot.powi(2)/(2.0*n0_g);
+            governor_wind => c_wind*theta_wind_dot.powi(2)/2.0;
+            dc_wind => Ts_wind*theta_wind_dot.powi(2)/(2.0*n0_wind);
+            governor_generator => c_generator*theta_generator_dot.powi(2)/2.0;
+            dc_generator => Ts_generator*theta_generator_dot.powi(2)/(2.0*n0_generator);
             damping => I1*alpha_M*(s2_dot/(2.0*h2*N1) + theta2_dot/N1).powi(2)/2.0
                 + I2*alpha_M*(theta2_dot/N2 - s2_dot/(2.0*h2*N2)).powi(2)/2.0
                 + I_b*alpha_M*(psi_l_dot + theta_c_dot + theta_dot/Z_r).powi(2)/2.0
@@ -1472,36 +1539,62 @@ equations! {
         roll12 "friction of the mesh of the parallel stage, through the rolling of the gears" {}
         power { sliding_friction_12 => -arm12*F_mu12*psi12_dot; }
         wind "driving torque of the rotor" { torques => T_wind*(psi_l + theta_c + theta/Z_r); }
-        generator "load torque of the generator, against its rotation" { torques => T_generator*(psi_h + s2/(2.0*h2*N2) - theta2/N2); }
-        fan "torque of the fan, against its rotation" {}
-        power { fan_load => T_fan_generator*(theta2_dot/N2 - psi_h_dot - s2_dot/(2.0*h2*N2)); }
-        governor "torque c n of the governor; its part -c omega is in D" { speed_governor => c_g*n_g*(theta2/N2 - psi_h - s2/(2.0*h2*N2)); }
-        dc "stall torque of the DC motor; the part proportional to the speed is in D" {
-            dc_motor => Ts_g*(theta2/N2 - psi_h - s2/(2.0*h2*N2));
+        governor_wind "torque c n of the governor of the rotor; its part -c omega is in D" {
+            governor_wind => c_wind*n_wind*(psi_l + theta_c + theta/Z_r);
         }
-        induction "torque of the induction motor" {}
-        power { induction_motor => T_induction_g*(theta2_dot/N2 - psi_h_dot - s2_dot/(2.0*h2*N2)); }
-        traction "torque of the traction motor" {}
-        power { traction_motor => T_traction_g*(theta2_dot/N2 - psi_h_dot - s2_dot/(2.0*h2*N2)); }
+        dc_wind "torque Ts of the DC motor of the rotor; its part -Ts omega/n0 is in D" {
+            dc_wind => Ts_wind*(psi_l + theta_c + theta/Z_r);
+        }
+        induction_wind "torque of the induction motor of the rotor" {}
+        power { induction_wind => T_induction_wind*(psi_l_dot + theta_c_dot + theta_dot/Z_r); }
+        traction_wind "torque of the traction motor of the rotor" {}
+        power { traction_wind => T_traction_wind*(psi_l_dot + theta_c_dot + theta_dot/Z_r); }
+        fan_wind "torque of the fan of the rotor, against the rotation" {}
+        power { fan_wind => T_fan_wind*(psi_l_dot + theta_c_dot + theta_dot/Z_r); }
+        generator "load torque of the generator, against its rotation" { torques => T_generator*(psi_h + s2/(2.0*h2*N2) - theta2/N2); }
+        governor_generator "torque c n of the governor of the generator; its part -c omega is in D" {
+            governor_generator => c_generator*n_generator*(theta2/N2 - psi_h - s2/(2.0*h2*N2));
+        }
+        dc_generator "torque Ts of the DC motor of the generator; its part -Ts omega/n0 is in D" {
+            dc_generator => Ts_generator*(theta2/N2 - psi_h - s2/(2.0*h2*N2));
+        }
+        induction_generator "torque of the induction motor of the generator" {}
+        power { induction_generator => T_induction_generator*(theta2_dot/N2 - psi_h_dot - s2_dot/(2.0*h2*N2)); }
+        traction_generator "torque of the traction motor of the generator" {}
+        power { traction_generator => T_traction_generator*(theta2_dot/N2 - psi_h_dot - s2_dot/(2.0*h2*N2)); }
+        fan_generator "torque of the fan of the generator, against the rotation" {}
+        power { fan_generator => T_fan_generator*(theta2_dot/N2 - psi_h_dot - s2_dot/(2.0*h2*N2)); }
     }
     work {
-        theta { torques => T_wind/Z_r; }
-        theta_c { torques => T_wind; }
+        theta {
+            torques => T_wind/Z_r;
+            governor_wind => c_wind*n_wind/Z_r;
+            dc_wind => Ts_wind/Z_r;
+        }
+        theta_c {
+            torques => T_wind;
+            governor_wind => c_wind*n_wind;
+            dc_wind => Ts_wind;
+        }
         theta2 {
             torques => -T_generator/N2;
-            speed_governor => c_g*n_g/N2;
-            dc_motor => Ts_g/N2;
+            governor_generator => c_generator*n_generator/N2;
+            dc_generator => Ts_generator/N2;
         }
         s2 {
             torques => T_generator/(2.0*h2*N2);
-            speed_governor => -c_g*n_g/(2.0*h2*N2);
-            dc_motor => -Ts_g/(2.0*h2*N2);
+            governor_generator => -c_generator*n_generator/(2.0*h2*N2);
+            dc_generator => -Ts_generator/(2.0*h2*N2);
         }
-        psi_l { torques => T_wind; }
+        psi_l {
+            torques => T_wind;
+            governor_wind => c_wind*n_wind;
+            dc_wind => Ts_wind;
+        }
         psi_h {
             torques => T_generator;
-            speed_governor => -c_g*n_g;
-            dc_motor => -Ts_g;
+            governor_generator => -c_generator*n_generator;
+            dc_generator => -Ts_generator;
         }
     }
     mass {
@@ -1546,6 +1639,11 @@ equations! {
             transmission_error_r3_and_jump_terms => k_r3*de_r3*touchr3*overr3;
             sliding_friction_r3 => -roll_r*arm_r3*F_mu_r3;
             torques => T_wind/Z_r;
+            governor_wind => c_wind*n_wind/Z_r - c_wind*theta_wind_dot/Z_r;
+            dc_wind => Ts_wind/Z_r - Ts_wind*theta_wind_dot/(Z_r*n0_wind);
+            induction_wind => T_induction_wind/Z_r;
+            traction_wind => T_traction_wind/Z_r;
+            fan_wind => T_fan_wind/Z_r;
             damping => h*I_p*alpha_M*u1_dot/r_p.powi(2) + h*I_p*alpha_M*u2_dot/r_p.powi(2) + h*I_p*alpha_M*u3_dot/r_p.powi(2)
                 + 3.0*h*I_p*alpha_M*theta_c_dot/r_p + 6.0*h*I_p*alpha_M*theta_dot/(r_p*Z_r) - I_b*alpha_M*theta_dot/Z_r.powi(2)
                 - I_b*alpha_M*psi_l_dot/Z_r - I_b*alpha_M*theta_c_dot/Z_r - I_c*alpha_M*theta_dot/Z_r.powi(2)
@@ -1567,6 +1665,11 @@ equations! {
             backlash_r3 => h*Z_r*k_r3*clipr3*touchr3*overr3;
             sliding_friction_r3 => arm_r3*F_mu_r3 + h*sin_a*Z_r*side_r3*F_tau_r3/cos_a;
             torques => T_wind;
+            governor_wind => c_wind*n_wind - c_wind*theta_wind_dot;
+            dc_wind => Ts_wind - Ts_wind*theta_wind_dot/n0_wind;
+            induction_wind => T_induction_wind;
+            traction_wind => T_traction_wind;
+            fan_wind => T_fan_wind;
             damping => h*Z_r*beta_K*k_r1_mid*dampr1*overr1_dot + h*Z_r*beta_K*k_r2_mid*dampr2*overr2_dot
                 + h*Z_r*beta_K*k_r3_mid*dampr3*overr3_dot + 3.0*h*I_p*alpha_M*theta_dot/r_p - I_b*alpha_M*psi_l_dot
                 - I_b*alpha_M*theta_c_dot - I_b*alpha_M*theta_dot/Z_r - I_c*alpha_M*theta_c_dot - I_c*alpha_M*theta_dot/Z_r
@@ -1579,11 +1682,11 @@ equations! {
             transmission_error_12_and_jump_terms => k12*de12*touch12*over12;
             sliding_friction_12 => -arm12*F_mu12/N1 - arm12*F_mu12/N2;
             torques => -T_generator/N2;
-            fan_load => T_fan_generator/N2;
-            speed_governor => c_g*n_g/N2 - c_g*theta_g_dot/N2;
-            dc_motor => Ts_g/N2 - Ts_g*theta_g_dot/(N2*n0_g);
-            induction_motor => T_induction_g/N2;
-            traction_motor => T_traction_g/N2;
+            governor_generator => c_generator*n_generator/N2 - c_generator*theta_generator_dot/N2;
+            dc_generator => Ts_generator/N2 - Ts_generator*theta_generator_dot/(N2*n0_generator);
+            induction_generator => T_induction_generator/N2;
+            traction_generator => T_traction_generator/N2;
+            fan_generator => T_fan_generator/N2;
             damping => I_g*alpha_M*psi_h_dot/N2 - I1*alpha_M*theta2_dot/N1.powi(2) - I2*alpha_M*theta2_dot/N2.powi(2)
                 - I_g*alpha_M*theta2_dot/N2.powi(2) - I1*alpha_M*s2_dot/(2.0*h2*N1.powi(2)) + I2*alpha_M*s2_dot/(2.0*h2*N2.powi(2))
                 + I_g*alpha_M*s2_dot/(2.0*h2*N2.powi(2)) + beta_K*k_i*twist_i_dot/N1;
@@ -1594,11 +1697,11 @@ equations! {
             backlash_12 => -k12*clip12*touch12*over12;
             sliding_friction_12 => arm12*F_mu12/(2.0*h2*N2) - tan_a12*side12*F_tau12 - arm12*F_mu12/(2.0*h2*N1);
             torques => T_generator/(2.0*h2*N2);
-            fan_load => -T_fan_generator/(2.0*h2*N2);
-            speed_governor => (c_g*theta_g_dot/(h2*N2) - c_g*n_g/(h2*N2))/2.0;
-            dc_motor => (Ts_g*theta_g_dot/(h2*N2*n0_g) - Ts_g/(h2*N2))/2.0;
-            induction_motor => -T_induction_g/(2.0*h2*N2);
-            traction_motor => -T_traction_g/(2.0*h2*N2);
+            governor_generator => (c_generator*theta_generator_dot/(h2*N2) - c_generator*n_generator/(h2*N2))/2.0;
+            dc_generator => (Ts_generator*theta_generator_dot/(h2*N2*n0_generator) - Ts_generator/(h2*N2))/2.0;
+            induction_generator => -T_induction_generator/(2.0*h2*N2);
+            traction_generator => -T_traction_generator/(2.0*h2*N2);
+            fan_generator => -T_fan_generator/(2.0*h2*N2);
             damping => I2*alpha_M*theta2_dot/(2.0*h2*N2.powi(2)) - beta_K*k12_mid*damp12*over12_dot
                 - I1*alpha_M*s2_dot/(4.0*h2.powi(2)*N1.powi(2)) - I2*alpha_M*s2_dot/(4.0*h2.powi(2)*N2.powi(2))
                 - I_g*alpha_M*s2_dot/(4.0*h2.powi(2)*N2.powi(2)) - I1*alpha_M*theta2_dot/(2.0*h2*N1.powi(2))
@@ -1607,16 +1710,21 @@ equations! {
         psi_l {
             _ => -k_l*twist_l;
             torques => T_wind;
+            governor_wind => c_wind*n_wind - c_wind*theta_wind_dot;
+            dc_wind => Ts_wind - Ts_wind*theta_wind_dot/n0_wind;
+            induction_wind => T_induction_wind;
+            traction_wind => T_traction_wind;
+            fan_wind => T_fan_wind;
             damping => -I_b*alpha_M*psi_l_dot - I_b*alpha_M*theta_c_dot - I_b*alpha_M*theta_dot/Z_r - beta_K*k_l*twist_l_dot;
         }
         psi_h {
             _ => -k_h*twist_h;
             torques => T_generator;
-            fan_load => -T_fan_generator;
-            speed_governor => c_g*theta_g_dot - c_g*n_g;
-            dc_motor => Ts_g*theta_g_dot/n0_g - Ts_g;
-            induction_motor => -T_induction_g;
-            traction_motor => -T_traction_g;
+            governor_generator => c_generator*theta_generator_dot - c_generator*n_generator;
+            dc_generator => Ts_generator*theta_generator_dot/n0_generator - Ts_generator;
+            induction_generator => -T_induction_generator;
+            traction_generator => -T_traction_generator;
+            fan_generator => -T_fan_generator;
             damping => I_g*alpha_M*theta2_dot/N2 - I_g*alpha_M*psi_h_dot - beta_K*k_h*twist_h_dot - I_g*alpha_M*s2_dot/(2.0*h2*N2);
         }
         u1 {
@@ -1727,6 +1835,13 @@ equations! {
         theta psi_r2_dot { sliding_friction_r2 => -roll_r*arm_r2*F_mu_r2_by_psi_r2_dot; }
         theta psi_s3_dot { sliding_friction_s3 => -roll_s*arm_s3*F_mu_s3_by_psi_s3_dot; }
         theta psi_r3_dot { sliding_friction_r3 => -roll_r*arm_r3*F_mu_r3_by_psi_r3_dot; }
+        theta theta_wind_dot {
+            governor_wind => -c_wind/Z_r;
+            dc_wind => -Ts_wind/(Z_r*n0_wind);
+            induction_wind => T_induction_wind_by_theta_wind_dot/Z_r;
+            traction_wind => T_traction_wind_by_theta_wind_dot/Z_r;
+            fan_wind => T_fan_wind_by_theta_wind_dot/Z_r;
+        }
         theta_c theta {
             transmission_error_r1_and_backlash_r1_and_moving_phase => -h*Z_r*k_r1*de_r1*clipr1*touchr1;
             transmission_error_r1_and_sliding_friction_r1_and_moving_phase => -de_r1*arm_r1*F_mu_r1_by_overr1
@@ -1795,6 +1910,13 @@ equations! {
         theta_c psi_r3_dot {
             sliding_friction_r3 => arm_r3*F_mu_r3_by_psi_r3_dot + h*sin_a*Z_r*side_r3*F_mu_r3_by_psi_r3_dot*F_tau_r3_by_F_mu_r3/cos_a;
         }
+        theta_c theta_wind_dot {
+            governor_wind => -c_wind;
+            dc_wind => -Ts_wind/n0_wind;
+            induction_wind => T_induction_wind_by_theta_wind_dot;
+            traction_wind => T_traction_wind_by_theta_wind_dot;
+            fan_wind => T_fan_wind_by_theta_wind_dot;
+        }
         theta2 theta2 {
             transmission_error_12_and_sliding_friction_12_and_moving_phase => de12*arm12*F_mu12_by_over12/N1
                 + de12*arm12*F_mu12_by_over12/N2;
@@ -1814,12 +1936,12 @@ equations! {
         }
         theta2 twist_i_dot { damping => beta_K*k_i/N1; }
         theta2 psi12_dot { sliding_friction_12 => -arm12*F_mu12_by_psi12_dot/N1 - arm12*F_mu12_by_psi12_dot/N2; }
-        theta2 theta_generator_dot { fan_load => T_fan_generator_by_theta_generator_dot/N2; }
-        theta2 theta_g_dot {
-            speed_governor => -c_g/N2;
-            dc_motor => -Ts_g/(N2*n0_g);
-            induction_motor => T_induction_g_by_theta_g_dot/N2;
-            traction_motor => T_traction_g_by_theta_g_dot/N2;
+        theta2 theta_generator_dot {
+            governor_generator => -c_generator/N2;
+            dc_generator => -Ts_generator/(N2*n0_generator);
+            induction_generator => T_induction_generator_by_theta_generator_dot/N2;
+            traction_generator => T_traction_generator_by_theta_generator_dot/N2;
+            fan_generator => T_fan_generator_by_theta_generator_dot/N2;
         }
         s2 theta2 {
             transmission_error_12_and_backlash_12_and_moving_phase => k12*de12*clip12*touch12;
@@ -1850,29 +1972,36 @@ equations! {
             sliding_friction_12 => arm12*F_mu12_by_psi12_dot/(2.0*h2*N2) - tan_a12*side12*F_mu12_by_psi12_dot*F_tau12_by_F_mu12
                 - arm12*F_mu12_by_psi12_dot/(2.0*h2*N1);
         }
-        s2 theta_generator_dot { fan_load => -T_fan_generator_by_theta_generator_dot/(2.0*h2*N2); }
-        s2 theta_g_dot {
-            speed_governor => c_g/(2.0*h2*N2);
-            dc_motor => Ts_g/(2.0*h2*N2*n0_g);
-            induction_motor => -T_induction_g_by_theta_g_dot/(2.0*h2*N2);
-            traction_motor => -T_traction_g_by_theta_g_dot/(2.0*h2*N2);
+        s2 theta_generator_dot {
+            governor_generator => c_generator/(2.0*h2*N2);
+            dc_generator => Ts_generator/(2.0*h2*N2*n0_generator);
+            induction_generator => -T_induction_generator_by_theta_generator_dot/(2.0*h2*N2);
+            traction_generator => -T_traction_generator_by_theta_generator_dot/(2.0*h2*N2);
+            fan_generator => -T_fan_generator_by_theta_generator_dot/(2.0*h2*N2);
         }
         psi_l theta_dot { damping => -I_b*alpha_M/Z_r; }
         psi_l theta_c_dot { damping => -I_b*alpha_M; }
         psi_l psi_l_dot { damping => -I_b*alpha_M; }
         psi_l twist_l { _ => -k_l; }
         psi_l twist_l_dot { damping => -beta_K*k_l; }
+        psi_l theta_wind_dot {
+            governor_wind => -c_wind;
+            dc_wind => -Ts_wind/n0_wind;
+            induction_wind => T_induction_wind_by_theta_wind_dot;
+            traction_wind => T_traction_wind_by_theta_wind_dot;
+            fan_wind => T_fan_wind_by_theta_wind_dot;
+        }
         psi_h theta2_dot { damping => I_g*alpha_M/N2; }
         psi_h s2_dot { damping => -I_g*alpha_M/(2.0*h2*N2); }
         psi_h psi_h_dot { damping => -I_g*alpha_M; }
         psi_h twist_h { _ => -k_h; }
         psi_h twist_h_dot { damping => -beta_K*k_h; }
-        psi_h theta_generator_dot { fan_load => -T_fan_generator_by_theta_generator_dot; }
-        psi_h theta_g_dot {
-            speed_governor => c_g;
-            dc_motor => Ts_g/n0_g;
-            induction_motor => -T_induction_g_by_theta_g_dot;
-            traction_motor => -T_traction_g_by_theta_g_dot;
+        psi_h theta_generator_dot {
+            governor_generator => c_generator;
+            dc_generator => Ts_generator/n0_generator;
+            induction_generator => -T_induction_generator_by_theta_generator_dot;
+            traction_generator => -T_traction_generator_by_theta_generator_dot;
+            fan_generator => -T_fan_generator_by_theta_generator_dot;
         }
         u1 theta {
             transmission_error_s1_and_backlash_s1_and_moving_phase => k_s1*de_s1*clips1*touchs1;
@@ -2071,29 +2200,45 @@ equations! {
             overs3 overs3 { damping => beta_K*k_s3_mid*damps3; }
             overr3 overr3 { damping => beta_K*k_r3_mid*dampr3; }
             over12 over12 { damping => beta_K*k12_mid*damp12; }
-            theta_g theta_g {
-                speed_governor => c_g;
-                dc_motor => Ts_g/n0_g;
+            theta_wind theta_wind {
+                governor_wind => c_wind;
+                dc_wind => Ts_wind/n0_wind;
+            }
+            theta_generator theta_generator {
+                governor_generator => c_generator;
+                dc_generator => Ts_generator/n0_generator;
             }
         }
         load {
-            theta { torques => T_wind/Z_r; }
-            theta_c { torques => T_wind; }
+            theta {
+                torques => T_wind/Z_r;
+                governor_wind => c_wind*n_wind/Z_r;
+                dc_wind => Ts_wind/Z_r;
+            }
+            theta_c {
+                torques => T_wind;
+                governor_wind => c_wind*n_wind;
+                dc_wind => Ts_wind;
+            }
             theta2 {
                 torques => -T_generator/N2;
-                speed_governor => c_g*n_g/N2;
-                dc_motor => Ts_g/N2;
+                governor_generator => c_generator*n_generator/N2;
+                dc_generator => Ts_generator/N2;
             }
             s2 {
                 torques => T_generator/(2.0*h2*N2);
-                speed_governor => -c_g*n_g/(2.0*h2*N2);
-                dc_motor => -Ts_g/(2.0*h2*N2);
+                governor_generator => -c_generator*n_generator/(2.0*h2*N2);
+                dc_generator => -Ts_generator/(2.0*h2*N2);
             }
-            psi_l { torques => T_wind; }
+            psi_l {
+                torques => T_wind;
+                governor_wind => c_wind*n_wind;
+                dc_wind => Ts_wind;
+            }
             psi_h {
                 torques => T_generator;
-                speed_governor => -c_g*n_g;
-                dc_motor => -Ts_g;
+                governor_generator => -c_generator*n_generator;
+                dc_generator => -Ts_generator;
             }
             overs1 {
                 _ => k_s1*touchs1*edges1 + k_s1*touchs1*e_s1;
@@ -2140,9 +2285,12 @@ equations! {
         sliding_friction_r3 "-arm_r3*F_mu_r3 in the torque `roll_r3`";
         sliding_friction_12 "-side12*F_tau12 in the torque `slide12`";
         sliding_friction_12 "-arm12*F_mu12 in the torque `roll12`";
-        fan_load "T_fan_generator in the torque `fan`";
-        induction_motor "T_induction_g in the torque `induction`";
-        traction_motor "T_traction_g in the torque `traction`";
+        induction_wind "T_induction_wind in the torque `induction_wind`";
+        traction_wind "T_traction_wind in the torque `traction_wind`";
+        fan_wind "T_fan_wind in the torque `fan_wind`";
+        induction_generator "T_induction_generator in the torque `induction_generator`";
+        traction_generator "T_traction_generator in the torque `traction_generator`";
+        fan_generator "T_fan_generator in the torque `fan_generator`";
     }
     jump k_s1 { step { _ => dk_s1*touchs1*overs1.powi(2)/2.0; } }
     jump k_r1 { step { _ => dk_r1*touchr1*overr1.powi(2)/2.0; } }
@@ -2438,30 +2586,62 @@ equations! {
             _ => roll12_power;
         }
         power_wind "W" with torques, "power of the driving torque of the rotor: positive if it drives" { _ => wind_power; }
+        braking_governor_wind "W" with governor_wind,
+            "power that the motor takes back: the part of its torque that is proportional to the speed, times the speed" {
+            _ => c_wind*theta_wind_dot.powi(2);
+        }
+        power_governor_wind "W" with governor_wind,
+            "power of the torque c n of the governor of the rotor; its part -c omega is in D: positive if it drives" {
+            _ => governor_wind_power;
+        }
+        braking_dc_wind "W" with dc_wind,
+            "power that the motor takes back: the part of its torque that is proportional to the speed, times the speed" {
+            _ => Ts_wind*theta_wind_dot.powi(2)/n0_wind;
+        }
+        power_dc_wind "W" with dc_wind,
+            "power of the torque Ts of the DC motor of the rotor; its part -Ts omega/n0 is in D: positive if it drives" {
+            _ => dc_wind_power;
+        }
+        power_induction_wind "W" with induction_wind, "power of the torque of the induction motor of the rotor: positive if it drives" {
+            _ => induction_wind_power;
+        }
+        power_traction_wind "W" with traction_wind, "power of the torque of the traction motor of the rotor: positive if it drives" {
+            _ => traction_wind_power;
+        }
+        power_fan_wind "W" with fan_wind, "power of the torque of the fan of the rotor, against the rotation: positive if it drives" {
+            _ => fan_wind_power;
+        }
         power_generator "W" with torques, "power of the load torque of the generator, against its rotation: positive if it drives" {
             _ => generator_power;
         }
-        power_fan "W" with fan_load, "power of the torque of the fan, against its rotation: positive if it drives" { _ => fan_power; }
-        governor_braking "W" with speed_governor,
+        braking_governor_generator "W" with governor_generator,
             "power that the motor takes back: the part of its torque that is proportional to the speed, times the speed" {
-            _ => c_g*theta_g_dot.powi(2);
+            _ => c_generator*theta_generator_dot.powi(2);
         }
-        power_governor "W" with speed_governor,
-            "power of the torque c n of the governor; its part -c omega is in D: positive if it drives" {
-            _ => governor_power;
+        power_governor_generator "W" with governor_generator,
+            "power of the torque c n of the governor of the generator; its part -c omega is in D: positive if it drives" {
+            _ => governor_generator_power;
         }
-        dc_braking "W" with dc_motor,
+        braking_dc_generator "W" with dc_generator,
             "power that the motor takes back: the part of its torque that is proportional to the speed, times the speed" {
-            _ => Ts_g*theta_g_dot.powi(2)/n0_g;
+            _ => Ts_generator*theta_generator_dot.powi(2)/n0_generator;
         }
-        power_dc "W" with dc_motor,
-            "power of the stall torque of the DC motor; the part proportional to the speed is in D: positive if it drives" {
-            _ => dc_power;
+        power_dc_generator "W" with dc_generator,
+            "power of the torque Ts of the DC motor of the generator; its part -Ts omega/n0 is in D: positive if it drives" {
+            _ => dc_generator_power;
         }
-        power_induction "W" with induction_motor, "power of the torque of the induction motor: positive if it drives" {
-            _ => induction_power;
+        power_induction_generator "W" with induction_generator,
+            "power of the torque of the induction motor of the generator: positive if it drives" {
+            _ => induction_generator_power;
         }
-        power_traction "W" with traction_motor, "power of the torque of the traction motor: positive if it drives" { _ => traction_power; }
+        power_traction_generator "W" with traction_generator,
+            "power of the torque of the traction motor of the generator: positive if it drives" {
+            _ => traction_generator_power;
+        }
+        power_fan_generator "W" with fan_generator,
+            "power of the torque of the fan of the generator, against the rotation: positive if it drives" {
+            _ => fan_generator_power;
+        }
         inertia_damping_loss "W" with damping, "power that the damping in proportion to inertia takes" {
             _ => 2.0*alpha_M*(I1*(s2_dot/(2.0*h2*N1) + theta2_dot/N1).powi(2)/2.0 + I2*(theta2_dot/N2 - s2_dot/(2.0*h2*N2)).powi(2)/2.0
                 + I_b*(psi_l_dot + theta_c_dot + theta_dot/Z_r).powi(2)/2.0 + I_c*(theta_c_dot + theta_dot/Z_r).powi(2)/2.0
@@ -2579,7 +2759,7 @@ equations! {
 //
 // | output | sums | products, quotients | functions, roots |
 // | --- | --- | --- | --- |
-// | constants (once a scene) | 4 | 16 | 4 |
-// | named forces | 64 | 235 | 45 |
-// | force | 110 | 596 | 0 |
+// | constants (once a scene) | 4 | 17 | 4 |
+// | named forces | 79 | 274 | 48 |
+// | force | 116 | 615 | 0 |
 // | energy steps, all laws | 7 | 77 | 0 |

@@ -5,36 +5,30 @@ use gearsim_derive::{Expr, Model, Range};
 
 use super::{dc_motor, fan, governor, induction_motor, named, traction_motor};
 
-/// A rotor with the rotation `theta` \[rad\] that may have each drive: [`drive`] and [`machine`].
+/// A rotor with the rotation `theta` \[rad\] that a constant torque drives, and that may have each [machine](machines).
 pub fn driven(m: &mut Model, part: &str, what: &str, theta: Expr) {
     drive(m, part, what, theta);
-    machine(m, part, what, theta);
+    machines(m, part, what, theta);
 }
 
-/// A rotor with the rotation `theta` \[rad\] that may have each load: [`load`] and [`fan`](fn@fan).
+/// A rotor with the rotation `theta` \[rad\] that a constant torque loads, and that may have each [machine](machines).
 pub fn loaded(m: &mut Model, part: &str, what: &str, theta: Expr) {
     load(m, part, what, theta);
-    let omega = speed(m, part, theta);
-    fan(m, part, what, theta, omega);
+    machines(m, part, what, theta);
 }
 
-/// Machines whose torque depends on the speed of the rotor with the rotation `theta` \[rad\]. Each is an effect of its own: a motor with a speed
-/// governor, a DC motor, an induction motor, a traction motor. Above the speed at which its torque is zero, a machine brakes as a generator.
-pub fn machine(m: &mut Model, part: &str, what: &str, theta: Expr) {
-    let omega = speed(m, part, theta);
-    governor(m, part, what, theta, omega);
-    dc_motor(m, part, what, theta, omega);
-    induction_motor(m, part, what, theta, omega);
-    traction_motor(m, part, what, theta, omega);
-    let one = ["speed_governor", "dc_motor", "induction_motor", "traction_motor"];
-    for (i, effect) in one.iter().enumerate() {
-        m.exclude(effect, &one[i + 1..]);
+/// Machines whose torque depends on the speed of the rotor with the rotation `theta` \[rad\]. Each is an effect of this rotor: a motor with a
+/// speed governor, a DC motor, an induction motor, a traction motor, and a fan. A scene has one motor on a rotor at most. Above the speed at
+/// which its torque is zero, a motor brakes as a generator: so it is also a load.
+pub fn machines(m: &mut Model, part: &str, what: &str, theta: Expr) {
+    // Named, so that the equations are written in it.
+    let omega = m.deflection(&named("theta", part), theta).dot();
+    let motors = [governor, dc_motor, induction_motor, traction_motor].map(|add| add(m, part, what, theta, omega));
+    for (i, motor) in motors.iter().enumerate() {
+        let others: Vec<&str> = motors[i + 1..].iter().map(String::as_str).collect();
+        m.exclude(motor, &others);
     }
-}
-
-/// The speed on which torques depend: named, so that the equations are written in it.
-fn speed(m: &mut Model, part: &str, theta: Expr) -> Expr {
-    m.deflection(&named("theta", part), theta).dot()
+    fan(m, part, what, theta, omega);
 }
 
 /// A motor that drives a body with the rotation `theta` \[rad\]. Declares its torque `T`.

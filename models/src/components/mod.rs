@@ -37,7 +37,7 @@ pub use bearing::{bearing, bearing_damper};
 pub use clutch::overrunning_clutch;
 pub use constraint::geared;
 pub use damping::damping;
-pub use drive::{drive, driven, load, loaded, machine};
+pub use drive::{drive, driven, load, loaded, machines};
 pub use dry_friction::dry_friction;
 pub use end_stop::end_stop;
 pub use fan::fan;

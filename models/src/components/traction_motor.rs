@@ -1,5 +1,5 @@
 //! A traction motor with its converter: the peak torque up to the base speed, constant power above it, T = d Tp min(1, wb/|omega|) with the
-//! base speed wb = Pp/Tp and the demand d, in the effect `traction_motor`.
+//! base speed wb = Pp/Tp and the demand d, in the effect `traction`.
 //!
 //! This is the envelope of torque against speed of an electric vehicle's drive (e.g. Ehsani, Gao, Longo & Ebrahimi, Modern Electric,
 //! Hybrid Electric, and Fuel Cell Vehicles, ch. 4; Husain, Electric and Hybrid Vehicles, ch. 7). d = 1 drives with the whole envelope,
@@ -17,21 +17,23 @@ use gearsim_derive::{Expr, Model, Range};
 use super::named;
 
 /// A traction motor with the rotation `through` \[rad\] and the speed `omega` [rad/s]. Declares the peak torque `Tp`, the peak power `Pp`, the
-/// demand `d` and the rounding `round` of the corner at the base speed, relative to that speed.
-pub fn traction_motor(m: &mut Model, part: &str, what: &str, through: Expr, omega: Expr) {
+/// demand `d` and the rounding `round` of the corner at the base speed, relative to that speed. Returns the name
+/// of the effect.
+pub fn traction_motor(m: &mut Model, part: &str, what: &str, through: Expr, omega: Expr) -> String {
     let doc = "a traction motor: its peak torque up to the base speed, constant power above it, times the demand";
-    m.effect("traction_motor", doc, |m| {
-        let peak = format!("peak torque of the {what}, up to its base speed");
+    m.part_effect("traction", part, doc, |m| {
+        let peak = format!("peak torque of the traction motor of the {what}, up to its base speed");
         let peak = m.parameter(&named("Tp", part), "N*m", None, Range::Positive, &peak);
-        let power = format!("peak power of the {what}, above its base speed Pp/Tp");
+        let power = format!("peak power of the traction motor of the {what}, above its base speed Pp/Tp");
         let power = m.parameter(&named("Pp", part), "W", None, Range::Positive, &power);
-        let demand = format!("demand on the {what}: 1 drives with its peak torque or power, -1 brakes with them");
+        let demand = format!("demand on the traction motor of the {what}: 1 drives with its peak torque or power, -1 brakes with them");
         let demand = m.parameter(&named("d", part), "1", Some(1.0), Range::Any, &demand);
-        let round = format!("rounding of the corner of the torque of the {what} at its base speed, relative to that");
+        let round = format!("rounding of the corner of the torque of the traction motor of the {what} at its base speed, relative to that");
         let round = m.parameter(&named("round", part), "1", Some(0.01), Range::Positive, &round);
         let x = m.constant(&named("per_wb", part), peak / power) * omega;
         let side = |x: Expr| ((1 + x).sq() + round.sq()).sqrt();
         let torque = m.force(&named("T_traction", part), 2 * demand * peak / (side(x) + side(-x)));
-        m.torque("traction", torque, through, "torque of the traction motor");
-    });
+        let doc = format!("torque of the traction motor of the {what}");
+        m.torque(&named("traction", part), torque, through, &doc);
+    })
 }

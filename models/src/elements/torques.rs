@@ -48,7 +48,7 @@ pub fn fan(m: &mut Model) {
     motor(m, "a fan", components::fan);
 }
 
-fn motor(m: &mut Model, title: &str, add: fn(&mut Model, &str, &str, Expr, Expr)) {
+fn motor(m: &mut Model, title: &str, add: fn(&mut Model, &str, &str, Expr, Expr) -> String) {
     let theta = begin(m, title);
     add(m, "x", "drive {}", theta, theta.dot());
 }

@@ -163,28 +163,28 @@ const BESIDE_A_PAIR: &[Part] = &[
     ("drives.torque, loads.torque", &[STEPS, "torques"], "|"),
     (
         "drives.governor",
-        &[STEPS, "torques", "speed_governor"],
+        &[STEPS, "torques", "governor"],
         "|[drives.g]\nrotor = \"1\"\ngovernor = { gain = \"1 N*m*s/rad\", set_point = \"900 rpm\" }",
     ),
     (
-        "drives.dc_motor",
-        &[STEPS, "torques", "dc_motor"],
-        "|[drives.g]\nrotor = \"1\"\ndc_motor = { stall_torque = \"40 N*m\", no_load_speed = \"1200 rpm\" }",
+        "drives.dc",
+        &[STEPS, "torques", "dc"],
+        "|[drives.g]\nrotor = \"1\"\ndc = { stall_torque = \"40 N*m\", no_load_speed = \"1200 rpm\" }",
     ),
     (
-        "drives.induction_motor",
-        &[STEPS, "torques", "induction_motor"],
-        "|[drives.g]\nrotor = \"1\"\ninduction_motor = { breakdown_torque = \"60 N*m\", breakdown_slip = 0.2, \
+        "drives.induction",
+        &[STEPS, "torques", "induction"],
+        "|[drives.g]\nrotor = \"1\"\ninduction = { breakdown_torque = \"60 N*m\", breakdown_slip = 0.2, \
          synchronous_speed = \"1000 rpm\" }",
     ),
     (
-        "drives.traction_motor",
-        &[STEPS, "torques", "traction_motor"],
-        "|[drives.g]\nrotor = \"1\"\ntraction_motor = { peak_torque = \"30 N*m\", peak_power = \"2 kW\", demand = 0.5 }",
+        "drives.traction",
+        &[STEPS, "torques", "traction"],
+        "|[drives.g]\nrotor = \"1\"\ntraction = { peak_torque = \"30 N*m\", peak_power = \"2 kW\", demand = 0.5 }",
     ),
     (
         "loads.fan",
-        &[STEPS, "torques", "fan_load"],
+        &[STEPS, "torques", "fan"],
         "|[loads.f]\nrotor = \"2\"\nfan = { coefficient = \"0.01 N*m*s^2/rad^2\" }",
     ),
 ];

@@ -18,14 +18,19 @@ fn same(what: &str, derived: Expr, by_hand: Expr) {
 }
 
 /// The effects that the paper does not have.
-const BEYOND: [&str; 8] = [
+const BEYOND: [&str; 13] = [
     "backlash",
     "transmission_error",
     "sliding_friction",
-    "speed_governor",
+    "governor_motor",
     "dc_motor",
     "induction_motor",
     "traction_motor",
+    "fan_motor",
+    "governor_load",
+    "dc_load",
+    "induction_load",
+    "traction_load",
     "fan_load",
 ];
 

@@ -35,7 +35,7 @@ fn a_traction_motor_runs_up_with_constant_torque_and_then_constant_power() {
     let r = 0.01;
     let outcome = traction(&[]);
     assert_eq!(outcome.solver.method, "dop853");
-    assert!(outcome.solver.why.contains("in the torque `traction`"), "{}", outcome.solver.why);
+    assert!(outcome.solver.why.contains("in the torque `traction_motor`"), "{}", outcome.solver.why);
     let t = &outcome.trajectory;
     let mut above = 0;
     for (i, (time, omega)) in t.t.iter().zip(&t.q_dot[0]).enumerate() {
@@ -44,7 +44,7 @@ fn a_traction_motor_runs_up_with_constant_torque_and_then_constant_power() {
         assert!((omega - sharp).abs() < 1e-3 * sharp.max(1.0), "{time} s: {omega} rad/s, not {sharp}");
         if *omega > 110.0 {
             above += 1;
-            let power = t.output("power_traction").expect("an output")[i];
+            let power = t.output("power_traction_motor").expect("an output")[i];
             let bound = r * r / (2.0 * ((omega / 100.0).powi(2) - 1.0));
             assert!((0.0..bound).contains(&(1.0 - power / 500.0)), "{omega} rad/s: {power} W");
         }
@@ -88,7 +88,7 @@ fn the_demand_on_a_traction_motor_varies_in_time() {
             let d = 0.2 + time.min(1.0) + 0.5 * (6.0 * PI * time).cos();
             let (x, r) = (omega / 100.0, 0.01);
             let expected = omega * 2.0 * d * 5.0 / ((1.0 + x).hypot(r) + (1.0 - x).hypot(r));
-            let power = t.output("power_traction").expect("an output")[i];
+            let power = t.output("power_traction_motor").expect("an output")[i];
             assert!(
                 (power - expected).abs() < 1e-10 * expected.abs().max(1.0),
                 "{method}: {time} s: {power} W, not {expected}"

@@ -47,7 +47,7 @@ fn the_powers_of_torques_are_the_rates_of_their_works() {
         }
     }
     assert!(
-        ["motor", "load", "governor", "fan", "slide12", "roll12"].iter().all(|name| seen.contains_key(name)),
+        ["motor", "load", "governor_motor", "fan_load", "slide12", "roll12"].iter().all(|name| seen.contains_key(name)),
         "{seen:?}"
     );
 }
@@ -60,7 +60,7 @@ fn a_run_has_the_works_of_its_torques_alone() {
         ("gear_pair_shafts", "\"stiffness_step\", \"damping\"", &[]),
         ("gear_pair_shafts", "\"stiffness_step\", \"damping\", \"torques\"", &["motor", "load"]),
         ("sliding_friction", "\"stiffness_step\", \"sliding_friction\"", &["slide12", "roll12"]),
-        ("drives/governor", "\"speed_governor\", \"torques\"", &["motor", "governor", "load"]),
+        ("drives/governor", "\"governor_motor\", \"torques\"", &["motor", "governor_motor", "load"]),
         ("train_turbine", "\"stiffness_step\", \"damping\"", &[]),
         ("train_turbine", "\"stiffness_step\", \"damping\", \"torques\"", &["wind", "grid"]),
     ];

@@ -7,10 +7,7 @@ use syn::{Error, Ident};
 use crate::equations::check::unique;
 use crate::equations::model::{How, Model};
 
-/// Largest number of effects: a set of them is 64 bits.
-const MOST_EFFECTS: usize = 64;
-
-/// Effects and conditions must refer to effects that exist, and a set of effects must have room for all of them.
+/// Effects and conditions must refer to effects that exist.
 pub fn check(m: &Model, errors: &mut Vec<Error>) {
     unique(
         "effect or condition",
@@ -34,10 +31,6 @@ pub fn check(m: &Model, errors: &mut Vec<Error>) {
         }
     }
     switching(m, errors);
-    if let Some(beyond) = m.effects.get(MOST_EFFECTS) {
-        let message = format!("{} effects: a set of effects has room for {MOST_EFFECTS}", m.effects.len());
-        errors.push(Error::new(beyond.name.span(), message));
-    }
 }
 
 /// Each way to switch has one effect, each effect one way, and laws that do not step at all need no way to do so.

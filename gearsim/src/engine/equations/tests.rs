@@ -19,8 +19,8 @@ const TORQUES: u64 = 64;
 const SLIDING_FRICTION: u64 = 128;
 
 /// N1, N2, I1, I2, zeta, T0, b, alpha, NaN for the parameters of absent effects, and the mid value of k.
-const NUMBERS: [f64; 24] = {
-    let mut numbers = [f64::NAN; 24];
+const NUMBERS: [f64; 37] = {
+    let mut numbers = [f64::NAN; 37];
     let [n1, n2, i1, i2, zeta, t0, _, alpha, ..] = &mut numbers;
     (*n1, *n2, *i1, *i2, *zeta, *t0, *alpha) = (24.0, 96.0, 1.15e-4, 2.9e-2, 0.03, 10.0, 0.35);
     numbers
@@ -264,7 +264,7 @@ fn model() {
     assert_eq!((m.torques[0].name, m.torques[1].name), ("drive", "load"));
     // A term with a second effect does not make that one needed.
     let with: Vec<_> = m.torques[..5].iter().map(|torque| torque.with).collect();
-    let [torques, friction, governor] = ["torques", "sliding_friction", "speed_governor"].map(|effect| vec![effect]);
+    let [torques, friction, governor] = ["torques", "sliding_friction", "governor_motor"].map(|effect| vec![effect]);
     assert_eq!(with, [&torques, &torques, &friction, &friction, &governor]);
     assert!(m.equations.contains("theta'' = ") && m.latex.contains(r"\ddot{\theta} = "));
 }

@@ -58,8 +58,8 @@ fn what_a_table_lacks_is_added_to_it() {
     let mesh = "model = \"train\"\neffects = []\n[rotors]\na = \"1 kg*m^2\"\nb = \"1 kg*m^2\"\n[meshes.m]\nbetween = [\"a\", \"b\"]\n";
     let shown = rendered(mesh, &[]);
     assert!(shown.contains("[meshes.m] lacks `teeth` and `base_radius`"), "{shown}");
-    let drive = "[drives.m]\nrotor = \"a\"\ndc_motor = { stall_torque = \"1 N*m\" }\n";
-    let shown = rendered(&shafts("[\"dc_motor\"]", drive), &[]);
+    let drive = "[drives.m]\nrotor = \"a\"\ndc = { stall_torque = \"1 N*m\" }\n";
+    let shown = rendered(&shafts("[\"dc\"]", drive), &[]);
     assert!(shown.contains("[shafts.s] lacks `stiffness`") && shown.contains("lacks `no_load_speed`"), "{shown}");
 }
 
@@ -127,8 +127,8 @@ fn an_unknown_effect_of_a_large_train_is_answered_in_few_lines() {
 #[test]
 fn torques_without_their_effect_are_named_in_a_warning() {
     let warned = |effects: &str, more: &str| parse(&shafts(effects, &format!("{STIFF}{more}")), &[]).unwrap().warnings;
-    let motor = "[drives.m]\nrotor = \"a\"\ndc_motor = { stall_torque = \"1 N*m\", no_load_speed = \"100 rpm\" }\n";
-    let said = "`drives.m.dc_motor.stall_torque` and `drives.m.dc_motor.no_load_speed` do nothing without the effect `dc_motor`: add it to \
+    let motor = "[drives.m]\nrotor = \"a\"\ndc = { stall_torque = \"1 N*m\", no_load_speed = \"100 rpm\" }\n";
+    let said = "`drives.m.dc.stall_torque` and `drives.m.dc.no_load_speed` do nothing without the effect `dc`: add it to \
                 `effects`, or leave them out";
     assert_eq!(warned("[]", motor), [said]);
     let clutch = "[clutches.c]\nbetween = [\"a\", \"b\"]\n";
@@ -136,15 +136,14 @@ fn torques_without_their_effect_are_named_in_a_warning() {
         warned("[]", clutch),
         ["[clutches.c] does nothing without the effect `overrunning_clutch`: add it to `effects`, or leave it out"]
     );
-    assert_eq!(warned("[\"dc_motor\"]", motor), [""; 0]);
+    assert_eq!(warned("[\"dc\"]", motor), [""; 0]);
     let loads = "[loads.f]\nrotor = \"b\"\nfan = { coefficient = \"1 N*m*s^2/rad^2\" }\n[loads.t]\nrotor = \"b\"\ntorque = \"1 N*m\"\n\
                  [bearings.q]\nrotor = \"a\"\nfriction = \"1 N*m\"\n";
     let shown = warned("[]", loads).join("\n");
-    for said in ["`loads.f.fan.coefficient` does nothing without the effect `fan_load`", "`torques`", "`dry_friction`"]
-    {
+    for said in ["`loads.f.fan.coefficient` does nothing without the effect `fan`", "`torques`", "`dry_friction`"] {
         assert!(shown.contains(said), "{shown}");
     }
-    assert_eq!(warned("[\"fan_load\", \"torques\", \"dry_friction\"]", loads), [""; 0]);
+    assert_eq!(warned("[\"fan\", \"torques\", \"dry_friction\"]", loads), [""; 0]);
     let rising = "[loads.t]\nrotor = \"b\"\ntorque = { ramp = { to = \"1 N*m\", duration = \"1 s\" } }\n";
     assert_eq!(warned("[]", rising).len(), 1);
     // One of the two kinds of friction is active.
@@ -194,8 +193,8 @@ fn keys_know_their_effects() {
     assert_eq!(of("end_stop"), stops.join(" "));
     assert_eq!(of("overrunning_clutch"), "clutches.NAME.capacity");
     assert_eq!(of("torques"), "drives.NAME.torque loads.NAME.torque");
-    let motors = ["dc_motor", "induction_motor", "traction_motor"];
+    let motors = ["dc", "induction", "traction"];
     motors.iter().for_each(|motor| assert_eq!(of(motor), format!("drives.NAME.{motor}")));
-    assert_eq!(of("speed_governor") + " " + &of("fan_load"), "drives.NAME.governor loads.NAME.fan");
+    assert_eq!(of("governor") + " " + &of("fan"), "drives.NAME.governor loads.NAME.fan");
     assert_eq!(of("friction"), "");
 }

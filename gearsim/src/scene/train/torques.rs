@@ -82,33 +82,33 @@ const GOVERNOR: Key = key(
     "governor",
     Kind::Table(&[OF_GOVERNOR]),
     "none",
-    "torque gain (set_point - speed), with the effect speed_governor",
+    "a speed governor: torque gain (set_point - speed), with the effect governor",
 )
-.with("speed_governor");
+.with("governor");
 const OF_GOVERNOR: &[Key] = &[
     key("gain", Kind::Quantity("N*m*s/rad"), ELSEWHERE, "torque per difference of speeds"),
     key("set_point", Kind::Either(&[SPEED, HISTORY]), ELSEWHERE, "the speed that it seeks"),
 ];
 
 const DC_MOTOR: Key = key(
-    "dc_motor",
+    "dc",
     Kind::Table(&[OF_DC_MOTOR]),
     "none",
-    "torque that falls linearly with the speed, with the effect dc_motor",
+    "a DC motor: torque that falls linearly with the speed, with the effect dc",
 )
-.with("dc_motor");
+.with("dc");
 const OF_DC_MOTOR: &[Key] = &[
     key("stall_torque", Kind::Quantity("N*m"), ELSEWHERE, "torque at rest"),
     key("no_load_speed", SPEED, ELSEWHERE, "speed without torque"),
 ];
 
 const INDUCTION_MOTOR: Key = key(
-    "induction_motor",
+    "induction",
     Kind::Table(&[OF_INDUCTION_MOTOR]),
     "none",
-    "torque by Kloss's formula, with the effect induction_motor",
+    "an induction motor: torque by Kloss's formula, with the effect induction",
 )
-.with("induction_motor");
+.with("induction");
 const OF_INDUCTION_MOTOR: &[Key] = &[
     key("breakdown_torque", Kind::Either(&[Kind::Quantity("N*m"), HISTORY]), ELSEWHERE, "largest torque"),
     key("breakdown_slip", Kind::Number, ELSEWHERE, "slip at the largest torque"),
@@ -116,12 +116,12 @@ const OF_INDUCTION_MOTOR: &[Key] = &[
 ];
 
 const TRACTION_MOTOR: Key = key(
-    "traction_motor",
+    "traction",
     Kind::Table(&[OF_TRACTION_MOTOR]),
     "none",
-    "peak torque up to the base speed, constant power above it, with the effect traction_motor",
+    "a traction motor: peak torque up to the base speed, constant power above it, with the effect traction",
 )
-.with("traction_motor");
+.with("traction");
 const OF_TRACTION_MOTOR: &[Key] = &[
     key("peak_torque", Kind::Quantity("N*m"), ELSEWHERE, "torque up to the base speed"),
     key("peak_power", Kind::Quantity("W"), ELSEWHERE, "power above the base speed"),
@@ -138,9 +138,9 @@ const FAN: Key = key(
     "fan",
     Kind::Table(&[OF_FAN]),
     "none",
-    "torque that grows with the square of the speed, with the effect fan_load",
+    "a fan or pump: torque that grows with the square of the speed, with the effect fan",
 )
-.with("fan_load");
+.with("fan");
 const OF_FAN: &[Key] = &[
     key(
         "coefficient",
