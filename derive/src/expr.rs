@@ -191,6 +191,16 @@ pub(crate) fn set(e: &Atom, symbol: Symbol, value: &Atom) -> Atom {
     }
 }
 
+/// The derivative by a symbol. Only terms with the symbol are differentiated: sums of many terms have each symbol in few of them.
+pub(crate) fn derivative(e: &Atom, by: Symbol) -> Atom {
+    match e.as_view() {
+        AtomView::Add(sum) => {
+            total(sum.iter().filter(|term| term.contains_symbol(by)).map(|term| term.derivative(by)).collect())
+        }
+        _ => e.derivative(by),
+    }
+}
+
 /// The sum of many atoms, halves first: adding one after another copies the growing sum each time.
 pub(crate) fn total(mut parts: Vec<Atom>) -> Atom {
     while parts.len() > 1 {
@@ -298,22 +308,17 @@ impl Expr {
             if kind == Kind::Function {
                 let of_function = RATES.with_borrow(|rates| rates.get(&name).copied());
                 let of_function = of_function.unwrap_or_else(|| Expr::symbol(&speed_name(&name)));
-                rate += e.derivative(symbol(kind, &name)) * of_function.atom();
+                rate += derivative(&e, symbol(kind, &name)) * of_function.atom();
             }
             let rate_of = match kind {
                 Kind::Coordinate => Kind::Speed,
                 Kind::Deflection => Kind::Rate,
                 _ => continue,
             };
-            rate += e.derivative(symbol(kind, &name)) * Atom::var(symbol(rate_of, &speed_name(&name)));
+            rate += derivative(&e, symbol(kind, &name)) * Atom::var(symbol(rate_of, &speed_name(&name)));
         }
         Expr::new(rate)
     }
-}
-
-/// Whether the value of a torque, with named forces written out, is not constant: it contains a speed or a friction law.
-pub(crate) fn varies(e: &Atom) -> bool {
-    symbols(e).iter().any(|s| matches!(s.0, Kind::Speed | Kind::Rate | Kind::Friction))
 }
 
 /// The kinds of symbols that change along a motion, by which a force is differentiated.

@@ -8,22 +8,24 @@ use crate::expr::{Expr, Kind, number, set, symbol, symbols};
 use crate::model::{Effect, Model, Parameter};
 use crate::slip::Slip;
 
-/// A part of the model in which a parameter may be: where it is, its value, and the effect without which it is not used.
+/// A part of the model in which a parameter may be: where it is, its value with the names in it, and the effect without which it is not used.
 struct Use<'a> {
     place: String,
     value: Atom,
+    names: BTreeSet<String>,
     with: Option<&'a str>,
 }
 
 /// A parameter that is declared in the closure of an effect may be used only in terms that are absent without the effect.
 pub(super) fn parameters(model: &Model) -> Result<(), Slip> {
     let uses = uses(model);
+    let constants: Vec<_> = model.constants.iter().map(|(name, value)| (name, named(&value.atom()))).collect();
     for parameter in &model.parameters {
         let Some(effect) = &parameter.with else { continue };
-        let (names, effects) = (names(model, parameter), needing(model, effect));
+        let (names, effects) = (names(model, &constants, parameter), needing(model, effect));
         let outside = |part: &&Use| {
             let gated = part.with.is_some_and(|with| effects.iter().any(|effect| effect == with));
-            !gated && contains(&part.value, &names) && contains(&without(&part.value, &effects), &names)
+            !gated && !part.names.is_disjoint(&names) && contains(&without(&part.value, &effects), &names)
         };
         if let Some(part) = uses.iter().find(outside) {
             let (model, parameter) = (model.name.clone(), parameter.name.clone());
@@ -52,11 +54,11 @@ fn needing(model: &Model, effect: &str) -> Vec<String> {
 }
 
 /// The names of the parameter, and of the constants and functions that depend on it.
-fn names(model: &Model, parameter: &Parameter) -> BTreeSet<String> {
+fn names(model: &Model, constants: &[(&String, BTreeSet<String>)], parameter: &Parameter) -> BTreeSet<String> {
     let mut names = BTreeSet::from([parameter.name.clone()]);
-    for (name, value) in &model.constants {
-        if contains(&value.atom(), &names) {
-            names.insert(name.clone());
+    for (name, within) in constants {
+        if !within.is_disjoint(&names) {
+            names.insert((*name).clone());
         }
     }
     for function in model.functions.iter().filter(|f| f.with.is_none()) {
@@ -68,12 +70,20 @@ fn names(model: &Model, parameter: &Parameter) -> BTreeSet<String> {
 }
 
 fn contains(value: &Atom, names: &BTreeSet<String>) -> bool {
-    symbols(value).iter().any(|(_, name)| names.contains(name))
+    !named(value).is_disjoint(names)
+}
+
+/// The names of all symbols in an expression.
+fn named(value: &Atom) -> BTreeSet<String> {
+    symbols(value).into_iter().map(|(_, name)| name).collect()
 }
 
 /// All parts of the model but its constants and the functions that no effect makes zero.
 fn uses(model: &Model) -> Vec<Use<'_>> {
-    let of = |place: &str, value: &Expr, with| Use { place: place.to_string(), value: value.atom(), with };
+    let of = |place: &str, value: &Expr, with| {
+        let value = value.atom();
+        Use { place: place.to_string(), names: named(&value), value, with }
+    };
     let energies = [
         ("the kinetic energy", &model.kinetic),
         ("the potential energy", &model.potential),

@@ -8,7 +8,7 @@ use super::functions::functions;
 use super::names::what_it_is;
 use crate::expr::{Expr, Kind, number, set, symbol, symbols};
 use crate::markers::{markers, without};
-use crate::model::{Exit, Mode, Model, REACTION, Switch, Torque};
+use crate::model::{Exit, Mode, Model, REACTION, Switch};
 use crate::slip::Slip;
 
 use Kind::*;
@@ -196,7 +196,8 @@ impl Places<'_> {
         }
         for torque in &self.model.torques {
             let place = format!("the torque `{}`", torque.name);
-            let (allowed, why) = match self.has_friction(torque) {
+            let value = self.model.written_out(&torque.value.atom());
+            let (allowed, why) = match self.has_friction(&value) {
                 true => (
                     [&TORQUE[..], &FRICTION].concat(),
                     "a friction torque may depend on friction laws, deflections, stiffnesses and speeds only",
@@ -207,7 +208,7 @@ impl Places<'_> {
                      law as a factor, inside the effect of that law; any other force that depends on positions must be a term of V",
                 ),
             };
-            self.check(Expr::new(self.model.written_out(&torque.value.atom())), &place, &allowed, why)?;
+            self.check(Expr::new(value), &place, &allowed, why)?;
             let place = format!("the displacement of {place}");
             let why = "a displacement may depend on coordinates, deflections and functions of them only";
             self.check(torque.through, &place, &[Constant, Parameter, Function, Deflection, Coordinate], why)?;
@@ -246,12 +247,14 @@ impl Places<'_> {
         Ok(())
     }
 
-    /// Whether a torque has a friction law as a factor, inside the effect of that law.
-    fn has_friction(&self, torque: &Torque) -> bool {
-        let value = self.model.written_out(&torque.value.atom());
+    /// Whether the value of a torque has a friction law as a factor, inside the effect of that law.
+    fn has_friction(&self, value: &Atom) -> bool {
         let laws = self.model.laws.iter().filter(|law| law.kind() == Friction);
         let vanishes = |law: &crate::model::Law| {
-            let at_zero = |kind, name: &str| set(&value, symbol(kind, name), &number(0)).expand().is_zero();
+            let at_zero = |kind, name: &str| {
+                let symbol = symbol(kind, name);
+                value.contains_symbol(symbol) && set(value, symbol, &number(0)).expand().is_zero()
+            };
             at_zero(Friction, &law.name) && law.with.as_deref().is_some_and(|effect| at_zero(Marker, effect))
         };
         laws.into_iter().any(vanishes)

@@ -3,7 +3,7 @@
 use symbolica::atom::{Atom, AtomCore};
 
 use super::Model;
-use crate::expr::{Expr, Kind, set, symbol, symbols, varies};
+use crate::expr::{Expr, Kind, set, symbol, symbols};
 use crate::markers::{optional, terms};
 
 /// A named force, a factor in torques.
@@ -96,6 +96,15 @@ impl Model {
     /// Whether a torque acts with generalised forces that are not constant: it depends on speeds, has a friction law in it, or its
     /// displacement is not linear.
     pub(crate) fn varies(&self, torque: &Torque) -> bool {
-        varies(&self.written_out(&torque.value.atom())) || !torque.is_linear()
+        self.moves(&torque.value.atom()) || !torque.is_linear()
+    }
+
+    /// Whether an expression contains a speed or a friction law, itself or in a named force.
+    fn moves(&self, e: &Atom) -> bool {
+        symbols(e).iter().any(|(kind, name)| match kind {
+            Kind::Speed | Kind::Rate | Kind::Friction => true,
+            Kind::Force => self.forces.iter().any(|force| force.name == *name && self.moves(&force.value.atom())),
+            _ => false,
+        })
     }
 }

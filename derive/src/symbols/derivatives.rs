@@ -2,10 +2,10 @@
 
 use std::collections::BTreeMap;
 
-use symbolica::atom::{Atom, AtomCore};
+use symbolica::atom::Atom;
 
 use super::{Partials, Place, Sparse, Symbols};
-use crate::expr::{number, set};
+use crate::expr::{derivative, number, set};
 
 impl Symbols {
     /// Sums the derivatives by the symbols of `e`, each times the value of `parts` for its place.
@@ -21,9 +21,9 @@ impl Symbols {
         };
         for (symbol, place) in self.present(e) {
             match parts(place) {
-                Some(Part::Itself(i)) => add(i, e.derivative(symbol)),
+                Some(Part::Itself(i)) => add(i, derivative(e, symbol)),
                 Some(Part::Through(inner)) => {
-                    let outer = e.derivative(symbol);
+                    let outer = derivative(e, symbol);
                     inner.iter().for_each(|(i, inner)| add(*i, inner * &outer));
                 }
                 None => {}
