@@ -1,11 +1,12 @@
 //! Effects: checks of them, and the fields by which generated code tests them.
 
 use proc_macro2::{Literal, TokenStream};
-use quote::quote;
+use quote::{format_ident, quote};
 use syn::{Error, Ident};
 
 use crate::equations::check::unique;
 use crate::equations::model::{How, Model};
+use crate::equations::variants::drives;
 
 /// Effects and conditions must refer to effects that exist.
 pub fn check(m: &Model, errors: &mut Vec<Error>) {
@@ -56,6 +57,7 @@ fn switching(m: &Model, errors: &mut Vec<Error>) {
 pub fn met(m: &Model) -> TokenStream {
     let effects: Vec<_> = m.effects.iter().map(|e| &e.name).collect();
     let numbers = (0..effects.len()).map(Literal::usize_unsuffixed);
+    let (some_drive, drives) = (some_drive(), effects.iter().filter(|effect| drives(m, effect)));
     let conditions: Vec<_> = m.conditions.iter().map(|c| &c.name).collect();
     let factors = m.conditions.iter().map(|c| {
         let factors = c.effects.iter().map(|(present, effect)| {
@@ -67,7 +69,7 @@ pub fn met(m: &Model) -> TokenStream {
     quote! {
         /// Which effects and conditions a scene meets.
         #[allow(dead_code, reason = "not every effect has its own terms")]
-        struct Met { #(#effects: bool,)* #(#conditions: bool,)* }
+        struct Met { #(#effects: bool,)* #(#conditions: bool,)* #some_drive: bool }
 
         impl Met {
             /// With these effects.
@@ -75,10 +77,16 @@ pub fn met(m: &Model) -> TokenStream {
             fn new(effects: &Effects) -> Self {
                 #(let #effects = effects.contains(#numbers);)*
                 #(let #conditions = #factors;)*
-                Self { #(#effects,)* #(#conditions,)* }
+                let #some_drive = false #(|| #drives)*;
+                Self { #(#effects,)* #(#conditions,)* #some_drive }
             }
         }
     }
+}
+
+/// The field of `Met` for scenes with an effect that [drives].
+pub fn some_drive() -> Ident {
+    format_ident!("some_drive")
 }
 
 /// The boolean expression for an effect or condition, in a function that has `met`.

@@ -6,11 +6,11 @@ use proc_macro2::TokenStream;
 use quote::quote;
 use syn::{Expr, Ident, Index};
 
-use crate::equations::effects::is_met;
+use crate::equations::effects::{is_met, some_drive};
 use crate::equations::lets::lets;
 use crate::equations::model::{Model, Sum};
 use crate::equations::sums::position;
-use crate::equations::variants::Variants;
+use crate::equations::variants::{Variants, drives};
 
 /// The terms of a sum or of a vector of sums.
 pub struct Terms {
@@ -69,7 +69,7 @@ impl Terms {
         };
         // The variables of the terms that are always present serve all; others are computed where they are needed.
         let always = add(&self.blocks[0].1);
-        let blocks = self.blocks.iter().map(|(condition, addends)| match condition.as_ref().map(is_met) {
+        let code = |(condition, addends): &(Option<Ident>, Vec<Addend>)| match condition.as_ref().map(is_met) {
             None => {
                 let lets = lets(m, &always, &quote!());
                 quote!(#lets #always)
@@ -79,8 +79,15 @@ impl Terms {
                 let lets = lets(m, &add, &always);
                 quote!(if #met { #lets #add })
             }
+        };
+        // Few scenes have a motor or a fan, so that one test stands before those of all.
+        let drives = |(condition, _): &(Option<Ident>, Vec<Addend>)| condition.as_ref().is_some_and(|c| drives(m, c));
+        let groups = self.blocks.chunk_by(|a, b| drives(a) && drives(b)).map(|group| {
+            let blocks: TokenStream = group.iter().map(code).collect();
+            let some = some_drive();
+            if group.len() > 1 { quote!(if met.#some { #blocks }) } else { blocks }
         });
-        quote!(#(#blocks)*)
+        groups.collect()
     }
 }
 

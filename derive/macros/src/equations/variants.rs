@@ -123,8 +123,12 @@ fn kinds(m: &Model, effect: &Ident) -> BTreeSet<Kind> {
     laws.chain(switches).chain(functions).chain(drives(m, effect).then_some(Others)).collect()
 }
 
-/// Whether an effect brings a torque that depends on the speed: one with a power that is not linear, or with a constant part and a term of D.
-fn drives(m: &Model, effect: &Ident) -> bool {
+/// Whether an effect brings a torque that depends on the speed, and no law: the torque has a power that is not linear, or a constant part and a
+/// term of D. So do motors and fans, and friction does not.
+pub fn drives(m: &Model, effect: &Ident) -> bool {
+    if m.laws.iter().any(|law| law.with.as_ref() == Some(effect)) {
+        return false;
+    }
     let has = |sum: &Sum| sum.iter().any(|term| term.condition.as_ref() == Some(effect));
     if m.torques.iter().any(|torque| has(&torque.work)) {
         has(&m.dissipation)
