@@ -25,7 +25,7 @@ const EVENTS: u32 = 200_000;
 /// Largest mean number of steps of a search for the next event, over a run: there is one after every event, and one at the start.
 const STEPS: u64 = 1000;
 /// Largest damping factor up to which the mean number of steps is held to `STEPS`. Beyond it damping may stop the phase near a boundary, or keep
-/// a contact force near zero, for a long time, and one search takes many steps: 91,018 at 1e12 times the critical damping, 273,811 at 1e37
+/// a contact force near zero, for a long time, and one search takes many steps: 91,018 at 1e12 times the critical damping, 301,336 at 3e15
 /// times. After a million steps a search stops with a named error.
 const MOST_DAMPING: f64 = 1e3;
 
