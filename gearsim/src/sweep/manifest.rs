@@ -20,7 +20,7 @@ pub const FILE: &str = "sweep.json";
 /// Name of the format.
 const FORMAT: &str = "gearsim.sweep_manifest";
 /// Version of the format.
-const VERSION: u32 = 1;
+const VERSION: u32 = 2;
 
 /// The definition of a sweep, and the program that ran it.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -59,6 +59,8 @@ pub struct Manifest {
     pub from: Number,
     /// Names of the groups of quantities that are recorded.
     pub record: Vec<String>,
+    /// Names of the outputs that at least one point records, in the order of the model.
+    pub outputs: Vec<String>,
     /// Whether the spectra are stored.
     pub spectra: bool,
     /// The text of the scene, if it lists the parts of its model: the columns follow from it.
@@ -86,6 +88,7 @@ impl Manifest {
             points: sweep.points,
             from: Number(sweep.from),
             record: sweep.groups.iter().map(|group| group.name.into()).collect(),
+            outputs: sweep.outputs.iter().map(|&i| sweep.entry.model.outputs[i].name.into()).collect(),
             spectra: sweep.spectra,
             scene_text: (!sweep.entry.model.elements.is_empty()).then(|| sweep.text().into()),
         }
@@ -156,9 +159,11 @@ impl Manifest {
             );
         }
         let groups: Vec<_> = GROUPS.iter().filter(|group| self.record.iter().any(|name| name == group.name)).collect();
-        let columns = record::columns(&groups, entry.model);
+        let recorded = |i: &usize| self.outputs.iter().any(|name| name == entry.model.outputs[*i].name);
+        let outputs: Vec<usize> = (0..entry.model.outputs.len()).filter(recorded).collect();
+        let columns = record::columns(&groups, entry.model, &outputs);
         let units = super::row::units(&plan, entry.model);
-        Ok(Layout { model: entry.model, plan, columns, units })
+        Ok(Layout { model: entry.model, plan, outputs, columns, units })
     }
 
     /// The differences to `other`, one text each; empty if the two are equal.
@@ -202,12 +207,20 @@ impl Layout {
             let names: Vec<&str> = self.columns.iter().map(|(name, _)| name.as_str()).collect();
             let meant = did_you_mean(name, names.iter().copied());
             let meant = meant.map_or(String::new(), |near| format!("did you mean `{near}`? "));
-            let has = |group: &&Group| (group.columns)(self.model).iter().any(|(column, _)| column == name);
-            if let Some(group) = GROUPS.iter().find(has) {
-                let help = format!("name its group of quantities too: --record {},...", group.name);
-                return Error::Impossible { what: format!("no quantity `{name}` is recorded"), help };
-            }
-            let help = format!("{meant}the recorded quantities are {}", names.join(", "));
+            let of = |outputs: &[usize]| {
+                let has =
+                    |group: &&Group| (group.columns)(self.model, outputs).iter().any(|(column, _)| column == name);
+                GROUPS.iter().find(has)
+            };
+            let all: Vec<usize> = (0..self.model.outputs.len()).collect();
+            let help = match (of(&self.outputs), of(&all)) {
+                (Some(group), _) => format!("name its group of quantities too: --record {},...", group.name),
+                (None, Some(_)) => {
+                    "no point of the sweep records this output: name it in output.record, and its effect in effects"
+                        .into()
+                }
+                (None, None) => format!("{meant}the recorded quantities are {}", names.join(", ")),
+            };
             Error::Impossible { what: format!("no quantity `{name}` is recorded"), help }
         })
     }
@@ -220,6 +233,8 @@ pub struct Layout {
     pub model: &'static Model,
     /// Its points.
     pub plan: Plan,
+    /// The outputs that at least one point records, by their numbers.
+    pub outputs: Vec<usize>,
     /// Its recorded columns.
     pub columns: Vec<Column>,
     /// SI units of the columns of the varied keys.

@@ -26,6 +26,7 @@ pub(crate) mod spectra;
 #[cfg(test)]
 mod tests;
 
+use std::collections::BTreeSet;
 use std::path::Path;
 
 pub use design::Design;
@@ -75,6 +76,8 @@ pub struct Sweep {
     pub plan: Plan,
     /// The groups of quantities to record.
     pub groups: Vec<&'static Group>,
+    /// The outputs that at least one point records, by their numbers.
+    pub outputs: Vec<usize>,
     /// Start of the time span over which extremes and spectra are computed [s].
     pub from: f64,
     /// Whether the spectra are stored.
@@ -151,12 +154,13 @@ impl Sweep {
             );
         };
         let groups = groups(&request.record)?;
-        let mut sweep = Sweep { template, entry, plan, groups, from: 0.0, spectra: request.spectra, points };
+        let mut sweep =
+            Sweep { template, entry, plan, groups, outputs: vec![], from: 0.0, spectra: request.spectra, points };
         sweep.from = match request.from {
             Some(from) => from,
             None => sweep.first()?.output.from,
         };
-        sweep.check()?;
+        sweep.outputs = sweep.check()?;
         Ok(sweep)
     }
 
@@ -182,19 +186,21 @@ impl Sweep {
 
     /// The recorded columns.
     pub fn columns(&self) -> Vec<Column> {
-        record::columns(&self.groups, self.entry.model)
+        record::columns(&self.groups, self.entry.model, &self.outputs)
     }
 
-    /// Checks the scene at every value of every axis once ([`Plan::trials`]).
-    fn check(&self) -> Result<(), Error> {
+    /// Checks the scene at every value of every axis once ([`Plan::trials`]). Returns the outputs that at least one of these scenes records.
+    fn check(&self) -> Result<Vec<usize>, Error> {
+        let mut outputs = BTreeSet::new();
         for trial in self.plan.trials() {
             let scene: Scene = self.template.scene(&trial, &[self.entry.model])?;
             if self.from >= scene.t_end {
                 let what = format!("the statistics begin at {} s, but the run ends at {} s", self.from, scene.t_end);
                 return impossible(what, "choose an earlier start of the statistics, or a later run.t_end");
             }
+            outputs.extend(scene.output.record);
         }
-        Ok(())
+        Ok(outputs.into_iter().collect())
     }
 }
 

@@ -168,7 +168,7 @@ impl Sweep {
 
     fn row(&self, point: usize, scene: &Scene, outcome: &Outcome) -> Row {
         let run = &outcome.trajectory;
-        let ended = Ended { scene, entry: &self.entry, outcome, from: self.from };
+        let ended = Ended { scene, entry: &self.entry, outcome, from: self.from, outputs: &self.outputs };
         let named = |i: usize| {
             let spectrum = spectra::of(run, i, self.from)?;
             let coordinate = run.model.coordinates[i].name.into();

@@ -8,7 +8,7 @@ use crate::sweep::folder::Rows;
 use crate::sweep::{Manifest, Status};
 
 /// Version of the format.
-const VERSION: u32 = 2;
+const VERSION: u32 = 3;
 
 #[derive(Serialize)]
 struct Report<'a> {

@@ -14,7 +14,7 @@ pub(super) const GROUP: Group = Group {
     values,
 };
 
-fn columns(_: &Model) -> Vec<Column> {
+fn columns(_: &Model, _: &[usize]) -> Vec<Column> {
     vec![column("digits", "1")]
 }
 

@@ -15,7 +15,7 @@ pub(super) const GROUP: Group = Group {
     values,
 };
 
-fn columns(_: &Model) -> Vec<Column> {
+fn columns(_: &Model, _: &[usize]) -> Vec<Column> {
     let names = ["kinetic", "strain", "work", "dissipated", "residual", "energy_at_start", "ignored"];
     names.map(|name| column(name, "J")).into()
 }

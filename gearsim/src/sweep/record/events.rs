@@ -16,7 +16,7 @@ pub(super) const GROUP: Group = Group {
     values,
 };
 
-fn columns(_: &Model) -> Vec<Column> {
+fn columns(_: &Model, _: &[usize]) -> Vec<Column> {
     let counts = ["cell_changes", "reflections", "holds", "impacts", "grazes", "ambiguous"];
     let mut columns = vec![column("t_end", "s")];
     columns.extend(counts.map(|name| column(name, "1")));

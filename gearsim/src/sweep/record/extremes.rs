@@ -16,7 +16,7 @@ pub(super) const GROUP: Group = Group {
     values,
 };
 
-fn columns(model: &Model) -> Vec<Column> {
+fn columns(model: &Model, _: &[usize]) -> Vec<Column> {
     let four = |name: String, unit: String| {
         ["min", "max", "mean", "rms"].map(|what| column(format!("{name}_{what}"), unit.clone()))
     };

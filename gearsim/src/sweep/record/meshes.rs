@@ -22,7 +22,7 @@ fn meshes(model: &Model) -> impl Iterator<Item = &'static Law> {
     laws.iter().filter(is_mesh).collect::<Vec<_>>().into_iter()
 }
 
-fn columns(model: &Model) -> Vec<Column> {
+fn columns(model: &Model, _: &[usize]) -> Vec<Column> {
     let both = |law: &Law| ["dynamic_factor", "kv_iso6336"].map(|what| column(format!("{}_{what}", law.name), "1"));
     meshes(model).flat_map(both).collect()
 }

@@ -15,7 +15,7 @@ pub(super) const GROUP: Group = Group {
     values,
 };
 
-fn columns(model: &Model) -> Vec<Column> {
+fn columns(model: &Model, _: &[usize]) -> Vec<Column> {
     let both = |i: usize| {
         let (name, unit) = (model.coordinates[i].name, model.coordinates[i].unit);
         [column(format!("{name}_peak_frequency"), "Hz"), column(format!("{name}_peak_density"), format!("{unit}^2/Hz"))]

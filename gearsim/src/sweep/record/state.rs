@@ -14,7 +14,7 @@ pub(super) const GROUP: Group = Group {
     values,
 };
 
-fn columns(model: &Model) -> Vec<Column> {
+fn columns(model: &Model, _: &[usize]) -> Vec<Column> {
     let both = |name: &str, unit: &str| [column(name, unit), column(format!("{name}_dot"), format!("{unit}/s"))];
     model.coordinates.iter().flat_map(|c| both(c.name, c.unit)).collect()
 }

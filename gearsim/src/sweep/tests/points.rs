@@ -190,3 +190,22 @@ fn dynamic_factors_are_those_of_single_runs_from_the_time_of_the_sweep_on() {
     }
     assert!(row[0] > 1.0 && sweep.point(1).numbers[0] != row[0]);
 }
+
+/// The group `outputs` has columns of the outputs that some point records: none of those whose effect no point has.
+#[test]
+fn outputs_without_their_effect_have_no_columns() {
+    let columns = |vary: &[&str], set: &[&str]| {
+        let mut request = Request { record: vec!["outputs".into()], ..request(vary) };
+        request.overrides.extend(set.iter().map(|text| text.to_string()));
+        let columns = load(&request).unwrap().columns();
+        columns.iter().filter_map(|(name, _)| Some(name.strip_suffix("_max")?.to_string())).collect::<Vec<_>>()
+    };
+    let zeta = ["parameters.zeta=0.05,0.1"];
+    let of_scene = columns(&zeta, &[]);
+    assert!(of_scene.iter().any(|name| name == "mesh_torque") && of_scene.iter().all(|name| !name.contains("fan")));
+    assert_eq!(columns(&zeta, &["output.record=[\"dte\"]"]), ["dte"]);
+    let effects = "effects=[\"stiffness_step\"],[\"stiffness_step\", \"fan_load\"]";
+    let varied =
+        columns(&[effects], &["parameters.cf_load=1 N*m*s^2/rad^2", "output.record=[\"dte\", \"power_fan_load\"]"]);
+    assert_eq!(varied, ["dte", "power_fan_load"]);
+}
