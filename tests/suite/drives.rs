@@ -231,8 +231,17 @@ fn a_second_motor_brakes_as_a_generator() {
     assert!((found / expected - 1.0).abs() < 1e-4, "{found} {expected}");
     assert!(ratio * expected > 5.0, "the second motor turns above its no-load speed");
     let t = &outcome.trajectory;
-    let last = |name: &str| *t.work_of(name).expect("a torque of the scene").last().expect("rows");
-    assert!(last("dc_motor") > 0.0 && last("dc_load") > 0.0, "the constant parts of both torques drive");
+    // The outputs have the powers of the whole torques: the first motor drives, the second one brakes.
+    let output = |name: &str| t.output(name).expect("an output");
+    for (rotor, part, [stall, free]) in [("m", "motor", [640.0, 80.0]), ("l", "load", [200.0, 5.0])] {
+        let (speed, power) = (output(&format!("rotor_speed_{rotor}")), output(&format!("net_power_dc_{part}")));
+        for (omega, power) in speed.iter().zip(power) {
+            let by_hand = stall * (1.0 - omega / free) * omega;
+            assert!((power - by_hand).abs() < 1e-9 * (stall * omega).abs().max(1.0), "{part}: {power} W, {by_hand} W");
+        }
+    }
+    let last = |part: &str| *output(&format!("net_power_dc_{part}")).last().expect("rows");
+    assert!(last("motor") > 0.0 && last("load") < 0.0, "{} {}", last("motor"), last("load"));
     assert!(unaccounted(&outcome) < 1e-11, "{:e}", unaccounted(&outcome));
 }
 

@@ -487,6 +487,10 @@ equations! {
             "power of the torque c n of the governor of the crankshaft; its part -c omega is in D: positive if it drives" {
             _ => governor_crank_power;
         }
+        net_power_governor_crank "W" with governor_crank,
+            "power that the motor gives: its whole torque times its speed, negative if it brakes" {
+            _ => governor_crank_power - braking_governor_crank;
+        }
         braking_dc_crank "W" with dc_crank,
             "power that the motor takes back: the part of its torque that is proportional to the speed, times the speed" {
             _ => Ts_crank*theta_crank_dot.powi(2)/n0_crank;
@@ -494,6 +498,9 @@ equations! {
         power_dc_crank "W" with dc_crank,
             "power of the torque Ts of the DC motor of the crankshaft; its part -Ts omega/n0 is in D: positive if it drives" {
             _ => dc_crank_power;
+        }
+        net_power_dc_crank "W" with dc_crank, "power that the motor gives: its whole torque times its speed, negative if it brakes" {
+            _ => dc_crank_power - braking_dc_crank;
         }
         power_induction_crank "W" with induction_crank,
             "power of the torque of the induction motor of the crankshaft: positive if it drives" {
@@ -517,6 +524,10 @@ equations! {
             "power of the torque c n of the governor of the accessory; its part -c omega is in D: positive if it drives" {
             _ => governor_load_power;
         }
+        net_power_governor_load "W" with governor_load,
+            "power that the motor gives: its whole torque times its speed, negative if it brakes" {
+            _ => governor_load_power - braking_governor_load;
+        }
         braking_dc_load "W" with dc_load,
             "power that the motor takes back: the part of its torque that is proportional to the speed, times the speed" {
             _ => Ts_load*theta_load_dot.powi(2)/n0_load;
@@ -524,6 +535,9 @@ equations! {
         power_dc_load "W" with dc_load,
             "power of the torque Ts of the DC motor of the accessory; its part -Ts omega/n0 is in D: positive if it drives" {
             _ => dc_load_power;
+        }
+        net_power_dc_load "W" with dc_load, "power that the motor gives: its whole torque times its speed, negative if it brakes" {
+            _ => dc_load_power - braking_dc_load;
         }
         power_induction_load "W" with induction_load, "power of the torque of the induction motor of the accessory: positive if it drives" {
             _ => induction_load_power;

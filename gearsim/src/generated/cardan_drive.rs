@@ -679,6 +679,10 @@ equations! {
             "power of the torque c n of the governor of the driving gear; its part -c omega is in D: positive if it drives" {
             _ => governor_motor_power;
         }
+        net_power_governor_motor "W" with governor_motor,
+            "power that the motor gives: its whole torque times its speed, negative if it brakes" {
+            _ => governor_motor_power - braking_governor_motor;
+        }
         braking_dc_motor "W" with dc_motor,
             "power that the motor takes back: the part of its torque that is proportional to the speed, times the speed" {
             _ => Ts_motor*theta_motor_dot.powi(2)/n0_motor;
@@ -686,6 +690,9 @@ equations! {
         power_dc_motor "W" with dc_motor,
             "power of the torque Ts of the DC motor of the driving gear; its part -Ts omega/n0 is in D: positive if it drives" {
             _ => dc_motor_power;
+        }
+        net_power_dc_motor "W" with dc_motor, "power that the motor gives: its whole torque times its speed, negative if it brakes" {
+            _ => dc_motor_power - braking_dc_motor;
         }
         power_induction_motor "W" with induction_motor,
             "power of the torque of the induction motor of the driving gear: positive if it drives" {
@@ -710,6 +717,9 @@ equations! {
             "power of the torque c n of the governor of the driven gear; its part -c omega is in D: positive if it drives" {
             _ => governor2_power;
         }
+        net_power_governor2 "W" with governor_2, "power that the motor gives: its whole torque times its speed, negative if it brakes" {
+            _ => governor2_power - braking_governor2;
+        }
         braking_dc2 "W" with dc_2,
             "power that the motor takes back: the part of its torque that is proportional to the speed, times the speed" {
             _ => Ts2*theta2_dot.powi(2)/n02;
@@ -717,6 +727,9 @@ equations! {
         power_dc2 "W" with dc_2,
             "power of the torque Ts of the DC motor of the driven gear; its part -Ts omega/n0 is in D: positive if it drives" {
             _ => dc2_power;
+        }
+        net_power_dc2 "W" with dc_2, "power that the motor gives: its whole torque times its speed, negative if it brakes" {
+            _ => dc2_power - braking_dc2;
         }
         power_induction2 "W" with induction_2, "power of the torque of the induction motor of the driven gear: positive if it drives" {
             _ => induction2_power;

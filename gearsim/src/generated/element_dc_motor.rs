@@ -49,6 +49,9 @@ equations! {
             "power of the torque Ts of the DC motor of the drive {}; its part -Ts omega/n0 is in D: positive if it drives" {
             _ => dc_x_power;
         }
+        net_power_dc_x "W" with dc_x, "power that the motor gives: its whole torque times its speed, negative if it brakes" {
+            _ => dc_x_power - braking_dc_x;
+        }
     }
 
     text "text/element_dc_motor.txt";

@@ -50,6 +50,9 @@ equations! {
             "power of the torque c n of the governor of the drive {}; its part -c omega is in D: positive if it drives" {
             _ => governor_x_power;
         }
+        net_power_governor_x "W" with governor_x, "power that the motor gives: its whole torque times its speed, negative if it brakes" {
+            _ => governor_x_power - braking_governor_x;
+        }
     }
 
     text "text/element_governor.txt";

@@ -377,6 +377,10 @@ equations! {
             "power of the torque c n of the governor of the motor; its part -c omega is in D: positive if it drives" {
             _ => governor_motor_power;
         }
+        net_power_governor_motor "W" with governor_motor,
+            "power that the motor gives: its whole torque times its speed, negative if it brakes" {
+            _ => governor_motor_power - braking_governor_motor;
+        }
         braking_dc_motor "W" with dc_motor,
             "power that the motor takes back: the part of its torque that is proportional to the speed, times the speed" {
             _ => Ts_motor*theta_motor_dot.powi(2)/n0_motor;
@@ -384,6 +388,9 @@ equations! {
         power_dc_motor "W" with dc_motor,
             "power of the torque Ts of the DC motor of the motor; its part -Ts omega/n0 is in D: positive if it drives" {
             _ => dc_motor_power;
+        }
+        net_power_dc_motor "W" with dc_motor, "power that the motor gives: its whole torque times its speed, negative if it brakes" {
+            _ => dc_motor_power - braking_dc_motor;
         }
         power_induction_motor "W" with induction_motor, "power of the torque of the induction motor of the motor: positive if it drives" {
             _ => induction_motor_power;
@@ -405,6 +412,10 @@ equations! {
             "power of the torque c n of the governor of the second shaft's disc; its part -c omega is in D: positive if it drives" {
             _ => governor_load_power;
         }
+        net_power_governor_load "W" with governor_load,
+            "power that the motor gives: its whole torque times its speed, negative if it brakes" {
+            _ => governor_load_power - braking_governor_load;
+        }
         braking_dc_load "W" with dc_load,
             "power that the motor takes back: the part of its torque that is proportional to the speed, times the speed" {
             _ => Ts_load*theta_load_dot.powi(2)/n0_load;
@@ -412,6 +423,9 @@ equations! {
         power_dc_load "W" with dc_load,
             "power of the torque Ts of the DC motor of the second shaft's disc; its part -Ts omega/n0 is in D: positive if it drives" {
             _ => dc_load_power;
+        }
+        net_power_dc_load "W" with dc_load, "power that the motor gives: its whole torque times its speed, negative if it brakes" {
+            _ => dc_load_power - braking_dc_load;
         }
         power_induction_load "W" with induction_load,
             "power of the torque of the induction motor of the second shaft's disc: positive if it drives" {

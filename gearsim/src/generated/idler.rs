@@ -914,6 +914,10 @@ equations! {
             "power of the torque c n of the governor of the driving gear; its part -c omega is in D: positive if it drives" {
             _ => governor_motor_power;
         }
+        net_power_governor_motor "W" with governor_motor,
+            "power that the motor gives: its whole torque times its speed, negative if it brakes" {
+            _ => governor_motor_power - braking_governor_motor;
+        }
         braking_dc_motor "W" with dc_motor,
             "power that the motor takes back: the part of its torque that is proportional to the speed, times the speed" {
             _ => Ts_motor*theta_motor_dot.powi(2)/n0_motor;
@@ -921,6 +925,9 @@ equations! {
         power_dc_motor "W" with dc_motor,
             "power of the torque Ts of the DC motor of the driving gear; its part -Ts omega/n0 is in D: positive if it drives" {
             _ => dc_motor_power;
+        }
+        net_power_dc_motor "W" with dc_motor, "power that the motor gives: its whole torque times its speed, negative if it brakes" {
+            _ => dc_motor_power - braking_dc_motor;
         }
         power_induction_motor "W" with induction_motor,
             "power of the torque of the induction motor of the driving gear: positive if it drives" {
@@ -945,6 +952,10 @@ equations! {
             "power of the torque c n of the governor of the driven gear; its part -c omega is in D: positive if it drives" {
             _ => governor_load_power;
         }
+        net_power_governor_load "W" with governor_load,
+            "power that the motor gives: its whole torque times its speed, negative if it brakes" {
+            _ => governor_load_power - braking_governor_load;
+        }
         braking_dc_load "W" with dc_load,
             "power that the motor takes back: the part of its torque that is proportional to the speed, times the speed" {
             _ => Ts_load*theta_load_dot.powi(2)/n0_load;
@@ -952,6 +963,9 @@ equations! {
         power_dc_load "W" with dc_load,
             "power of the torque Ts of the DC motor of the driven gear; its part -Ts omega/n0 is in D: positive if it drives" {
             _ => dc_load_power;
+        }
+        net_power_dc_load "W" with dc_load, "power that the motor gives: its whole torque times its speed, negative if it brakes" {
+            _ => dc_load_power - braking_dc_load;
         }
         power_induction_load "W" with induction_load,
             "power of the torque of the induction motor of the driven gear: positive if it drives" {

@@ -2594,6 +2594,10 @@ equations! {
             "power of the torque c n of the governor of the rotor; its part -c omega is in D: positive if it drives" {
             _ => governor_wind_power;
         }
+        net_power_governor_wind "W" with governor_wind,
+            "power that the motor gives: its whole torque times its speed, negative if it brakes" {
+            _ => governor_wind_power - braking_governor_wind;
+        }
         braking_dc_wind "W" with dc_wind,
             "power that the motor takes back: the part of its torque that is proportional to the speed, times the speed" {
             _ => Ts_wind*theta_wind_dot.powi(2)/n0_wind;
@@ -2601,6 +2605,9 @@ equations! {
         power_dc_wind "W" with dc_wind,
             "power of the torque Ts of the DC motor of the rotor; its part -Ts omega/n0 is in D: positive if it drives" {
             _ => dc_wind_power;
+        }
+        net_power_dc_wind "W" with dc_wind, "power that the motor gives: its whole torque times its speed, negative if it brakes" {
+            _ => dc_wind_power - braking_dc_wind;
         }
         power_induction_wind "W" with induction_wind, "power of the torque of the induction motor of the rotor: positive if it drives" {
             _ => induction_wind_power;
@@ -2622,6 +2629,10 @@ equations! {
             "power of the torque c n of the governor of the generator; its part -c omega is in D: positive if it drives" {
             _ => governor_generator_power;
         }
+        net_power_governor_generator "W" with governor_generator,
+            "power that the motor gives: its whole torque times its speed, negative if it brakes" {
+            _ => governor_generator_power - braking_governor_generator;
+        }
         braking_dc_generator "W" with dc_generator,
             "power that the motor takes back: the part of its torque that is proportional to the speed, times the speed" {
             _ => Ts_generator*theta_generator_dot.powi(2)/n0_generator;
@@ -2629,6 +2640,10 @@ equations! {
         power_dc_generator "W" with dc_generator,
             "power of the torque Ts of the DC motor of the generator; its part -Ts omega/n0 is in D: positive if it drives" {
             _ => dc_generator_power;
+        }
+        net_power_dc_generator "W" with dc_generator,
+            "power that the motor gives: its whole torque times its speed, negative if it brakes" {
+            _ => dc_generator_power - braking_dc_generator;
         }
         power_induction_generator "W" with induction_generator,
             "power of the torque of the induction motor of the generator: positive if it drives" {

@@ -40,6 +40,8 @@ fn linear(m: &mut Model, name: &str, [constant, slope]: [Expr; 2], through: Expr
     m.dissipation(half(slope * omega.sq()));
     let taken =
         "power that the motor takes back: the part of its torque that is proportional to the speed, times the speed";
-    m.output(&format!("braking_{name}"), "W", slope * omega.sq(), taken);
+    let taken = m.output(&format!("braking_{name}"), "W", slope * omega.sq(), taken);
     m.torque(name, constant, through, doc);
+    let given = "power that the motor gives: its whole torque times its speed, negative if it brakes";
+    m.output(&format!("net_power_{name}"), "W", m.power(name) - taken, given);
 }
