@@ -31,7 +31,8 @@ impl Disk {
 
 impl Drop for Disk {
     fn drop(&mut self) {
-        let _ = Command::new("umount").arg(&self.0).output();
+        // Lazily: a process that another thread starts holds the open files of this one for a moment, and the disk would be busy.
+        let _ = Command::new("umount").arg("--lazy").arg(&self.0).output();
     }
 }
 
