@@ -100,9 +100,10 @@ pub(super) fn declared(model: &Model) -> Result<BTreeMap<String, &'static str>, 
     model.motions.iter().try_for_each(|m| declare(&m.name, "a motion", false))?;
     model.effects.iter().try_for_each(|e| declare(&e.name, "an effect", false))?;
     [JUMP_TERMS, MOVING_PHASE].into_iter().try_for_each(|name| declare(name, "a condition", true))?;
-    for torque in &model.torques {
-        // A torque may have the name of its effect: only its power is a symbol.
-        if !model.effects.iter().any(|e| e.name == torque.name) {
+    for (i, torque) in model.torques.iter().enumerate() {
+        // One torque may have the name of its effect: only its power is a symbol.
+        let is_first = model.torques[..i].iter().all(|before| before.name != torque.name);
+        if !is_first || model.effects.iter().all(|e| e.name != torque.name) {
             declare(&torque.name, "a torque", false)?;
         }
         declare(&power_name(&torque.name), known(Known), true)?;

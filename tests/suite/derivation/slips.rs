@@ -196,6 +196,9 @@ const SLIPS: &[Row] = &[
         let delta = m.deflection("delta", 2 * o.x);
         m.kinetic(o.m * delta.dot().sq());
     }),
+    ("two torques with the name of an effect", "`brake`", |m, o| {
+        m.effect("brake", "", |m| (0..2).for_each(|_| m.torque("brake", o.s, o.x, "")));
+    }),
     ("an effect declared twice, and not as one", "`damping`", |m, o| {
         m.effect("damping", "of the spring", |m| m.dissipation(o.m * o.x.dot().sq()));
         m.effect("damping", "of the mass", |m| m.dissipation(o.s * o.x.dot().sq()));
