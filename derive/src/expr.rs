@@ -191,7 +191,7 @@ pub(crate) fn set(e: &Atom, symbol: Symbol, value: &Atom) -> Atom {
     }
 }
 
-/// The derivative by a symbol. Only terms with the symbol are differentiated: sums of many terms have each symbol in few of them.
+/// The derivative by a symbol. Of a sum, only the terms that contain the symbol are differentiated: in a long sum they are few.
 pub(crate) fn derivative(e: &Atom, by: Symbol) -> Atom {
     match e.as_view() {
         AtomView::Add(sum) => {

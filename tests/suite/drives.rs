@@ -173,8 +173,8 @@ fn a_dc_motor_moves_as_the_equivalent_governor() {
     assert!(off(&governor.trajectory.q, &dc.trajectory.q) < 1e-11);
 }
 
-/// In every model, every rotor on which a constant torque acts has every motor, one at a time, and a fan. A train has those that its tables
-/// list.
+/// In derived models each rotor on which a constant torque acts has every motor, one at a time, and a fan, with the exceptions named below. A
+/// train has those that its tables list.
 #[test]
 fn every_rotor_has_every_drive_and_load() {
     const MOTORS: [&str; 4] = ["governor", "dc", "induction", "traction"];

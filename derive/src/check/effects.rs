@@ -8,7 +8,8 @@ use crate::expr::{Expr, Kind, number, set, symbol, symbols};
 use crate::model::{Effect, Model, Parameter};
 use crate::slip::Slip;
 
-/// A part of the model in which a parameter may be: where it is, its value with the names in it, and the effect without which it is not used.
+/// A part of the model in which a parameter may be: where it is, its value, and the names of the symbols in this value. Without the effect
+/// `with` the part is not used.
 struct Use<'a> {
     place: String,
     value: Atom,

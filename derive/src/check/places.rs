@@ -247,7 +247,7 @@ impl Places<'_> {
         Ok(())
     }
 
-    /// Whether the value of a torque has a friction law as a factor, inside the effect of that law.
+    /// Whether a friction law is a factor of the value of a torque. The effect of the law must be a factor too.
     fn has_friction(&self, value: &Atom) -> bool {
         let laws = self.model.laws.iter().filter(|law| law.kind() == Friction);
         let vanishes = |law: &crate::model::Law| {

@@ -148,7 +148,8 @@ impl Explorer {
         }
     }
 
-    /// Runs `scene`, whose text is `text`. If the last run had this text, returns that run. A new run stops after `most_time` on the clock.
+    /// Runs `scene`; `text` is the text of this scene. If the last run had the same text, its result is returned. A new run is stopped when it has
+    /// taken `most_time`.
     pub(super) fn ran(
         &self,
         text: &str,

@@ -233,7 +233,7 @@ pub struct Layout {
     pub model: &'static Model,
     /// Its points.
     pub plan: Plan,
-    /// The outputs that at least one point records, by their numbers.
+    /// The outputs that at least one point records, as indices into `model.outputs`.
     pub outputs: Vec<usize>,
     /// Its recorded columns.
     pub columns: Vec<Column>,

@@ -76,7 +76,7 @@ pub struct Sweep {
     pub plan: Plan,
     /// The groups of quantities to record.
     pub groups: Vec<&'static Group>,
-    /// The outputs that at least one point records, by their numbers.
+    /// The outputs that at least one point records, as indices into `model.outputs`.
     pub outputs: Vec<usize>,
     /// Start of the time span over which extremes and spectra are computed [s].
     pub from: f64,

@@ -41,7 +41,7 @@ pub struct Group {
     pub digits: bool,
     /// Whether it needs the outputs of the model.
     pub outputs: bool,
-    /// The columns for a model, of which these outputs are recorded.
+    /// The columns for a model. The second argument has the recorded outputs, as indices into `model.outputs`.
     pub columns: fn(&Model, &[usize]) -> Vec<Column>,
     /// The values of the columns for a run, NaN where a value does not exist.
     pub values: fn(&Ended<'_>) -> Vec<f64>,
@@ -57,14 +57,14 @@ pub struct Ended<'a> {
     pub outcome: &'a Outcome,
     /// The time from which on rows count \[s\]. Groups that use only the end ignore it.
     pub from: f64,
-    /// The outputs that have columns, by their numbers: those that at least one point records.
+    /// The outputs that have columns, as indices into `model.outputs`: those that at least one point records.
     pub outputs: &'a [usize],
 }
 
 /// A column: its name and its SI unit.
 pub type Column = (String, String);
 
-/// The columns of `groups` for a model, of which these outputs are recorded.
+/// The columns of `groups` for `model`. `outputs` are the recorded outputs, as indices into `model.outputs`.
 pub fn columns(groups: &[&Group], model: &Model, outputs: &[usize]) -> Vec<Column> {
     groups.iter().flat_map(|group| (group.columns)(model, outputs)).collect()
 }

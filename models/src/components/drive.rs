@@ -5,21 +5,21 @@ use gearsim_derive::{Expr, Model, Range};
 
 use super::{dc_motor, fan, governor, induction_motor, named, traction_motor};
 
-/// A rotor with the rotation `theta` \[rad\] that a constant torque drives, and that may have each [machine](machines).
+/// Adds a constant torque that drives a rotor, and all [`machines`]. `theta` \[rad\] is the rotation of the rotor.
 pub fn driven(m: &mut Model, part: &str, what: &str, theta: Expr) {
     drive(m, part, what, theta);
     machines(m, part, what, theta);
 }
 
-/// A rotor with the rotation `theta` \[rad\] that a constant torque loads, and that may have each [machine](machines).
+/// Adds a constant torque that loads a rotor, and all [`machines`]. `theta` \[rad\] is the rotation of the rotor.
 pub fn loaded(m: &mut Model, part: &str, what: &str, theta: Expr) {
     load(m, part, what, theta);
     machines(m, part, what, theta);
 }
 
-/// Machines whose torque depends on the speed of the rotor with the rotation `theta` \[rad\]. Each is an effect of this rotor: a motor with a
-/// speed governor, a DC motor, an induction motor, a traction motor, and a fan. A scene has one motor on a rotor at most. Above the speed at
-/// which its torque is zero, a motor brakes as a generator: so it is also a load.
+/// Adds the machines whose torque depends on the speed of a rotor: a motor with a speed governor, a DC motor, an induction motor, a traction
+/// motor, and a fan. Each is an effect of this rotor. A scene has at most one motor on a rotor. Above the speed at which its torque is zero, a
+/// motor brakes as a generator, so that it can be a load too. `theta` \[rad\] is the rotation of the rotor.
 pub fn machines(m: &mut Model, part: &str, what: &str, theta: Expr) {
     // Named, so that the equations are written in it.
     let omega = m.deflection(&named("theta", part), theta).dot();

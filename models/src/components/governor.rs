@@ -21,7 +21,7 @@ pub fn governor(m: &mut Model, part: &str, what: &str, through: Expr, omega: Exp
     })
 }
 
-/// A DC motor at constant voltage, in the effect `dc`: T = T_s (1 - omega/n_0). Declares the stall torque `Ts` and the
+/// A DC motor at constant voltage, in the effect `dc`. Its torque is T = T_s (1 - omega/n_0). Declares the stall torque `Ts` and the
 /// no-load speed `n0`, at which the torque is zero. Returns the name of the effect.
 pub fn dc_motor(m: &mut Model, part: &str, what: &str, through: Expr, omega: Expr) -> String {
     let doc = "a DC motor at constant voltage: its torque falls linearly from stall to no load";

@@ -123,8 +123,8 @@ fn kinds(m: &Model, effect: &Ident) -> BTreeSet<Kind> {
     laws.chain(switches).chain(functions).chain(drives(m, effect).then_some(Others)).collect()
 }
 
-/// Whether an effect brings a torque that depends on the speed, and no law: the torque has a power that is not linear, or a constant part and a
-/// term of D. So do motors and fans, and friction does not.
+/// Whether an effect adds a torque that depends on the speed, as a motor or a fan does. Such a torque has a power that is not linear, or a
+/// constant part and a term of D. Effects with laws, such as friction, do not count.
 pub fn drives(m: &Model, effect: &Ident) -> bool {
     if m.laws.iter().any(|law| law.with.as_ref() == Some(effect)) {
         return false;
