@@ -48,7 +48,7 @@ impl Flanks {
         Flanks { mean: half(drive + coast), open: Some(half(coast - drive)) }
     }
 
-    /// The same with lines of action that turn, and a play that opens, as [`super::moving_centres`] states.
+    /// The same with lines of action that turn, and a play that opens, as [`moving_centres`](mod@super::moving_centres) states.
     pub fn bent(self, bend: Bend) -> Flanks {
         Flanks { mean: self.mean - bend.turn, open: self.open.map(|open| open + bend.open) }
     }
