@@ -38,6 +38,15 @@ pub const CASES: &[Case] = &[
         reason: "as for random gear pairs; infinite if an event differs",
         measure: scenes,
     },
+    Case {
+        row: "6",
+        name: "gear pair so slow that it stays in a cell for 300 to 2,370 decay times",
+        proves: "events and end as in 50 digits: nothing is left of the vibration",
+        tolerance: MULTIPLE,
+        unit: "eps (growth of disturbances + 1) per event",
+        reason: "as for random gear pairs; infinite if an event differs",
+        measure: rests,
+    },
 ];
 
 fn powers(from: i32, to: i32) -> impl Iterator<Item = f64> + Clone {
@@ -73,6 +82,24 @@ fn responses(note: &mut String) -> f64 {
             })
             .collect::<Vec<_>>()
     }))
+}
+
+fn rests(note: &mut String) -> f64 {
+    let decays = (0..70).map(|i| 300.0 + 30.0 * f64::from(i));
+    let scenes: Vec<_> = decays.flat_map(|decays| [1e-3, 10.0].map(|t0| (decays, t0))).collect();
+    let mut events = 0;
+    let errors = scenes.iter().map(|&(decays, t0)| {
+        let pair = GearPair::paper(0.7, t0);
+        let theta_dot = pair.width1 * 0.7 * pair.w0() / decays;
+        let State { phi, .. } = pair.start(0.0);
+        let start = State { theta: 0.01, theta_dot, phi: 1.5 * phi, phi_dot: 0.0 };
+        let compared = compare(&pair, &start, 2.2 * pair.width1 / theta_dot);
+        events += compared.events;
+        if compared.wrong.is_some() { f64::INFINITY } else { compared.error }
+    });
+    let worst = largest(errors.collect::<Vec<_>>());
+    *note = format!("{} runs, {events} events", scenes.len());
+    worst
 }
 
 fn continuity(_: &mut String) -> f64 {

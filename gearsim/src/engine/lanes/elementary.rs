@@ -15,10 +15,14 @@ const LN_2: [f64; 2] = [0.693_147_180_369_123_8, 1.908_214_929_270_587_7e-10];
 /// pi/2 in three parts.
 const HALF_PI: [f64; 3] = [1.570_796_326_734_125_6, 6.077_100_506_303_966e-11, 2.022_266_248_795_950_6e-21];
 
-/// e^x - 1 for -700 <= x <= 700.
+/// Largest argument of the exponential, of both signs. At -700 the result is -1; beyond, the exponent bits of 2^k would overflow into the sign.
+const LARGEST: f64 = 700.0;
+
+/// e^x - 1; beyond 700 the value at 700, which is 1e304.
 #[inline(always)]
 pub fn exp_m1<const L: usize>(x: Pack<L>) -> Pack<L> {
     x.map(|x| {
+        let x = x.clamp(-LARGEST, LARGEST);
         let rounded = x * LOG2_E + ROUND;
         let k = rounded - ROUND;
         let t = (x - k * LN_2[0]) - k * LN_2[1];
@@ -85,6 +89,9 @@ mod tests {
     fn functions_match_the_standard_library_within_two_ulp() {
         assert!(worst(-600.0, 2.0, exp_m1, f64::exp_m1, true) <= 2.0);
         assert!(worst(-1e-3, 1e-3, exp_m1, f64::exp_m1, true) <= 2.0);
+        // After hundreds or thousands of decay times nothing is left.
+        assert_eq!(worst(-1e5, -600.0, exp_m1, f64::exp_m1, true), 0.0);
+        assert_eq!(exp_m1(Pack([f64::NEG_INFINITY, -1434.0])), Pack([-1.0; 2]));
         for end in [1.0, 100.0, KERNEL_ANGLE] {
             assert!(worst(-end, end, |x| sin_cos(x).0, f64::sin, false) <= 1.0, "sine up to {end}");
             assert!(worst(-end, end, |x| sin_cos(x).1, f64::cos, false) <= 1.0, "cosine up to {end}");
