@@ -176,10 +176,13 @@ pub(crate) const HELD_CELLS: usize = 4096;
 /// events are left.
 pub(crate) const TURN_NEAR: f64 = 1e-9;
 
-/// Step of Newton's method towards the crossing of such a phase at which the series of the motion goes on from there [fastest time of the
-/// cell]: half of the longest shift of the series. It decides the cost.
+/// Error of the crossing of such a phase at which its search ends [fastest time of the cell]: half of the longest shift of the series, by
+/// which the motion goes on from there. It decides the cost.
 pub(crate) const TURN_STEP: f64 = 4e-3;
+/// Longest step of that search by the series of the phase [fastest time of the cell]. Beyond, omitted terms may exceed those that are there;
+/// Newton's step is taken. It decides the cost.
+pub(crate) const TURN_REACH: f64 = 1.0;
 
 /// The kernel evaluates a cell's motion at the predicted time of its next passage if the last prediction was this close [fastest time of the
-/// cell]. Predictions that are used are closer than `modes::SHIFT_SPAN`. It decides the cost.
+/// cell]. Predictions that are used are closer than `modes::FAR_SHIFT_SPAN`. It decides the cost.
 pub(crate) const WORTH_PREDICTING: f64 = 0.1;

@@ -17,6 +17,9 @@ pub(crate) const COMPENSATED_SERIES_TERM: f64 = 1e-36;
 /// Longest shift of a motion by six terms of its series [1]: rate times time. The seventh term is then below 8e-3⁶/7! = 5e-17 of
 /// the first. Larger: the shifted motion loses digits. Smaller: the motion is evaluated in full more often.
 pub(crate) const SHIFT_SPAN: f64 = 8e-3;
+/// The same with eight terms [1]: the ninth is then below 0.045⁸/9! = 5e-17 of the first. The kernel of plain events goes this far from the
+/// predicted time of an event.
+pub(crate) const FAR_SHIFT_SPAN: f64 = 0.045;
 /// A mode is critically damped if omega² - sigma² is below this [relative to omega²]. The expansion about critical damping omits
 /// terms of the order of its square, 1e-20. Larger: the expansion loses digits over long times. Smaller: the root of the
 /// difference does.

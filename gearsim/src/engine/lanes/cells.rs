@@ -5,6 +5,7 @@ use crate::engine::crossing::Side;
 use crate::engine::lanes::pack::{Mask, Pack};
 use crate::engine::mode::Mode;
 use crate::engine::simulate::Simulation;
+use crate::engine::vector::Matrix;
 
 /// One mode, in L cells.
 #[derive(Debug, Clone, Copy)]
@@ -84,8 +85,8 @@ impl<const N: usize, const L: usize> Cells<N, L> {
         }
     }
 
-    /// Fills a lane with cell number `place` of the only law of a simulation.
-    pub fn fill(&mut self, lane: usize, simulation: &Simulation<'_>, place: usize) {
+    /// Fills a lane with cell number `place` of the only law of a simulation. `stiffness` has the matrices K of all its cells.
+    pub fn fill(&mut self, lane: usize, simulation: &Simulation<'_>, place: usize, stiffness: &[Matrix]) {
         let (law, cells) = (&simulation.now.laws[0], simulation.cells());
         let prepared = &cells.and_then(|cells| cells.all()).expect("a plain simulation has few cells")[place];
         let cell: &Cell = &prepared.cell;
@@ -109,12 +110,7 @@ impl<const N: usize, const L: usize> Cells<N, L> {
             self.turns[i][lane] = turns;
             self.bounds[i].0[lane] = bound;
             self.entered[i].0[lane] = entered;
-            let stiffness = |place| {
-                let mut k = simulation.now.k[..].to_vec();
-                k[0] = law.pitch.level(place);
-                simulation.equations().stiffness(&k)
-            };
-            let (there, here) = (stiffness(beyond), stiffness(place));
+            let (there, here) = (&stiffness[beyond], &stiffness[place]);
             matrix(&mut self.step[i], &|i, j| 0.5 * (there[(i, j)] - here[(i, j)]));
         }
     }

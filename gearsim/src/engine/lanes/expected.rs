@@ -14,8 +14,10 @@ use crate::tolerance::events::WORTH_PREDICTING;
 #[derive(Debug, Clone, Copy)]
 #[repr(align(64))]
 pub struct Expected<const N: usize, const L: usize> {
-    /// Duration of the last passage, minus the duration at the steady part of the speed [s].
+    /// Predicted duration of the next passage, minus its duration at the steady part of the speed [s].
     pub(super) lateness: Pack<L>,
+    /// The same of the last passage [s].
+    late: Pack<L>,
     /// Duration of the last passage [s]; 0 if there was none.
     pub(super) last: Pack<L>,
     /// Predicted duration of the next passage [s]. It has a negative sign if the responses are not computed.
@@ -28,7 +30,7 @@ impl<const N: usize, const L: usize> Expected<N, L> {
     /// The prediction for a cell that has not been passed yet.
     pub const NOTHING: Expected<N, L> = {
         let zero = Pack([0.0; L]);
-        Expected { lateness: zero, last: zero, t: zero, responses: [Response::NONE; N] }
+        Expected { lateness: zero, late: zero, last: zero, t: zero, responses: [Response::NONE; N] }
     };
 
     /// Resets the prediction of a lane.
@@ -45,6 +47,7 @@ impl<const N: usize, const L: usize> Expected<N, L> {
         }
         Expected {
             lateness: self.lateness.or(mask, other.lateness),
+            late: self.late.or(mask, other.late),
             last: self.last.or(mask, other.last),
             t: self.t.or(mask, other.t),
             responses,
@@ -52,17 +55,18 @@ impl<const N: usize, const L: usize> Expected<N, L> {
     }
 
     /// The prediction after a passage. The passage took the time `taken`. At the steady part of the speed it would have taken the time
-    /// `steady`. The next duration is extrapolated linearly from the last two. If the last prediction was wrong, the next one is probably wrong
-    /// too, and its responses are not computed.
+    /// `steady`. The next duration is extrapolated linearly from the last two, and so is its difference from the steady one. If the last
+    /// prediction was wrong, the next one is probably wrong too, and its responses are not computed.
     #[inline(always)]
     fn next(&self, cells: &Cells<N, L>, rigid: &[bool; N], taken: Pack<L>, steady: Pack<L>) -> Self {
-        let trend = (taken - self.last).zip(0.1 * self.last, |d, most| if d.abs() < most { d } else { 0.0 });
-        let (lateness, t) = (taken - steady, taken + trend);
+        let trend = |change: Pack<L>| change.zip(0.1 * self.last, |d, most| if d.abs() < most { d } else { 0.0 });
+        let late = taken - steady;
+        let (lateness, t) = (late + trend(late - self.late), taken + trend(taken - self.last));
         let missed = (taken - self.t.abs()) * cells.rate;
         let near = missed.compare(missed, |missed, _| missed.abs() <= WORTH_PREDICTING);
         let responses = if near.intersects(Mask::of(|_| true)) { responses(cells, rigid, t) } else { self.responses };
         // Each lane decides for itself: its result does not depend on the others.
-        Expected { lateness, last: taken, t: t.or(near, -t), responses }
+        Expected { lateness, late, last: taken, t: t.or(near, -t), responses }
     }
 }
 

@@ -136,14 +136,22 @@ impl<'a, const N: usize, const L: usize> Flight<'a, N, L> {
         points
     }
 
+    /// The same up to [`FAR_SHIFT_SPAN`](crate::tolerance::modes::FAR_SHIFT_SPAN).
+    #[inline(always)]
+    pub fn all_shifted_far(&self, rigid: &[bool; N], from: &[Point<L>; N], t: Pack<L>, dt: Pack<L>) -> [Point<L>; N] {
+        let mut points = [Point::STILL; N];
+        for i in 0..N {
+            points[i] = self.shifted_far(i, rigid[i], &from[i], t, dt);
+        }
+        points
+    }
+
     #[inline(always)]
     fn shifted(&self, i: usize, rigid: bool, at: &Point<L>, t: Pack<L>, dt: Pack<L>) -> Point<L> {
         if rigid {
-            let t = t + dt;
-            return self.point(i, t, 0.5 * t * t, Pack::all(0.0));
+            return self.moved_on(i, t + dt);
         }
-        let Modes { sigma, omega2, series: [c2, c3, c4, c5, c6], .. } = self.cells.modes[i];
-        let (a, b) = (2.0 * sigma, omega2);
+        let Modes { sigma, series: [c2, c3, c4, c5, c6], .. } = self.cells.modes[i];
         // Evaluate in pairs, which the processor computes in parallel: a single number waits for this result.
         let dt2 = dt * dt;
         let s1 = dt * ((1.0 + dt * c2) + dt2 * ((c3 + dt * c4) + dt2 * (c5 + dt * c6)));
@@ -152,12 +160,44 @@ impl<'a, const N: usize, const L: usize> Flight<'a, N, L> {
         let x = -(sigma * dt);
         let x2 = x * x;
         let decay = x * ((1.0 + x * 0.5) + x2 * ((1.0 / 6.0 + x * (1.0 / 24.0)) + x2 * (1.0 / 120.0)));
+        self.followed(i, at, &Response { s1, s2, decay })
+    }
+
+    #[inline(always)]
+    fn shifted_far(&self, i: usize, rigid: bool, at: &Point<L>, t: Pack<L>, dt: Pack<L>) -> Point<L> {
+        if rigid {
+            return self.moved_on(i, t + dt);
+        }
+        let Modes { sigma, omega2, series: [c2, c3, c4, c5, c6], .. } = self.cells.modes[i];
+        // From S1'' + 2 sigma S1' + omega² S1 = 0.
+        let c7 = (-12.0 * sigma * c6 - omega2 * c5) * (1.0 / 42.0);
+        let c8 = (-14.0 * sigma * c7 - omega2 * c6) * (1.0 / 56.0);
+        let dt2 = dt * dt;
+        let dt4 = dt2 * dt2;
+        let s1 = dt * (((1.0 + dt * c2) + dt2 * (c3 + dt * c4)) + dt4 * ((c5 + dt * c6) + dt2 * (c7 + dt * c8)));
+        let low = (0.5 + dt * (c2 * (1.0 / 3.0))) + dt2 * (c3 * 0.25 + dt * (c4 * 0.2));
+        let high = (c5 * (1.0 / 6.0) + dt * (c6 * (1.0 / 7.0))) + dt2 * (c7 * 0.125 + dt * (c8 * (1.0 / 9.0)));
+        let s2 = dt2 * (low + dt4 * high);
+        self.followed(i, at, &Response { s1, s2, decay: exp_m1(-(sigma * dt)) })
+    }
+
+    /// A rigid mode at the time `t` [s].
+    #[inline(always)]
+    fn moved_on(&self, i: usize, t: Pack<L>) -> Point<L> {
+        self.point(i, t, 0.5 * t * t, Pack::all(0.0))
+    }
+
+    /// Mode `i` after a further time, whose responses are `after`.
+    #[inline(always)]
+    fn followed(&self, i: usize, at: &Point<L>, after: &Response<L>) -> Point<L> {
+        let Modes { sigma, omega2, .. } = self.cells.modes[i];
+        let (a, b) = (2.0 * sigma, omega2);
         let (speed, force) = (1.0 - a * at.s1 - b * at.s2, -(b * at.s1));
         self.point(
             i,
-            at.s1 + speed * s1 + force * s2,
-            at.s2 + at.s1 * s1 + (1.0 - b * at.s2) * s2,
-            at.decay + (1.0 + at.decay) * decay,
+            at.s1 + speed * after.s1 + force * after.s2,
+            at.s2 + at.s1 * after.s1 + (1.0 - b * at.s2) * after.s2,
+            at.decay + (1.0 + at.decay) * after.decay,
         )
     }
 

@@ -42,7 +42,16 @@ impl<const N: usize, const L: usize> Lanes<N, L> {
     pub fn load(&mut self, lane: usize, simulation: &Simulation<'_>, new: bool) {
         let law = &simulation.now.laws[0];
         if new {
-            self.tables.iter_mut().enumerate().for_each(|(place, table)| table.fill(lane, simulation, place));
+            let mut k = simulation.now.k[..].to_vec();
+            let mut stiffness = |place| {
+                k[0] = law.pitch.level(place);
+                simulation.equations().stiffness(&k)
+            };
+            let stiffness: Vec<_> = (0..self.tables.len()).map(&mut stiffness).collect();
+            self.tables
+                .iter_mut()
+                .enumerate()
+                .for_each(|(place, table)| table.fill(lane, simulation, place, &stiffness));
             self.expected.iter_mut().for_each(|expected| expected.forget(lane));
             self.long |= law.pitch.pitches() > 1;
             let impulse = law.switching == Switching::WithJump;

@@ -72,7 +72,7 @@ impl<const N: usize, const L: usize> Lanes<N, L> {
                 dissipated = dissipated + flight.dissipated(j, &points[j]);
             }
         }
-        q[self.phase] = target.boundary;
+        self.put(&mut q, target.boundary);
         let mut arrival = [q, q_dot];
         for i in 0..N {
             arrival[1][i] = q_dot[i] + (gained[i] + lost[i]);
@@ -83,7 +83,7 @@ impl<const N: usize, const L: usize> Lanes<N, L> {
                 dv = dv + cells.step[1][i][j].or_uniform(target.up, cells.step[0][i][j]) * q[i] * q[j];
             }
         }
-        let v = q_dot[self.phase] + gained[self.phase];
+        let v = self.of_phase(&q_dot) + self.of_phase(&gained);
         let lowered = 2.0 * self.compliance * dv;
         let square = v * v - lowered;
         let gain = -(target.sign * lowered) / (square.sqrt() + v.abs());
@@ -97,9 +97,29 @@ impl<const N: usize, const L: usize> Lanes<N, L> {
         for i in 0..N {
             [q_dot[i], lost[i]] = two_sum(q_dot[i], (gained[i] + lost[i]) + self.direction[i] * gain);
         }
-        q[self.phase] = target.boundary.or_uniform(turned, cells.entered[1].or_uniform(target.up, cells.entered[0]));
+        let entered = cells.entered[1].or_uniform(target.up, cells.entered[0]);
+        self.put(&mut q, target.boundary.or_uniform(turned, entered));
         let (sure, up, steady, found) = (sure.and(goes_on), target.up, target.steady, target.found);
         Attempt { sure, t, up, turned, found, evaluations, steady, arrival, q, q_dot, lost, dissipated, common }
+    }
+
+    /// Sets the coordinate that is the phase. A loop, because an index that is not constant would force the array into memory, and the next
+    /// reader waits for it.
+    #[inline(always)]
+    fn put(&self, q: &mut [Pack<L>; N], place: Pack<L>) {
+        for i in 0..N {
+            q[i] = if i == self.phase { place } else { q[i] };
+        }
+    }
+
+    /// The entry of the phase.
+    #[inline(always)]
+    fn of_phase(&self, all: &[Pack<L>; N]) -> Pack<L> {
+        let mut value = all[0];
+        for i in 1..N {
+            value = if i == self.phase { all[i] } else { value };
+        }
+        value
     }
 
     /// Whether a motion that is turned back with the normal speed `v` is not pressed against the step ([`presses`]): its bounce is longer than a

@@ -6,7 +6,7 @@ use crate::engine::lanes::expected::Expected;
 use crate::engine::lanes::flight::{Flight, Point, responses};
 use crate::engine::lanes::pack::{Mask, Pack};
 use crate::tolerance::events::{BOUND_MARGIN, REVERSION_LIMIT, ROOT_ERROR};
-use crate::tolerance::modes::{KERNEL_ANGLE, SERIES_SPAN, SHIFT_SPAN};
+use crate::tolerance::modes::{FAR_SHIFT_SPAN, KERNEL_ANGLE, SERIES_SPAN, SHIFT_SPAN};
 
 /// The boundary that the phase of each lane meets.
 pub struct Target<const L: usize> {
@@ -66,17 +66,14 @@ impl<const N: usize, const L: usize> Lanes<N, L> {
         let guess =
             (target.steady + expected.lateness).zip(target.steady, |t, steady| if t > 0.0 { t } else { steady });
         let guess = target.steady.or(target.found, guess);
-        // The condition is also false for NaN.
-        let near_enough = ((guess - expected.t) * cells.rate).compare(guess, |angle, _| angle.abs() <= SHIFT_SPAN);
-        let near_enough = near_enough.without(target.found);
-        let elsewhere = Mask::of(|_| true).without(near_enough);
         let (mut t, mut near) = (expected.t, flight.all_after(&expected.responses));
+        let away = guess - t;
+        // The condition is also false for NaN.
+        let near_enough = (away * cells.rate).compare(away, |angle, _| angle.abs() <= SHIFT_SPAN);
+        let elsewhere = Mask::of(|_| true).without(near_enough.without(target.found));
         if elsewhere.intersects(sure) {
-            t = guess.or(elsewhere, t);
-            let anew = flight.all_after(&responses(cells, &self.rigid, guess));
-            for i in 0..N {
-                near[i] = anew[i].or(elsewhere, &near[i]);
-            }
+            near = self.moved(cells, flight, (t, &near), away, elsewhere, sure);
+            t = (t + away).or(elsewhere, t);
         }
         let (mut points, mut taken, mut done, mut evaluations) = (near, t, Mask::of(|_| false), 0);
         for round in 1..=MOST {
@@ -105,8 +102,9 @@ impl<const N: usize, const L: usize> Lanes<N, L> {
             if done.covers(sure) || round == MOST {
                 break;
             }
-            t = t + dt.zip(t, |dt, t| dt.max(-0.5 * t).min(t));
-            near = flight.all_after(&responses(cells, &self.rigid, t));
+            let dt = dt.zip(t, |dt, t| dt.max(-0.5 * t).min(t));
+            near = self.moved(cells, flight, (t, &near), dt, Mask::of(|_| true), sure.without(done));
+            t = t + dt;
         }
         let in_time = taken.compare(self.end - self.clock[0] - self.clock[1], |t, left| t < left);
         let angle = cells.rate * taken;
@@ -115,6 +113,37 @@ impl<const N: usize, const L: usize> Lanes<N, L> {
         let beside = ((taken - guess) * cells.rate).compare(guess, |angle, _| angle.abs() <= 2.0 * SHIFT_SPAN);
         let sure = sure.and(done).and(in_time).and(resolved);
         (sure.without(target.found.without(beside)), taken, points, evaluations)
+    }
+
+    /// The modes in the lanes `moving` at the time `dt` [s] after a known time: by the series of the motion if it is near, else by its closed
+    /// form. Each lane decides for itself. What is needed in none of the lanes `sure` is not computed.
+    #[inline(always)]
+    fn moved(
+        &self,
+        cells: &Cells<N, L>,
+        flight: &Flight<'_, N, L>,
+        (t, known): (Pack<L>, &[Point<L>; N]),
+        dt: Pack<L>,
+        moving: Mask<L>,
+        sure: Mask<L>,
+    ) -> [Point<L>; N] {
+        // The condition is also false for NaN.
+        let near = (dt * cells.rate).compare(dt, |angle, _| angle.abs() <= FAR_SHIFT_SPAN);
+        let (by_series, anew) = (moving.and(near), moving.without(near));
+        let mut points = *known;
+        if by_series.intersects(sure) {
+            let shifted = flight.all_shifted_far(&self.rigid, known, t, dt);
+            for i in 0..N {
+                points[i] = shifted[i].or(by_series, &points[i]);
+            }
+        }
+        if anew.intersects(sure) {
+            let evaluated = flight.all_after(&responses(cells, &self.rigid, t + dt));
+            for i in 0..N {
+                points[i] = evaluated[i].or(anew, &points[i]);
+            }
+        }
+        points
     }
 
     /// Displacement of the phase towards its boundary, and its first four derivatives.
