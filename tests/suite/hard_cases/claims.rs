@@ -55,7 +55,8 @@ struct Sum {
     claims: Vec<f64>,
 }
 
-/// Samples of a run. The claim takes the largest distance of the last of them. From the end alone, two runs are more often close by chance.
+/// Number of samples of a run. The claim uses the largest distance of the two runs in the last samples. At the end state alone, two runs are
+/// more often close by chance.
 const SAMPLES: f64 = 100.0;
 
 /// The number of digits of an f64. More are neither claimed nor counted.

@@ -14,7 +14,7 @@ use crate::tolerance::events::WORTH_PREDICTING;
 #[derive(Debug, Clone, Copy)]
 #[repr(align(64))]
 pub struct Expected<const N: usize, const L: usize> {
-    /// Predicted duration of the next passage, minus its duration at the steady part of the speed [s].
+    /// The predicted duration of the next passage, minus the duration that it would have at the steady part of the speed [s].
     pub(super) lateness: Pack<L>,
     /// The same of the last passage [s].
     late: Pack<L>,

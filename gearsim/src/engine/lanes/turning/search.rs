@@ -4,7 +4,7 @@ use super::phase::{Phase, Place};
 use crate::tolerance::events::{BOUND_MARGIN, TURN_NEAR};
 use crate::tolerance::modes::KERNEL_ANGLE;
 
-/// Most intervals, and most steps of Newton's method in one. Phases that need more are left to the general loop.
+/// The largest number of intervals, and of steps of Newton's method in one interval. Phases that need more are left to the general loop.
 const MOST: (u32, u32) = (16, 16);
 
 impl Phase {
