@@ -24,6 +24,8 @@ pub struct Coupling {
     loss: loss::Loss,
     /// X1, X2 and G in the undamped modes (n x n each, n <= N modes).
     modal: [Matrix; 3],
+    /// Condition number of the modes [1]: how much larger than a motion its parts can be.
+    pub condition: f64,
 }
 
 impl Coupling {
@@ -37,7 +39,7 @@ impl Coupling {
         loading: [Matrix; 2],
     ) -> Self {
         let modal = [&coupled.by_speed, &coupled.by_acceleration, &coupled.damping].map(Clone::clone);
-        Coupling { shapes, force, speed, loading, loss: loss::Loss::new(coupled), modal }
+        Coupling { shapes, force, speed, loading, loss: loss::Loss::new(coupled), modal, condition: coupled.condition }
     }
 
     /// Contribution of the forces at `q` to the speeds of the modes.

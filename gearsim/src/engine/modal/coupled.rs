@@ -39,6 +39,8 @@ pub struct Coupled {
     pub force: [DMatrix<f64>; 2],
     /// G.
     pub damping: DMatrix<f64>,
+    /// The largest sum of parts of a motion, over the motion [1].
+    pub condition: f64,
 }
 
 impl Coupled {
@@ -75,7 +77,7 @@ impl Coupled {
         if let Some(fed) = pairs.iter().find(|p| p.s < 0.0 || p.b < 0.0) {
             return Err(Refusal::Feeding { rate: -0.5 * fed.s });
         }
-        let functionals = functionals(omega2, damping, &pairs)?;
+        let (functionals, condition) = functionals(omega2, damping, &pairs)?;
         let by = |f: &dyn Fn(usize, usize) -> f64| DMatrix::from_fn(n, n, f);
         let rows = |r: usize, of: usize| by(&|k, i| functionals[(2 * k + r, of * n + i)]);
         let force = |of: usize| {
@@ -88,6 +90,7 @@ impl Coupled {
             speed: [rows(0, 0), rows(0, 1)],
             force: [force(0), force(1)],
             damping: damping.clone(),
+            condition,
         })
     }
 }
@@ -140,8 +143,8 @@ fn solve(omega2: &[f64], g: &DMatrix<f64>, nearness: Nearness, watch: &dyn Fn())
     Ok(pairs)
 }
 
-/// The rows that give a' and a'' of each pair from (xi', F) (2n x 2n).
-fn functionals(omega2: &[f64], g: &DMatrix<f64>, pairs: &[Pair]) -> Result<DMatrix<f64>, Refusal> {
+/// The rows that give a' and a'' of each pair from (xi', F) (2n x 2n), and their condition number.
+fn functionals(omega2: &[f64], g: &DMatrix<f64>, pairs: &[Pair]) -> Result<(DMatrix<f64>, f64), Refusal> {
     let n = omega2.len();
     // Z as (xi', F) and as (xi', xi''). The first is B times the second, with its halves exchanged.
     let (mut forces, mut rates) = (DMatrix::zeros(2 * n, 2 * n), DMatrix::zeros(2 * n, 2 * n));
@@ -164,8 +167,8 @@ fn functionals(omega2: &[f64], g: &DMatrix<f64>, pairs: &[Pair]) -> Result<DMatr
     let units: Vec<f64> =
         (0..n).map(|i| omega2[i].sqrt().max(g[(i, i)])).map(|u| if u > 0.0 { u } else { 1.0 }).collect();
     let rows = biorthogonal(&rows, &forces)?;
-    verify(&units, &rows, &forces)?;
-    Ok(rows)
+    let condition = verify(&units, &rows, &forces)?;
+    Ok((rows, condition))
 }
 
 /// Removes the remaining products of pairs that nearly share their eigenvalues: the rows W with W Z = 1.
@@ -184,9 +187,12 @@ fn biorthogonal(rows: &DMatrix<f64>, columns: &DMatrix<f64>) -> Result<DMatrix<f
     whole.lu().solve(rows).ok_or(Refusal::Defective { condition: f64::INFINITY })
 }
 
-/// Refuses modes that do not represent every motion, or whose contributions to a motion are much larger than the motion: the
-/// diagonal of sum_k |Z_k| |W_k|, which does not depend on the scaling of coordinates or modes.
-fn verify(units: &[f64], rows: &DMatrix<f64>, columns: &DMatrix<f64>) -> Result<(), Refusal> {
+/// The condition number of modes: how much larger than a motion its parts can be. It is the largest entry of the diagonal of sum_k |Z_k|
+/// |W_k|, which does not depend on the scaling of coordinates or modes.
+///
+/// # Errors
+/// If the modes do not represent every motion, or the condition number is too large.
+fn verify(units: &[f64], rows: &DMatrix<f64>, columns: &DMatrix<f64>) -> Result<f64, Refusal> {
     let n = units.len();
     let parts = |i: usize| columns.row(i).iter().zip(rows.column(i).iter()).map(|(z, w)| (z * w).abs()).sum::<f64>();
     let condition = (0..2 * n).map(parts).fold(0.0, |worst, x| if x.is_nan() || x > worst { x } else { worst });
@@ -197,7 +203,7 @@ fn verify(units: &[f64], rows: &DMatrix<f64>, columns: &DMatrix<f64>) -> Result<
         DMatrix::from_fn(2 * n, 2 * n, |i, j| (whole[(i, j)] - f64::from(u8::from(i == j))) * unit(j) / unit(i));
     let missed = missed.iter().fold(0.0, |worst: f64, x| if x.is_nan() { f64::INFINITY } else { worst.max(x.abs()) });
     match condition <= CONDITION {
-        true if missed <= MISSED => Ok(()),
+        true if missed <= MISSED => Ok(condition),
         true => Err(Refusal::ModesMissed { missed }),
         false => Err(Refusal::Defective { condition }),
     }

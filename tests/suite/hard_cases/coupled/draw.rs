@@ -11,7 +11,7 @@ pub struct Drawn<const N: usize> {
     pub v: [f64; N],
     /// Length of the flight [s].
     pub t: f64,
-    /// What amplifies the rounding errors of the matrices: sqrt of the largest ratio of inertias times that of stiffnesses, or the rate of
+    /// What amplifies the rounding errors of the matrices: sqrt of the largest ratio of inertias times that of stiffnesses, and the rate of
     /// the strongest damper over that of a vibration.
     condition: f64,
 }
@@ -55,12 +55,14 @@ impl<const N: usize> Drawn<N> {
             }
         }
         let load = [(); N].map(|()| if noise.below(3) == 0 { unit * unit * noise.even() } else { 0.0 });
+        let heaviest = inertias.iter().copied().fold(0.0, f64::max);
+        let damper = (0..N).map(|i| damping[i][i] / mass[i][i]).fold(0.0, f64::max);
         Drawn {
             system: Linear { mass, damping, stiffness, load, normal: [1.0; N] },
             q: [(); N].map(|()| noise.even()),
             v: [(); N].map(|()| unit * noise.even()),
             t: noise.power(-2.0, 2.0) / unit,
-            condition: (10f64.powf(spread) * stiffest / softest).sqrt(),
+            condition: (10f64.powf(spread) * stiffest / softest).sqrt().max(damper * (heaviest / softest).sqrt()),
         }
     }
 
@@ -91,17 +93,23 @@ impl<const N: usize> Drawn<N> {
 
     /// The error over the effect of rounding such matrices.
     pub fn judged(&self, error: f64) -> f64 {
-        let judged = error / self.condition;
+        let judged = error / self.amplified();
         if judged.is_nan() || judged >= 1e3 {
             println!("{judged:e}: {self:?}");
         }
         judged
     }
 
+    /// What amplifies rounding errors in the motion. The condition number c of the modes shifts their phases by c rounding errors, and each
+    /// mode is c times as large as the motion.
+    fn amplified(&self) -> f64 {
+        self.condition * self.system.cell().coupling.map_or(1.0, |coupling| coupling.condition).powi(2)
+    }
+
     /// A bound on the relative error of the motion.
     pub fn slack(&self) -> f64 {
         let rate = self.system.cell().rate;
-        1e3 * f64::EPSILON * self.condition * (1.0 + rate * self.t)
+        1e3 * f64::EPSILON * self.amplified() * (1.0 + rate * self.t)
     }
 }
 
