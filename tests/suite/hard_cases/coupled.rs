@@ -51,6 +51,15 @@ pub const CASES: &[Case] = &[
     },
     Case {
         row: "13",
+        name: "a free train that strong dampers hold together and that a damper of 1e-1 to 1e-9 slows",
+        proves: "q and q' agree with the matrix exponential: the slow decay and the motion without end form one mode",
+        tolerance: 100.0,
+        unit: "eps cond (1 + rate t) of the speeds",
+        reason: "cond is the rate of the strongest damper over that of a vibration",
+        measure: slowed,
+    },
+    Case {
+        row: "13",
         name: "first crossings of random cells with coupled damping",
         proves: "each is a root of the phase by the matrix exponential, and no earlier sample of it is beyond the boundary",
         tolerance: 0.0,
@@ -189,6 +198,19 @@ fn losses(note: &mut String) -> f64 {
     });
     *note = format!("up to {:.0} % of the energy", 100.0 * most);
     worst
+}
+
+fn slowed(_: &mut String) -> f64 {
+    let chain = |a: f64, b: f64| [[a, -a, 0.0], [-a, a + b, -b], [0.0, -b, b]];
+    largest((1..=9).map(|power| {
+        let mut damping = chain(4.0, 6.0);
+        damping[2][2] += 0.5f64.powi(3 * power);
+        let stiffness = chain(0.03125, 0.046875);
+        let load = [0.0, 0.01, 0.02];
+        let system = Linear { mass: diagonal([1.0, 2.0, 1.5]), damping, stiffness, load, normal: [1.0; 3] };
+        let condition = 10.0 / (0.03125f64 * 2.0).sqrt();
+        error(&system, &[0.1, -0.2, 0.3], &[0.02, 0.01, -0.01], 10.0) / condition
+    }))
 }
 
 fn far_from_final(_: &mut String) -> f64 {

@@ -5,7 +5,8 @@
 //! each fast lambda and loses one at each slow lambda. This is the sign characteristic (I. Gohberg, P. Lancaster & L. Rodman,
 //! Matrix Polynomials, 1982). Two eigenvalues of the same kind can pass through one another. A fast and a slow one that meet
 //! become defective, and then complex. Therefore each fast one forms a pair with the nearest slow one: if they meet, they do so
-//! within one mode, as at critical damping. Damped rigid motions have lambda = 0, which is slow.
+//! within one mode, as at critical damping. Damped rigid motions have lambda = 0, which is slow. The nearest is that with the smallest
+//! difference, not ratio: in a flight that is short against their decay, 0 and a small lambda are nearly equal too.
 
 use nalgebra::{Complex, DMatrix, DVector, Schur};
 
@@ -59,7 +60,7 @@ pub fn eigenpairs(omega2: &[f64], g: &DMatrix<f64>, nearness: Nearness) -> Resul
     real.sort_by(|x, y| (x.re, x.im).partial_cmp(&(y.re, y.im)).unwrap_or(std::cmp::Ordering::Equal));
     let mut left: Vec<(Complex<f64>, bool)> = real.iter().copied().zip(kinds(omega2, g, &real)).collect();
     while left.len() > 1 {
-        let apart = |i: usize, j: usize| (left[i].0 - left[j].0).norm() / left[i].0.norm().max(left[j].0.norm());
+        let apart = |i: usize, j: usize| (left[i].0 - left[j].0).norm();
         let opposite =
             (0..left.len()).flat_map(|j| (0..j).map(move |i| (i, j))).filter(|&(i, j)| left[i].1 != left[j].1);
         let nearest = opposite.min_by(|x, y| apart(x.0, x.1).total_cmp(&apart(y.0, y.1)));
