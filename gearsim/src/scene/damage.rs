@@ -5,8 +5,10 @@
 //! the length of a crack. Where both teeth of a pair are damaged, their flexibilities add: with the losses a and b, 1/k of the pair becomes
 //! (1 + a/(1 - a) + b/(1 - b))/k, so that a pair never loses more than its stiffness.
 //!
-//! The numbers of pairs follow from the teeth of the law; along the face of helical gears each transverse section has a law of its own. A law that is given by steps alone has one pair at its low level, and two at its
-//! high one.
+//! The numbers of pairs follow from the teeth of the law; along the face of helical gears each transverse section has a law of its own. A
+//! law that is given by steps alone has one pair at its low level, and two at its high one.
+
+use num_integer::Integer;
 
 use super::document::{Entry, Node, Place, Value};
 use super::keys::{Key, Kind, REQUIRED, key};
@@ -142,7 +144,7 @@ fn damaged(healthy: &Profile, damages: &[Damage], pairs: usize) -> Result<Profil
             "give a stiffness that rises once a pitch, where a pair enters contact, and falls once, where one leaves";
         return Err(("where pairs enter contact cannot be told from the steps", help));
     };
-    let pitches = damages.iter().try_fold(1usize, |all, damage| all.checked_mul(damage.of / gcd(all, damage.of)));
+    let pitches = damages.iter().try_fold(1usize, |all, damage| all.checked_mul(damage.of / all.gcd(&damage.of)));
     let pitches = pitches.filter(|pitches| pitches * n <= DAMAGED_CELLS);
     let pitches =
         pitches.ok_or(("the damaged teeth meet again only after too many pitches", "damage teeth of one gear only"))?;
@@ -168,10 +170,6 @@ fn damaged(healthy: &Profile, damages: &[Damage], pairs: usize) -> Result<Profil
 /// The lost part of the stiffness of a pair with two damaged teeth, which would lose the parts `a` and `b` alone.
 fn together(a: f64, b: f64) -> f64 {
     if a.max(b) < 1.0 { (a + b - 2.0 * a * b) / (1.0 - a * b) } else { 1.0 }
-}
-
-fn gcd(a: usize, b: usize) -> usize {
-    if b == 0 { a } else { gcd(b, a % b) }
 }
 
 #[cfg(test)]

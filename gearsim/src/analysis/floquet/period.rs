@@ -1,5 +1,7 @@
 //! The common period of all stiffnesses, divided into stretches in which none of them steps. Within a stretch a stiffness may follow a curve.
 
+use num_integer::Integer;
+
 use crate::analysis::steady::SteadyLaw;
 use crate::tolerance::analysis;
 
@@ -65,7 +67,8 @@ pub fn stretches(courses: &[SteadyLaw]) -> Result<(f64, Vec<Stretch>), Aperiodic
                 most: analysis::COMMON_PITCHES,
             });
         };
-        pitches = pitches / gcd(pitches, whole) * whole;
+        let common = pitches.checked_mul(whole / pitches.gcd(&whole));
+        pitches = common.ok_or(Aperiodic::Long { most: analysis::PERIOD_STEPS })?;
     }
     let period = pitches as f64 / first.frequency();
     let count = varying.iter().map(|c| c.frequency() * period * c.levels.len() as f64).sum::<f64>();
@@ -93,10 +96,6 @@ fn steps(course: &SteadyLaw, period: f64) -> Vec<f64> {
         forward.rem_euclid(course.period) / course.speed.abs()
     };
     (0..pitches).flat_map(|p| course.levels.iter().map(move |&(_, end)| way(end) + p as f64 * one)).collect()
-}
-
-fn gcd(a: u64, b: u64) -> u64 {
-    if b == 0 { a } else { gcd(b, a % b) }
 }
 
 #[cfg(test)]

@@ -4,13 +4,15 @@
 //! Counting is exact for all of them only in a common unit. The turn is the longest length of which each period is a whole
 //! multiple.
 
+use num_integer::Integer;
+
 use crate::tolerance::phases::{TURN_RATIO, TURNS};
 
 /// The turn, and the number of turns in each of the `periods`; `None` if they have no common measure.
 pub fn common(periods: &[f64]) -> Option<(f64, Vec<u32>)> {
     let shortest = periods.iter().copied().reduce(f64::min)?;
     let parts = periods.iter().map(|period| denominator(period / shortest)).collect::<Option<Vec<u32>>>()?;
-    let parts = parts.into_iter().try_fold(1u32, |all, part| all.checked_mul(part / gcd(all, part)))?;
+    let parts = parts.into_iter().try_fold(1u32, |all, part| all.checked_mul(part / all.gcd(&part)))?;
     if parts > TURNS {
         return None;
     }
@@ -24,10 +26,6 @@ fn denominator(ratio: f64) -> Option<u32> {
         let p = ratio * f64::from(q);
         (p - p.round()).abs() <= TURN_RATIO * p
     })
-}
-
-fn gcd(a: u32, b: u32) -> u32 {
-    if b == 0 { a } else { gcd(b, a % b) }
 }
 
 #[cfg(test)]
