@@ -36,9 +36,6 @@ pub(crate) const DECAYED: f64 = 40.0;
 /// Length of a panel of the quadrature of dissipated energy [rad]: the fastest rate times the time. The 16-point Gauss-Legendre
 /// rule is exact to rounding there. Larger: it is not. Smaller: more panels.
 pub(crate) const QUADRATURE_PANEL: f64 = 2.0;
-/// Largest terms of the dissipated energy of coupled modes in closed form [1]: the sum of their absolute values over the kinetic energy.
-/// The energy lost has this many roundings. Larger: it loses digits in flights much shorter than a decay. Smaller: more quadrature.
-pub(crate) const CANCELLED_LOSS: f64 = 16.0;
 
 /// An entry of K below this [relative to the terms of switches in it, which cancel those of springs] is zero. It is 18 eps: each term has
 /// a few roundings. Smaller: their rounding errors become very soft springs. Larger: soft springs beside stiff ones vanish.

@@ -10,15 +10,13 @@
 //! eigenvalues are nearly opposite. The weight phi_kᵀG phi_l is then as small as their sum, because the dissipated energy is what
 //! makes a mode decay. The error is therefore a rounding error of the energy of the modes.
 //!
-//! For short times and near critical damping the closed form cancels, and Gauss-Legendre quadrature is used. So it is for a mode that decays
-//! much more slowly than the flight takes: its exponentials have the amplitude of the final speed, force over damping, which the flight
-//! comes nowhere near.
+//! For short times and near critical damping the closed form cancels, and Gauss-Legendre quadrature is used.
 
 use nalgebra::{Complex, DMatrix, DVector};
 
 use crate::engine::modal::Coupled;
 use crate::engine::mode::{GAUSS_16, Mode};
-use crate::tolerance::modes::{CANCELLED_LOSS, DECAYED, EIGENVALUES_APART, QUADRATURE_PANEL, SERIES_SPAN};
+use crate::tolerance::modes::{DECAYED, EIGENVALUES_APART, QUADRATURE_PANEL, SERIES_SPAN};
 
 /// The damped modes of one cell.
 #[derive(Debug, Clone)]
@@ -30,8 +28,8 @@ pub struct Loss {
     damping: DMatrix<f64>,
     /// The closed form; `None` if two eigenvalues of a mode nearly coincide.
     closed: Option<Closed>,
-    /// Slowest and fastest rate of the damped modes \[1/s\].
-    rates: [f64; 2],
+    /// Fastest rate of the damped modes \[1/s\].
+    rate: f64,
 }
 
 /// The exponentials of all damped modes, and their weights phi_kᵀG phi_l/(lambda_k + lambda_l). If the sum is zero, the weight is
@@ -57,25 +55,16 @@ impl Loss {
             by_speed: by_speed.clone(),
             by_acceleration: by_acceleration.clone(),
             damping: damping.clone(),
-            rates: damped
-                .iter()
-                .map(|&k| modes[k].rate)
-                .fold([f64::INFINITY, 0.0], |[low, high], rate| [low.min(rate), high.max(rate)]),
+            rate: damped.iter().map(|&k| modes[k].rate).fold(0.0, f64::max),
         }
     }
 
     /// The integral from 0 to `t` \[s\], from the speeds a' and accelerations a'' of the modes at the start.
     pub fn until(&self, rates: &[(f64, f64)], t: f64) -> f64 {
-        let [slowest, fastest] = self.rates.map(|rate| rate * t);
-        match self.closed.as_ref().filter(|_| fastest >= SERIES_SPAN).map(|closed| closed.until(rates, t)) {
-            Some((sum, terms)) if slowest >= SERIES_SPAN || terms <= CANCELLED_LOSS * self.kinetic(rates, t) => sum,
+        match &self.closed {
+            Some(closed) if self.rate * t >= SERIES_SPAN => closed.until(rates, t),
             _ => self.by_quadrature(rates, t),
         }
-    }
-
-    /// The largest kinetic energy at the start, in the middle and at the end.
-    fn kinetic(&self, rates: &[(f64, f64)], t: f64) -> f64 {
-        [0.0, 0.5 * t, t].map(|t| 0.5 * self.speeds(rates, t).norm_squared()).into_iter().fold(0.0, f64::max)
     }
 
     /// Quadrature over panels. In each, the fastest mode that has not yet decayed turns by at most two radians, so that the
@@ -102,12 +91,6 @@ impl Loss {
 
     /// uᵀG u at the time `t`.
     fn power(&self, rates: &[(f64, f64)], t: f64) -> f64 {
-        let u = self.speeds(rates, t);
-        u.dot(&(&self.damping * &u))
-    }
-
-    /// The speeds u at the time `t`.
-    fn speeds(&self, rates: &[(f64, f64)], t: f64) -> DVector<f64> {
         let speeds: Vec<(f64, f64)> = self
             .modes
             .iter()
@@ -120,7 +103,8 @@ impl Loss {
             .collect();
         let v = DVector::from_fn(speeds.len(), |i, _| speeds[i].0);
         let a = DVector::from_fn(speeds.len(), |i, _| speeds[i].1);
-        &self.by_speed * v + &self.by_acceleration * a
+        let u = &self.by_speed * v + &self.by_acceleration * a;
+        u.dot(&(&self.damping * &u))
     }
 }
 
@@ -162,26 +146,24 @@ impl Closed {
         Some(Closed { exponents, weights })
     }
 
-    /// The integral, and the sum of the absolute values of its terms.
-    fn until(&self, rates: &[(f64, f64)], t: f64) -> (f64, f64) {
+    fn until(&self, rates: &[(f64, f64)], t: f64) -> f64 {
         let part = |&(k, lambda, other): &(usize, Complex<f64>, Complex<f64>)| {
             let (v, a) = rates[k];
             (Complex::from(a) - other * v) / (lambda - other)
         };
         // For each exponential: its amplitude at the start, lambda and e^{lambda t} - 1.
         let all: Vec<_> = self.exponents.iter().map(|e| (part(e), e.1, exp_m1(e.1 * t))).collect();
-        let (mut sum, mut terms) = (0.0, 0.0);
+        let mut sum = 0.0;
         for (j, (d, other, f)) in all.iter().enumerate() {
             let mut row = Complex::from(0.0);
             for (i, (c, lambda, e)) in all.iter().enumerate().skip(j) {
                 let grown = if is_zero(lambda + other) { t.into() } else { e + f + e * f };
                 let twice = if i == j { 1.0 } else { 2.0 };
-                let term = c * self.weights[(i, j)] * grown * twice * d;
-                (row, terms) = (row + term, terms + term.l1_norm());
+                row += c * self.weights[(i, j)] * grown * twice;
             }
-            sum += row.re;
+            sum += (row * d).re;
         }
-        (sum, terms)
+        sum
     }
 }
 
