@@ -24,7 +24,7 @@ pub struct Coupling {
     loss: loss::Loss,
     /// X1, X2 and G in the undamped modes (n x n each, n <= N modes).
     modal: [Matrix; 3],
-    /// Condition number of the modes [1]: how much larger than a motion its parts can be.
+    /// Condition number of the modes [1]: a mode can be this much larger than the motion.
     pub condition: f64,
 }
 

@@ -5,8 +5,8 @@
 //! the length of a crack. Where both teeth of a pair are damaged, their flexibilities add: with the losses a and b, 1/k of the pair becomes
 //! (1 + a/(1 - a) + b/(1 - b))/k, so that a pair never loses more than its stiffness.
 //!
-//! The numbers of pairs follow from the teeth of the law; along the face of helical gears each transverse section has a law of its own. A
-//! law that is given by steps alone has one pair at its low level, and two at its high one.
+//! The number of pairs in contact follows from the teeth of the law. Along the face of helical gears each transverse section has its own law.
+//! A law that is given by steps alone has one pair in contact at its low level, and two at its high level.
 
 use num_integer::Integer;
 

@@ -358,7 +358,8 @@ fn mirrored(note: &mut String) -> f64 {
             return f64::INFINITY;
         }
         rows += a.len();
-        same += (0..a.len()).filter(|&i| a.t[i] == b.t[i] && a.q[1][i] == -b.q[1][i]).count();
+        let equal = |i: usize| a.t[i] == b.t[i] && a.q[1][i] == -b.q[1][i] && a.q_dot[1][i] == -b.q_dot[1][i];
+        same += (0..a.len()).filter(|&i| equal(i)).count();
         let apart = |a: &[f64], b: &[f64], sign: f64| {
             let size = largest(a.iter().map(|x| x.abs()));
             largest(a.iter().zip(b).map(|(a, b)| (a - sign * b).abs() / size))

@@ -182,10 +182,21 @@ fn wheels(note: &mut String) -> f64 {
 fn losses(note: &mut String) -> f64 {
     let (mut noise, mut most) = (Noise::new(1302), 0f64);
     let worst = of_all!(&mut noise, drawn => {
-        let rate = drawn.system.cell().rate;
-        let Lost { found, exact, passes } = lost(&drawn.system, &drawn.q, &drawn.v, drawn.t);
-        most = most.max(exact / passes);
-        drawn.judged((found - exact).abs() / (passes * f64::EPSILON * (1.0 + rate * drawn.t)))
+        let system = &drawn.system;
+        let cell = system.cell();
+        let flight = cell.flight(&Vector::from(drawn.q), &Vector::from(drawn.v));
+        let lost = flight.dissipated(&flight.at(drawn.t));
+        let (q, v) = exact(system).over(&Digits::exact(drawn.t)).of(&digits(&drawn.q), &digits(&drawn.v));
+        let [before, after] = [(digits(&drawn.q), digits(&drawn.v)), (q.clone(), v)].map(|(q, v)| {
+            quadratic(&system.mass, &v) + quadratic(&system.stiffness, &q)
+        });
+        let work = (0..q.len()).fold(Digits::exact(0.0), |sum, i| {
+            sum + Digits::exact(system.load[i]) * (q[i].clone() - Digits::exact(drawn.q[i]))
+        });
+        let want = (before.clone() - after.clone() + work.clone()).approx();
+        let passes = before.approx().max(after.approx()).max(want);
+        most = most.max(want / passes);
+        drawn.judged((lost - want).abs() / (passes * f64::EPSILON * (1.0 + cell.rate * drawn.t)))
     });
     *note = format!("up to {:.0} % of the energy", 100.0 * most);
     worst
@@ -202,28 +213,6 @@ fn slowed(_: &mut String) -> f64 {
         let condition = 10.0 / (0.03125f64 * 2.0).sqrt();
         error(&system, &[0.1, -0.2, 0.3], &[0.02, 0.01, -0.01], 10.0) / condition
     }))
-}
-
-/// The energy that dampers take from a cell over the time `t`.
-struct Lost {
-    found: f64,
-    /// By the energies of the exact motion.
-    exact: f64,
-    /// The largest energy of the motion.
-    passes: f64,
-}
-
-fn lost<const N: usize>(system: &Linear<N>, q: &[f64; N], v: &[f64; N], t: f64) -> Lost {
-    let cell = system.cell();
-    let flight = cell.flight(&Vector::from(*q), &Vector::from(*v));
-    let found = flight.dissipated(&flight.at(t));
-    let (x, y) = exact(system).over(&Digits::exact(t)).of(&digits(q), &digits(v));
-    let [before, after] = [(digits(q), digits(v)), (x.clone(), y)]
-        .map(|(q, v)| quadratic(&system.mass, &v) + quadratic(&system.stiffness, &q));
-    let work = (0..N)
-        .fold(Digits::exact(0.0), |sum, i| sum + Digits::exact(system.load[i]) * (x[i].clone() - Digits::exact(q[i])));
-    let exact = (before.clone() - after.clone() + work).approx();
-    Lost { found, exact, passes: before.approx().max(after.approx()).max(exact) }
 }
 
 /// xᵀA x/2.

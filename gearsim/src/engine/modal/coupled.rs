@@ -39,7 +39,7 @@ pub struct Coupled {
     pub force: [DMatrix<f64>; 2],
     /// G.
     pub damping: DMatrix<f64>,
-    /// The largest sum of parts of a motion, over the motion [1].
+    /// Condition number of the modes [1]: a mode can be this much larger than the motion.
     pub condition: f64,
 }
 
@@ -143,7 +143,7 @@ fn solve(omega2: &[f64], g: &DMatrix<f64>, nearness: Nearness, watch: &dyn Fn())
     Ok(pairs)
 }
 
-/// The rows that give a' and a'' of each pair from (xi', F) (2n x 2n), and their condition number.
+/// The matrix that gives a' and a'' of each pair from (xi', F) (2n x 2n), and the condition number of the modes.
 fn functionals(omega2: &[f64], g: &DMatrix<f64>, pairs: &[Pair]) -> Result<(DMatrix<f64>, f64), Refusal> {
     let n = omega2.len();
     // Z as (xi', F) and as (xi', xi''). The first is B times the second, with its halves exchanged.
@@ -187,11 +187,11 @@ fn biorthogonal(rows: &DMatrix<f64>, columns: &DMatrix<f64>) -> Result<DMatrix<f
     whole.lu().solve(rows).ok_or(Refusal::Defective { condition: f64::INFINITY })
 }
 
-/// The condition number of modes: how much larger than a motion its parts can be. It is the largest entry of the diagonal of sum_k |Z_k|
-/// |W_k|, which does not depend on the scaling of coordinates or modes.
+/// The condition number of the modes: a mode can be this much larger than the motion. It is the largest diagonal entry of sum_k |Z_k| |W_k|,
+/// which does not depend on the scaling of coordinates or modes.
 ///
 /// # Errors
-/// If the modes do not represent every motion, or the condition number is too large.
+/// If the modes cannot represent every motion, or if the condition number exceeds [`CONDITION`].
 fn verify(units: &[f64], rows: &DMatrix<f64>, columns: &DMatrix<f64>) -> Result<f64, Refusal> {
     let n = units.len();
     let parts = |i: usize| columns.row(i).iter().zip(rows.column(i).iter()).map(|(z, w)| (z * w).abs()).sum::<f64>();

@@ -5,8 +5,8 @@
 //! each fast lambda and loses one at each slow lambda. This is the sign characteristic (I. Gohberg, P. Lancaster & L. Rodman,
 //! Matrix Polynomials, 1982). Two eigenvalues of the same kind can pass through one another. A fast and a slow one that meet
 //! become defective, and then complex. Therefore each fast one forms a pair with the nearest slow one: if they meet, they do so
-//! within one mode, as at critical damping. Damped rigid motions have lambda = 0, which is slow. The nearest is that with the smallest
-//! difference, not ratio: in a flight that is short against their decay, 0 and a small lambda are nearly equal too.
+//! within one mode, as at critical damping. Damped rigid motions have lambda = 0, which is slow. The nearest one has the smallest
+//! difference, not the smallest ratio: during a short flight, 0 and a slow decay are nearly equal too.
 
 use nalgebra::{Complex, DMatrix, DVector, Schur};
 

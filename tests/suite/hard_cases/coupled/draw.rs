@@ -11,8 +11,8 @@ pub struct Drawn<const N: usize> {
     pub v: [f64; N],
     /// Length of the flight [s].
     pub t: f64,
-    /// What amplifies the rounding errors of the matrices: sqrt of the largest ratio of inertias times that of stiffnesses, and the rate of
-    /// the strongest damper over that of a vibration.
+    /// Factor by which the cell amplifies the rounding errors of its matrices. It is the larger of two: sqrt of the largest ratio of inertias
+    /// times that of stiffnesses, and the rate of the strongest damper over that of a vibration.
     condition: f64,
 }
 
@@ -100,8 +100,8 @@ impl<const N: usize> Drawn<N> {
         judged
     }
 
-    /// What amplifies rounding errors in the motion. The condition number c of the modes shifts their phases by c rounding errors, and each
-    /// mode is c times as large as the motion.
+    /// Factor by which the motion amplifies rounding errors. With a condition number c of the modes, their phases have c rounding errors, and
+    /// each mode is c times as large as the motion.
     fn amplified(&self) -> f64 {
         self.condition * self.system.cell().coupling.map_or(1.0, |coupling| coupling.condition).powi(2)
     }
@@ -113,7 +113,8 @@ impl<const N: usize> Drawn<N> {
     }
 }
 
-/// Adds a spring or damper between two coordinates. Its last 26 bits are zero, so that sums are exact: no rounding error holds a rigid motion.
+/// Adds a spring or damper between two coordinates. Its last 26 bits are zero, so that the sum of each row is exact. Otherwise rounding errors
+/// would act as springs on rigid motions.
 fn between<const N: usize>(a: &mut [[f64; N]; N], i: usize, j: usize, k: f64) {
     let k = f64::from_bits(k.to_bits() >> 26 << 26);
     a[i][i] += k;
