@@ -156,7 +156,6 @@ def cost_and_advice_are_shown(browser, gearsim, folder):
         page.wait_for_selector("body[data-judged]")
         assert float(page.locator("#error").text_content()) < 1e-12
         assert page.locator("#ratio").text_content() == "exact cells"
-        page.evaluate("delete document.body.dataset.judged")
         after(page, page.locator("#menu").select_option, "dopri5")
         after(page, page.locator("#tolerance").fill, "1e-5")
         page.wait_for_selector("body[data-judged]")
@@ -165,7 +164,7 @@ def cost_and_advice_are_shown(browser, gearsim, folder):
         assert page.locator("#digits").text_content().isdigit()
         # Without being asked for, and once more after a change.
         page.wait_for_selector("body:not(.unadvised) #advised table")
-        after(page, page.locator("#tolerance").fill, "1e-6")
+        page.locator("#tolerance").fill("1e-6")
         assert page.locator("body.unadvised").count() == 1
         page.wait_for_selector("body:not(.unadvised) #advised table")
         verdict = page.locator("#effects label", has_text="damping").locator(".verdict")

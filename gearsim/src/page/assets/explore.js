@@ -23,6 +23,7 @@ async function post(what) {
 function changed() {
   since = performance.now();
   delete document.body.dataset.latency;
+  delete document.body.dataset.judged;
   number++;
   clearTimeout(timer);
   advised(null);
