@@ -68,7 +68,7 @@ impl<'a> Prepared<'a> {
         let choice = choice::of(scene, &begun.laws)?;
         let unused =
             (choice.method == Method::Exact && scene.solver.states_tolerance).then(|| UNUSED_TOLERANCE.to_string());
-        let remarks = begun.others.iter().cloned().chain(unused).collect();
+        let remarks = unused.into_iter().collect();
         let forcing = Forcing::of(derived, scene);
         let compensated = scene.solver.precision == Precision::Compensated;
         let simulation = match choice::numerical(&choice, scene) {

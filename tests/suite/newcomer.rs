@@ -98,10 +98,14 @@ fn run(overrides: &[&str]) -> gearsim::run::Outcome {
     run_of(&ENTRY, SCENE, overrides)
 }
 
-fn run_of(entry: &Entry, scene: &str, overrides: &[&str]) -> gearsim::run::Outcome {
+fn scene_of(entry: &Entry, scene: &str, overrides: &[&str]) -> Scene {
     let overrides: Vec<String> = overrides.iter().map(|s| s.to_string()).collect();
-    let scene = Scene::parse("newcomer", "newcomer.toml", scene, &overrides, &[entry.model])
-        .unwrap_or_else(|errors| panic!("{}", errors.render(100, false)));
+    Scene::parse("newcomer", "newcomer.toml", scene, &overrides, &[entry.model])
+        .unwrap_or_else(|errors| panic!("{}", errors.render(100, false)))
+}
+
+fn run_of(entry: &Entry, scene: &str, overrides: &[&str]) -> gearsim::run::Outcome {
+    let scene = scene_of(entry, scene, overrides);
     let outcome = entry.run(&scene, &mut |_| {}).expect("a scene that can be simulated");
     assert!(outcome.stopped_by.is_none(), "{:?}", outcome.stopped_by);
     outcome
@@ -214,9 +218,11 @@ fn the_scene_chooses_the_effects_of_a_newcomers_model() {
 /// stable equilibrium if there is one. The remarks name the other equilibria. By hand: x (x^2 - a^2) = 2 a^2 F/k.
 #[test]
 fn of_several_equilibria_the_one_near_the_stated_value_is_taken() {
+    gearsim::add_models(&[WELL]);
     let text = "model = \"double_well\"\neffects = []\n[parameters]\n[run]\nt_end = \"0.1 s\"\n";
     let start = |overrides: &[&str]| {
-        let outcome = run_of(&WELL, text, overrides);
+        let scene = scene_of(&WELL, text, overrides);
+        let outcome = scene.run().expect("a scene that can be simulated").outcome;
         let (x, rest) = (outcome.trajectory.q[0][0], outcome.trajectory.q[0].last().copied());
         assert!((rest.expect("rows") - x).abs() < 1e-9, "a static start stays at rest: {x}, {rest:?}");
         (x, outcome.remarks.join(" "))

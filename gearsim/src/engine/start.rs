@@ -20,8 +20,6 @@ pub struct Initial {
     pub state: State,
     pub laws: Vec<LawState>,
     pub switches: Vec<Switch>,
-    /// Other static equilibria that were found, in words; `None` if there are none, or no static start is asked for.
-    pub others: Option<String>,
 }
 
 impl Initial {
@@ -47,6 +45,65 @@ pub fn rigid_speeds(equations: &dyn Equations, scene: &Scene) -> Vector {
     q_dot
 }
 
+/// What a scene states of its start.
+struct Stated {
+    /// The coordinates, or where the search for an equilibrium begins (n).
+    guess: Vector,
+    /// The speeds (n).
+    q_dot: Vector,
+    /// Indices of the coordinates in static equilibrium.
+    free: Vec<usize>,
+}
+
+impl Stated {
+    fn of(equations: &dyn Equations, scene: &Scene) -> Stated {
+        let n = equations.coordinates();
+        let mut q_dot = rigid_speeds(equations, scene);
+        for (i, given) in scene.start.q_dot.iter().enumerate() {
+            if let Some(given) = given {
+                q_dot[i] = *given;
+            }
+        }
+        let guess = Vector::from_fn(n, |i| scene.start.q[i].guess());
+        Stated { guess, q_dot, free: (0..n).filter(|&i| scene.start.q[i].is_static()).collect() }
+    }
+
+    /// The problem of the equilibrium, and the one found from the guess. The switches get their modes there.
+    fn settle<'a>(
+        &'a self,
+        equations: &'a dyn Equations,
+        scene: &'a Scene,
+        switches: &mut [Switch],
+    ) -> Result<(Equilibrium<'a>, Settled), Refusal> {
+        let balance = Equilibrium { equations, scene, free: &self.free, q_dot: self.q_dot.clone() };
+        let settle = |switches: &[Switch]| balance.from(&self.guess, switches);
+        let settled = in_modes(equations, scene, switches, (&self.guess, &self.q_dot), settle)?;
+        Ok((balance, settled))
+    }
+}
+
+/// The equilibrium at which a motion starts: the one that was found first, or else, if it is unstable, the nearest stable one of those `found`.
+fn taken<'a>(first: &'a Settled, found: &'a [Settled]) -> &'a Settled {
+    let stable = || found.iter().find(|other| other.stable);
+    Some(first).filter(|first| first.stable).or_else(stable).unwrap_or(first)
+}
+
+/// The static equilibria beside the one at which a scene starts, in words; `None` if none was found, or if the start is not static. They
+/// are searched from many guesses, which takes a hundred times as long as the start itself.
+///
+/// # Errors
+/// Those of [`begin`].
+pub fn other_equilibria(equations: &dyn Equations, scene: &Scene) -> Result<Option<String>, Refusal> {
+    let stated = Stated::of(equations, scene);
+    if stated.free.is_empty() {
+        return Ok(None);
+    }
+    let mut switches = Switch::all(equations, scene.model, &stated.guess, &scene.model.in_contact([]));
+    let (balance, settled) = stated.settle(equations, scene, &mut switches)?;
+    let found = balance.others(&settled, &stated.guess, &switches);
+    Ok(balance.describe(taken(&settled, &found), &[&found[..], std::slice::from_ref(&settled)].concat()))
+}
+
 /// The state at the start.
 ///
 /// The speeds are those given, otherwise those of the rigid motions ([`rigid_speeds`]). Coordinates with the value `static` are where the
@@ -57,34 +114,18 @@ pub fn rigid_speeds(equations: &dyn Equations, scene: &Scene) -> Vector {
 /// # Errors
 /// If the forces do not determine the equilibrium, or a phase is too large.
 pub fn begin(equations: &dyn Equations, scene: &Scene) -> Result<Initial, Refusal> {
-    let n = equations.coordinates();
-    let mut q_dot = rigid_speeds(equations, scene);
-    for (i, given) in scene.start.q_dot.iter().enumerate() {
-        if let Some(given) = given {
-            q_dot[i] = *given;
-        }
-    }
-    let guess = Vector::from_fn(n, |i| scene.start.q[i].guess());
-    let free: Vec<usize> = (0..n).filter(|&i| scene.start.q[i].is_static()).collect();
-    let mut switches = Switch::all(equations, scene.model, &guess, &scene.model.in_contact([]));
-    let (mut state, mut others) = (State::new(guess.clone(), q_dot.clone()), None);
-    let laws = if free.is_empty() {
-        LawState::begin(equations, scene, &mut state)?
+    let stated = Stated::of(equations, scene);
+    let Stated { guess, q_dot, free } = &stated;
+    let mut switches = Switch::all(equations, scene.model, guess, &scene.model.in_contact([]));
+    let (state, laws) = if free.is_empty() {
+        let mut state = State::new(guess.clone(), q_dot.clone());
+        let laws = LawState::begin(equations, scene, &mut state)?;
+        (state, laws)
     } else {
-        let balance = Equilibrium { equations, scene, free: &free, q_dot };
-        let settle = |switches: &[Switch]| balance.from(&guess, switches);
-        let mut settled = in_modes(equations, scene, &mut switches, (&guess, &balance.q_dot), settle)?;
-        let found = balance.others(&settled, &guess, &switches);
-        others = balance.describe(&settled, &found);
-        if !settled.stable
-            && let Some(nearest) = found.iter().find(|other| other.stable)
-        {
-            // The equilibrium is unstable: take the nearest stable one.
-            others = balance.describe(nearest, &[&found[..], &[settled]].concat());
-            settled = nearest.clone();
-        }
-        state = settled.state;
-        settled.laws
+        let (balance, settled) = stated.settle(equations, scene, &mut switches)?;
+        let found = if settled.stable { vec![] } else { balance.others(&settled, guess, &switches) };
+        let Settled { state, laws, .. } = taken(&settled, &found).clone();
+        (state, laws)
     };
 
     let [mut k, ..] = courses(scene, &state, &laws);
@@ -97,7 +138,7 @@ pub fn begin(equations: &dyn Equations, scene: &Scene) -> Result<Initial, Refusa
         switch.write(&mut k);
         switch::settle(switch, equations, place, &mut k, None);
     }
-    Ok(Initial { state, laws, switches, others })
+    Ok(Initial { state, laws, switches })
 }
 
 /// Finds the modes of the switches at an equilibrium. `settle` gives the equilibrium for given modes. A switch whose deflection moves at the

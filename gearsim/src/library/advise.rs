@@ -2,6 +2,8 @@
 
 mod json;
 
+use std::cell::OnceCell;
+
 use super::Error;
 use crate::analysis::advise::groups::Groups;
 use crate::analysis::advise::measures::coordinates;
@@ -160,6 +162,7 @@ fn of(base: &Scene, watch: &dyn Fn(f64)) -> Result<Advice, Error> {
         mesh: groups.as_ref().map_or(0.0, Groups::mesh),
         expected: steady.as_ref().ok().and_then(|s| expected(base, s, &bands, None).ok()),
         steady: steady.ok(),
+        short: OnceCell::new(),
         bands: &bands,
         seconds,
         watch,
@@ -185,6 +188,8 @@ struct Context<'a> {
     mesh: f64,
     expected: Option<advise::expect::Expected>,
     steady: Option<Steady<'a>>,
+    /// Of its short run, made for the first estimate that needs it.
+    short: OnceCell<Result<Measures, String>>,
     bands: &'a Bands,
     seconds: f64,
     watch: &'a dyn Fn(f64),
@@ -214,17 +219,28 @@ impl Context<'_> {
             });
         }
         let short = short_run(self.base, self.mesh);
-        let shortened = |scene: &Scene| Scene { t_end: short, ..scene.clone() };
-        let run = |scene: &Scene| shortened(scene).run_alone(&mut |t| (self.watch)(t));
-        let measures = |scene: &Scene| run(scene).map(|results| Measures::of(&results.outcome, self.base, self.bands));
-        match (measures(self.base), measures(&candidate.scene)) {
-            (Ok(here), Ok(there)) => {
-                Ok(Estimate::Short(here.apart(&there, &self.units()).over(short, self.base.t_end)))
+        let here = match self.short.get() {
+            Some(here) => here,
+            None => {
+                let here = self.run_until(short, self.base)?;
+                self.short.get_or_init(|| here)
             }
-            (Err(Error::Refused { refusal, .. }), _) | (_, Err(Error::Refused { refusal, .. })) => {
-                Ok(Estimate::None(refusal.to_string()))
-            }
-            (Err(other), _) | (_, Err(other)) => Err(other),
+        };
+        let there = self.run_until(short, &candidate.scene)?;
+        Ok(match (here, there) {
+            (Ok(here), Ok(there)) => Estimate::Short(here.apart(&there, &self.units()).over(short, self.base.t_end)),
+            (Err(refusal), _) => Estimate::None(refusal.clone()),
+            (_, Err(refusal)) => Estimate::None(refusal),
+        })
+    }
+
+    /// What a scene records until `t_end` [s], or why it cannot be run.
+    fn run_until(&self, t_end: f64, scene: &Scene) -> Result<Result<Measures, String>, Error> {
+        let shortened = Scene { t_end, ..scene.clone() };
+        match shortened.run_alone(&mut |t| (self.watch)(t)) {
+            Ok(results) => Ok(Ok(Measures::of(&results.outcome, self.base, self.bands))),
+            Err(Error::Refused { refusal, .. }) => Ok(Err(refusal.to_string())),
+            Err(other) => Err(other),
         }
     }
 

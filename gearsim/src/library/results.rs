@@ -53,11 +53,18 @@ impl Scene {
     pub fn run_watched(&self, watch: &mut dyn FnMut(f64)) -> Result<Results, Error> {
         let entry = self.entry()?;
         let Results { scene, outcome } = self.run_alone(watch)?;
-        let outcome = digits::noted(self, outcome, &|companion| entry.run(companion, &mut |_| {}));
+        let mut outcome = digits::noted(self, outcome, &|companion| entry.run(companion, &mut |_| {}));
+        outcome.remarks.splice(0..0, self.other_equilibria()?);
         Ok(Results { scene, outcome })
     }
 
-    /// Runs the scene without the companion run. The number of digits left is then unknown.
+    /// The static equilibria beside the one at which the scene starts, in words.
+    pub(crate) fn other_equilibria(&self) -> Result<Option<String>, Error> {
+        self.entry()?.other_equilibria(self).map_err(|refusal| self.refused(refusal))
+    }
+
+    /// Runs the scene without the companion run, and without a search for other equilibria: the number of digits left is then unknown, and
+    /// no remark tells of them.
     pub(crate) fn run_alone(&self, watch: &mut dyn FnMut(f64)) -> Result<Results, Error> {
         let outcome = self.entry()?.run(self, watch).map_err(|refusal| self.refused(refusal))?;
         Ok(Results { scene: self.clone(), outcome })

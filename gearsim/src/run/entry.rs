@@ -4,6 +4,7 @@ use super::compensated::compensate;
 use super::{Outcome, Prepared, Prospect, Refusal, together};
 use crate::engine::equations::{Derived, DerivedModel, Equations};
 use crate::engine::simulate::Simulation;
+use crate::engine::start;
 use crate::engine::system::System;
 use crate::engine::train::Elements;
 use crate::model::Model;
@@ -51,6 +52,14 @@ impl Entry {
         let Prepared { simulation, plan } = Prepared::new(&self.derived, scene, &*equations)?;
         let (method, why) = (plan.choice.method.name(), plan.choice.why);
         Ok(Prospect { method, why, q: simulation.now.state.q.to_vec(), q_dot: simulation.now.state.q_dot.to_vec() })
+    }
+
+    /// The static equilibria of a scene beside the one at which it starts, in words, as a remark on its run; `None` if none was found.
+    ///
+    /// # Errors
+    /// Those of [`Entry::run`].
+    pub(crate) fn other_equilibria(&self, scene: &Scene) -> Result<Option<String>, Refusal> {
+        start::other_equilibria(&*self.equations(scene)?, scene)
     }
 
     /// Runs scenes side by side; of those with linear cells and constant torques, the start and the end are recorded

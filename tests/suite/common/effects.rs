@@ -19,6 +19,9 @@ const EQUAL_GEARS: &[&str] = &["crank_drive", "cardan_drive"];
 /// Scenes that run longer than this [s] are cut.
 pub const T_END: f64 = 5e-4;
 
+/// Number of samples of a run. Usual are 10,000, and these tests would spend most of their time on them.
+const SAMPLES: f64 = 1e3;
+
 /// Name and title of each model.
 pub fn models() -> Vec<(String, &'static str)> {
     let all = gearsim::models().iter().map(|entry| entry.model).filter(|model| !SAME.contains(&model.name));
@@ -78,8 +81,9 @@ pub fn committed(model: &str, t_end: f64) -> Vec<Scene> {
         let chosen = ["method =", "tolerance =", "step =", "rate ="];
         let own = |line: &&str| !chosen.iter().any(|key| line.trim_start().starts_with(key));
         let text: String = scene.text.lines().filter(own).map(|line| format!("{line}\n")).collect();
-        let t_end = format!("run.t_end={} s", scene.t_end.min(t_end));
-        Scene::from_toml_with(&scene.name, &text, &[t_end]).unwrap_or_else(|error| panic!("{error}"))
+        let t_end = scene.t_end.min(t_end);
+        let sets = [format!("run.t_end={t_end} s"), format!("output.rate={} Hz", SAMPLES / t_end)];
+        Scene::from_toml_with(&scene.name, &text, &sets).unwrap_or_else(|error| panic!("{error}"))
     };
     let scenes: Vec<Scene> = scenes.map(cut).collect();
     assert!(!scenes.is_empty(), "no scene of {model}");

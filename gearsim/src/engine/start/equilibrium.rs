@@ -150,9 +150,9 @@ impl Equilibrium<'_> {
         moving.iter().enumerate().for_each(|(i, &row)| diagonal[row] = stiffness[(i, i)].abs());
         let (unit, scaled) = scaled(&stiffness);
         // A matrix with an overflow has no curvatures. It is refused below.
-        let curvatures = scaled.iter().all(|x| x.is_finite()).then(|| scaled.symmetric_eigen());
-        let least = curvatures.as_ref().map_or(f64::NAN, |curvatures| curvatures.eigenvalues.min());
-        let (stable, concave) = (least > 0.0, curvatures.filter(|_| least < -start::FLAT));
+        let stable = scaled.clone().cholesky().is_some();
+        let curvatures = (!stable && scaled.iter().all(|x| x.is_finite())).then(|| scaled.symmetric_eigen());
+        let concave = curvatures.filter(|curvatures| curvatures.eigenvalues.min() < -start::FLAT);
         let solved = match concave {
             Some(curvatures) => {
                 let along = curvatures.eigenvectors.tr_mul(&force.component_div(&unit));

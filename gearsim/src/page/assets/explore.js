@@ -113,7 +113,7 @@ function showRun(run) {
   put("unaccounted", run.unaccounted, run.share ? `${run.share} of the largest part` : "");
   put("digits", "\u2026", "");
   put("method", run.method, run.why);
-  byId("remarks").replaceChildren(...run.remarks.map((text) => element("p", { className: "note", textContent: text })));
+  byId("remarks").replaceChildren(...run.remarks.map(note));
   length = run.length;
   const head = element("tr", {}, ...["", "value", "unit"].map((text) => element("th", { scope: "col", textContent: text })));
   const lines = run.state.map(([name, unit, x, text]) => {
@@ -126,6 +126,8 @@ function showRun(run) {
 }
 
 const MORE = { time: "ratio", error: "against", unaccounted: "share", digits: "gone", method: "why" };
+
+const note = (text) => element("p", { className: "note", textContent: text });
 
 function put(id, text, more) {
   byId(id).textContent = text;
@@ -149,6 +151,7 @@ async function judge() {
   put("time", judgement.time, judgement.ratio);
   put("error", judgement.error, judgement.against);
   put("digits", judgement.digits, judgement.none_from === null ? "of the end state" : `none from ${short(judgement.none_from)} s on (shaded)`);
+  if (judgement.others !== null) byId("remarks").prepend(note(judgement.others));
   if (judgement.none_from !== null) {
     for (const panel of panels.filter((panel) => panel.plot.group === "time")) {
       panel.plot.shaded_from = judgement.none_from;
@@ -185,7 +188,7 @@ function advised(advice) {
   const limits = element("tr", { className: "limits" }, element("th", { scope: "row", textContent: "limits" }), element("td"),
     ...advice.limits.map((text) => element("td", { className: "number", textContent: text })), element("td"));
   const notes = advice.rows.filter((row) => row.note).map((row) => element("p", { textContent: `${row.without}: ${row.note}` }));
-  const why = advice.why_not ? [element("p", { className: "note", textContent: advice.why_not })] : [];
+  const why = advice.why_not ? [note(advice.why_not)] : [];
   const table = element("div", { className: "scroll" }, element("table", {}, element("thead", {}, head), element("tbody", {}, ...lines, limits)));
   byId("advised").replaceChildren(...why, ...(advice.rows.length ? [table] : []), ...notes);
   for (const label of byId("effects").querySelectorAll("label")) {
