@@ -132,7 +132,7 @@ use proc_macro::TokenStream;
 ///
 /// # Errors
 /// Compile errors, all at once and each at its place: unknown names, names that are not allowed in a block, piecewise functions,
-/// duplicate names, missing rows and blocks, empty ranges, and more than 64 effects.
+/// duplicate names, missing rows and blocks, and empty ranges.
 #[proc_macro]
 pub fn equations(input: TokenStream) -> TokenStream {
     equations::expand(input.into()).into()

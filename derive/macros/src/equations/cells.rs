@@ -53,15 +53,15 @@ pub fn cells(m: &Model) -> Vec<Cold> {
     all
 }
 
-/// These functions for `Numbers<R>`, and `matrices`, which calls all of them.
-pub fn matrices(m: &Model) -> TokenStream {
+/// The functions of [`cells`] for `Numbers<R>`, and `matrices`, which calls those of M, M⁻¹, C, K, f and V.
+pub fn matrices(m: &Model, cells: &[Cold]) -> TokenStream {
     let mobility = match &m.mobility {
         Some(_) => quote!(Some(equations::matrix(&self.mobility(met, &q)))),
         None => quote!(None),
     };
     let n = Index::from(m.coordinates.len());
     let values = m.values();
-    let each = cells(m).into_iter().map(|f| f.define(m, &quote!(R)));
+    let each = cells.iter().map(|f| f.define(m, &quote!(R)));
     quote! {
         #(#each)*
 

@@ -25,12 +25,15 @@ pub fn emit(mut m: Model) -> TokenStream {
     let variables = m.deflections.iter_mut().chain(&mut m.rates).map(|d| &mut d.value).chain(of_positions);
     let forces = m.forces.iter_mut().flat_map(|force| force.sum.iter_mut().map(|term| &mut term.value));
     let coefficients = hoist(variables.chain(forces).chain(terms).collect());
+    // Its values have other names now.
+    m.known.take();
     let m = &m;
-    let numbers = numbers(m, &coefficients);
+    let cells = cells(m);
+    let numbers = numbers(m, &coefficients, &cells);
     let variants = Variants::of(m);
     let functions = functions(m, &variants, &force, &dissipation);
     let cold = cold(m);
-    let calls = cells(m).iter().chain(&cold).map(Cold::call).collect::<Vec<_>>();
+    let calls = cells.iter().chain(&cold).map(Cold::call).collect::<Vec<_>>();
     let cold = cold.iter().map(|f| f.define(m, &quote!(f64)));
     let met = effects::met(m);
     let equations = equations(&variants);
@@ -174,7 +177,7 @@ fn exactly(m: &Model) -> TokenStream {
 }
 
 /// `struct Numbers<R>`, of numbers of type R.
-fn numbers(m: &Model, coefficients: &[Expr]) -> TokenStream {
+fn numbers(m: &Model, coefficients: &[Expr], cells: &[Cold]) -> TokenStream {
     let (fields, values) = (m.numbers(), m.numbers());
     let parameters = m.parameters.iter().enumerate().map(|(i, p)| {
         let (name, i) = (&p.name, Index::from(i));
@@ -188,7 +191,7 @@ fn numbers(m: &Model, coefficients: &[Expr]) -> TokenStream {
         let value = any_number(value);
         quote!(let #name = #value;)
     });
-    let matrices = matrices(m);
+    let matrices = matrices(m, cells);
     let count = coefficients.len();
     let coefficients = coefficients.iter().map(any_number);
     quote! {

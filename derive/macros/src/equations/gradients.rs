@@ -3,7 +3,7 @@
 
 use proc_macro2::TokenStream;
 use quote::quote;
-use syn::{BinOp, Expr, Ident, Index, UnOp, parse_quote};
+use syn::{BinOp, Expr, ExprLit, Ident, Index, Lit, UnOp, parse_quote};
 
 use crate::equations::cells::any_number;
 use crate::equations::deflections::addends;
@@ -73,9 +73,9 @@ fn entries(m: &Model, d: usize, which: impl Fn(&Expr) -> bool, code: impl Fn(&Ex
 fn factor(e: &Expr, i: usize) -> Option<Expr> {
     let of = |e: &Expr| factor(e, i);
     match e {
-        Expr::Index(_) => {
-            let i = Index::from(i);
-            (*e == parse_quote!(q_dot[#i])).then(|| parse_quote!(1.0))
+        Expr::Index(e) => {
+            let of_speeds = matches!(&*e.expr, Expr::Path(speeds) if speeds.path.is_ident("q_dot"));
+            (of_speeds && is_number(&e.index, &i.to_string())).then(|| parse_quote!(1.0))
         }
         Expr::Paren(e) => of(&e.expr),
         Expr::Group(e) => of(&e.expr),
@@ -104,7 +104,16 @@ fn negative(e: Expr) -> Expr {
 }
 
 fn is_one(e: &Expr) -> bool {
-    *e == parse_quote!(1.0)
+    is_number(e, "1.0")
+}
+
+/// Whether an expression is the number of these digits.
+fn is_number(e: &Expr, digits: &str) -> bool {
+    match e {
+        Expr::Lit(ExprLit { lit: Lit::Int(number), .. }) => number.base10_digits() == digits,
+        Expr::Lit(ExprLit { lit: Lit::Float(number), .. }) => number.base10_digits() == digits,
+        _ => false,
+    }
 }
 
 #[cfg(test)]

@@ -3,7 +3,7 @@
 //! their constant factors are merged.
 
 use quote::quote;
-use syn::{BinOp, Expr, Index, Lit, parse_quote};
+use syn::{BinOp, Expr, ExprBinary, ExprParen, Index, Lit, Token, parse_quote};
 
 /// Replaces the constant factors in expressions by `self.coefficients[i]`, and returns the coefficients in this order, as expressions
 /// in parameters, mid values and constants.
@@ -95,14 +95,14 @@ impl Hoist {
                 Some(moving) if matches!(&constants[..], [one] if one.is_one()) => moving,
                 Some(moving) => {
                     let number = self.number(&constants);
-                    parse_quote!(#moving * #number)
+                    binary(moving, BinOp::Mul(<Token![*]>::default()), number)
                 }
                 None => self.number(&constants),
             };
             whole = Some(match (whole, minus) {
                 (None, _) => term,
-                (Some(sum), false) => parse_quote!(#sum + #term),
-                (Some(sum), true) => parse_quote!(#sum - #term),
+                (Some(sum), false) => binary(sum, BinOp::Add(<Token![+]>::default()), term),
+                (Some(sum), true) => binary(sum, BinOp::Sub(<Token![-]>::default()), term),
             });
         }
         whole.unwrap_or_else(|| parse_quote!(0.0))
@@ -120,11 +120,11 @@ impl Hoist {
             (still, moving.iter().map(|e| atom(self.expression(e))).collect())
         };
         let ((above, moving), (below, divisors)) = (of(p.above), of(p.below));
-        let moving = match (&moving[..], &divisors[..]) {
-            ([], []) => None,
-            ([], divisors) => Some(parse_quote!(1.0 #(/ #divisors)*)),
-            ([first, rest @ ..], divisors) => Some(parse_quote!(#first #(* #rest)* #(/ #divisors)*)),
-        };
+        let product = moving.into_iter().reduce(|a, b| binary(a, BinOp::Mul(<Token![*]>::default()), b));
+        let product = product.or_else(|| (!divisors.is_empty()).then(|| parse_quote!(1.0)));
+        let divided =
+            |product| divisors.into_iter().fold(product, |a, b| binary(a, BinOp::Div(<Token![/]>::default()), b));
+        let moving = product.map(divided);
         (moving, Product { negative: p.negative, above, below })
     }
 
@@ -230,7 +230,15 @@ fn bare(e: &Expr) -> &Expr {
 
 /// The expression as a factor: in parentheses if it is a binary or unary operation.
 fn atom(e: Expr) -> Expr {
-    if matches!(e, Expr::Binary(_) | Expr::Unary(_)) { parse_quote!((#e)) } else { e }
+    if !matches!(e, Expr::Binary(_) | Expr::Unary(_)) {
+        return e;
+    }
+    Expr::Paren(ExprParen { attrs: vec![], paren_token: Default::default(), expr: Box::new(e) })
+}
+
+/// `left op right`, without a way through text: files have thousands of products.
+fn binary(left: Expr, op: BinOp, right: Expr) -> Expr {
+    Expr::Binary(ExprBinary { attrs: vec![], left: Box::new(left), op, right: Box::new(right) })
 }
 
 /// The expression with plain names of numbers, `I1` for `self.I1`, as in the function that computes the coefficients.

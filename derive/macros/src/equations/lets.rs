@@ -93,45 +93,74 @@ enum Variable<'a> {
 
 /// The variables that `code` names, and those in which they are written, in the order in which they are defined.
 fn used<'a>(m: &'a Model, code: &TokenStream) -> Vec<Variable<'a>> {
-    let deflections = || m.deflections.iter().zip(&m.rates).map(|(d, rate)| (d, rate, is_bent(m, &d.value)));
-    let linear = |which: fn(&'a Assignment) -> Variable<'a>, bent| {
-        let these = deflections().filter(move |(.., is)| *is == bent);
-        let (values, rates): (Vec<_>, Vec<_>) = these.map(|(d, rate, _)| (d, rate)).unzip();
-        values.into_iter().chain(rates).map(which)
-    };
-    let functions = m.functions.iter().map(Variable::Function);
-    let outputs = m.outputs.iter().map(|output| &output.value);
-    let forces = m.forces.iter().chain(&m.partials).chain(outputs).map(Variable::Force);
-    let straight = linear(Variable::Linear, false);
-    let all = gated(m).map(Variable::Gated).chain(straight).chain(functions);
-    let all = all.chain(linear(Variable::Bent, true)).chain(forces);
-    let mut used: Vec<_> = all.collect();
-    let mut names = names(code);
-    used.reverse();
-    used.retain(|variable| {
-        let named = names.contains(&variable.name().to_string());
-        if named {
-            names.extend(self::names(variable.written(m)));
+    let Known { bent, names } = m.known.get_or_init(|| Known::of(m));
+    let (mut named, mut used) = (self::names(code), vec![]);
+    for (variable, (name, written)) in all(m, bent).into_iter().zip(names).rev() {
+        if named.contains(name) {
+            named.extend(written.iter().cloned());
+            used.push(variable);
         }
-        named
-    });
+    }
     used.reverse();
     used
 }
 
+/// All variables of a model, in the order in which they are defined; `bent` says which deflections bend.
+fn all<'a>(m: &'a Model, bent: &[bool]) -> Vec<Variable<'a>> {
+    let linear = |which: fn(&'a Assignment) -> Variable<'a>, these: bool| {
+        let of = |all: &'a [Assignment]| all.iter().zip(bent).filter(move |(_, is)| **is == these).map(|(x, _)| x);
+        of(&m.deflections).chain(of(&m.rates)).map(which)
+    };
+    let functions = m.functions.iter().map(Variable::Function);
+    let outputs = m.outputs.iter().map(|output| &output.value);
+    let forces = m.forces.iter().chain(&m.partials).chain(outputs).map(Variable::Force);
+    let all = gated(m).map(Variable::Gated).chain(linear(Variable::Linear, false)).chain(functions);
+    all.chain(linear(Variable::Bent, true)).chain(forces).collect()
+}
+
+/// What is found once of the variables of a model: each function of a model asks for it.
+#[derive(Debug)]
+pub struct Known {
+    /// Whether each deflection bends.
+    bent: Vec<bool>,
+    /// For each variable its name, and the names in its value.
+    names: Vec<(String, BTreeSet<String>)>,
+}
+
+impl Known {
+    fn of(m: &Model) -> Known {
+        let bent: Vec<bool> = m.deflections.iter().map(|d| is_bent(m, &d.value)).collect();
+        let of = |variable: Variable<'_>| (variable.name().to_string(), names(variable.written(m)));
+        let names = all(m, &bent).into_iter().map(of).collect();
+        Known { bent, names }
+    }
+}
+
 /// Whether a deflection has functions in it.
 pub fn is_bent(m: &Model, value: &syn::Expr) -> bool {
-    !m.functions.is_empty() && m.functions.iter().any(|f| names(value).contains(&f.name.to_string()))
+    if m.functions.is_empty() {
+        return false;
+    }
+    let names = names(value);
+    m.functions.iter().any(|f| names.contains(&f.name.to_string()))
 }
 
 /// All names in a piece of code.
 pub fn names(code: impl ToTokens) -> BTreeSet<String> {
-    let each = |token| match token {
-        TokenTree::Ident(name) => BTreeSet::from([name.to_string()]),
-        TokenTree::Group(group) => names(group.stream()),
-        _ => BTreeSet::new(),
-    };
-    code.into_token_stream().into_iter().flat_map(each).collect()
+    fn add(code: TokenStream, names: &mut BTreeSet<String>) {
+        for token in code {
+            match token {
+                TokenTree::Ident(name) => {
+                    names.insert(name.to_string());
+                }
+                TokenTree::Group(group) => add(group.stream(), names),
+                _ => {}
+            }
+        }
+    }
+    let mut names = BTreeSet::new();
+    add(code.into_token_stream(), &mut names);
+    names
 }
 
 impl Variable<'_> {

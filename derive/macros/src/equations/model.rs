@@ -1,7 +1,11 @@
 //! The contents of a file of derived equations as plain structs; `parse` and `items` fill them.
 
+use std::cell::OnceCell;
+
 use quote::format_ident;
 use syn::{Expr, Ident, Index, LitStr};
+
+use crate::equations::lets::Known;
 
 /// One file of derived equations.
 pub struct Model {
@@ -52,6 +56,8 @@ pub struct Model {
     /// Paths of the equations as text and in LaTeX, from the file of the model.
     pub text: Option<LitStr>,
     pub latex: Option<LitStr>,
+    /// What `lets` has found of its variables.
+    pub known: OnceCell<Known>,
 }
 
 /// `theta "rad" start 0.0, "doc";`
@@ -335,6 +341,7 @@ impl Model {
             nonlinear: None,
             nonlinear_with: vec![],
             jumps: vec![],
+            known: OnceCell::new(),
             text: None,
             latex: None,
         }
