@@ -66,16 +66,17 @@ fn other(symbol: &str) -> Option<Unit> {
     Some(Unit { dimension, decimal, numerator, denominator })
 }
 
-/// A suggestion for an unknown symbol: kHz for `KHz`, deg for `degs`, N*mm for `Nmm`.
+/// A suggestion for an unknown symbol: kHz for `KHz`, Nm or nm for `NM`, deg for `degs`, N*mm for `Nmm`.
 pub(super) fn meant(symbol: &str) -> Option<String> {
     let whole = || OTHER.iter().map(|unit| unit.0).chain(["rad"]);
-    let case = PREFIXES
-        .iter()
-        .map(|prefix| prefix.0)
-        .chain([""])
-        .flat_map(|prefix| SI.iter().map(move |unit| format!("{prefix}{}", unit.0)))
-        .chain(whole().map(str::to_string))
-        .find(|name| name.to_lowercase() == symbol.to_lowercase());
+    let prefixes = PREFIXES.iter().map(|prefix| prefix.0).chain([""]);
+    let all = prefixes.flat_map(|prefix| SI.iter().map(move |unit| format!("{prefix}{}", unit.0)));
+    let all = all.chain(whole().map(str::to_string));
+    // What differs in fewer letters comes first.
+    let mut cases: Vec<String> = all.filter(|name| name.to_lowercase() == symbol.to_lowercase()).collect();
+    cases.sort_by_key(|name| (name.chars().zip(symbol.chars()).filter(|(a, b)| a != b).count(), name.clone()));
+    cases.dedup();
+    let case = (!cases.is_empty()).then(|| cases.join(" or "));
     let product = || {
         let mut pairs = symbol.char_indices().map(|(i, _)| symbol.split_at(i));
         pairs.find(|(a, b)| find(a).and(find(b)).is_some()).map(|(a, b)| format!("{a}*{b}"))

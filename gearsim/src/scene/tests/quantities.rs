@@ -75,7 +75,15 @@ fn errors_mark_the_wrong_part_of_a_quantity() {
 
 #[test]
 fn unknown_units_come_with_a_suggestion() {
-    for (text, meant) in [("KHz", "kHz"), ("RPM", "rpm"), ("degs", "deg"), ("Nmm", "N*mm"), ("Kg", "kg")] {
+    for (text, meant) in [
+        ("KHz", "kHz"),
+        ("RPM", "rpm"),
+        ("degs", "deg"),
+        ("Nmm", "N*mm"),
+        ("Kg", "kg"),
+        ("NM", "Nm or nm"),
+        ("MHZ", "MHz or mHz"),
+    ] {
         let error = Unit::parse(text).expect_err(text);
         assert!(error.help.contains(&format!("did you mean {meant}?")), "{text}: {}", error.help);
     }
