@@ -1,11 +1,11 @@
-//! Whether planets can be assembled. A planet meets the teeth of sun and ring at once only at places (Z_s + Z_r) psi = 2 pi n with a whole n:
+//! Whether planets can be assembled, and have room beside one another. A planet meets the teeth of sun and ring at once only at places (Z_s + Z_r) psi = 2 pi n with a whole n:
 //! R. G. Parker, J. Lin, "Mesh Phasing Relationships in Planetary and Epicyclic Gears", J. Mech. Des. 126(2), 2004.
 
 use std::f64::consts::TAU;
 
 use super::Scene;
 use super::mistake::Report;
-use crate::tolerance::scene::PLANET_FIT;
+use crate::tolerance::scene::{ONE_PLACE, PLANET_FIT};
 
 /// The first planet that does not fit.
 pub(super) struct Misfit {
@@ -36,13 +36,51 @@ pub(super) fn misfit([sun, ring]: [f64; 2], angles: &[f64], from: f64, of: &str)
     Some(Misfit { planet, message, help })
 }
 
-/// Warns of the planets of a derived model that do not fit. Papers take such planets, with constant stiffnesses.
+/// Two planets that have no room beside one another.
+pub(super) enum Narrow {
+    /// They are in one place. The number of one of them, from 0.
+    OnePlace(usize),
+    /// Their tips would meet, in words.
+    Tips(String),
+}
+
+/// The two of the planets at `angles` [rad] that are nearest to one another, if they have no room between `sun` and `ring` teeth.
+pub(super) fn narrow([sun, ring]: [f64; 2], angles: &[f64], of: &str) -> Option<Narrow> {
+    let (centre, teeth) = ((sun + ring) / 4.0, (ring - sun) / 2.0);
+    let pairs = (0..angles.len()).flat_map(|i| (0..i).map(move |j| (i, j)));
+    // Distances of centres [modules].
+    let apart = pairs.map(|(i, j)| (i, 2.0 * centre * (0.5 * (angles[i] - angles[j])).sin().abs()));
+    let (planet, distance) = apart.min_by(|a, b| a.1.total_cmp(&b.1))?;
+    let tips = teeth + 2.0 * ADDENDUM;
+    if distance < ONE_PLACE * teeth {
+        return Some(Narrow::OnePlace(planet));
+    }
+    let said = format!(
+        "{of}: the centres of two planets with {teeth} teeth are {distance:.1} modules apart, but standard teeth have a tip diameter of {tips} \
+         modules: the planets collide unless they lie in different planes"
+    );
+    (distance < tips).then_some(Narrow::Tips(said))
+}
+
+/// Addendum of standard teeth [modules].
+const ADDENDUM: f64 = 1.0;
+
+/// Warns of the planets of a derived model that do not fit, or have no room. Papers take such planets, with constant stiffnesses.
 pub(super) fn check(scene: &Scene, report: &mut Report) {
-    let angles: Vec<f64> = (1..).map_while(|i| scene.parameter(&format!("psi{i}"))).collect();
-    let (Some(sun), Some(ring), Some(first)) = (scene.parameter("Z_s"), scene.parameter("Z_r"), angles.first()) else {
-        return;
-    };
-    if let Some(found) = misfit([sun, ring], &angles, *first, "the stage") {
+    let (Some(sun), Some(ring)) = (scene.parameter("Z_s"), scene.parameter("Z_r")) else { return };
+    // The places of the planets; without such parameters they are equally spaced.
+    let mut angles: Vec<f64> = (1..).map_while(|i| scene.parameter(&format!("psi{i}"))).collect();
+    if angles.is_empty() {
+        let count = (1..).take_while(|i| scene.model.laws.iter().any(|law| law.name == format!("k_s{i}"))).count();
+        angles = (0..count).map(|i| TAU * i as f64 / count as f64).collect();
+    }
+    let Some(&first) = angles.first() else { return };
+    if let Some(found) = misfit([sun, ring], &angles, first, "the stage") {
         report.warn(format!("{}: {}", found.message, found.help));
+    }
+    match narrow([sun, ring], &angles, "the stage") {
+        Some(Narrow::OnePlace(_)) => report.warn("the stage has two planets in one place".into()),
+        Some(Narrow::Tips(said)) => report.warn(said),
+        None => {}
     }
 }

@@ -48,6 +48,9 @@ fn odd_values_give_a_warning() {
     let cases = [
         ("gear_pair_bearings", "parameters.r1=0.7 m", "its module is 62.0770 mm, which is rare"),
         ("planar_planetary_3", "parameters.Z_r=98", "planet 2 of the stage at 120.0000 deg does not fit"),
+        ("planetary_3", "parameters.Z_r=98", "planet 2 of the stage at 120.0000 deg does not fit"),
+        ("planar_planetary_3", "parameters.psi2=40 deg", "the planets collide unless they lie in different planes"),
+        ("planar_planetary_3", "parameters.psi2=0 deg", "the stage has two planets in one place"),
         ("gear_pair_bearings", "parameters.alpha=12 deg", "rare for a pressure angle"),
         ("sliding_friction", "parameters.alpha=21 deg", "work at 20.00 deg"),
     ];
