@@ -221,11 +221,14 @@ pub(super) fn files(folder: &Path, files: &[String], width: usize) -> String {
 fn digits(summary: &Summary) -> String {
     match summary.digits {
         None => "not estimated".into(),
-        Some(Digits { none_from: Some(t), .. }) => format!(
-            "none from t = {} s on: a rounding error, or the error of a time step, has grown as large as the motion. The \
-             state, counts and extremes after that time are one of many possible outcomes; the energy account still holds",
-            number::short(t.0)
-        ),
+        Some(Digits { none_from: Some(t), .. }) => {
+            let account = if summary.refuted.is_none() { "; the energy account still holds" } else { "" };
+            format!(
+                "none from t = {} s on: a rounding error, or the error of a time step, has grown as large as the motion. The state, \
+                 counts and extremes after that time are one of many possible outcomes{account}",
+                number::short(t.0)
+            )
+        }
         Some(Digits { at_end, .. }) => {
             let digits = at_end.0.floor();
             format!("{digits:.0} of the end state, from a second run whose start differs by rounding errors")

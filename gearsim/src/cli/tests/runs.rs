@@ -2,14 +2,16 @@
 
 use std::path::Path;
 
-use super::go;
+use super::{go, scene};
 use crate::cli::compare::Compare;
 use crate::cli::failure::Failure;
 use crate::cli::floquet::FloquetCommand;
 use crate::cli::modes::Modes;
+use crate::cli::report;
 use crate::cli::run::Run;
 use crate::engine::Stop;
 use crate::output::{Summary, parquet};
+use crate::scene::Scene;
 
 fn names(folder: &Path) -> Vec<String> {
     let entries = std::fs::read_dir(folder).unwrap();
@@ -92,6 +94,20 @@ fn a_run_whose_energy_account_does_not_close_is_a_failure() {
     assert_eq!(failure.code(), 3);
     assert!(failure.to_string().contains("unaccounted for") && failure.to_string().contains("run.step"), "{failure}");
     assert!(names(root.path()).contains(&"summary.json".into()));
+}
+
+/// The report of such a run does not say that its energy account holds.
+#[test]
+fn a_report_of_a_wrong_result_trusts_no_account() {
+    let scene = Scene::load(scene()).unwrap();
+    let results = scene
+        .with_all([("run.method", "rk4"), ("run.step", "0.2 ms")].map(|(key, value)| (key, value.into())))
+        .unwrap()
+        .run()
+        .unwrap();
+    let text = report::run(&results.scene, &results.summary(), results.trajectory().len(), 500);
+    assert!(text.contains("none from t = ") && text.contains("wrong result"), "{text}");
+    assert!(!text.contains("account still holds"), "{text}");
 }
 
 /// The rows recorded until the limit are written, and the message says what to do.
