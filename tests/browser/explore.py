@@ -171,6 +171,13 @@ def cost_and_advice_are_shown(browser, gearsim, folder):
         assert verdict.text_content() in ("needed", "negligible")
 
 
+def other_equilibria_are_named(browser, gearsim, folder):
+    """The remark on a static start that is one of several equilibria comes with what is not seen: the search takes longer than a short run."""
+    with served(gearsim, SCENES / "crank_drive.toml") as url, opened(browser, url, **LAPTOP) as page:
+        page.wait_for_selector("body[data-whole]")
+        assert page.locator("#remarks", has_text="one of several equilibria").count() == 1
+
+
 def a_saved_scene_runs_to_the_same_bytes(browser, gearsim, folder):
     """Save as scene, run by the command line twice: what the page showed, and one file of the same bytes each time."""
     with served(gearsim, PAIR) as url, opened(browser, url, **LAPTOP) as page:
@@ -310,6 +317,7 @@ TESTS = [
     a_long_run_first_shows_its_beginning,
     mistakes_stand_beside_their_controls,
     cost_and_advice_are_shown,
+    other_equilibria_are_named,
     a_saved_scene_runs_to_the_same_bytes,
     another_page_gets_nothing,
     works_with_keys_and_on_a_phone,

@@ -32,8 +32,6 @@ pub(super) struct Judgement {
     digits: String,
     /// Time \[s\] from which on none is left.
     none_from: Option<f64>,
-    /// Other static equilibria than the one at which the run starts, in words.
-    others: Option<String>,
 }
 
 impl Explorer {
@@ -66,7 +64,6 @@ fn of(results: &Results, watch: &dyn Fn(f64)) -> Result<Judgement, Error> {
             None => "-".into(),
         },
         none_from: digits.and_then(|digits| digits.none_from),
-        others: scene.other_equilibria()?,
     })
 }
 

@@ -8,7 +8,7 @@
 //! | request | answer | ends after |
 //! | --- | --- | --- |
 //! | `run` | [`run`]: controls, mistakes, the plots that are seen, end state, energy account; of a long run first the beginning of its plots over time | 10 s, or when a newer `run` comes |
-//! | `rest` | [`run`]: the sections of its page that are not seen, or not whole | 10 s, or with its run |
+//! | `rest` | [`run`]: the sections of its page that are not seen, or not whole; other static equilibria | 10 s, or with its run |
 //! | `judge` | [`judge`]: cost relative to the exact method, error at the end, digits left | 20 s, or with its run |
 //! | `advise` | [`advice`]: which effects matter | 60 s, or when a newer one comes |
 //! | `save` | the text of the scene | |

@@ -83,6 +83,16 @@ struct Shown {
     page: page::Parts,
 }
 
+/// What follows a run: it is not in sight, or takes time to find.
+#[derive(Serialize)]
+pub(super) struct Rest {
+    /// The sections of its page that were not seen, or not whole.
+    #[serde(flatten)]
+    page: page::Parts,
+    /// Other static equilibria than the one at which it starts, in words.
+    others: Option<String>,
+}
+
 impl Explorer {
     /// Runs the scene with a choice; `None` if `go_on` ended it.
     pub(super) fn run(&self, choice: &Choice, go_on: &dyn Fn() -> bool) -> Option<Answer> {
@@ -104,12 +114,13 @@ impl Explorer {
         Some(self.answer(&edited, mistakes, part))
     }
 
-    /// The sections of the run with a choice that the first answer did not have whole; `None` if `go_on` ended it, or if there is no such run.
-    pub(super) fn rest(&self, choice: &Choice, go_on: &dyn Fn() -> bool) -> Option<page::Parts> {
+    /// What the first answer did not have of the run with a choice; `None` if `go_on` ended it, or if there is no such run.
+    pub(super) fn rest(&self, choice: &Choice, go_on: &dyn Fn() -> bool) -> Option<Rest> {
         let text = self.edited(choice).to_string();
         let results = self.ran(&text, self.read(&text).ok()?, None, go_on)?.ok()?;
         let is_wanted = |id: &str| choice.view.is_some() || !choice.seen.iter().any(|seen| seen == id);
-        parts(&results, format!("rest{}-", choice.number), &is_wanted, None, go_on).ok()?
+        let page = parts(&results, format!("rest{}-", choice.number), &is_wanted, None, go_on).ok()??;
+        Some(Rest { page, others: results.scene.other_equilibria().ok()? })
     }
 
     /// The answer without a run: it took longer than the page waits.

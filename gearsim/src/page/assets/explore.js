@@ -64,6 +64,7 @@ async function rest() {
   try { parts = await (await post("rest")).json(); } catch (error) { if (mine === number) lost(error); }
   if (mine !== number || flight) return;
   Panel.part = 1;
+  if (parts?.others) byId("remarks").prepend(note(parts.others));
   if (parts?.of) showSections(byId("sections"), parts, `rest${choice.number}-`);
   else drawAll(panels);
   whole();
@@ -151,7 +152,6 @@ async function judge() {
   put("time", judgement.time, judgement.ratio);
   put("error", judgement.error, judgement.against);
   put("digits", judgement.digits, judgement.none_from === null ? "of the end state" : `none from ${short(judgement.none_from)} s on (shaded)`);
-  if (judgement.others !== null) byId("remarks").prepend(note(judgement.others));
   if (judgement.none_from !== null) {
     for (const panel of panels.filter((panel) => panel.plot.group === "time")) {
       panel.plot.shaded_from = judgement.none_from;
