@@ -6,7 +6,7 @@
 //! a single scene is shown before it runs.
 //!
 //! Scenes 0 to 99,999 have been run, in parts of 500: `COMBINATIONS_FROM=I COMBINATIONS=500`, the last time with the present scenes of `models/scenes`
-//! those of 0 to 999 and 20,000 to 28,499.
+//! those of 0 to 999, 9,500 to 15,499, 20,000 to 28,499 and 60,000 to 60,999.
 
 #[path = "combinations/checks.rs"]
 mod checks;
