@@ -223,6 +223,7 @@ fn of_several_equilibria_the_one_near_the_stated_value_is_taken() {
     let start = |overrides: &[&str]| {
         let scene = scene_of(&WELL, text, overrides);
         let outcome = scene.run().expect("a scene that can be simulated").outcome;
+        assert!(outcome.stopped_by.is_none(), "{:?}", outcome.stopped_by);
         let (x, rest) = (outcome.trajectory.q[0][0], outcome.trajectory.q[0].last().copied());
         assert!((rest.expect("rows") - x).abs() < 1e-9, "a static start stays at rest: {x}, {rest:?}");
         (x, outcome.remarks.join(" "))

@@ -47,7 +47,7 @@ pub fn rigid_speeds(equations: &dyn Equations, scene: &Scene) -> Vector {
 
 /// What a scene states of its start.
 struct Stated {
-    /// The coordinates, or where the search for an equilibrium begins (n).
+    /// The stated coordinates (n). For a coordinate in static equilibrium: the value at which the search for it begins.
     guess: Vector,
     /// The speeds (n).
     q_dot: Vector,
@@ -82,14 +82,14 @@ impl Stated {
     }
 }
 
-/// The equilibrium at which a motion starts: the one that was found first, or else, if it is unstable, the nearest stable one of those `found`.
+/// The equilibrium at which a motion starts: the first one. If that is unstable, the nearest stable one of those `found`.
 fn taken<'a>(first: &'a Settled, found: &'a [Settled]) -> &'a Settled {
     let stable = || found.iter().find(|other| other.stable);
     Some(first).filter(|first| first.stable).or_else(stable).unwrap_or(first)
 }
 
-/// The static equilibria beside the one at which a scene starts, in words; `None` if none was found, or if the start is not static. They
-/// are searched from many guesses, which takes a hundred times as long as the start itself.
+/// Describes the static equilibria of a scene other than the one at which it starts. `None` if the search finds none, or if the start is
+/// not static. The search solves for an equilibrium from many guesses: much more work than the start.
 ///
 /// # Errors
 /// Those of [`begin`].

@@ -83,13 +83,13 @@ struct Shown {
     page: page::Parts,
 }
 
-/// What follows a run: it is not in sight, or takes time to find.
+/// The second answer to a choice: what is not visible, and what takes time to compute.
 #[derive(Serialize)]
 pub(super) struct Rest {
     /// The sections of its page that were not seen, or not whole.
     #[serde(flatten)]
     page: page::Parts,
-    /// Other static equilibria than the one at which it starts, in words.
+    /// A description of the static equilibria other than the one at which the run starts.
     others: Option<String>,
 }
 
@@ -120,7 +120,7 @@ impl Explorer {
         let results = self.ran(&text, self.read(&text).ok()?, None, go_on)?.ok()?;
         let is_wanted = |id: &str| choice.view.is_some() || !choice.seen.iter().any(|seen| seen == id);
         let page = parts(&results, format!("rest{}-", choice.number), &is_wanted, None, go_on).ok()??;
-        Some(Rest { page, others: results.scene.other_equilibria().ok()? })
+        Some(Rest { page, others: results.scene.other_equilibria() })
     }
 
     /// The answer without a run: it took longer than the page waits.

@@ -188,7 +188,7 @@ struct Context<'a> {
     mesh: f64,
     expected: Option<advise::expect::Expected>,
     steady: Option<Steady<'a>>,
-    /// Of its short run, made for the first estimate that needs it.
+    /// The measures of a short run of the scene. The run is made when an estimate first needs it.
     short: OnceCell<Result<Measures, String>>,
     bands: &'a Bands,
     seconds: f64,

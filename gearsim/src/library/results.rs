@@ -54,17 +54,16 @@ impl Scene {
         let entry = self.entry()?;
         let Results { scene, outcome } = self.run_alone(watch)?;
         let mut outcome = digits::noted(self, outcome, &|companion| entry.run(companion, &mut |_| {}));
-        outcome.remarks.splice(0..0, self.other_equilibria()?);
+        outcome.remarks.splice(0..0, self.other_equilibria());
         Ok(Results { scene, outcome })
     }
 
-    /// The static equilibria beside the one at which the scene starts, in words.
-    pub(crate) fn other_equilibria(&self) -> Result<Option<String>, Error> {
-        self.entry()?.other_equilibria(self).map_err(|refusal| self.refused(refusal))
+    /// Describes the static equilibria other than the one at which the scene starts. `None` if there are none, or if the scene has no start.
+    pub(crate) fn other_equilibria(&self) -> Option<String> {
+        self.entry().ok()?.other_equilibria(self).ok()?
     }
 
-    /// Runs the scene without the companion run, and without a search for other equilibria: the number of digits left is then unknown, and
-    /// no remark tells of them.
+    /// Runs the scene without the companion run, so that the number of digits left is unknown. Other equilibria are not searched.
     pub(crate) fn run_alone(&self, watch: &mut dyn FnMut(f64)) -> Result<Results, Error> {
         let outcome = self.entry()?.run(self, watch).map_err(|refusal| self.refused(refusal))?;
         Ok(Results { scene: self.clone(), outcome })

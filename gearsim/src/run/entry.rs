@@ -54,7 +54,7 @@ impl Entry {
         Ok(Prospect { method, why, q: simulation.now.state.q.to_vec(), q_dot: simulation.now.state.q_dot.to_vec() })
     }
 
-    /// The static equilibria of a scene beside the one at which it starts, in words, as a remark on its run; `None` if none was found.
+    /// Describes the static equilibria of a scene other than the one at which it starts, as a remark on its run. `None` if there are none.
     ///
     /// # Errors
     /// Those of [`Entry::run`].

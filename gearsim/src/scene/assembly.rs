@@ -1,4 +1,5 @@
-//! Whether planets can be assembled, and have room beside one another. A planet meets the teeth of sun and ring at once only at places (Z_s + Z_r) psi = 2 pi n with a whole n:
+//! Whether planets can be assembled, and whether there is room for each of them. A planet meets the teeth of both sun and ring only at
+//! the angles psi with (Z_s + Z_r) psi = 2 pi n, where n is a whole number:
 //! R. G. Parker, J. Lin, "Mesh Phasing Relationships in Planetary and Epicyclic Gears", J. Mech. Des. 126(2), 2004.
 
 use std::f64::consts::TAU;
@@ -36,7 +37,7 @@ pub(super) fn misfit([sun, ring]: [f64; 2], angles: &[f64], from: f64, of: &str)
     Some(Misfit { planet, message, help })
 }
 
-/// Two planets that have no room beside one another.
+/// Two planets that are too near to one another.
 pub(super) enum Narrow {
     /// They are in one place. The number of one of them, from 0.
     OnePlace(usize),
@@ -44,7 +45,7 @@ pub(super) enum Narrow {
     Tips(String),
 }
 
-/// The two of the planets at `angles` [rad] that are nearest to one another, if they have no room between `sun` and `ring` teeth.
+/// Checks the two nearest of the planets at `angles` [rad] between `sun` and `ring` teeth. `None` if there is room for both.
 pub(super) fn narrow([sun, ring]: [f64; 2], angles: &[f64], of: &str) -> Option<Narrow> {
     let (centre, teeth) = ((sun + ring) / 4.0, (ring - sun) / 2.0);
     let pairs = (0..angles.len()).flat_map(|i| (0..i).map(move |j| (i, j)));
@@ -55,17 +56,19 @@ pub(super) fn narrow([sun, ring]: [f64; 2], angles: &[f64], of: &str) -> Option<
     if distance < ONE_PLACE * teeth {
         return Some(Narrow::OnePlace(planet));
     }
-    let said = format!(
-        "{of}: the centres of two planets with {teeth} teeth are {distance:.1} modules apart, but standard teeth have a tip diameter of {tips} \
+    let said = || {
+        format!(
+            "{of}: the centres of two planets with {teeth} teeth are {distance:.1} modules apart, but standard teeth have a tip diameter of {tips} \
          modules: the planets collide unless they lie in different planes"
-    );
-    (distance < tips).then_some(Narrow::Tips(said))
+        )
+    };
+    (distance < tips).then(|| Narrow::Tips(said()))
 }
 
 /// Addendum of standard teeth [modules].
 const ADDENDUM: f64 = 1.0;
 
-/// Warns of the planets of a derived model that do not fit, or have no room. Papers take such planets, with constant stiffnesses.
+/// Warns of the planets of a derived model that do not fit, or that are too near to one another. Papers take such planets, with constant stiffnesses.
 pub(super) fn check(scene: &Scene, report: &mut Report) {
     let (Some(sun), Some(ring)) = (scene.parameter("Z_s"), scene.parameter("Z_r")) else { return };
     // The places of the planets; without such parameters they are equally spaced.

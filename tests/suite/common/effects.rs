@@ -19,7 +19,7 @@ const EQUAL_GEARS: &[&str] = &["crank_drive", "cardan_drive"];
 /// Scenes that run longer than this [s] are cut.
 pub const T_END: f64 = 5e-4;
 
-/// Number of samples of a run. Usual are 10,000, and these tests would spend most of their time on them.
+/// Number of samples of a run. With the default of 10,000, these tests would spend most of their time on recording.
 const SAMPLES: f64 = 1e3;
 
 /// Name and title of each model.

@@ -25,8 +25,8 @@ pub fn emit(mut m: Model) -> TokenStream {
     let variables = m.deflections.iter_mut().chain(&mut m.rates).map(|d| &mut d.value).chain(of_positions);
     let forces = m.forces.iter_mut().flat_map(|force| force.sum.iter_mut().map(|term| &mut term.value));
     let coefficients = hoist(variables.chain(forces).chain(terms).collect());
-    // Its values have other names now.
-    m.known.take();
+    // Other names occur in its values now.
+    m.variables.take();
     let m = &m;
     let cells = cells(m);
     let numbers = numbers(m, &coefficients, &cells);

@@ -236,7 +236,7 @@ fn atom(e: Expr) -> Expr {
     Expr::Paren(ExprParen { attrs: vec![], paren_token: Default::default(), expr: Box::new(e) })
 }
 
-/// `left op right`, without a way through text: files have thousands of products.
+/// `left op right`. It is built without parsing, because files have thousands of products.
 fn binary(left: Expr, op: BinOp, right: Expr) -> Expr {
     Expr::Binary(ExprBinary { attrs: vec![], left: Box::new(left), op, right: Box::new(right) })
 }

@@ -93,7 +93,7 @@ enum Variable<'a> {
 
 /// The variables that `code` names, and those in which they are written, in the order in which they are defined.
 fn used<'a>(m: &'a Model, code: &TokenStream) -> Vec<Variable<'a>> {
-    let Known { bent, names } = m.known.get_or_init(|| Known::of(m));
+    let Variables { bent, names } = m.variables.get_or_init(|| Variables::of(m));
     let (mut named, mut used) = (self::names(code), vec![]);
     for (variable, (name, written)) in all(m, bent).into_iter().zip(names).rev() {
         if named.contains(name) {
@@ -105,7 +105,7 @@ fn used<'a>(m: &'a Model, code: &TokenStream) -> Vec<Variable<'a>> {
     used
 }
 
-/// All variables of a model, in the order in which they are defined; `bent` says which deflections bend.
+/// All variables of a model, in the order of their definition. `bent` tells for each deflection whether it bends.
 fn all<'a>(m: &'a Model, bent: &[bool]) -> Vec<Variable<'a>> {
     let linear = |which: fn(&'a Assignment) -> Variable<'a>, these: bool| {
         let of = |all: &'a [Assignment]| all.iter().zip(bent).filter(move |(_, is)| **is == these).map(|(x, _)| x);
@@ -118,21 +118,21 @@ fn all<'a>(m: &'a Model, bent: &[bool]) -> Vec<Variable<'a>> {
     all.chain(linear(Variable::Bent, true)).chain(forces).collect()
 }
 
-/// What is found once of the variables of a model: each function of a model asks for it.
+/// Properties of the variables of a model. They are computed once, because the code of each function needs them.
 #[derive(Debug)]
-pub struct Known {
+pub struct Variables {
     /// Whether each deflection bends.
     bent: Vec<bool>,
     /// For each variable its name, and the names in its value.
     names: Vec<(String, BTreeSet<String>)>,
 }
 
-impl Known {
-    fn of(m: &Model) -> Known {
+impl Variables {
+    fn of(m: &Model) -> Variables {
         let bent: Vec<bool> = m.deflections.iter().map(|d| is_bent(m, &d.value)).collect();
         let of = |variable: Variable<'_>| (variable.name().to_string(), names(variable.written(m)));
         let names = all(m, &bent).into_iter().map(of).collect();
-        Known { bent, names }
+        Variables { bent, names }
     }
 }
 

@@ -5,7 +5,7 @@ use std::cell::OnceCell;
 use quote::format_ident;
 use syn::{Expr, Ident, Index, LitStr};
 
-use crate::equations::lets::Known;
+use crate::equations::lets::Variables;
 
 /// One file of derived equations.
 pub struct Model {
@@ -56,8 +56,8 @@ pub struct Model {
     /// Paths of the equations as text and in LaTeX, from the file of the model.
     pub text: Option<LitStr>,
     pub latex: Option<LitStr>,
-    /// What `lets` has found of its variables.
-    pub known: OnceCell<Known>,
+    /// Properties of its variables, computed by `lets` when they are first needed.
+    pub variables: OnceCell<Variables>,
 }
 
 /// `theta "rad" start 0.0, "doc";`
@@ -341,7 +341,7 @@ impl Model {
             nonlinear: None,
             nonlinear_with: vec![],
             jumps: vec![],
-            known: OnceCell::new(),
+            variables: OnceCell::new(),
             text: None,
             latex: None,
         }

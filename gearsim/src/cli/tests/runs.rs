@@ -96,7 +96,7 @@ fn a_run_whose_energy_account_does_not_close_is_a_failure() {
     assert!(names(root.path()).contains(&"summary.json".into()));
 }
 
-/// The report of such a run does not say that its energy account holds.
+/// If the energy account refutes a run, the report must not say that the account holds.
 #[test]
 fn a_report_of_a_wrong_result_trusts_no_account() {
     let scene = Scene::load(scene()).unwrap();

@@ -143,7 +143,8 @@ fn solve(omega2: &[f64], g: &DMatrix<f64>, nearness: Nearness, watch: &dyn Fn())
     Ok(pairs)
 }
 
-/// The matrix that gives a' and a'' of each pair from (xi', F) (2n x 2n), and the condition number of the modes.
+/// Two results. The matrix (2n x 2n) gives a' and a'' of each pair of eigenvalues from (xi', F). The number is the condition number of the
+/// modes.
 fn functionals(omega2: &[f64], g: &DMatrix<f64>, pairs: &[Pair]) -> Result<(DMatrix<f64>, f64), Refusal> {
     let n = omega2.len();
     // Z as (xi', F) and as (xi', xi''). The first is B times the second, with its halves exchanged.

@@ -149,8 +149,8 @@ impl Equilibrium<'_> {
         let force = DVector::from_fn(moving.len(), |i, _| force[moving[i]]);
         moving.iter().enumerate().for_each(|(i, &row)| diagonal[row] = stiffness[(i, i)].abs());
         let (unit, scaled) = scaled(&stiffness);
-        // A matrix with an overflow has no curvatures. It is refused below.
         let stable = scaled.clone().cholesky().is_some();
+        // A matrix with an overflow has no curvatures. It is refused below.
         let curvatures = (!stable && scaled.iter().all(|x| x.is_finite())).then(|| scaled.symmetric_eigen());
         let concave = curvatures.filter(|curvatures| curvatures.eigenvalues.min() < -start::FLAT);
         let solved = match concave {

@@ -1,4 +1,4 @@
-//! Whether the planets of a set can be assembled, and have room.
+//! Whether the planets of a set can be assembled, and whether there is room for each of them.
 //!
 //! The phases that follow from teeth and places hold for planets that fit, counted from a planet at 0 deg: others are refused. Where no
 //! phase follows, they give a warning: papers take planets that do not fit, with constant stiffnesses.

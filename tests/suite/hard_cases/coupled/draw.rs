@@ -11,8 +11,9 @@ pub struct Drawn<const N: usize> {
     pub v: [f64; N],
     /// Length of the flight [s].
     pub t: f64,
-    /// Factor by which the cell amplifies the rounding errors of its matrices. It is the larger of two: sqrt of the largest ratio of inertias
-    /// times that of stiffnesses, and the rate of the strongest damper over that of a vibration.
+    /// How much the cell amplifies the rounding errors of its matrices. It is the larger of two factors. The first is the square root of a
+    /// product: the largest ratio of inertias times the largest ratio of stiffnesses. The second is the rate of the strongest damper over the
+    /// rate of a vibration.
     condition: f64,
 }
 
@@ -100,8 +101,8 @@ impl<const N: usize> Drawn<N> {
         judged
     }
 
-    /// Factor by which the motion amplifies rounding errors. With a condition number c of the modes, their phases have c rounding errors, and
-    /// each mode is c times as large as the motion.
+    /// How much the motion amplifies rounding errors. Let c be the condition number of the modes. The phase of a mode has an error of c
+    /// roundings, and a mode can be c times as large as the motion: together c².
     fn amplified(&self) -> f64 {
         self.condition * self.system.cell().coupling.map_or(1.0, |coupling| coupling.condition).powi(2)
     }
