@@ -1,7 +1,7 @@
 //! From energies to equations of motion, jump rules and their proofs.
 //!
 //! A [`Model`] collects the kinetic energy T, the potential energy V, the dissipation function D and torques; [`derive`](fn@derive) turns
-//! them into a [`Derivation`]. The text of [`Derivation::file`] is committed under `gearsim/src/generated/`.
+//! them into a [`Derivation`]. The text of [`Derivation::file`] is committed under `gearsim/generated/src/`.
 //!
 //! The stages, in order: `expr` (expressions), `model` (what an author declares), `check` (errors in a model, `slip`), `symbols`
 //! (derivatives), `lagrange` and `mobility` (equations of motion, M⁻¹), `cell` (linearity), `jump` (jump rules), `proof` and

@@ -2,22 +2,13 @@
 //! do the tests, benches and chores of this repository. They find it here, and nowhere else.
 
 // The code of `equations!`: the trait of a model's equations, what its functions take and return, and their arithmetic.
-pub use crate::engine::vector::{Matrix, Vector};
+pub use gearsim_equations::__private::{Effects, Matrix, Vector, model, real};
 
-/// For the code of `equations!`; the second list is for tests and benches.
+/// For the code of `equations!`; the second line is for tests and benches.
 pub mod equations {
-    pub use crate::engine::equations::{
-        Affine, Deflection, Derived, Equations, ExactCells, Exit, Known, Matrices, On, Switching, add_force,
-        add_product, add_square, add_through, array, array_mut, compliance, direction, exits, gradient, matrix, mode,
-        no_such, numbers, values, vector,
-    };
+    pub use gearsim_equations::__private::equations::*;
 
-    pub use crate::engine::equations::{DerivedModel, accelerated, mobility};
-}
-
-/// Types of numbers, for the code of `equations!`.
-pub mod real {
-    pub use crate::engine::real::{Df64, Double, Real};
+    pub use crate::engine::equations::DerivedModel;
 }
 
 // Tests of the parts of the engine by themselves (`tests/suite`), with programs by hand (`benches`) and with other tools (`xtask/chores`).
@@ -41,7 +32,7 @@ pub mod ensemble {
 
 /// The derived models by their types: tests compare them with equations by hand.
 #[cfg(feature = "models")]
-pub use crate::generated::models;
+pub use gearsim_generated::models;
 
 /// Modes and multipliers for tests that change the equations. [`Scene::modes`] and [`Scene::floquet`] compute those of a scene.
 pub mod linear {

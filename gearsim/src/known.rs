@@ -2,9 +2,22 @@
 
 use std::sync::RwLock;
 
-use crate::generated::MODELS;
+use gearsim_generated::{ELEMENTS, TRAIN};
+
+use crate::engine::train::Elements;
 use crate::run::Entry;
 use crate::scene::Scene;
+
+macro_rules! entry {
+    ($model:ty) => {
+        Entry::new::<$model>()
+    };
+}
+
+static TRAINS: Elements = Elements(ELEMENTS);
+
+/// The models of gearsim.
+pub(crate) static MODELS: &[Entry] = &gearsim_generated::each_model!(entry, Entry::train(&TRAIN, &TRAINS));
 
 static KNOWN: RwLock<&'static [Entry]> = RwLock::new(MODELS);
 

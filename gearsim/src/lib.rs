@@ -64,11 +64,9 @@ pub mod examples;
 #[cfg(feature = "html")]
 mod explore;
 mod gear;
-mod generated;
 mod known;
 mod library;
 mod methods;
-pub mod model;
 pub mod output;
 #[cfg(feature = "html")]
 mod page;
@@ -81,6 +79,8 @@ mod tolerance;
 mod train;
 pub mod trajectory;
 
+#[doc(inline)]
+pub use gearsim_equations::model;
 pub use gearsim_macros::equations;
 pub use known::{add as add_models, models};
 pub use library::{Comparison, Error, Gathering, Job, Results, Rows, SceneBuilder, Value, Variation, starter};

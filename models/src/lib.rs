@@ -54,10 +54,10 @@
 //! 2. Declare the file below, `pub mod my_train;`, and add one line to [`MODELS`]. For a model with n equal parts write one function
 //!    of n, and one line for each n: `("my_train_3", |m| my_train::my_train(m, 3))`.
 //! 3. Run `cargo xtask derive my_train`. It derives the equations and jump rules, proves their energy balance and writes
-//!    `gearsim/src/generated/my_train.rs`, and beside it the equations for reading, `text/my_train.txt`: read both. An error in the model is refused with the name of the symbol or term.
+//!    `gearsim/generated/src/my_train.rs`, and beside it the equations for reading, `text/my_train.txt`: read both. An error in the model is refused with the name of the symbol or term.
 //!    Nonlinear cells are derived too; their nonlinear terms are listed, and they are integrated by a stepping method instead of in
 //!    closed form.
-//! 4. Add the line `my_train::MyTrain,` to the list in `gearsim/src/generated/mod.rs`.
+//! 4. Add the line `my_train::MyTrain,` to the list in `gearsim/generated/src/lib.rs`.
 //! 5. Write a scene under `models/scenes/`, starting from an existing one, and run it: `cargo run --release -- run
 //!    models/scenes/my_train.toml`. `cargo run -- models my_train` shows what a scene can set.
 //!

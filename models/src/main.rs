@@ -8,5 +8,5 @@ use gearsim_models::{ELEMENTS, MODELS};
 
 fn main() -> ExitCode {
     let models = [MODELS, ELEMENTS].concat();
-    program(&models, &Path::new(env!("CARGO_MANIFEST_DIR")).join("../gearsim/src/generated"), Home::default())
+    program(&models, &Path::new(env!("CARGO_MANIFEST_DIR")).join("../gearsim/generated/src"), Home::default())
 }

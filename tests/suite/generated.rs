@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 const WIDTH: usize = 160;
 
 /// The files beside the generated ones that are written by hand.
-const BY_HAND: [&str; 2] = ["mod", "train"];
+const BY_HAND: [&str; 2] = ["lib", "train"];
 
 /// The file whose M has a sign that the proof leaves open: the square of a distance over cos(alpha).
 const UNDECIDED: &str = "element_planets";
@@ -21,7 +21,7 @@ fn read(path: &Path) -> String {
 
 /// Every generated file with this ending: name and text.
 fn generated(ending: &str) -> Vec<(String, String)> {
-    let folder = root().join("gearsim/src/generated");
+    let folder = root().join("gearsim/generated/src");
     let folders = [folder.clone(), folder.join("text"), folder.join("latex")];
     let entries = folders.iter().flat_map(|f| std::fs::read_dir(f).expect("a folder of generated files"));
     let paths = entries.map(|entry| entry.expect("a readable folder").path()).filter(|path| path.is_file());

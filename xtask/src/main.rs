@@ -42,7 +42,7 @@ enum Verb {
     Coverage(coverage::Coverage),
     /// Count the instructions of derivations with their proofs under valgrind; write them to tests/derivation-costs.md.
     DerivationCosts(derivation_costs::DerivationCosts),
-    /// Derive equations, jump rules and proofs from the energies in models/src, into gearsim/src/generated.
+    /// Derive equations, jump rules and proofs from the energies in models/src, into gearsim/generated/src.
     Derive(derive::Derive),
     /// Run the hard cases of the engine; write their table to tests/hard-cases.md.
     HardCases(hard_cases::HardCases),

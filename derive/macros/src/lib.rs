@@ -128,7 +128,7 @@ use proc_macro::TokenStream;
 
 /// Defines a model from its derived equations and implements `Derived` for it, with `Equations` for any set of effects.
 ///
-/// The grammar is at the head of this crate; the files under `gearsim/src/generated` are written in it.
+/// The grammar is at the head of this crate; the files under `gearsim/generated/src` are written in it.
 ///
 /// # Errors
 /// Compile errors, all at once and each at its place: unknown names, names that are not allowed in a block, piecewise functions,

@@ -6,7 +6,7 @@ use crate::equations::check::check;
 use crate::equations::expand;
 use crate::equations::model::Model;
 
-const FILE: &str = include_str!("../../../gearsim/src/generated/gear_pair.rs");
+const FILE: &str = include_str!("../../../gearsim/generated/src/gear_pair.rs");
 
 /// The block of the sample with single spaces instead of line breaks and indents, so that patterns need none.
 fn sample() -> String {

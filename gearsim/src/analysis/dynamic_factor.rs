@@ -11,7 +11,7 @@
 use nalgebra::DMatrix;
 
 use super::orders::{SHAFT, force};
-use crate::engine::known::Known;
+use crate::engine::equations::Known;
 use crate::engine::system::System;
 use crate::gear::{Gears, InternalDynamics, Iso6336};
 use crate::model::{Law, Output, Role};

@@ -46,7 +46,7 @@ impl Verb for Models {
                 if self.latex && model.latex.is_empty() {
                     let what =
                         format!("the equations of `{}` are put together from tables, and are not in LaTeX", model.name);
-                    let help = "leave out --latex, or name an element: gearsim_models::ELEMENTS are in gearsim/src/generated/latex".into();
+                    let help = "leave out --latex, or name an element: gearsim_models::ELEMENTS are in gearsim/generated/src/latex".into();
                     return Err(Failure::Impossible { what, help });
                 }
                 terminal::print_out(&match (self.latex, self.json) {

@@ -58,8 +58,8 @@ pub(super) fn asked(html: bool) -> Result<Option<Asked>, Failure> {
 /// The name of the feature `html` for cargo: in a crate with models of its own gearsim is a dependency.
 #[cfg(not(feature = "html"))]
 fn feature() -> &'static str {
-    use crate::generated::MODELS;
     use crate::known;
+    use crate::known::MODELS;
     if known::models().len() > MODELS.len() { "gearsim/html" } else { "html" }
 }
 

@@ -7,7 +7,7 @@
 //!   of the speeds there; `watch`: zeros of other linear functions of the state;
 //! - `contact`: a phase held at a step; `switch`: modes of a deflection; `forcing`: torques that vary in time;
 //! - `phase`, `clock` and `law`: angles, times and the cells of laws, without loss of digits;
-//! - `linear_forces`: forces of a cell, put together once; `hybrid`: the state of a run, continuous and discrete; `start`: the initial state; `record`: rows and the energy account;
+//! - `equations`: the equations of a scene; `hybrid`: the state of a run, continuous and discrete; `start`: the initial state; `record`: rows and the energy account;
 //! - `motion`: the motion between two events, and what finds it: a solver; `exact`: the solver of linear cells; `compensated`: the
 //!   same in double-double numbers; `lanes`: the kernel of plain events;
 //! - `cascade`: events that come ever faster; `order`: events that depend on their order; `simulate`: the hybrid loop; `system`: the
@@ -32,13 +32,11 @@ pub mod jump;
 pub mod known;
 pub mod lanes;
 pub mod law;
-pub mod linear_forces;
 pub mod modal;
 pub mod mode;
 pub mod motion;
 pub mod order;
 pub mod phase;
-pub mod real;
 pub mod record;
 pub mod root;
 pub mod signal;
@@ -47,7 +45,7 @@ pub(crate) mod start;
 pub mod switch;
 pub mod system;
 pub mod train;
-pub mod vector;
 pub mod watch;
 
 pub use error::{Refusal, Stop};
+pub use gearsim_equations::{real, vector};

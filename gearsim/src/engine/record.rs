@@ -5,9 +5,10 @@ use std::time::Instant;
 use smallvec::SmallVec;
 
 use crate::engine::equations::Equations;
+use crate::engine::equations::Known;
 use crate::engine::error::Stop;
 use crate::engine::hybrid::Hybrid;
-use crate::engine::known::Known;
+use crate::engine::known::known;
 use crate::engine::vector::Vector;
 use crate::scene::Scene;
 use crate::trajectory::{Moment, Trajectory};
@@ -178,7 +179,7 @@ impl<'a> Recorder<'a> {
         (dissipated, ignored): (f64, f64),
     ) {
         let asked = self.trajectory.outputs.iter().any(|(output, _)| output.known);
-        let known = if asked { Known::of(now, t, state, k) } else { Known::default() };
+        let known = if asked { known(now, t, state, k) } else { Known::default() };
         let (kinetic, strain) = (self.equations.kinetic(&state.q, &state.q_dot), self.equations.potential(&state.q, k));
         // Displacements from differences of counts and of remainders: whole pitches cancel exactly.
         let moved = Vector::from_fn(state.q.len(), |i| {

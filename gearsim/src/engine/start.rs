@@ -3,7 +3,7 @@
 mod equilibrium;
 mod rigid;
 
-use crate::engine::equations::{Equations, Exit};
+use crate::engine::equations::{self, Equations, Exit};
 use crate::engine::error::Refusal;
 use crate::engine::law::{self, LawState};
 use crate::engine::record::State;
@@ -173,7 +173,7 @@ fn in_modes(
                     (false, Some(r)) => guard.on_reaction * r,
                     (false, None) => return false,
                 };
-                let rounding = guard.rounding(&k) + RELEASE * resisted.abs();
+                let rounding = equations::rounding(guard, &k) + RELEASE * resisted.abs();
                 guard.value(&settled.state.q, &at_rest, &k) + resisted < -rounding
             })?;
             // A switch that slides, or whose hold breaks, goes where its guard leads. One that rests is tried in its next mode of rest.

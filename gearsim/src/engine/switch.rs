@@ -16,7 +16,7 @@ use std::sync::Arc;
 
 use smallvec::SmallVec;
 
-use crate::engine::equations::{Affine, Deflection, Equations, Exit};
+use crate::engine::equations::{self, Affine, Deflection, Equations, Exit};
 use crate::engine::vector::Vector;
 use crate::model::{Mode, Model};
 use crate::tolerance::events::{AT_REST, SAME_GUARD};
@@ -309,7 +309,7 @@ pub fn settle(
         let exits = switch.exits(equations, q, k);
         let violated = |exit: &Exit| match crossed.and_then(|crossed| ratio(&exit.guard, crossed)) {
             Some(factor) => factor > 0.0,
-            None => exit.guard.value(q, q_dot, k) < -exit.guard.rounding(k),
+            None => exit.guard.value(q, q_dot, k) < -equations::rounding(&exit.guard, k),
         };
         let exit = match switch.here().held {
             // The reaction is not known before the hold begins. A motion along what is held ends the hold.
@@ -345,7 +345,7 @@ fn admits(
     let stays = at_edge && !other.here().held;
     other.exits(equations, q, &k).iter().map(|exit| &exit.guard).filter(|guard| guard.on_reaction == 0.0).all(|guard| {
         let value = guard.value(q, q_dot, &k);
-        let edge = stays && guard.on_speed.amax() == 0.0 && value.abs() <= guard.rounding(&k);
+        let edge = stays && guard.on_speed.amax() == 0.0 && value.abs() <= equations::rounding(guard, &k);
         value > 0.0 || edge || (value == 0.0 && guard.on_q.dot(q_dot) > 0.0)
     })
 }

@@ -20,11 +20,11 @@ use self::placed::Placed;
 use crate::engine::equations::{
     Deflection, Equations, ExactCells, Exit, Functions, Known, Source, Switching, mobility,
 };
-use crate::engine::linear_forces::LinearForces;
 use crate::engine::vector::{Matrix, Vector};
 use crate::model::Model;
 use crate::scene::{Effects, Scene};
 use crate::train::{Part, Train};
+use gearsim_equations::LinearForces;
 
 /// The elements of trains: description and functions of each.
 pub struct Elements(pub &'static [(&'static Model, Functions)]);

@@ -2,8 +2,8 @@
 
 use super::*;
 use crate::engine::equations::{Derived, Equations};
-use crate::generated::gear_pair::GearPair;
 use crate::scene::Scene;
+use gearsim_generated::gear_pair::GearPair;
 
 const SCENE: &str = r#"
 model = "gear_pair"

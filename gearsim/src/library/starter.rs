@@ -44,7 +44,7 @@ const FIRST: &[&str] = &["stiffness_step", "damping", "torques"];
 /// The text of a scene of `model` in TOML. It is complete: it can be run as it is.
 pub fn starter(model: &Model) -> String {
     if !model.elements.is_empty() {
-        return crate::generated::TRAIN_SCENE.into();
+        return gearsim_generated::TRAIN_SCENE.into();
     }
     let has = |with: Option<&str>| with.is_none_or(|effect| FIRST.contains(&effect));
     let mut text = format!("about = \"{}\"\nmodel = \"{}\"\n\n", model.title.replace('"', "'"), model.name);

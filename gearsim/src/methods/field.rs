@@ -14,11 +14,11 @@ use crate::engine::equations::{Equations, accelerated};
 use crate::engine::forcing::Forcing;
 use crate::engine::hybrid::Hybrid;
 use crate::engine::law::LawState;
-use crate::engine::linear_forces::LinearForces;
 use crate::engine::motion::Guard;
 use crate::engine::switch::{Guards, Switch};
 use crate::engine::vector::{Matrix, Vector};
 use crate::methods::flow::Flow;
+use gearsim_equations::LinearForces;
 
 /// The equations of a run in its present mode.
 pub struct Field<'a> {

@@ -7,12 +7,12 @@ use crate::engine::record::Recorder;
 use crate::engine::simulate::Simulation;
 use crate::engine::start;
 use crate::engine::{Refusal, Stop};
-use crate::generated::MODELS;
-use crate::generated::gear_pair::GearPair;
+use crate::known::MODELS;
 use crate::model::Model;
 use crate::run::Outcome;
 use crate::scene::Scene;
 use crate::trajectory::{Moment, Trajectory};
+use gearsim_generated::gear_pair::GearPair;
 
 mod nonlinear;
 mod play;

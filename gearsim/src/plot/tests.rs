@@ -224,7 +224,7 @@ fn look() {
 fn plots_of_sweeps_have_their_labels_and_units() {
     let drawn = |vary: &[&str], samples, quantity: &str, plot: &SweepPlot| {
         let manifest = sweep_of(vary, samples);
-        let layout = manifest.layout(crate::generated::MODELS).unwrap();
+        let layout = manifest.layout(crate::known::MODELS).unwrap();
         let numbers = |point: usize| {
             let gap = |i: usize| if point == 1 { f64::NAN } else { 10f64.powi(point as i32 % 7) * (i + 1) as f64 };
             (0..layout.columns.len()).map(gap).collect()
@@ -295,7 +295,7 @@ fn sweep_of(vary: &[&str], samples: Option<usize>) -> Manifest {
         spectra: true,
         ..Request::default()
     };
-    Manifest::new(&Sweep::load(&scene, crate::generated::MODELS, &request).unwrap(), &request, None)
+    Manifest::new(&Sweep::load(&scene, crate::known::MODELS, &request).unwrap(), &request, None)
 }
 
 /// The same mesh while its speed rises to the threefold.

@@ -1,8 +1,8 @@
 //! The outputs of a scene in static equilibrium, without vibration.
 
 use super::Entry;
+use crate::engine::equations::Known;
 use crate::engine::error::Refusal;
-use crate::engine::known::Known;
 use crate::engine::start;
 use crate::model::Start;
 use crate::scene::Scene;

@@ -92,7 +92,7 @@ fn of_kind(kind: Kind, rest: &[&str]) -> Option<&'static str> {
 #[cfg(test)]
 mod tests {
     use super::unit_of;
-    use crate::generated::MODELS;
+    use crate::known::MODELS;
 
     #[test]
     fn values_in_the_tables_of_a_train_have_units() {

@@ -73,6 +73,8 @@ pub use crate::gear::{Contact, GearError, Gears, Material};
 pub use crate::profile::{Curve, Profile, Step};
 #[cfg(feature = "html")]
 pub(crate) use gear_data::of_mesh;
+#[doc(inline)]
+pub use gearsim_equations::Effects;
 pub(crate) use key_unit::unit_of;
 pub(crate) use keys::{reference, schema};
 pub use mistake::{Mistake, SceneMistakes};
@@ -86,8 +88,6 @@ pub(crate) use train::in_place_of;
 
 use std::sync::Arc;
 use std::time::Duration;
-
-use fixedbitset::FixedBitSet;
 
 use crate::model::{Law, Model, Start};
 use crate::train::Train;
@@ -186,10 +186,6 @@ impl Scene {
         self.stiffnesses().map(|(_, law)| law.mid()).collect()
     }
 }
-
-/// A set of effects of a model.
-#[derive(Debug, Clone, PartialEq, Eq, Hash)]
-pub struct Effects(FixedBitSet);
 
 /// The state at t = 0, as the scene states it.
 #[derive(Debug, Clone, PartialEq)]

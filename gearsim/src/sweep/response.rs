@@ -248,7 +248,7 @@ fn words(key: &str, model: &Model) -> String {
 
 #[test]
 fn varied_keys_are_named_by_their_descriptions() {
-    let model = crate::generated::MODELS.iter().find(|entry| entry.model.name == "gear_pair").unwrap().model;
+    let model = crate::known::MODELS.iter().find(|entry| entry.model.name == "gear_pair").unwrap().model;
     assert_eq!(words("start.speed", model), "speed");
     assert_eq!(words("start.phi", model), format!("{}, phi at the start", model.coordinates[1].doc));
     assert!(words("parameters.T0", model).ends_with(", T0"), "{}", words("parameters.T0", model));

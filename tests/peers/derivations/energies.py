@@ -10,7 +10,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 WORDS = r" (where|without|in contact) "
-GENERATED = Path(__file__).parents[3] / "gearsim/src/generated"
+GENERATED = Path(__file__).parents[3] / "gearsim/generated/src"
 
 
 @dataclass

@@ -73,7 +73,7 @@ pub fn committed_files_are_current() {
             let committed = std::fs::read_to_string(generated(path)).unwrap_or_default();
             if let Some((line, (a, b))) = first_difference(derived, &committed) {
                 panic!(
-                    "gearsim/src/generated/{path} is not what its energies give; line {line}, derived:\n{a}\n\
+                    "gearsim/generated/src/{path} is not what its energies give; line {line}, derived:\n{a}\n\
                      committed:\n{b}\nMend with: cargo xtask derive {name}"
                 );
             }
@@ -93,5 +93,5 @@ pub fn first_difference<'a>(a: &'a str, b: &'a str) -> Option<(usize, (&'a str, 
 }
 
 fn generated(path: &str) -> PathBuf {
-    [env!("CARGO_MANIFEST_DIR"), "../gearsim/src/generated", path].iter().collect()
+    [env!("CARGO_MANIFEST_DIR"), "../gearsim/generated/src", path].iter().collect()
 }

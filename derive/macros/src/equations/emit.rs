@@ -39,8 +39,7 @@ pub fn emit(mut m: Model) -> TokenStream {
     let equations = equations(&variants);
     let exactly = exactly(m);
     quote! {
-        use ::gearsim::__private::{Matrix, Vector, equations, real};
-        use ::gearsim::{model, scene::Effects};
+        use ::gearsim::__private::{Effects, Matrix, Vector, equations, model, real};
 
         #[doc = #doc]
         #[derive(Debug, Clone, Copy)]

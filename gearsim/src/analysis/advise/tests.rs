@@ -5,7 +5,7 @@ use std::path::Path;
 
 use super::orbit::{Steady, Unknown};
 use super::*;
-use crate::generated::MODELS;
+use crate::known::MODELS;
 use crate::run::Outcome;
 use crate::scene::Scene;
 use crate::trajectory::Moment;

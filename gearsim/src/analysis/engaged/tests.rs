@@ -4,7 +4,7 @@ use std::f64::consts::TAU;
 use std::path::Path;
 
 use super::*;
-use crate::generated::MODELS;
+use crate::known::MODELS;
 
 fn run(scene: &str, set: &[&str]) -> (Scene, Trajectory) {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../models/scenes").join(scene);

@@ -5,7 +5,7 @@ use std::path::Path;
 use super::ladder::Kind;
 use super::table::{self, Price};
 use super::{By, Curve, Errors, Point, Scenes, WorkPrecision, error};
-use crate::generated::MODELS;
+use crate::known::MODELS;
 use crate::model::{Coordinate, Model, Start};
 use crate::output::fixture;
 use crate::scene::Scene;

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use crate::generated::MODELS;
+use crate::known::MODELS;
 use crate::library::advise::Advice;
 use crate::scene::Scene;
 

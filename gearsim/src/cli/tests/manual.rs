@@ -5,7 +5,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use crate::cli::program;
-use crate::generated::MODELS;
+use crate::known::MODELS;
 use crate::scene::Effects;
 
 fn source() -> PathBuf {

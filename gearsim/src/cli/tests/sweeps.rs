@@ -12,7 +12,7 @@ use crate::cli::failure::Failure;
 use crate::cli::merge::Merge;
 use crate::cli::provenance;
 use crate::cli::sweep::SweepCommand;
-use crate::generated::MODELS;
+use crate::known::MODELS;
 use crate::output::parquet;
 use crate::sweep::folder::Folder;
 use crate::sweep::{Manifest, Request, Sweep};

@@ -4,7 +4,7 @@ use insta::assert_snapshot;
 
 use super::scene;
 use crate::cli::{models, program, report, simulate, terminal};
-use crate::generated::MODELS;
+use crate::known::MODELS;
 use crate::library::equation_sets;
 use crate::output::summary::Number;
 use crate::scene::Scene;

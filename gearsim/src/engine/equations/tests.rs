@@ -5,10 +5,10 @@ mod many_effects;
 use crate::engine::equations::{Derived, Equations, Switching, accelerated, compliance, direction, mobility};
 use crate::engine::vector::{Matrix, Vector};
 
-use crate::generated::gear_pair::GearPair;
-use crate::generated::idler::Idler;
 use crate::model::{Range, Start};
 use crate::scene::Effects;
+use gearsim_generated::gear_pair::GearPair;
+use gearsim_generated::idler::Idler;
 
 const STIFFNESS_STEP: u64 = 1;
 const RIGID_KINEMATICS: u64 = 2;

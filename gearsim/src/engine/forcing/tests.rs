@@ -4,12 +4,12 @@ use crate::engine::Refusal;
 use crate::engine::equations::DerivedModel;
 use crate::engine::simulate::Simulation;
 use crate::engine::start;
-use crate::generated::MODELS;
-use crate::generated::gear_pair::GearPair;
+use crate::known::MODELS;
 use crate::model::Model;
 use crate::run::Entry;
 use crate::run::Outcome;
 use crate::scene::Scene;
+use gearsim_generated::gear_pair::GearPair;
 
 use super::Forcing;
 

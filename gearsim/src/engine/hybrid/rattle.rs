@@ -1,6 +1,6 @@
 //! Switches that rattle: they change their modes repeatedly at one time, because the guards are rounding errors.
 
-use crate::engine::equations::{Affine, Exit};
+use crate::engine::equations::{self, Affine, Exit};
 use crate::engine::switch;
 use crate::tolerance::events::{DOUBLINGS, EDGE_ROUNDING, EVENTS_AT_ONE_TIME, NO_TIME};
 
@@ -65,6 +65,6 @@ impl Hybrid<'_> {
     pub fn rounding(&self, guard: &Affine, rate: f64) -> f64 {
         let fastest = switch::fastest(self.equations, (&self.state.q, &self.state.q_dot), &guard.on_q);
         let deflection = if rate > 0.0 { fastest / rate } else { 0.0 };
-        guard.rounding(&self.k) + EDGE_ROUNDING * deflection
+        equations::rounding(guard, &self.k) + EDGE_ROUNDING * deflection
     }
 }

@@ -3,7 +3,7 @@
 use std::f64::consts::TAU;
 use std::path::Path;
 
-use crate::generated::MODELS;
+use crate::known::MODELS;
 use crate::run::Outcome;
 use crate::scene::Scene;
 

@@ -3,7 +3,7 @@
 
 use smallvec::SmallVec;
 
-use crate::engine::equations::{Affine, Exit};
+use crate::engine::equations::{self, Affine, Exit};
 use crate::engine::hybrid::Hybrid;
 use crate::engine::motion::Motion;
 use crate::engine::record::State;
@@ -68,5 +68,5 @@ fn is_away(now: &Hybrid<'_>, switch: usize, state: &State, t: f64) -> bool {
 /// The value of a guard up to which its deflection is at the edge: its rounding error, and the way that the rate `rest` makes in the time
 /// `elapsed` \[s\] since the mode began. Rounding errors of the speeds move flanks at rest by less.
 fn edge(guard: &Affine, k: &[f64], elapsed: f64, rest: f64) -> f64 {
-    guard.rounding(k) + elapsed * rest
+    equations::rounding(guard, k) + elapsed * rest
 }

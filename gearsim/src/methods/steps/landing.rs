@@ -1,5 +1,6 @@
 //! Landing: the step that meets a guard is repeated so that it ends at the guard.
 
+use crate::engine::equations;
 use crate::engine::motion::Guard;
 use crate::methods::Trial;
 use crate::methods::flow::Flow;
@@ -61,7 +62,7 @@ impl Step<'_, '_> {
     fn rounding(&self, guard: Guard) -> f64 {
         match guard {
             Guard::Phase(law) => self.now.laws[law].rounding(),
-            Guard::Exit(i, which) => self.now.guards.exits[i][which].guard.rounding(&self.now.k) / 16.0,
+            Guard::Exit(i, which) => equations::rounding(&self.now.guards.exits[i][which].guard, &self.now.k) / 16.0,
             Guard::Hold(which) => f64::EPSILON * self.now.left_of_hold(which).abs(),
         }
     }

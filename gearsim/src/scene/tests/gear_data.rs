@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use crate::generated::MODELS;
+use crate::known::MODELS;
 use crate::scene::Scene;
 
 fn load(name: &str, set: &[&str]) -> Result<Scene, String> {

@@ -1,6 +1,6 @@
 //! Laws of trains that contradict their meshes, and planets that cannot be assembled.
 
-use crate::generated::MODELS;
+use crate::known::MODELS;
 use crate::scene::Scene;
 
 pub(super) fn parse(text: &str, set: &[&str]) -> Result<Scene, String> {

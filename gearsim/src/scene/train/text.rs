@@ -125,7 +125,7 @@ fn shown(form: &Terms, rotation: &dyn Fn(usize) -> String) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::generated::TRAIN;
+    use gearsim_generated::TRAIN;
 
     /// Each parameter and law of an element acts in it, so that a text that leaves out a term leaves out a name.
     #[test]

@@ -2,7 +2,7 @@
 
 use super::limit::Limit;
 use super::{Block, sensitivity, statistics};
-use crate::generated::MODELS;
+use crate::known::MODELS;
 use crate::sweep::design::Design;
 use crate::sweep::folder::Rows;
 use crate::sweep::manifest::{Layout, Manifest};

@@ -7,7 +7,7 @@ mod response;
 use std::path::{Path, PathBuf};
 
 use super::{Error, Request, Sweep};
-use crate::generated::MODELS;
+use crate::known::MODELS;
 
 pub(super) fn scene() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../models/scenes/oh2005/energy_300rpm.toml")

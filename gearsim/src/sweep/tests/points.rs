@@ -2,7 +2,7 @@
 
 use super::{load, request};
 use crate::analysis::dynamic_factor;
-use crate::generated::MODELS;
+use crate::known::MODELS;
 use crate::run::Outcome;
 use crate::scene::Scene;
 use crate::sweep::row::Status;

@@ -3,9 +3,9 @@
 use super::*;
 use crate::engine::equations::{Equations, Exit, Known, varying_by_steps};
 use crate::engine::vector::Vector;
-use crate::generated::freewheel::Freewheel;
-use crate::generated::friction_oscillator::FrictionOscillator;
 use crate::scene::Effects;
+use gearsim_generated::freewheel::Freewheel;
+use gearsim_generated::friction_oscillator::FrictionOscillator;
 
 const PAIR: &str = "parameters={I1=\"2890 kg*mm^2\", I2=\"740200 kg*mm^2\", T0=\"10 N*m\", zeta=0.1, Tp_motor=\"250 N*m\", \
     Pp_motor=\"50 kW\", sb_motor=0.1, ns_motor=\"120 rad/s\"}";

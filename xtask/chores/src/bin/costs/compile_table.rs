@@ -15,7 +15,7 @@ pub fn write(models: &[Compiled], effects: &[Compiled], build: &Build) -> String
         "\nProcessor times of rustc, by `cargo xtask costs --compile`. Each model is compiled by itself, optimised. The exponent compares \
          it with the one above of the same kind.\n\n\
          ### Models against the number n of coordinates\n\n\
-         Each file of gearsim/src/generated.\n\n{}\n\
+         Each file of gearsim/generated/src.\n\n{}\n\
          One more model adds {} to the compile time of gearsim (median of the table).\n\n\
          ### Models against the number n of effects\n\n\
          A chain whose n springs have a transmission error and a damper each, every one an effect of its own: all 2^n sets are admissible.\n\n\

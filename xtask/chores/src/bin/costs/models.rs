@@ -29,7 +29,7 @@ const EFFECTS: [usize; 4] = [6, 12, 24, 48];
 /// # Errors
 /// If one does not compile.
 pub fn all() -> anyhow::Result<Vec<Compiled>> {
-    let generated = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../gearsim/src/generated");
+    let generated = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../gearsim/generated/src");
     // The model `train` is no derived file: it is a part of the library.
     let each = gearsim::models().iter().map(|entry| entry.model).filter(|model| model.name != "train");
     each.map(|model| compile(model.name, model.coordinates.len(), &generated.join(format!("{}.rs", model.name))))

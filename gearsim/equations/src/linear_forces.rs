@@ -2,7 +2,7 @@
 
 use smallvec::SmallVec;
 
-use crate::engine::vector::{Matrix, Vector};
+use crate::vector::{Matrix, Vector};
 
 /// F = f - K q - C q' with the dissipation function q'ᵀC q'/2. Zeros of K and C are left out.
 #[derive(Debug, Clone)]

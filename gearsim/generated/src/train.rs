@@ -1,8 +1,7 @@
 //! The model whose parts a scene lists, and its elements: the only model that is not a file of `cargo xtask derive`.
 
-use crate::engine::equations::{Derived, Functions};
-use crate::engine::train::Elements;
-use crate::model::Model;
+use gearsim::interface::{Derived, Functions};
+use gearsim::model::Model;
 
 const fn element<D: Derived>() -> (&'static Model, Functions) {
     (&D::MODEL, Functions::of::<D>())
@@ -11,8 +10,8 @@ const fn element<D: Derived>() -> (&'static Model, Functions) {
 /// The elements, once for each of the two lists.
 macro_rules! elements {
     ($($file:ident::$element:ident,)*) => {
-        /// The elements, in the order of `gearsim_models::ELEMENTS`.
-        pub static ELEMENTS: Elements = Elements(&[$(element::<super::$file::$element>()),*]);
+        /// The elements, in the order of `gearsim_models::ELEMENTS`: description and functions of each.
+        pub static ELEMENTS: &[(&Model, Functions)] = &[$(element::<super::$file::$element>()),*];
         const MODELS: &[&Model] = &[$(&super::$file::$element::MODEL),*];
     };
 }

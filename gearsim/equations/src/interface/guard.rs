@@ -2,8 +2,7 @@
 
 use smallvec::SmallVec;
 
-use crate::engine::real::Real;
-use crate::tolerance::events::EDGE_ROUNDING;
+use crate::real::Real;
 
 /// A named deflection, x = constant + sum(unit k\[law\]) + normal.q, in numbers of type R.
 #[derive(Debug, Clone, PartialEq)]
@@ -95,8 +94,8 @@ impl Affine {
         self.constant_at(k) + self.on_q.dot(q) + self.on_speed.dot(q_dot)
     }
 
-    /// The rounding error of its value near zero.
-    pub fn rounding(&self, k: &[f64]) -> f64 {
-        EDGE_ROUNDING * (self.size + shift(&self.errors, k).abs())
+    /// The size of its terms that do not depend on the state.
+    pub fn size_at(&self, k: &[f64]) -> f64 {
+        self.size + shift(&self.errors, k).abs()
     }
 }

@@ -1,14 +1,16 @@
-//! The derived models, and the elements of trains. The files beside this one are written by `cargo xtask derive`; only this list and
-//! `train.rs` are by hand.
+//! The derived models of gearsim, and the elements of trains. The files beside this one are written by `cargo xtask derive`; only this list
+//! and `train.rs` are by hand. [`gearsim`](https://docs.rs/gearsim) runs scenes of them.
 //!
 //! The elements are always there, so that scenes with `model = "train"` need no feature.
 
+// The code of `equations!` names the crate `::gearsim`. It needs only the equations of it.
+extern crate gearsim_equations as gearsim;
+
 mod train;
 
-use crate::run::Entry;
 pub use train::{ELEMENTS, TRAIN, TRAIN_SCENE};
 
-/// Declares the file of each model, and the list of their entries.
+/// Declares the file of each model, and the list of their types.
 macro_rules! models {
     ($($module:ident::$model:ident,)*) => {
         $(
@@ -22,14 +24,23 @@ macro_rules! models {
             $(pub use super::$module::$model;)*
         }
 
-        /// Every model the program knows.
-        pub static MODELS: &[Entry] = &[
-            $(
-                #[cfg(feature = "models")]
-                Entry::new::<$module::$model>(),
-            )*
-            Entry::train(&TRAIN, &ELEMENTS),
-        ];
+        /// The list `[m!(Model), .., last]` of all models, with a macro `m` of the caller.
+        #[cfg(feature = "models")]
+        #[macro_export]
+        macro_rules! each_model {
+            ($m:ident, $last:expr) => {
+                [$($m!($crate::models::$model),)* $last]
+            };
+        }
+    };
+}
+
+/// Without models the list is that of the last one.
+#[cfg(not(feature = "models"))]
+#[macro_export]
+macro_rules! each_model {
+    ($m:ident, $last:expr) => {
+        [$last]
     };
 }
 

@@ -2,7 +2,7 @@
 //! of each model.
 
 use super::{Affine, Deflection, Exit, no_such};
-use crate::engine::real::Real;
+use crate::real::Real;
 
 /// What an addend of a guard is a multiple of.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -1,6 +1,6 @@
 //! Forces and matrices put together through the gradients of deflections. A gradient is given by its entries that are not zero: index and value.
 
-use crate::engine::real::Real;
+use crate::real::Real;
 
 /// Adds the force `f` along a deflection with the gradient `g`: f g. Zeros of the gradient are left out.
 pub fn add_force<R: Real>(v: &mut [R], f: R, g: &[(usize, R)]) {

@@ -3,7 +3,7 @@
 use nalgebra::DMatrix;
 
 use super::{Affine, Deflection, Exit, Matrices};
-use crate::engine::real::Real;
+use crate::real::Real;
 
 /// Numbers in type S.
 pub fn numbers<R: Real, S: Real + From<R>>(of: &[R]) -> Vec<S> {

@@ -1,14 +1,12 @@
-//! The source of the equations of a scene: a derived model, or the parts of a train.
+//! A derived model, and its linear cells in other numbers.
 
 use nalgebra::{DMatrix, DVector};
 use xprec::Df64;
 
-use super::varying::Varying;
 use super::{Deflection, Equations, Exit, no_such};
-use crate::engine::error::Refusal;
-use crate::engine::real::Real;
+use crate::effects::Effects;
 use crate::model::Model;
-use crate::scene::{Effects, Scene};
+use crate::real::Real;
 
 /// A derived model: its description, and its equations for any set of effects.
 pub trait Derived: Sync {
@@ -84,52 +82,5 @@ pub trait ExactCells {
     /// The deflection of switch `i`.
     fn switched(&self, i: usize, _k: &[Df64]) -> Deflection<Df64> {
         no_such("switch", i)
-    }
-}
-
-/// The source of the equations of a scene: a derived model, or parts that are put together ([`train`](crate::engine::train)).
-pub trait Source: Sync {
-    /// The equations of a scene with these values of its parameters [SI] and mid values of its laws; `None` if its effects contradict one
-    /// another.
-    fn equations(&self, scene: &Scene, parameters: &[f64], mids: &[f64]) -> Option<Box<dyn Equations>>;
-    /// The linear cells of a scene in double-double precision.
-    fn exactly<'a>(&'a self, scene: &'a Scene, parameters: Vec<Df64>, mids: Vec<Df64>) -> Box<dyn ExactCells + 'a>;
-}
-
-impl Source for Functions {
-    fn equations(&self, scene: &Scene, parameters: &[f64], mids: &[f64]) -> Option<Box<dyn Equations>> {
-        (self.equations)(&scene.effects, parameters, mids)
-    }
-
-    fn exactly<'a>(&'a self, scene: &'a Scene, parameters: Vec<Df64>, mids: Vec<Df64>) -> Box<dyn ExactCells + 'a> {
-        (self.exactly)(&scene.effects, &parameters, &mids)
-    }
-}
-
-/// A model for the engine: its description, and the source of its equations.
-#[derive(Clone, Copy)]
-pub struct DerivedModel {
-    /// The description of the model; of a train without its parts, which the description of a scene has.
-    pub model: &'static Model,
-    /// The source of its equations.
-    pub source: &'static dyn Source,
-}
-
-impl DerivedModel {
-    /// The functions of model `D`.
-    pub const fn of<D: Derived>() -> DerivedModel {
-        DerivedModel { model: &D::MODEL, source: const { &Functions::of::<D>() } }
-    }
-
-    /// The equations of a scene.
-    ///
-    /// # Errors
-    /// If its effects contradict one another.
-    pub fn equations(&self, scene: &Scene) -> Result<Box<dyn Equations>, Refusal> {
-        let mids = scene.mids();
-        let which = || scene.effects.contradictions(scene.model);
-        let start = self.source.equations(scene, &scene.parameters, &mids);
-        let equations = start.and_then(|start| Varying::of(start, self.source, scene, &mids));
-        equations.ok_or_else(|| Refusal::Effects { which: which() })
     }
 }

@@ -6,7 +6,7 @@ use std::ops::{Add, AddAssign, Div, Mul, Neg, Sub};
 use nalgebra::DVector;
 pub use xprec::Df64;
 
-use crate::engine::vector::Vector;
+use crate::vector::Vector;
 
 mod double;
 pub use double::Double;

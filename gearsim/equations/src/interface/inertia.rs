@@ -2,7 +2,7 @@
 
 use nalgebra::DVector;
 
-use crate::engine::vector::{Matrix, Vector, dot};
+use crate::vector::{Matrix, Vector, dot};
 
 /// Derivatives of the accelerations: M⁻¹ times the derivatives of the forces, [`Equations::jacobian`](super::Equations::jacobian).
 pub fn accelerated(mobility: &Matrix, of_force: [Matrix; 2]) -> [Matrix; 2] {
@@ -10,7 +10,7 @@ pub fn accelerated(mobility: &Matrix, of_force: [Matrix; 2]) -> [Matrix; 2] {
 }
 
 /// M⁻¹ (n x n), for models too large for a symbolic inverse. If M is not positive definite, the entries are NaN;
-/// [`Cell::new`](crate::engine::cell::Cell::new) then refuses the scene.
+/// the engine then refuses the scene.
 pub fn mobility(mass: &Matrix) -> Matrix {
     // Scale M to a unit diagonal, so that no product overflows or underflows.
     let n = mass.nrows();

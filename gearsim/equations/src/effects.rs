@@ -1,0 +1,123 @@
+//! Sets of effects of a model.
+
+use std::collections::HashSet;
+
+use fixedbitset::FixedBitSet;
+use indexmap::IndexSet;
+
+use crate::model::{Effect, Law, Model, Torque};
+
+/// A set of effects of a model.
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
+pub struct Effects(FixedBitSet);
+
+impl Effects {
+    /// The effects of a model with these numbers. Panics if the model has no such effect.
+    pub fn numbered(model: &Model, numbers: impl IntoIterator<Item = usize>) -> Effects {
+        numbers.into_iter().fold(Effects(FixedBitSet::with_capacity(model.effects.len())), Effects::with)
+    }
+
+    /// No effect.
+    pub fn none(model: &Model) -> Effects {
+        Effects::numbered(model, [])
+    }
+
+    /// All effects of the model.
+    pub fn all(model: &Model) -> Effects {
+        Effects::numbered(model, 0..model.effects.len())
+    }
+
+    /// The set with effect `i` of the model too.
+    pub fn with(mut self, i: usize) -> Effects {
+        self.0.insert(i);
+        self
+    }
+
+    /// The set without effect `i` of the model.
+    pub fn without(mut self, i: usize) -> Effects {
+        self.0.remove(i);
+        self
+    }
+
+    /// The indices of the effect `name`, or of the effect of that name at each part.
+    pub fn numbers(name: &str, model: &Model) -> Vec<usize> {
+        let all = model.effects.iter().enumerate().filter(|(_, effect)| effect.name == name || effect.of == Some(name));
+        all.map(|(i, _)| i).collect()
+    }
+
+    /// Whether effect `i` of the model is in the set.
+    pub fn contains(&self, i: usize) -> bool {
+        self.0.contains(i)
+    }
+
+    /// Whether no effect of the set excludes another one, or needs one that is missing.
+    pub fn agree(&self, model: &Model) -> bool {
+        self.contradictions(model).is_empty()
+    }
+
+    /// The effects of the set, in the model's order.
+    fn of(&self, model: &Model) -> impl Iterator<Item = &'static Effect> {
+        self.0.ones().map(move |i| &model.effects[i])
+    }
+
+    /// Whether the set has the effect `name`, or that of one of its parts.
+    pub fn has(&self, name: &str, model: &Model) -> bool {
+        self.of(model).any(|effect| effect.name == name || effect.of == Some(name))
+    }
+
+    /// Whether a term that needs the effect `with` is active; a term without effect always is.
+    pub fn activate(&self, with: Option<&str>, model: &Model) -> bool {
+        with.is_none_or(|effect| self.has(effect, model))
+    }
+
+    /// The external torques of a model that scenes with these effects have, by their numbers.
+    pub fn torques(&self, model: &Model) -> Vec<usize> {
+        let has = |torque: &Torque| torque.with.iter().all(|effect| self.has(effect, model));
+        (0..model.torques.len()).filter(|&i| has(&model.torques[i])).collect()
+    }
+
+    /// The names of the effects, in the model's order. If all parts have an effect, its name stands for them.
+    pub fn names(&self, model: &Model) -> Vec<&'static str> {
+        let absent = model.effects.iter().enumerate().filter(|(i, _)| !self.contains(*i));
+        let not_all: HashSet<&str> = absent.filter_map(|(_, effect)| effect.of).collect();
+        let name = |effect: &'static Effect| effect.of.filter(|of| !not_all.contains(of)).unwrap_or(effect.name);
+        self.of(model).map(name).collect::<IndexSet<_>>().into_iter().collect()
+    }
+
+    /// Whether the phase of a law rolls in scenes with these effects: nothing else depends on its whole pitches.
+    pub fn rolls(&self, law: &Law, model: &Model) -> bool {
+        law.rolling && !law.held.iter().any(|effect| self.has(effect, model))
+    }
+
+    /// Whether a coordinate of a model rotates without end in scenes with these effects. It does if it is the phase of a law that rolls.
+    pub fn turns(&self, coordinate: &str, model: &Model) -> bool {
+        model.laws.iter().any(|law| law.phase == coordinate && self.rolls(law, model))
+    }
+
+    /// The terms that make cells of `model` nonlinear with these effects, as text; empty if cells are linear.
+    pub fn nonlinear(&self, model: &Model) -> String {
+        let all = |effects: &[&str]| effects.iter().all(|effect| self.has(effect, model));
+        let with = model.nonlinear_with.iter().filter(|(effects, _)| all(effects));
+        let all = std::iter::once(model.nonlinear).filter(|terms| !terms.is_empty()).chain(with.map(|(_, term)| *term));
+        all.collect::<Vec<_>>().join("; ")
+    }
+
+    /// The effects of the set that exclude one another or need a missing one, as text; empty if there are none.
+    pub fn contradictions(&self, model: &Model) -> String {
+        let of = |effect: &Effect| {
+            let excluded = effect.excludes.iter().filter(|other| self.has(other, model));
+            let lacking = effect.requires.iter().filter(|other| !self.has(other, model));
+            let excluded = excluded.map(|other| format!("`{}` excludes `{other}`", effect.name));
+            excluded.chain(lacking.map(|other| format!("`{}` needs `{other}`", effect.name))).collect::<Vec<_>>()
+        };
+        self.of(model).flat_map(of).collect::<Vec<_>>().join(", ")
+    }
+
+    /// The set of the effects with these names, those of all parts for an effect of parts; `None` if the model lacks one of them.
+    pub fn from_names<'a>(names: impl IntoIterator<Item = &'a str>, model: &Model) -> Option<Effects> {
+        let mut named = names.into_iter().map(|name| Effects::numbers(name, model));
+        named.try_fold(Effects::none(model), |set, named| {
+            (!named.is_empty()).then(|| named.into_iter().fold(set, Effects::with))
+        })
+    }
+}

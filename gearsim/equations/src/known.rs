@@ -1,0 +1,24 @@
+//! Quantities for outputs that only the engine knows: the reactions of held deflections and the powers of the external torques.
+
+use smallvec::SmallVec;
+
+/// Reactions and powers. Those that are not requested are not computed and read as zero.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Known {
+    /// For each switch of the model, the force along the deflection that its hold resists [N or N m].
+    pub reactions: SmallVec<[f64; 4]>,
+    /// For each external torque of the model up to the last one that the scene has, its power \[W\]; zero for those that it does not have.
+    pub powers: SmallVec<[f64; 4]>,
+}
+
+impl Known {
+    /// The reaction of the deflection of a switch [N or N m]; zero where it is not held.
+    pub fn reaction(&self, switch: usize) -> f64 {
+        self.reactions.get(switch).copied().unwrap_or(0.0)
+    }
+
+    /// The power of an external torque \[W\].
+    pub fn power(&self, torque: usize) -> f64 {
+        self.powers.get(torque).copied().unwrap_or(0.0)
+    }
+}
