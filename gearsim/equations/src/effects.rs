@@ -46,6 +46,7 @@ impl Effects {
     }
 
     /// Whether effect `i` of the model is in the set.
+    #[inline]
     pub fn contains(&self, i: usize) -> bool {
         self.0.contains(i)
     }

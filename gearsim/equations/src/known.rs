@@ -13,11 +13,13 @@ pub struct Known {
 
 impl Known {
     /// The reaction of the deflection of a switch [N or N m]; zero where it is not held.
+    #[inline]
     pub fn reaction(&self, switch: usize) -> f64 {
         self.reactions.get(switch).copied().unwrap_or(0.0)
     }
 
     /// The power of an external torque \[W\].
+    #[inline]
     pub fn power(&self, torque: usize) -> f64 {
         self.powers.get(torque).copied().unwrap_or(0.0)
     }

@@ -101,6 +101,7 @@ impl Sized64 for f64 {
 }
 
 impl Sized64 for Df64 {
+    #[inline]
     fn rounded(self) -> f64 {
         self.hi()
     }

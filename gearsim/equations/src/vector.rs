@@ -67,6 +67,7 @@ impl Vector {
     }
 
     /// The absolute values of its elements.
+    #[inline]
     pub fn abs(&self) -> Vector {
         self.map(f64::abs)
     }
@@ -78,6 +79,7 @@ impl Vector {
     }
 
     /// The largest absolute value of its elements.
+    #[inline]
     pub fn amax(&self) -> f64 {
         self.iter().fold(0.0, |most, x| most.max(x.abs()))
     }
@@ -156,12 +158,14 @@ impl<const N: usize> PartialEq<[f64; N]> for Vector {
 }
 
 impl From<&DVector<f64>> for Vector {
+    #[inline]
     fn from(vector: &DVector<f64>) -> Self {
         vector.as_slice().into()
     }
 }
 
 impl From<&Vector> for DVector<f64> {
+    #[inline]
     fn from(vector: &Vector) -> Self {
         DVector::from_column_slice(vector)
     }

@@ -3,6 +3,8 @@
 //! With the gradients N of the held motions, R = (NᵀM⁻¹N)⁻¹ NᵀM⁻¹ F, see [`contact`](crate::engine::contact). The power of a torque has
 //! three parts: that of its value at the start, that which depends on the state, and that which varies in time.
 
+use smallvec::SmallVec;
+
 use crate::engine::contact;
 use crate::engine::equations::Known;
 use crate::engine::hybrid::Hybrid;
@@ -12,8 +14,8 @@ use crate::engine::record::State;
 pub fn known(now: &Hybrid<'_>, t: f64, state: &State, k: &[f64]) -> Known {
     let State { q, q_dot, .. } = state;
     let further = now.forcing.as_ref().map(|forcing| forcing.power(t, q_dot));
-    let mut known = Known::default();
-    known.powers.resize(now.torques.last().map_or(0, |last| last + 1), 0.0);
+    let powers = SmallVec::from_elem(0.0, now.torques.last().map_or(0, |last| last + 1));
+    let mut known = Known { powers, ..Known::default() };
     for (at, &i) in now.torques.iter().enumerate() {
         let varying = further.as_ref().map_or(0.0, |further| further[at]);
         known.powers[i] = now.equations.torque_work(i, q_dot) + now.equations.torque_power(i, q, q_dot, k) + varying;

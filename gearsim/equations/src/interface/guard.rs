@@ -17,6 +17,7 @@ pub struct Deflection<R: Real = f64> {
 
 impl Deflection {
     /// Its value at the coordinates `q` and the law values `k`.
+    #[inline]
     pub fn value(&self, q: &[f64], k: &[f64]) -> f64 {
         self.constant + shift(&self.errors, k) + self.normal.dot(q)
     }
@@ -90,11 +91,13 @@ impl<R: Real> Affine<R> {
 
 impl Affine {
     /// Its value without the term of the reaction.
+    #[inline]
     pub fn value(&self, q: &[f64], q_dot: &[f64], k: &[f64]) -> f64 {
         self.constant_at(k) + self.on_q.dot(q) + self.on_speed.dot(q_dot)
     }
 
     /// The size of its terms that do not depend on the state.
+    #[inline]
     pub fn size_at(&self, k: &[f64]) -> f64 {
         self.size + shift(&self.errors, k).abs()
     }

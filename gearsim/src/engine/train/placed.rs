@@ -59,7 +59,8 @@ impl Placed {
     }
 
     /// Writes x, x' and the values of its laws and symbols at a state of the train [q, q', values].
-    #[inline]
+    // As a call it takes one percent more instructions for a row of outputs.
+    #[inline(always)]
     pub fn localise(&self, [q, q_dot, k]: [&[f64]; 3], numbers: &mut [f64]) {
         let n = self.rows.len();
         let (x, rest) = numbers.split_at_mut(n);
