@@ -80,8 +80,7 @@ mod train;
 pub mod trajectory;
 
 #[doc(inline)]
-pub use gearsim_equations::model;
-pub use gearsim_macros::equations;
+pub use gearsim_equations::{equations, model};
 pub use known::{add as add_models, models};
 pub use library::{Comparison, Error, Gathering, Job, Results, Rows, SceneBuilder, Value, Variation, starter};
 pub use run::{Entry, Outcome, Prospect};

@@ -1,7 +1,7 @@
 //! Vectors of a run: coordinates, speeds and modal coordinates. Their length is known once the scene is read.
 //!
 //! Vectors of nalgebra with a dynamic length are on the heap. A run creates several at every event, so these are on the stack up
-//! to [`INLINE`] numbers.
+//! to ten numbers.
 //!
 //! Their operations are loops over an index. A zip of iterators contains functions of the standard library that the compiler does not
 //! inline across its units of code: a step of dop853 takes up to a fifth more instructions with them.

@@ -26,7 +26,7 @@ pub fn residual(outcome: &Outcome) -> f64 {
 /// A damped rotor under a torque. Its angle stiffens the spring of a second, loaded rotor, so that the torque presses it against a step
 /// that reflects it.
 pub mod pressed {
-    gearsim_macros::equations! {
+    gearsim::equations! {
         model pressed "a rotor pressed against a step";
         coordinates { alpha "rad" start 0.0, "switching rotor"; beta "rad" start static, "sprung rotor"; }
         parameters {
@@ -58,7 +58,7 @@ pub mod pressed {
 
 /// Two springs on one rotor; both step with the same angle.
 pub mod twice {
-    gearsim_macros::equations! {
+    gearsim::equations! {
         model twice "two springs that step together";
         coordinates { alpha "rad" start 0.0, "switching rotor"; beta "rad" start 0.3, "sprung rotor"; }
         laws {
@@ -82,7 +82,7 @@ pub mod twice {
 
 /// Two switching rotors, coupled by inertia, and a third rotor whose two springs each step with one of them.
 pub mod meshes {
-    gearsim_macros::equations! {
+    gearsim::equations! {
         model meshes "two meshes on one spring";
         coordinates {
             alpha "rad" start 0.0, "first switching rotor";

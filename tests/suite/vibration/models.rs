@@ -6,7 +6,7 @@ use gearsim::scene::Scene;
 /// A rotor under a torque. Its angle switches the spring of a second, loaded rotor, to which a third is coupled by a spring. One
 /// damper is between the first two rotors, one between the third and the ground.
 mod dampers {
-    gearsim_macros::equations! {
+    gearsim::equations! {
         model dampers "three rotors on springs and dampers";
         coordinates {
             alpha "rad" start 0.0, "switching rotor";

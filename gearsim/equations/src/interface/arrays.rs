@@ -25,10 +25,10 @@ fn too_few_values(l: usize, given: usize) -> ! {
     panic!("{l} values of laws and switches are needed, {given} are given")
 }
 
-/// [`array`], mutable.
+/// [`array()`], mutable.
 ///
 /// # Panics
-/// Those of [`array`].
+/// Those of [`array()`].
 #[inline]
 pub fn array_mut<const N: usize>(numbers: &mut [f64]) -> &mut [f64; N] {
     let given = numbers.len();

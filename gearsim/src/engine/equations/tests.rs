@@ -271,7 +271,7 @@ fn model() {
 
 /// The smallest valid file: no closed forms, no effects, and a law that never steps.
 mod two_masses {
-    gearsim_macros::equations! {
+    gearsim::equations! {
         model two_masses "Two coupled masses joined by a spring of 1 N/m, the second one held to the ground";
         coordinates {
             x "m" start -1.0, "first mass";

@@ -6,7 +6,7 @@ use crate::run::{Entry, Outcome};
 use crate::scene::Scene;
 
 mod duffing {
-    gearsim_macros::equations! {
+    gearsim::equations! {
         model duffing "a mass on a hardening spring, x + x^3 [N]";
         coordinates { x "m" start static, "deflection"; }
         parameters {

@@ -5,7 +5,7 @@ use crate::engine::equations::Derived;
 
 /// Effect i is a spring of 2^i N/m. Those of the set `effects` have the stiffness `effects` [N/m] together.
 mod springs {
-    gearsim_macros::equations! {
+    gearsim::equations! {
         model springs "A mass on 24 springs, each an effect";
         coordinates { x "m" start 0.0, "displacement"; }
         parameters { m "kg" required, open 0.0 to inf, "mass"; }

@@ -18,15 +18,21 @@ const LOG: &str = "GEARSIM_COSTS_LOG";
 
 /// Processor times of a build [s]: user and system time of rustc and of the linker, to 0.02 s for each call of rustc.
 pub struct Build {
-    /// The library of gearsim.
-    pub library: f64,
-    /// The program of gearsim.
-    pub program: f64,
+    /// The crates of gearsim and its program, by their names in the table.
+    pub gearsim: Vec<(String, f64)>,
     /// Each dependency by its name, all its versions and its build script included, the longest time first.
     pub dependencies: Vec<(String, f64)>,
     /// The whole build: also cargo itself and the runs of build scripts.
     pub whole: f64,
 }
+
+/// The crates of gearsim: package, whether it is the program, and name in the table.
+const GEARSIM: [(&str, bool, &str); 4] = [
+    ("gearsim-equations", false, "gearsim, interface of the equations"),
+    ("gearsim-generated", false, "gearsim, derived models"),
+    ("gearsim", false, "gearsim, library"),
+    ("gearsim", true, "gearsim, program"),
+];
 
 /// Builds gearsim from scratch in the release profile.
 ///
@@ -61,14 +67,14 @@ fn read(log: &str, whole: f64) -> anyhow::Result<Build> {
         let [package, kind, seconds] = fields[..] else { bail!("the log of the build has the line `{line}`") };
         *times.entry((package, package == "gearsim" && kind == "bin")).or_default() += seconds.parse::<f64>()?;
     }
-    let mut gearsim = |program| times.remove(&("gearsim", program)).unwrap_or(0.0);
-    let (library, program) = (gearsim(false), gearsim(true));
-    if library == 0.0 {
-        bail!("the log of the build does not name gearsim");
+    let mut gearsim = vec![];
+    for (package, is_program, name) in GEARSIM {
+        let time = times.remove(&(package, is_program));
+        gearsim.push((name.to_owned(), time.with_context(|| format!("the log of the build does not name {package}"))?));
     }
     let mut dependencies: Vec<_> = times.into_iter().map(|((name, _), time)| (name.to_owned(), time)).collect();
     dependencies.sort_by(|a, b| b.1.total_cmp(&a.1));
-    Ok(Build { library, program, dependencies, whole })
+    Ok(Build { gearsim, dependencies, whole })
 }
 
 /// If cargo has called this program in place of rustc: runs rustc, logs its processor time, and returns its exit code.

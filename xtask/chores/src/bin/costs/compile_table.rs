@@ -52,18 +52,16 @@ fn median(models: &[Compiled]) -> f64 {
 }
 
 fn packages(build: &Build) -> String {
-    let Build { library, program, dependencies, whole } = build;
+    let Build { gearsim, dependencies, whole } = build;
     let sum = |part: &[(String, f64)]| part.iter().map(|(_, time)| time).sum::<f64>();
     let (named, others) = dependencies.split_at(NAMED.min(dependencies.len()));
-    let all = sum(dependencies);
-    let mut rows = vec![
-        ("gearsim, library".to_owned(), *library),
-        ("gearsim, program".into(), *program),
-        (format!("all {} dependencies", dependencies.len()), all),
-    ];
+    let (own, all) = (sum(gearsim), sum(dependencies));
+    let mut rows = gearsim.clone();
+    rows.push(("gearsim, all of these".into(), own));
+    rows.push((format!("all {} dependencies", dependencies.len()), all));
     rows.extend(named.iter().map(|(name, time)| (format!("of these: `{name}`"), *time)));
     rows.push((format!("of these: the other {}", others.len()), sum(others)));
-    rows.push(("cargo, and runs of build scripts".into(), (whole - library - program - all).max(0.0)));
+    rows.push(("cargo, and runs of build scripts".into(), (whole - own - all).max(0.0)));
     rows.push(("the whole build".into(), *whole));
     let mut text = String::from("| package | processor time | share |\n| --- | --- | --- |\n");
     for (what, seconds) in rows {

@@ -26,7 +26,7 @@ pub fn file(n: usize) -> String {
         ("force", masses(&|i| format!("x{i} {{ {} {} }}\n", row(i, n, "-", i), row(i.wrapping_sub(1), n, "", i)))),
         ("jacobian", String::new()),
     ];
-    let mut text = format!("gearsim_macros::equations! {{\nmodel {} \"springs with errors\";\n", name(n));
+    let mut text = format!("gearsim::equations! {{\nmodel {} \"springs with errors\";\n", name(n));
     for (block, lines) in blocks {
         writeln!(text, "{block} {{\n{lines}}}").expect("a string takes all");
     }

@@ -64,7 +64,6 @@ fn compile(name: &str, n: usize, file: &Path) -> anyhow::Result<Compiled> {
     rustc.args(["--edition=2024", "--crate-type=lib", "--emit=obj"]);
     rustc.args(["-Copt-level=3", "-Ccodegen-units=1", "--cap-lints=allow"]);
     rustc.arg("--extern").arg(format!("gearsim={}", library(&release)?.display()));
-    rustc.arg("--extern").arg(format!("gearsim_macros={}", macros(&release)?.display()));
     rustc.arg("-L").arg(format!("dependency={}", release.join("deps").display()));
     let output = rustc.arg("-o").arg(&object).arg(&source).output().context("cannot start rustc")?;
     if !output.status.success() {
@@ -95,15 +94,4 @@ fn library(release: &Path) -> anyhow::Result<PathBuf> {
         bail!("{} does not exist: run `cargo build --release -p gearsim --lib`", library.display());
     }
     Ok(library)
-}
-
-/// The proc-macro of the library; the newest if there are several.
-fn macros(release: &Path) -> anyhow::Result<PathBuf> {
-    let ours = |path: &PathBuf| {
-        let name = path.file_name().unwrap_or_default().to_string_lossy();
-        name.starts_with("libgearsim_macros-") && path.extension().is_some_and(|e| e == std::env::consts::DLL_EXTENSION)
-    };
-    let files = std::fs::read_dir(release.join("deps"))?.filter_map(|entry| Some(entry.ok()?.path()));
-    let newest = files.filter(ours).max_by_key(|path| path.metadata().and_then(|m| m.modified()).ok());
-    newest.context("the proc-macro gearsim_macros is not in the folder deps of the release profile")
 }

@@ -5,7 +5,7 @@
 
 macro_rules! pair {
     ($name:ident $(, $outputs:ident)?) => {
-        gearsim_macros::equations! {
+        gearsim::equations! {
             model $name "two spur gears on rigid shafts, never damped";
 
             coordinates {
