@@ -8,16 +8,16 @@ use crate::lagrange::{Motion, external};
 use crate::markers::{all_present, markers, optional, terms, without};
 use crate::model::{Model, Switch};
 use crate::print::{Style, print};
-use crate::symbols::{Partials, Place, Symbols, expanded};
+use crate::symbols::{Partials, Symbols, Variable, expanded};
 use crate::tree::Tree;
 
 /// The matrices of a cell, of its terms that are linear. They are written in coordinates and deflections: with the gradients g of
 /// deflections, an entry k of deflections d and e is the matrix k g_d g_eᵀ.
 pub(crate) struct Cell {
     /// The entries of K that are not zero, of each pair of different places one.
-    pub stiffness: Vec<(Place, Place, Atom)>,
+    pub stiffness: Vec<(Variable, Variable, Atom)>,
     /// Those of C.
-    pub damping: Vec<(Place, Place, Atom)>,
+    pub damping: Vec<(Variable, Variable, Atom)>,
     /// Those of f: forces along coordinates and deflections.
     pub load: Partials,
     /// The terms that make the cell nonlinear in every scene, as text, each with the energy or torque it comes from. The matrices are
@@ -53,21 +53,21 @@ pub(crate) fn derive(model: &Model, s: &Symbols, motion: &Motion) -> Cell {
         pieces.iter().copied().filter(of_one).collect()
     };
     let (potential, dissipation) = (linear(&model.potential), linear(&model.dissipation));
-    let straight = |(place, e): (Place, Atom)| (place, bends.straight(&e));
+    let straight = |(place, e): (Variable, Atom)| (place, bends.straight(&e));
     let restoring = potential.iter().flat_map(|v| s.by_positions(&v.atom())).chain(lost(model, s));
     let restoring: Partials = expanded(restoring.map(straight));
     let stiffness = second(&restoring, |force| s.by_positions(force));
     let damping = expanded(dissipation.iter().flat_map(|d| s.by_motions(&d.atom())).map(straight));
     let damping = second(&damping, |force| s.by_motions(force));
-    let constant = constant.into_iter().enumerate().map(|(i, force)| (Place::Coordinate(i), force));
+    let constant = constant.into_iter().enumerate().map(|(i, force)| (Variable::Coordinate(i), force));
     let at_rest = restoring.iter().map(|(place, force)| (*place, -at_rest(s, force)));
     let load = expanded(constant.chain(at_rest).map(straight));
     Cell { stiffness, damping, load, nonlinear, nonlinear_with }
 }
 
 /// The derivatives of `forces` that are not zero. They are symmetric: of each pair of different places one is given.
-fn second(forces: &[(Place, Atom)], by: impl Fn(&Atom) -> Partials) -> Vec<(Place, Place, Atom)> {
-    let row = |(place, force): &(Place, Atom)| {
+fn second(forces: &[(Variable, Atom)], by: impl Fn(&Atom) -> Partials) -> Vec<(Variable, Variable, Atom)> {
+    let row = |(place, force): &(Variable, Atom)| {
         let place = *place;
         let entries = expanded(by(force).into_iter()).into_iter().filter(move |(other, _)| *other >= place);
         entries.map(move |(other, entry)| (place, other, entry)).collect::<Vec<_>>()
@@ -80,7 +80,7 @@ fn lost(model: &Model, s: &Symbols) -> Partials {
     let lossy = model.switches.iter().filter(|switch| !switch.loss.atom().is_zero());
     let along = |switch: &Switch| {
         let over = symbol(Kind::Deflection, &switch.over);
-        s.deflections.iter().position(|d| d.symbol == over).map(Place::Deflection)
+        s.deflections.iter().position(|d| d.symbol == over).map(Variable::Deflection)
     };
     lossy.filter_map(|switch| Some((along(switch)?, switch.lost()))).collect()
 }
@@ -146,8 +146,8 @@ fn depends(s: &Symbols, mass: &[Vec<Atom>], coordinate: &str) -> bool {
 fn at_rest(s: &Symbols, e: &Atom) -> Atom {
     s.present(e).into_iter().fold(e.clone(), |e, (symbol, place)| {
         let rest = match place {
-            Place::Coordinate(_) => number(0),
-            Place::Deflection(d) => s.deflections[d].rest.clone(),
+            Variable::Coordinate(_) => number(0),
+            Variable::Deflection(d) => s.deflections[d].rest.clone(),
             _ => return e,
         };
         set(&e, symbol, &rest)

@@ -8,10 +8,10 @@ use symbolica::atom::Atom;
 use crate::cell::Cell;
 use crate::expr::{Expr, Kind, number, set, speed_name, symbol};
 use crate::jump::Jump;
-use crate::lagrange::Motion;
+use crate::lagrange::EquationsOfMotion;
 use crate::model::{JUMP_TERMS, MOVING_PHASE, Model};
 use crate::print::Style;
-use crate::symbols::{Partials, Place, Symbols};
+use crate::symbols::{Partials, Symbols, Variable};
 use crate::{Home, file, markers, proof, text};
 pub use stages::derive;
 pub(crate) use stages::{Formulas, derive_with};
@@ -20,7 +20,7 @@ pub(crate) use stages::{Formulas, derive_with};
 pub struct Derivation<'a> {
     pub(crate) model: &'a Model,
     pub(crate) symbols: Symbols,
-    pub(crate) motion: Motion,
+    pub(crate) motion: EquationsOfMotion,
     /// Derivatives of the generalised forces F by the coordinates, the speeds, and the deflections and rates in which they are written.
     pub(crate) jacobian: Vec<Partials>,
     /// The partial derivatives of forces in which the Jacobian is written: name, effect, value.
@@ -122,12 +122,12 @@ impl Derivation<'_> {
     }
 
     /// The name of a coordinate, a speed, a deflection or a rate.
-    pub(crate) fn name(&self, place: Place) -> String {
+    pub(crate) fn name(&self, place: Variable) -> String {
         match place {
-            Place::Coordinate(i) => self.model.coordinates[i].name.clone(),
-            Place::Speed(i) => self.model.speeds()[i].clone(),
-            Place::Deflection(d) => self.model.deflections[d].name.clone(),
-            Place::Rate(d) => speed_name(&self.model.deflections[d].name),
+            Variable::Coordinate(i) => self.model.coordinates[i].name.clone(),
+            Variable::Speed(i) => self.model.speeds()[i].clone(),
+            Variable::Deflection(d) => self.model.deflections[d].name.clone(),
+            Variable::Rate(d) => speed_name(&self.model.deflections[d].name),
             _ => unreachable!("nothing is differentiated by it"),
         }
     }

@@ -13,7 +13,7 @@ use crate::symbols::{Sparse, Symbols};
 use crate::trigonometry::simplified;
 
 /// The equations of motion M q'' = F, and q'' itself where M was inverted.
-pub(crate) struct Motion {
+pub(crate) struct EquationsOfMotion {
     /// Generalised external forces Q.
     pub external: Vec<Atom>,
     pub mass: Vec<Vec<Atom>>,
@@ -128,7 +128,7 @@ fn inertia(model: &Model, s: &Symbols, mass: &[Vec<Atom>]) -> Option<Vec<Vec<Ato
 }
 
 /// Derives the equations of motion.
-pub(crate) fn derive(model: &Model, s: &Symbols) -> Result<Motion, Slip> {
+pub(crate) fn derive(model: &Model, s: &Symbols) -> Result<EquationsOfMotion, Slip> {
     let n = model.coordinates.len();
     let mut mass = hessian(n, &model.kinetic, |e| s.by_speeds(e));
     if model.inertia_moves() {
@@ -156,7 +156,7 @@ pub(crate) fn derive(model: &Model, s: &Symbols) -> Result<Motion, Slip> {
         None => applied.clone(),
     };
     let (constants, mobility, acceleration) = (vec![], None, None);
-    let mut motion = Motion { external, mass, inertia, applied, force, constants, mobility, acceleration };
+    let mut motion = EquationsOfMotion { external, mass, inertia, applied, force, constants, mobility, acceleration };
     crate::mobility::name(model, &mut motion)?;
     let constant = motion.inertia.is_none();
     motion.acceleration = motion

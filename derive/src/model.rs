@@ -21,10 +21,10 @@ pub use law::{Factor, Stiffness};
 pub(crate) use law::{Law, Role, mid_name};
 pub(crate) use massless::why_not;
 pub(crate) use output::Output;
-pub(crate) use parts::{Coordinate, Deflection, Motion, Parameter};
+pub(crate) use parts::{Coordinate, Deflection, Parameter, RigidMotion};
 pub use parts::{GearData, Range, Start};
 pub use switch::{Describing, Switching};
-pub(crate) use switch::{Exit, Mode, REACTION, Switch};
+pub(crate) use switch::{Exit, REACTION, Switch, SwitchMode};
 pub(crate) use torque::{Force, Torque};
 
 /// A drivetrain, described by its energies.
@@ -39,7 +39,7 @@ pub struct Model {
     pub(crate) coordinates: Vec<Coordinate>,
     pub(crate) parameters: Vec<Parameter>,
     pub(crate) laws: Vec<Law>,
-    pub(crate) motions: Vec<Motion>,
+    pub(crate) motions: Vec<RigidMotion>,
     pub(crate) effects: Vec<Effect>,
     /// The effects that decide how laws switch.
     pub(crate) switching: Vec<(Boundary, String)>,
@@ -132,7 +132,12 @@ impl Model {
     /// Declares a rigid motion by which a scene may state its initial speeds in one number [unit]: pairs of a coordinate and
     /// its speed for a motion of size 1. Other coordinates have the speed 0.
     pub fn motion(&mut self, name: &str, unit: &str, speeds: &[(Expr, Expr)], doc: &str) {
-        self.motions.push(Motion { name: name.into(), unit: unit.into(), speeds: speeds.to_vec(), doc: doc.into() });
+        self.motions.push(RigidMotion {
+            name: name.into(),
+            unit: unit.into(),
+            speeds: speeds.to_vec(),
+            doc: doc.into(),
+        });
     }
 
     /// Names of the speeds, in the order of the coordinates.

@@ -11,7 +11,7 @@ use symbolica::atom::{Atom, AtomCore};
 
 use crate::expr::{Expr, Kind, set, symbol, symbols};
 use crate::jump::Jump;
-use crate::lagrange::Motion;
+use crate::lagrange::EquationsOfMotion;
 use crate::mobility::is_zero;
 use crate::model::{Function, Model};
 use crate::print::{Style, print};
@@ -23,7 +23,7 @@ use crate::tree::Tree;
 pub(crate) struct Proof<'a> {
     model: &'a Model,
     s: &'a Symbols,
-    motion: &'a Motion,
+    motion: &'a EquationsOfMotion,
     jumps: &'a [Jump],
     proved: Vec<String>,
 }
@@ -32,7 +32,12 @@ pub(crate) struct Proof<'a> {
 ///
 /// # Errors
 /// [`Slip::Unproved`] with the first identity that fails and its remainder; [`Slip::Singular`] if M is singular.
-pub(crate) fn prove(model: &Model, s: &Symbols, motion: &Motion, jumps: &[Jump]) -> Result<Vec<String>, Slip> {
+pub(crate) fn prove(
+    model: &Model,
+    s: &Symbols,
+    motion: &EquationsOfMotion,
+    jumps: &[Jump],
+) -> Result<Vec<String>, Slip> {
     let mut p = Proof { model, s, motion, jumps, proved: vec![] };
     balance::prove(&mut p)?;
     inertia::prove(&mut p)?;
@@ -91,7 +96,7 @@ impl Proof<'_> {
 }
 
 /// Replaces the names of constants by their definitions in parameters.
-pub(crate) fn exact(motion: &Motion, e: &Atom) -> Atom {
+pub(crate) fn exact(motion: &EquationsOfMotion, e: &Atom) -> Atom {
     let constants = motion.constants.iter().rev();
     constants.fold(e.clone(), |e, (name, value)| set(&e, symbol(Kind::Constant, name), value))
 }

@@ -16,7 +16,7 @@ pub(crate) use named::{Force, Linear};
 pub(crate) type Sparse = Vec<(usize, Atom)>;
 
 /// Nonzero derivatives by symbols: the place of each, and the derivative, by rising place.
-pub(crate) type Partials = Vec<(Place, Atom)>;
+pub(crate) type Partials = Vec<(Variable, Atom)>;
 
 /// The symbols of one model; entry i belongs to coordinate i, or law i.
 pub(crate) struct Symbols {
@@ -32,7 +32,7 @@ pub(crate) struct Symbols {
     pub forces: Vec<Force>,
     functions: Vec<Function>,
     /// What each symbol is.
-    places: HashMap<Symbol, Place>,
+    places: HashMap<Symbol, Variable>,
 }
 
 /// The derivatives of a named function, and of its derivatives; empty for the highest ones.
@@ -44,7 +44,7 @@ struct Function {
 
 /// What a symbol is, with its index.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub(crate) enum Place {
+pub(crate) enum Variable {
     Coordinate(usize),
     Speed(usize),
     Deflection(usize),
@@ -56,19 +56,19 @@ pub(crate) enum Place {
     Function(usize, usize),
 }
 
-impl Place {
+impl Variable {
     /// The coordinate of a speed, the deflection of a rate; of others itself.
     pub fn position(self) -> Self {
         match self {
-            Place::Speed(i) => Place::Coordinate(i),
-            Place::Rate(d) => Place::Deflection(d),
+            Variable::Speed(i) => Variable::Coordinate(i),
+            Variable::Rate(d) => Variable::Deflection(d),
             other => other,
         }
     }
 }
 
 /// The symbols of an expression that have a place, by their places.
-fn present(e: &Atom, places: &HashMap<Symbol, Place>) -> Vec<(Symbol, Place)> {
+fn present(e: &Atom, places: &HashMap<Symbol, Variable>) -> Vec<(Symbol, Variable)> {
     let mut all: Vec<_> =
         e.get_all_symbols(false).into_iter().filter_map(|symbol| Some((symbol, *places.get(&symbol)?))).collect();
     all.sort_by_key(|(_, place)| *place);
@@ -86,7 +86,7 @@ pub(crate) fn merged<I: Ord>(parts: impl Iterator<Item = (I, Atom)>) -> Vec<(I, 
 }
 
 /// The sums of parts by place, expanded, those that are not zero.
-pub(crate) fn expanded(parts: impl Iterator<Item = (Place, Atom)>) -> Partials {
+pub(crate) fn expanded(parts: impl Iterator<Item = (Variable, Atom)>) -> Partials {
     let sums = merged(parts).into_iter().map(|(place, sum)| (place, sum.expand()));
     sums.filter(|(_, sum)| !sum.is_zero()).collect()
 }
@@ -111,16 +111,16 @@ impl Symbols {
         let gate =
             |with: &Option<String>| with.as_ref().map_or(number(1), |effect| Atom::var(symbol(Kind::Marker, effect)));
         let mut places = HashMap::new();
-        let mut put = |symbols: &[Symbol], place: fn(usize) -> Place| {
+        let mut put = |symbols: &[Symbol], place: fn(usize) -> Variable| {
             places.extend(symbols.iter().enumerate().map(|(i, symbol)| (*symbol, place(i))));
         };
-        put(&q, Place::Coordinate);
-        put(&v, Place::Speed);
-        put(&law, Place::Law);
-        put(&slope, Place::Slope);
+        put(&q, Variable::Coordinate);
+        put(&v, Variable::Speed);
+        put(&law, Variable::Law);
+        put(&slope, Variable::Slope);
         let deflections: Vec<Linear> = model.deflections.iter().map(|d| Linear::new(d, &places)).collect();
         for (d, linear) in deflections.iter().enumerate() {
-            places.extend([(linear.symbol, Place::Deflection(d)), (linear.rate_symbol, Place::Rate(d))]);
+            places.extend([(linear.symbol, Variable::Deflection(d)), (linear.rate_symbol, Variable::Rate(d))]);
         }
         let mut symbols = Symbols {
             q,
@@ -137,7 +137,7 @@ impl Symbols {
         for (f, function) in model.functions.iter().enumerate() {
             let all = function.derivatives();
             let name = |i: usize| symbol(Kind::Function, &all[i].name);
-            symbols.places.extend((0..all.len()).map(|i| (name(i), Place::Function(f, i))));
+            symbols.places.extend((0..all.len()).map(|i| (name(i), Variable::Function(f, i))));
             let next: Vec<Vec<Atom>> = {
                 let present = gate(&function.with);
                 let next = |d: &Derivative| d.next.iter().map(|next| &present * Atom::var(name(*next))).collect();
@@ -154,14 +154,14 @@ impl Symbols {
         symbols.deflections = bent;
         for (f, force) in model.forces.iter().enumerate() {
             symbols.forces.push(Force::new(force, &symbols));
-            symbols.places.insert(symbol(Kind::Force, &force.name), Place::Force(f));
+            symbols.places.insert(symbol(Kind::Force, &force.name), Variable::Force(f));
         }
         symbols.phase = model.laws.iter().map(|law| symbols.by_coordinates(&law.phase.atom())).collect();
         symbols
     }
 
     /// The symbols of an expression that have a place, by their places.
-    pub fn present(&self, e: &Atom) -> Vec<(Symbol, Place)> {
+    pub fn present(&self, e: &Atom) -> Vec<(Symbol, Variable)> {
         present(e, &self.places)
     }
 }

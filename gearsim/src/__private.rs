@@ -22,7 +22,7 @@ pub use crate::engine::modal::{Matrices, Modal};
 pub use crate::engine::record::{Recorder, State};
 pub use crate::engine::signal::Signal;
 pub use crate::engine::simulate::Simulation;
-pub use crate::engine::system::{Motion, System};
+pub use crate::engine::system::{LinearisedAbout, System};
 pub use crate::engine::vector::dot;
 
 /// What runs the points of sweeps: benches and chores measure it alone.

@@ -15,7 +15,7 @@ pub struct Factor {
 }
 
 /// A linear form of rotations: rotor and factor.
-pub type Form = Vec<(usize, Factor)>;
+pub type RotationForm = Vec<(usize, Factor)>;
 
 /// What a coordinate of a part is.
 #[derive(Debug, Clone, PartialEq)]
@@ -23,7 +23,7 @@ pub enum Row {
     /// A coordinate of the train.
     Coordinate(usize),
     /// A linear form.
-    Form(Form),
+    RotationForm(RotationForm),
 }
 
 /// A part of a train. Each list has, for everything that the element has, its index in the train.
@@ -53,13 +53,13 @@ pub struct Part {
 #[derive(Debug, Clone, PartialEq)]
 pub struct Train {
     /// The linear forms that are the coordinates; as many as there are rotors that move independently.
-    pub coordinates: Vec<Form>,
+    pub coordinates: Vec<RotationForm>,
     /// The parts.
     pub parts: Vec<Part>,
     /// For each rigid motion of unit size, independent forms and their values.
-    pub motions: Vec<Vec<(Form, f64)>>,
+    pub motions: Vec<Vec<(RotationForm, f64)>>,
     /// Outputs that are products: the output, another output, and the displacement with whose rate that is multiplied.
-    pub products: Vec<(usize, usize, Form)>,
+    pub products: Vec<(usize, usize, RotationForm)>,
     /// Outputs that are multiples: the output, another output, and the factor.
     pub multiples: Vec<(usize, usize, Factor)>,
     /// Numbers of laws, torques and outputs of the train.

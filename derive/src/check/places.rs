@@ -8,7 +8,7 @@ use super::functions::functions;
 use super::names::what_it_is;
 use crate::expr::{Expr, Kind, number, set, symbol, symbols};
 use crate::markers::{markers, without};
-use crate::model::{Exit, Mode, Model, REACTION, Switch};
+use crate::model::{Exit, Model, REACTION, Switch, SwitchMode};
 use crate::slip::Slip;
 
 use Kind::*;
@@ -137,7 +137,7 @@ impl Places<'_> {
             return slip("a mode that holds needs a deflection that is linear in the coordinates", &mode.name);
         }
         // A hold begins at rest: no energy is lost there.
-        let into = |mode: &Mode, exit: &Exit| !mode.held && switch.mode(&exit.to).is_some_and(|to| to.held);
+        let into = |mode: &SwitchMode, exit: &Exit| !mode.held && switch.mode(&exit.to).is_some_and(|to| to.held);
         let mut held: BTreeMap<&str, Atom> = BTreeMap::new();
         for (mode, exit) in switch.exits().filter(|(mode, exit)| into(mode, exit)) {
             let guard = exit.guard.atom().expand();

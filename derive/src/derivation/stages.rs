@@ -4,10 +4,10 @@ use symbolica::atom::Atom;
 
 use super::Derivation;
 use crate::jump::{self, Jump};
-use crate::lagrange::{self, Motion};
+use crate::lagrange::{self, EquationsOfMotion};
 use crate::model::{MOVING_PHASE, Model};
 use crate::slip::Slip;
-use crate::symbols::{Partials, Place, Symbols, expanded};
+use crate::symbols::{Partials, Symbols, Variable, expanded};
 use crate::{cell, check, proof};
 
 /// Derives the equations of motion, the cells and the jump rules from the energies of `model`, and proves them.
@@ -21,7 +21,7 @@ pub fn derive(model: &Model) -> Result<Derivation<'_>, Slip> {
 /// The formulas that are proved.
 pub(crate) struct Formulas {
     pub symbols: Symbols,
-    pub motion: Motion,
+    pub motion: EquationsOfMotion,
     pub jumps: Vec<Jump>,
 }
 
@@ -53,10 +53,10 @@ pub(crate) fn derive_with(model: &Model, change: impl FnOnce(&mut Formulas)) -> 
 }
 
 /// The derivatives of each force by the coordinates, the speeds, and the deflections and rates in which it is written.
-fn jacobian(s: &Symbols, motion: &Motion) -> Vec<Partials> {
+fn jacobian(s: &Symbols, motion: &EquationsOfMotion) -> Vec<Partials> {
     let row = |force: &Atom| {
         let through_laws = lagrange::through_laws(s, force, MOVING_PHASE);
-        let through_laws = through_laws.into_iter().map(|(i, by)| (Place::Coordinate(i), by));
+        let through_laws = through_laws.into_iter().map(|(i, by)| (Variable::Coordinate(i), by));
         expanded(s.by_positions(force).into_iter().chain(through_laws).chain(s.by_motions(force)))
     };
     motion.force.iter().map(row).collect()

@@ -2,7 +2,7 @@
 
 use super::block::Block;
 use crate::derivation::Derivation;
-use crate::symbols::Place;
+use crate::symbols::Variable;
 
 /// Writes the blocks `cell`, `nonlinear` and `nonlinear_with`, those that are not empty.
 pub(super) fn write(b: &mut Block, d: &Derivation) {
@@ -12,7 +12,7 @@ pub(super) fn write(b: &mut Block, d: &Derivation) {
             b.braces(2, what, |b| {
                 for (row, column, entry) in entries {
                     // Coordinates and deflections have the names of their speeds and rates too.
-                    let name = |place: Place| d.name(place.position());
+                    let name = |place: Variable| d.name(place.position());
                     b.sum(3, &format!("{} {}", name(*row), name(*column)), &b.grouped(entry));
                 }
             });

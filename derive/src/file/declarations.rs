@@ -2,7 +2,7 @@
 
 use super::block::Block;
 use crate::derivation::Derivation;
-use crate::model::{Boundary, Effect, Factor, GearData, Law, Model, Motion, Parameter, Range, Role, Start};
+use crate::model::{Boundary, Effect, Factor, GearData, Law, Model, Parameter, Range, RigidMotion, Role, Start};
 use crate::print::{Style, print};
 use crate::tree::Tree;
 
@@ -88,7 +88,7 @@ fn role(role: Role) -> &'static str {
     }
 }
 
-fn motion(b: &mut Block, motion: &Motion) {
+fn motion(b: &mut Block, motion: &RigidMotion) {
     let rust = |e: crate::Expr| print(&Tree::new(&e.atom()), Style::Rust);
     let speeds: String = motion.speeds.iter().map(|(q, v)| format!("{}_dot = {}; ", rust(*q), rust(*v))).collect();
     b.line(2, &format!("{} {:?} {{ {speeds}}}, {:?};", motion.name, motion.unit, motion.doc));

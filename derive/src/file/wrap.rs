@@ -43,7 +43,7 @@ pub(crate) fn wrap(line: &str) -> String {
 /// The best place to break a line after `start`, and whether it is within a string.
 fn place(line: &str, start: usize) -> Option<(usize, bool)> {
     let fits = line.char_indices().nth(WIDTH - 2).map_or(line.len(), |(at, _)| at);
-    let places: Vec<Place> = places(line).into_iter().filter(|p| p.at > start && p.at <= fits).collect();
+    let places: Vec<LineBreak> = places(line).into_iter().filter(|p| p.at > start && p.at <= fits).collect();
     // Places outside strings come first. A break in the first third leaves the line nearly empty, and is used only if there is no other
     // outside a string.
     for (in_text, least) in [(false, WIDTH / 3), (false, 0), (true, 0)] {
@@ -56,7 +56,7 @@ fn place(line: &str, start: usize) -> Option<(usize, bool)> {
 }
 
 /// A place at which a line may be broken.
-struct Place {
+struct LineBreak {
     at: usize,
     /// Whether it is within a string.
     in_text: bool,
@@ -66,7 +66,7 @@ struct Place {
     kind: usize,
 }
 
-fn places(line: &str) -> Vec<Place> {
+fn places(line: &str) -> Vec<LineBreak> {
     let (mut depth, mut text, mut escaped) = (0usize, false, false);
     let mut all = vec![];
     for (at, c) in line.char_indices() {
@@ -74,7 +74,7 @@ fn places(line: &str) -> Vec<Place> {
         if let Some(kind) = kind.map(|kind| if text { 1 } else { kind })
             && (!text || c == ' ')
         {
-            all.push(Place { at, in_text: text, depth, kind });
+            all.push(LineBreak { at, in_text: text, depth, kind });
         }
         match c {
             '"' if !escaped => text = !text,

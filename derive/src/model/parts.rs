@@ -101,7 +101,7 @@ pub(crate) struct Deflection {
     pub value: Expr,
 }
 
-pub(crate) struct Motion {
+pub(crate) struct RigidMotion {
     pub name: String,
     pub unit: String,
     pub speeds: Vec<(Expr, Expr)>,

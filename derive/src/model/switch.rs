@@ -13,7 +13,7 @@ pub(crate) struct Switch {
     pub over: String,
     pub unit: String,
     pub symbols: Vec<Constant>,
-    pub modes: Vec<Mode>,
+    pub modes: Vec<SwitchMode>,
     /// The dissipative force against x besides those of V and D; linear in x.
     pub loss: Expr,
     /// Symbols of springs, each with the symbol that takes its place in Rayleigh damping.
@@ -35,7 +35,7 @@ pub(crate) struct Constant {
 
 /// A mode of a switch.
 #[derive(Clone)]
-pub(crate) struct Mode {
+pub(crate) struct SwitchMode {
     pub name: String,
     /// The values of the symbols.
     pub values: Vec<Expr>,
@@ -67,7 +67,7 @@ pub struct Switching<'m> {
 }
 
 /// A mode that is being described.
-pub struct Describing<'s>(&'s mut Mode);
+pub struct Describing<'s>(&'s mut SwitchMode);
 
 impl Model {
     /// Declares a switch of the deflection `delta` [unit], which is linear in the coordinates, named `over`. In scenes without
@@ -148,7 +148,7 @@ impl Switching<'_> {
     pub fn mode(&mut self, name: &str, values: &[Expr]) -> Describing<'_> {
         let modes = &mut self.switch().modes;
         let (name, values) = (name.into(), values.to_vec());
-        modes.push(Mode { name, values, held: false, rests: false, counts: None, exits: vec![] });
+        modes.push(SwitchMode { name, values, held: false, rests: false, counts: None, exits: vec![] });
         Describing(modes.last_mut().expect("just added"))
     }
 }
@@ -197,7 +197,7 @@ impl Switch {
     }
 
     /// An expression with the values of a mode.
-    pub fn within(&self, mode: &Mode, e: &Atom) -> Atom {
+    pub fn within(&self, mode: &SwitchMode, e: &Atom) -> Atom {
         let values = self.symbols.iter().zip(&mode.values).map(|(s, value)| (s, value.atom()));
         values.fold(e.clone(), |e, (s, value)| set(&e, symbol(s.kind, &s.name), &value))
     }
@@ -208,12 +208,12 @@ impl Switch {
     }
 
     /// The mode of a name.
-    pub fn mode(&self, name: &str) -> Option<&Mode> {
+    pub fn mode(&self, name: &str) -> Option<&SwitchMode> {
         self.modes.iter().find(|mode| mode.name == name)
     }
 
     /// Its exits, each with the mode that it ends.
-    pub fn exits(&self) -> impl Iterator<Item = (&Mode, &Exit)> {
+    pub fn exits(&self) -> impl Iterator<Item = (&SwitchMode, &Exit)> {
         self.modes.iter().flat_map(|mode| mode.exits.iter().map(move |exit| (mode, exit)))
     }
 }

@@ -17,7 +17,7 @@ use crate::expr::{Kind, number, set, symbol, total};
 use crate::jump::Jump;
 use crate::model::{Law, Model, Role};
 use crate::slip::Slip;
-use crate::symbols::Place;
+use crate::symbols::Variable;
 
 /// Proves the step of every law.
 pub(super) fn prove(p: &mut Proof) -> Result<(), Slip> {
@@ -65,7 +65,7 @@ fn kinetic(p: &Proof, law: &Law, jump: &Jump) -> Atom {
     let gained = p.model.kinetic.iter().map(|piece| {
         let before = piece.atom();
         let after = p.s.present(&before).into_iter().fold(before.clone(), |t, (symbol, place)| match place {
-            Place::Speed(i) => set(&t, symbol, &(Atom::var(symbol) + &w * &d[i])),
+            Variable::Speed(i) => set(&t, symbol, &(Atom::var(symbol) + &w * &d[i])),
             _ => t,
         });
         after - before

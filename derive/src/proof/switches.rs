@@ -7,7 +7,7 @@ use crate::check::never_negative;
 use crate::expr::{Expr, Kind, number, set, speed_name, symbol, symbols, total};
 use crate::markers::{all_present, terms};
 use crate::mobility::is_zero;
-use crate::model::{Exit, Mode, Model, Switch};
+use crate::model::{Exit, Model, Switch, SwitchMode};
 use crate::slip::Slip;
 
 /// Proves both statements for every switch.
@@ -30,7 +30,7 @@ fn steps(model: &Model, switch: &Switch) -> Vec<Atom> {
     let zero = |e: &Atom| switch.symbols.iter().fold(e.clone(), |e, s| set(&e, symbol(s.kind, &s.name), &number(0)));
     let base = zero(&value(&switch.over));
     let of_motion = [Kind::Function, Kind::Coordinate, Kind::Constant, Kind::Parameter];
-    let plain = |mode: &Mode, e: &Atom| {
+    let plain = |mode: &SwitchMode, e: &Atom| {
         let offset = (switch.within(mode, &value(&switch.over)) - &base).expand();
         let mut e = set(e, over, &(Atom::var(x) + offset));
         // Other deflections of the motion alone are x and what they differ from it by, or written out if that is shorter.
@@ -49,8 +49,8 @@ fn steps(model: &Model, switch: &Switch) -> Vec<Atom> {
     let terms = model.potential.iter().map(|v| v.atom());
     let terms = terms.filter(|v| changed.iter().any(|symbol| v.contains_symbol(*symbol)));
     let v = all_present(&total(terms.collect()));
-    let energies: Vec<(&Mode, Atom)> = switch.modes.iter().map(|mode| (mode, plain(mode, &v))).collect();
-    let step = |(mode, before): &(&Mode, Atom), exit: &Exit| {
+    let energies: Vec<(&SwitchMode, Atom)> = switch.modes.iter().map(|mode| (mode, plain(mode, &v))).collect();
+    let step = |(mode, before): &(&SwitchMode, Atom), exit: &Exit| {
         let Some((_, beyond)) = energies.iter().find(|(mode, _)| mode.name == exit.to) else { return number(0) };
         let step = (beyond - before).expand();
         if step.is_zero() {
@@ -115,7 +115,7 @@ fn is_guard(p: &Proof, force: &Atom, guard: &Atom, rate: Symbol) -> bool {
 ///
 /// and c F_d x > F_s x >= 0. Hence c F_s x' >= 0 follows from F_s x >= 0 and F_d x' >= 0, which follow from the forms of F_s and F_d. In
 /// the mode, c F_d x >= F_s x holds because it is the product of two guards.
-fn is_clipped(p: &Proof, switch: &Switch, mode: &Mode, force: &Atom, guards: &[Atom]) -> bool {
+fn is_clipped(p: &Proof, switch: &Switch, mode: &SwitchMode, force: &Atom, guards: &[Atom]) -> bool {
     let [over, rate] = [(Kind::Deflection, switch.over.clone()), (Kind::Rate, speed_name(&switch.over))]
         .map(|(kind, name)| symbol(kind, &name));
     let by =

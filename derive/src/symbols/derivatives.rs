@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use symbolica::atom::Atom;
 
-use super::{Partials, Place, Sparse, Symbols};
+use super::{Partials, Sparse, Symbols, Variable};
 use crate::expr::{derivative, number, set};
 
 impl Symbols {
@@ -12,7 +12,7 @@ impl Symbols {
     fn chain<'a, I: Ord + Copy + 'a>(
         &'a self,
         e: &Atom,
-        parts: impl Fn(Place) -> Option<Part<'a, I>>,
+        parts: impl Fn(Variable) -> Option<Dependence<'a, I>>,
     ) -> Vec<(I, Atom)> {
         let mut sum: BTreeMap<I, Atom> = BTreeMap::new();
         let mut add = |i, part: Atom| {
@@ -21,8 +21,8 @@ impl Symbols {
         };
         for (symbol, place) in self.present(e) {
             match parts(place) {
-                Some(Part::Itself(i)) => add(i, derivative(e, symbol)),
-                Some(Part::Through(inner)) => {
+                Some(Dependence::Itself(i)) => add(i, derivative(e, symbol)),
+                Some(Dependence::Through(inner)) => {
                     let outer = derivative(e, symbol);
                     inner.iter().for_each(|(i, inner)| add(*i, inner * &outer));
                 }
@@ -35,10 +35,12 @@ impl Symbols {
     /// The gradient by the coordinates, including the derivatives through deflections, with the laws held constant.
     pub fn by_coordinates(&self, e: &Atom) -> Sparse {
         self.chain(e, |place| match place {
-            Place::Coordinate(i) => Some(Part::Itself(i)),
-            Place::Deflection(d) => Some(Part::Through(&self.deflections[d].slopes)),
-            Place::Force(f) => Some(Part::Through(&self.forces[f].by_coordinates)),
-            Place::Function(f, order) => self.functions[f].by_coordinates.get(order).map(|by| Part::Through(by)),
+            Variable::Coordinate(i) => Some(Dependence::Itself(i)),
+            Variable::Deflection(d) => Some(Dependence::Through(&self.deflections[d].slopes)),
+            Variable::Force(f) => Some(Dependence::Through(&self.forces[f].by_coordinates)),
+            Variable::Function(f, order) => {
+                self.functions[f].by_coordinates.get(order).map(|by| Dependence::Through(by))
+            }
             _ => None,
         })
     }
@@ -46,9 +48,9 @@ impl Symbols {
     /// The gradient by the speeds, including the derivatives through the rates of deflections.
     pub fn by_speeds(&self, e: &Atom) -> Sparse {
         self.chain(e, |place| match place {
-            Place::Speed(i) => Some(Part::Itself(i)),
-            Place::Rate(d) => Some(Part::Through(&self.deflections[d].slopes)),
-            Place::Force(f) => Some(Part::Through(&self.forces[f].by_speeds)),
+            Variable::Speed(i) => Some(Dependence::Itself(i)),
+            Variable::Rate(d) => Some(Dependence::Through(&self.deflections[d].slopes)),
+            Variable::Force(f) => Some(Dependence::Through(&self.forces[f].by_speeds)),
             _ => None,
         })
     }
@@ -57,10 +59,10 @@ impl Symbols {
     /// coordinates they give the gradient. Laws are constant.
     pub fn by_positions(&self, e: &Atom) -> Partials {
         self.chain(e, |place| match place {
-            Place::Coordinate(_) | Place::Deflection(_) => Some(Part::Itself(place)),
-            Place::Force(f) => Some(Part::Through(&self.forces[f].by_positions)),
-            Place::Rate(d) => Some(Part::Through(&self.deflections[d].rate_by_positions)),
-            Place::Function(f, order) => self.functions[f].by_positions.get(order).map(|by| Part::Through(by)),
+            Variable::Coordinate(_) | Variable::Deflection(_) => Some(Dependence::Itself(place)),
+            Variable::Force(f) => Some(Dependence::Through(&self.forces[f].by_positions)),
+            Variable::Rate(d) => Some(Dependence::Through(&self.deflections[d].rate_by_positions)),
+            Variable::Function(f, order) => self.functions[f].by_positions.get(order).map(|by| Dependence::Through(by)),
             _ => None,
         })
     }
@@ -68,8 +70,8 @@ impl Symbols {
     /// The derivatives by the speeds and by the rates of deflections, each while all others are held.
     pub fn by_motions(&self, e: &Atom) -> Partials {
         self.chain(e, |place| match place {
-            Place::Speed(_) | Place::Rate(_) => Some(Part::Itself(place)),
-            Place::Force(f) => Some(Part::Through(&self.forces[f].by_motions)),
+            Variable::Speed(_) | Variable::Rate(_) => Some(Dependence::Itself(place)),
+            Variable::Force(f) => Some(Dependence::Through(&self.forces[f].by_motions)),
             _ => None,
         })
     }
@@ -77,9 +79,9 @@ impl Symbols {
     /// The derivatives by the values of laws, including those through deflections.
     pub fn by_laws(&self, e: &Atom) -> Sparse {
         self.chain(e, |place| match place {
-            Place::Law(l) => Some(Part::Itself(l)),
-            Place::Deflection(d) => Some(Part::Through(&self.deflections[d].by_law)),
-            Place::Force(f) => Some(Part::Through(&self.forces[f].by_laws)),
+            Variable::Law(l) => Some(Dependence::Itself(l)),
+            Variable::Deflection(d) => Some(Dependence::Through(&self.deflections[d].by_law)),
+            Variable::Force(f) => Some(Dependence::Through(&self.forces[f].by_laws)),
             _ => None,
         })
     }
@@ -87,7 +89,7 @@ impl Symbols {
     /// The derivatives by the slopes of laws.
     pub fn slopes(&self, e: &Atom) -> Sparse {
         self.chain(e, |place| match place {
-            Place::Slope(l) => Some(Part::Itself(l)),
+            Variable::Slope(l) => Some(Dependence::Itself(l)),
             _ => None,
         })
     }
@@ -98,8 +100,8 @@ impl Symbols {
         let step = Atom::var(self.slope[l]);
         let moved = self.present(e).into_iter().filter_map(|(symbol, place)| {
             let by = match place {
-                Place::Law(law) if law == l => step.clone(),
-                Place::Deflection(d) => &self.deflections[d].by_law.iter().find(|(law, _)| *law == l)?.1 * &step,
+                Variable::Law(law) if law == l => step.clone(),
+                Variable::Deflection(d) => &self.deflections[d].by_law.iter().find(|(law, _)| *law == l)?.1 * &step,
                 _ => return None,
             };
             Some((symbol, by))
@@ -111,7 +113,7 @@ impl Symbols {
 }
 
 /// How an expression depends on the variable of differentiation through one of its symbols.
-enum Part<'a, I> {
+enum Dependence<'a, I> {
     /// The symbol is the variable of this index.
     Itself(I),
     /// The symbol depends on the variables with these derivatives.

@@ -4,7 +4,7 @@ use std::collections::HashMap;
 
 use symbolica::atom::{Atom, AtomCore, Symbol};
 
-use super::{Partials, Place, Sparse, Symbols, present};
+use super::{Partials, Sparse, Symbols, Variable, present};
 use crate::expr::{Kind, kind_and_name, number, partial_name, set, speed_name, symbol, total};
 use crate::model::{self, Deflection};
 
@@ -27,18 +27,18 @@ pub(crate) struct Linear {
 }
 
 impl Linear {
-    pub(super) fn new(d: &Deflection, places: &HashMap<Symbol, Place>) -> Linear {
+    pub(super) fn new(d: &Deflection, places: &HashMap<Symbol, Variable>) -> Linear {
         let value = d.value.atom();
         let (mut slopes, mut by_law, mut rest) = (vec![], vec![], value.clone());
         for (symbol, place) in present(&value, places) {
             let slope = value.derivative(symbol).expand();
             match place {
                 _ if slope.is_zero() => {}
-                Place::Coordinate(i) => {
+                Variable::Coordinate(i) => {
                     slopes.push((i, slope));
                     rest = set(&rest, symbol, &number(0));
                 }
-                Place::Law(l) => by_law.push((l, slope)),
+                Variable::Law(l) => by_law.push((l, slope)),
                 _ => {}
             }
         }
@@ -57,7 +57,7 @@ impl Linear {
     /// The same with the derivatives through the functions in its `value`; `s` has these.
     pub(super) fn bent(&self, value: &Atom, s: &Symbols) -> Linear {
         let functions = s.present(value).into_iter().filter_map(|(symbol, place)| match place {
-            Place::Function(f, which) => Some((value.derivative(symbol), &s.functions[f].by_coordinates[which])),
+            Variable::Function(f, which) => Some((value.derivative(symbol), &s.functions[f].by_coordinates[which])),
             _ => None,
         });
         let functions: Vec<_> = functions.collect();

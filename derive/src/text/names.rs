@@ -6,7 +6,7 @@ use super::Writer;
 use crate::derivation::Derivation;
 use crate::expr::Expr;
 use crate::markers::{all_present, as_written, terms};
-use crate::model::{Exit, Law, Mode, Role, Switch};
+use crate::model::{Exit, Law, Role, Switch, SwitchMode};
 use crate::print::{Style, print};
 use crate::tree::Tree;
 
@@ -77,7 +77,7 @@ fn switch_text(switch: &Switch) -> Vec<String> {
 }
 
 /// The rate that a mode holds: the one whose zero ends the motion that follows the mode. `None` if nothing follows it.
-fn held_rate(switch: &Switch, mode: &Mode) -> Option<Expr> {
+fn held_rate(switch: &Switch, mode: &SwitchMode) -> Option<Expr> {
     let following =
         mode.exits.iter().filter_map(|exit| switch.modes.iter().find(|next| next.name == exit.to && !next.held));
     let holds = |exit: &&Exit| switch.modes.iter().any(|next| next.name == exit.to && next.held);

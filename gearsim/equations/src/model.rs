@@ -18,7 +18,7 @@ pub struct Model {
     /// Laws whose profiles a scene gives: first the mesh stiffnesses, then transmission errors, then friction laws.
     pub laws: &'static [Law],
     /// Rigid motions by which a scene may state initial speeds: `speed = "300 rpm"`.
-    pub motions: &'static [Motion],
+    pub motions: &'static [RigidMotion],
     /// Effects that a scene may activate; bit `i` of an effect set is entry `i`.
     pub effects: &'static [Effect],
     /// External torques, in the order of their columns of work. A run has the columns of those whose effects it has.
@@ -272,14 +272,14 @@ pub struct Switch {
     /// The values of its symbols without the effect.
     pub neutral: &'static [f64],
     /// Its modes.
-    pub modes: &'static [Mode],
+    pub modes: &'static [SwitchMode],
     /// What it is.
     pub doc: &'static str,
 }
 
 /// A mode of a switch.
 #[derive(Debug, Clone, Copy)]
-pub struct Mode {
+pub struct SwitchMode {
     /// Name, e.g. `upper`.
     pub name: &'static str,
     /// Whether its deflection is held by a reaction.
@@ -290,16 +290,16 @@ pub struct Mode {
     pub counts: Option<&'static str>,
 }
 
-impl Mode {
+impl SwitchMode {
     /// Whether its entry from the mode `before` counts.
-    pub fn counts_after(&self, before: &Mode) -> bool {
+    pub fn counts_after(&self, before: &SwitchMode) -> bool {
         !self.held && self.counts.is_some() && self.counts != before.counts
     }
 }
 
 /// A rigid motion of the whole drivetrain, scaled by one number.
 #[derive(Debug, Clone, Copy)]
-pub struct Motion {
+pub struct RigidMotion {
     /// Key in `[start]`, e.g. `speed`.
     pub name: &'static str,
     /// SI unit, e.g. `rad/s`.

@@ -30,7 +30,7 @@ use crate::engine::system::{Steady, System};
 use crate::scene::Scene;
 use crate::tolerance::analysis::NEAR_RESONANCE;
 
-use energies::{Form, Forms};
+use energies::{Forms, SymmetricForm};
 pub(crate) use parts::Parts;
 
 /// The modes of one cell.
@@ -162,10 +162,10 @@ fn vibration(mode: &Mode, shape: DVector<Complex<f64>>, m: &Matrices, forms: &Fo
     let heaviest = (0..shape.len()).max_by(|&i, &j| weight(i).total_cmp(&weight(j))).unwrap_or(0);
     let unit = shape[heaviest];
     let shape = shape.map(|x| x / unit);
-    let energy = |form: &Form| form.energy(&shape);
-    let (kinetic, total) = (energy(&Form::of(&m.mass)), energy(&Form::of(&m.stiffness)));
+    let energy = |form: &SymmetricForm| form.energy(&shape);
+    let (kinetic, total) = (energy(&SymmetricForm::of(&m.mass)), energy(&SymmetricForm::of(&m.stiffness)));
     let rigid = mode.omega2 == 0.0;
-    let share = |k: &Form| (!rigid).then(|| if total == 0.0 { 0.0 } else { energy(k) / total });
+    let share = |k: &SymmetricForm| (!rigid).then(|| if total == 0.0 { 0.0 } else { energy(k) / total });
     let omega = mode.omega2.sqrt();
     Vibration {
         natural: omega / TAU,

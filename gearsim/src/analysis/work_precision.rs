@@ -13,7 +13,7 @@ pub mod table;
 
 pub use error::Errors;
 pub use ladder::Scenes;
-pub use measure::{Curve, Point};
+pub use measure::{MeasuredFamily, MeasuredSetting};
 pub use reference::{By, Reference};
 
 use crate::engine::Refusal;
@@ -35,7 +35,7 @@ pub struct WorkPrecision {
     /// Estimated error of the reference. Errors below this value are not resolved.
     pub floor: f64,
     /// One curve per method or approximation.
-    pub curves: Vec<Curve>,
+    pub curves: Vec<MeasuredFamily>,
 }
 
 /// Measures a scene, and the same under the cheaper equations of `scenes`. Each point is timed by at most `repetitions` runs. `say` gets
@@ -54,7 +54,7 @@ pub fn measure(
     let mut curves = vec![];
     for family in ladder::families(scenes, &reference) {
         say(family.label);
-        let mut points: Vec<Point> = vec![];
+        let mut points: Vec<MeasuredSetting> = vec![];
         for rung in &family.rungs {
             let slow = points.iter().find(|point| measure::is_slow(point));
             points.push(match slow {
@@ -62,7 +62,7 @@ pub fn measure(
                 None => measure::point(&family, rung, &reference, run, repetitions),
             });
         }
-        curves.push(Curve { label: family.label, kind: family.kind, points });
+        curves.push(MeasuredFamily { label: family.label, kind: family.kind, points });
     }
     Ok(WorkPrecision {
         scene: scenes.exact.name.clone(),

@@ -71,9 +71,9 @@ struct Report<'a> {
     /// Names of the parameters that are inertias, in the order of `kinetic_energy`.
     masses: Vec<&'a str>,
     /// The cell chosen by --cell, or that of the mid stiffnesses.
-    chosen: Cell,
+    chosen: CellReport,
     /// Every combination of levels; empty if there are too many.
-    cells: Vec<Cell>,
+    cells: Vec<CellReport>,
     /// Mesh frequency of each law at the scene's speed [Hz]; `null` for a law that does not step.
     mesh_frequencies: Vec<Option<f64>>,
     /// Harmonics of a mesh frequency near a damped natural frequency of the chosen cell.
@@ -92,16 +92,16 @@ struct Report<'a> {
 }
 
 #[derive(Serialize)]
-struct Cell {
+struct CellReport {
     /// Value of each law [SI].
     levels: Vec<f64>,
     /// Whether damping couples the modes of the undamped system.
     coupled_by_damping: bool,
-    modes: Vec<Mode>,
+    modes: Vec<ModeReport>,
 }
 
 #[derive(Serialize)]
-struct Mode {
+struct ModeReport {
     /// Undamped natural frequency [Hz]; 0 for a rigid motion.
     natural_frequency: f64,
     /// Damped natural frequency [Hz]; 0 if the mode does not oscillate.
@@ -237,8 +237,8 @@ impl Modes {
     }
 }
 
-fn cell(cell: &CellModes) -> Cell {
-    let mode = |v: &modes::Vibration| Mode {
+fn cell(cell: &CellModes) -> CellReport {
+    let mode = |v: &modes::Vibration| ModeReport {
         natural_frequency: v.natural,
         damped_frequency: v.damped,
         damping_factor: v.zeta,
@@ -248,5 +248,9 @@ fn cell(cell: &CellModes) -> Cell {
         strain_energy_of_springs: v.springs.clone(),
         kinetic_energy: v.kinetic.clone(),
     };
-    Cell { levels: cell.levels.clone(), coupled_by_damping: cell.coupled, modes: cell.modes.iter().map(mode).collect() }
+    CellReport {
+        levels: cell.levels.clone(),
+        coupled_by_damping: cell.coupled,
+        modes: cell.modes.iter().map(mode).collect(),
+    }
 }

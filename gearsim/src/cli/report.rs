@@ -8,7 +8,7 @@ use serde::Serialize;
 
 use super::{number, terminal};
 use crate::analysis::from_teeth;
-use crate::engine::system::{Motion, Steady};
+use crate::engine::system::{LinearisedAbout, Steady};
 use crate::output::summary::{Digits, Number, Observed, Summary};
 use crate::output::unit::{coordinate_in_words, in_words, readable};
 use crate::plot::outputs::is_first;
@@ -147,18 +147,18 @@ impl<'a> Linearised<'a> {
 }
 
 /// What equations are linearised about, in words.
-fn about(motion: Motion) -> &'static str {
+fn about(motion: LinearisedAbout) -> &'static str {
     match motion {
-        Motion::Equilibrium => "the equilibrium",
-        Motion::Steady => "the steady motion",
-        Motion::Place => "the place of the start, from which the matrices change along the motion,",
+        LinearisedAbout::Equilibrium => "the equilibrium",
+        LinearisedAbout::Steady => "the steady motion",
+        LinearisedAbout::Place => "the place of the start, from which the matrices change along the motion,",
     }
 }
 
 /// The same in words; empty if everything is linear.
 pub(super) fn linearised(scene: &Scene, steady: Option<&Steady>, width: usize) -> String {
     let Some(Steady { motion, q, q_dot, terms, outputs, both_flanks, .. }) = steady else { return String::new() };
-    let places = scene.model.coordinates.iter().zip(q.iter()).filter(|_| *motion != Motion::Steady);
+    let places = scene.model.coordinates.iter().zip(q.iter()).filter(|_| *motion != LinearisedAbout::Steady);
     let places = places.map(|(c, x)| format!("{} = {}", c.name, coordinate_in_words(*x, c.unit)));
     let speeds = scene.model.coordinates.iter().zip(q_dot.iter()).filter(|(_, v)| **v != 0.0);
     let speeds = speeds.map(|(c, v)| format!("{}' = {} {}/s", c.name, number::short(*v), c.unit));

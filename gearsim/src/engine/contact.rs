@@ -39,7 +39,7 @@ mod watch;
 
 pub use reaction::held;
 pub use step::is_void;
-pub use watch::{Form, Watch};
+pub use watch::{StateForm, Watch};
 
 /// How the hold of a law ends.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -6,7 +6,7 @@ use std::sync::Arc;
 
 use crate::engine::cell::Cell;
 use crate::engine::cells::{Cells, Number, Prepared};
-use crate::engine::contact::{Contact, Form};
+use crate::engine::contact::{Contact, StateForm};
 use crate::engine::crossing::{Delay, Side};
 use crate::engine::error::{Refusal, Stop};
 use crate::engine::forcing::linear::Linear;
@@ -34,13 +34,13 @@ pub struct Exact {
     /// The present cell with what is held in it.
     held: Option<Arc<Held>>,
     /// The cells met so far in which something was held, by their numbers and the phases held.
-    met: HashMap<Place, Arc<Held>>,
+    met: HashMap<CellKey, Arc<Held>>,
     /// The delay of the phase in each cell of a pitch at its last passage. Used only for a single law, whose motion repeats itself.
     lateness: Vec<Delay>,
 }
 
 /// The number of a cell, and the phases held in it.
-type Place = (Number, Vec<(usize, Side)>);
+type CellKey = (Number, Vec<(usize, Side)>);
 
 /// A cell in which phases or deflections are held.
 #[derive(Debug, Clone)]
@@ -148,7 +148,7 @@ impl Held {
         let (equations, k) = (now.equations, &now.k);
         let (cell, linear) = Cell::held(equations, (&now.switches, k), &contact.normals)?;
         let (stiffness, damping) = (equations.stiffness(k), equations.damping(k));
-        let slopes = |Form { on_q, on_speed, on_force, .. }: &Form| {
+        let slopes = |StateForm { on_q, on_speed, on_force, .. }: &StateForm| {
             [on_q - &transposed(&stiffness, on_force), on_speed - &transposed(&damping, on_force), on_force.clone()]
         };
         let watches = contact.watches.iter().map(|watch| Watch::loaded(&cell, slopes(&watch.form))).collect();

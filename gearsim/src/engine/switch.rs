@@ -18,7 +18,7 @@ use smallvec::SmallVec;
 
 use crate::engine::equations::{self, Affine, Deflection, Equations, Exit};
 use crate::engine::vector::Vector;
-use crate::model::{Mode, Model};
+use crate::model::{Model, SwitchMode};
 use crate::tolerance::events::{AT_REST, SAME_GUARD};
 
 /// A switch under way.
@@ -35,7 +35,7 @@ pub struct Switch {
     /// The mode. State: not computed from the deflection.
     pub mode: usize,
     /// The modes, and the values of its symbols in each.
-    modes: Arc<(&'static [Mode], Vec<Vec<f64>>)>,
+    modes: Arc<(&'static [SwitchMode], Vec<Vec<f64>>)>,
     /// Time spent in each mode until it was last left [s].
     spent: Vec<f64>,
     /// Times that each mode was entered by an impact.
@@ -87,7 +87,7 @@ impl Switch {
     }
 
     /// Its present mode.
-    pub fn here(&self) -> &'static Mode {
+    pub fn here(&self) -> &'static SwitchMode {
         &self.modes.0[self.mode]
     }
 
@@ -133,7 +133,7 @@ impl Switch {
     }
 
     /// The time spent in each mode until the last [`Switch::spend`] \[s\].
-    pub fn spent(&self) -> impl Iterator<Item = (&'static Mode, f64)> {
+    pub fn spent(&self) -> impl Iterator<Item = (&'static SwitchMode, f64)> {
         self.modes.0.iter().zip(self.spent.iter().copied())
     }
 

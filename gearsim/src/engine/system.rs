@@ -13,7 +13,7 @@ use crate::engine::vector::{Matrix, Vector};
 use crate::model::Model;
 use crate::scene::Scene;
 
-pub use about::{Motion, Steady, are_same};
+pub use about::{LinearisedAbout, Steady, are_same};
 
 /// The equations of a scene. `k` holds the present value of each law; if it holds only the stiffnesses, which come first, the other laws
 /// are zero, or at their means about a steady motion. Switches are as without their effects: flanks with play are in contact, and the

@@ -46,7 +46,7 @@ struct Beginning {
 }
 
 /// What an answer shows of a run.
-enum Part {
+enum AnswerPart {
     Whole(Box<Shown>),
     Beginning(Beginning),
 }
@@ -134,10 +134,10 @@ impl Explorer {
     }
 
     /// The answer with the controls of a text.
-    fn answer(&self, text: &Text, mistakes: Vec<Wrong>, part: Option<Part>) -> Answer {
+    fn answer(&self, text: &Text, mistakes: Vec<Wrong>, part: Option<AnswerPart>) -> Answer {
         let (run, beginning) = match part {
-            Some(Part::Whole(run)) => (Some(run), None),
-            Some(Part::Beginning(beginning)) => (None, Some(beginning)),
+            Some(AnswerPart::Whole(run)) => (Some(run), None),
+            Some(AnswerPart::Beginning(beginning)) => (None, Some(beginning)),
             None => (None, None),
         };
         Answer {
@@ -213,16 +213,16 @@ fn is_beginning(results: &Results) -> bool {
 }
 
 /// The first part of a run's page, of a whole run or of its beginning. `None` if `go_on` cancelled the run.
-fn part(results: &Results, choice: &Choice, go_on: &dyn Fn() -> bool) -> Result<Option<Part>, Error> {
+fn part(results: &Results, choice: &Choice, go_on: &dyn Fn() -> bool) -> Result<Option<AnswerPart>, Error> {
     if !is_beginning(results) {
-        return Ok(shown(results, choice, go_on)?.map(|shown| Part::Whole(Box::new(shown))));
+        return Ok(shown(results, choice, go_on)?.map(|shown| AnswerPart::Whole(Box::new(shown))));
     }
     let seen = |id: &str| choice.seen.iter().any(|seen| seen == id);
     let is_wanted = |id: &str| page::run::OVER_TIME.contains(&id) && seen(id);
     let name = format!("beginning{}-", choice.number);
     let page = parts(results, name, &is_wanted, choice.view.as_ref(), go_on)?;
     let reached = results.trajectory().t.last().copied().unwrap_or(0.0);
-    Ok(page.map(|page| Part::Beginning(Beginning { length: results.scene.t_end, reached, page })))
+    Ok(page.map(|page| AnswerPart::Beginning(Beginning { length: results.scene.t_end, reached, page })))
 }
 
 /// The visible sections (`seen`), or all sections if `seen` is empty, with what is in `view`. `None` if `go_on` cancelled the run.

@@ -17,7 +17,7 @@
 
 use super::contact::Contact;
 use super::energy::ToothPair;
-use super::mesh_stiffness::{Cell, StiffnessMethod, cells, curves, from_pitch_point};
+use super::mesh_stiffness::{ContactInterval, StiffnessMethod, cells, curves, from_pitch_point};
 use super::pair::{GearError, Gears};
 use crate::profile::{Curve, Profile, Step};
 use crate::tolerance::scene::PITCH_POINT;
@@ -51,7 +51,7 @@ pub fn friction(
         },
     };
     let cells = cells(&pairs.contact);
-    let parts: Vec<Part> = cells.iter().flat_map(|cell| parts(cell, &pairs.contact, method, period)).collect();
+    let parts: Vec<CellPart> = cells.iter().flat_map(|cell| parts(cell, &pairs.contact, method, period)).collect();
     let window = pairs.contact.overlap * period;
     if window > 0.0 {
         let law = |of: Option<FrictionLaw>, scale: f64| {
@@ -64,7 +64,7 @@ pub fn friction(
     }
     let law = match (what, &pairs.teeth) {
         (FrictionLaw::Side, None) => {
-            let step = |part: &Part| Step { value: scale * pairs.sum(what, part, part.begin), width: part.width };
+            let step = |part: &CellPart| Step { value: scale * pairs.sum(what, part, part.begin), width: part.width };
             Profile::stepping(parts.iter().map(step).collect())
         }
         _ => Profile::curved(parts.iter().flat_map(|part| pairs.curves(what, part, scale)).collect()),
@@ -73,7 +73,7 @@ pub fn friction(
 }
 
 /// A part of a cell in which no pair passes the pitch point.
-struct Part {
+struct CellPart {
     pairs: usize,
     /// Ends of the part, as positions of a pair along the path of contact [m].
     begin: f64,
@@ -83,9 +83,9 @@ struct Part {
 }
 
 /// The parts of a cell. Their widths add up to that of the cell without rounding error.
-fn parts(cell: &Cell, contact: &Contact, method: StiffnessMethod, period: f64) -> Vec<Part> {
+fn parts(cell: &ContactInterval, contact: &Contact, method: StiffnessMethod, period: f64) -> Vec<CellPart> {
     let (pitch, whole) = (contact.base_pitch, cell.width(contact, method, period));
-    let part = |begin, end, width| Part { pairs: cell.pairs, begin, end, width };
+    let part = |begin, end, width| CellPart { pairs: cell.pairs, begin, end, width };
     let passes = (cell.begin / pitch + PITCH_POINT).ceil() * pitch;
     if passes >= cell.end - PITCH_POINT * pitch {
         return vec![part(cell.begin, cell.end, whole)];
@@ -104,7 +104,7 @@ struct Pairs {
 
 impl Pairs {
     /// The weighted sum over the pairs of a part when one of them is at `x` [m].
-    fn sum(&self, what: FrictionLaw, part: &Part, x: f64) -> f64 {
+    fn sum(&self, what: FrictionLaw, part: &CellPart, x: f64) -> f64 {
         let pitch = self.contact.base_pitch;
         // At the ends of a part a pair begins or ends contact, or changes sides. So the pairs and sides at its middle are used throughout.
         let middle = 0.5 * (part.begin + part.end);
@@ -121,7 +121,7 @@ impl Pairs {
 
     /// The sum over the pairs of a part of their weights, times their sides or their distances from the pitch point, when one of them is at
     /// `x` [m]. `None`: the sum of the weights.
-    fn weighted(&self, what: Option<FrictionLaw>, part: &Part, x: f64) -> f64 {
+    fn weighted(&self, what: Option<FrictionLaw>, part: &CellPart, x: f64) -> f64 {
         let pitch = self.contact.base_pitch;
         let middle = 0.5 * (part.begin + part.end);
         let first = ((-self.contact.approach - middle) / pitch).ceil() as i64;
@@ -139,7 +139,7 @@ impl Pairs {
 
     /// The curves of a part, with their widths [unit of the phase]. Their error is at most 2e-5: absolute for the side, in base pitches for
     /// the arm.
-    fn curves(&self, what: FrictionLaw, part: &Part, scale: f64) -> Vec<(Curve, f64)> {
+    fn curves(&self, what: FrictionLaw, part: &CellPart, scale: f64) -> Vec<(Curve, f64)> {
         let value = |x: f64| scale * self.sum(what, part, x);
         if self.teeth.is_none() {
             let (a, b) = (value(part.begin), value(part.end));

@@ -98,14 +98,14 @@ pub fn of_section(
 }
 
 /// A part of a pitch in which the same pairs are in contact.
-pub(super) struct Cell {
+pub(super) struct ContactInterval {
     pub(super) pairs: usize,
     /// Ends of the cell, as positions of a pair along the path of contact [m].
     pub(super) begin: f64,
     pub(super) end: f64,
 }
 
-impl Cell {
+impl ContactInterval {
     /// Width [unit of the phase]. Stiffness and friction laws use this function, so that their widths are bit-identical.
     pub(super) fn width(&self, contact: &Contact, method: StiffnessMethod, period: f64) -> f64 {
         let length = self.end - self.begin;
@@ -117,12 +117,12 @@ impl Cell {
 }
 
 /// The cells of a pitch, from the point where a pair ends contact.
-pub(super) fn cells(contact: &Contact) -> Vec<Cell> {
+pub(super) fn cells(contact: &Contact) -> Vec<ContactInterval> {
     let ((pairs, more), pitch) = (contact.pairs(), contact.base_pitch);
     let (begin, middle) = (contact.recess, contact.recess + (1.0 - more) * pitch);
-    let few = Cell { pairs, begin, end: middle };
+    let few = ContactInterval { pairs, begin, end: middle };
     match more > 0.0 {
-        true => vec![few, Cell { pairs: pairs + 1, begin: middle, end: begin + pitch }],
+        true => vec![few, ContactInterval { pairs: pairs + 1, begin: middle, end: begin + pitch }],
         false => vec![few],
     }
 }
@@ -133,7 +133,13 @@ pub(super) fn from_pitch_point(stiffness: Profile, contact: &Contact, period: f6
 }
 
 /// The curves of a cell with the stiffness of `pair`, with their widths [unit of the phase].
-fn curves_of_cell(pair: &ToothPair, cell: &Cell, shape: CellShape, period: f64, scale: f64) -> Vec<(Curve, f64)> {
+fn curves_of_cell(
+    pair: &ToothPair,
+    cell: &ContactInterval,
+    shape: CellShape,
+    period: f64,
+    scale: f64,
+) -> Vec<(Curve, f64)> {
     let pitch = pair.contact.base_pitch;
     // At the ends of a cell a pair begins or ends contact. So the pairs at its middle are summed throughout.
     let middle = 0.5 * (cell.begin + cell.end);

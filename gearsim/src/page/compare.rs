@@ -1,7 +1,7 @@
 //! The page of `gearsim compare`: the runs side by side, in numbers and in the scene's plots.
 
 use super::Page;
-use super::html::Cell;
+use super::html::TableCell;
 use super::shared::{self, Made, figure};
 use crate::output::{OutputError, Summary};
 use crate::plot::outputs::quantities::{Quantity, quantities};
@@ -41,11 +41,14 @@ pub fn page(made: &Made<'_>, runs: &[Run<'_>], summaries: &[Summary]) -> Result<
 }
 
 /// One row a quantity, one column a run.
-fn rows(runs: &[Run<'_>], summaries: &[Summary]) -> Vec<Vec<Cell>> {
+fn rows(runs: &[Run<'_>], summaries: &[Summary]) -> Vec<Vec<TableCell>> {
     let mut rows = vec![];
     let mut add = |name: &str, unit: &str, values: Vec<f64>| {
         rows.push(
-            [Cell::text(name), Cell::text(unit)].into_iter().chain(values.into_iter().map(Cell::Number)).collect(),
+            [TableCell::text(name), TableCell::text(unit)]
+                .into_iter()
+                .chain(values.into_iter().map(TableCell::Number))
+                .collect(),
         );
     };
     let of = |value: &dyn Fn(&Summary) -> f64| summaries.iter().map(value).collect::<Vec<_>>();

@@ -2,8 +2,8 @@
 
 use super::Page;
 use super::data::Counts;
-use super::html::{Cell, Html};
-use super::plot::{Axis, Colour, Curve, Plot, Style};
+use super::html::{Html, TableCell};
+use super::plot::{Axis, Colour, PageCurve, Plot, Style};
 use super::shared::{self, Made, figure, heat, table};
 use crate::analysis::floquet::{Chart, Floquet};
 use crate::output::{OutputError, Table};
@@ -24,12 +24,12 @@ fn plane(html: &mut Html, floquet: &Floquet) {
         let at = |i: usize| std::f64::consts::PI * (1.0 - i as f64 / HALF as f64);
         (0..=HALF).map(at).map(|angle| (angle.cos(), sign * angle.sin())).collect()
     };
-    let circle = Style { colour: Colour::Curve(2), dash: "solid".into(), width: 1.0, marker: None };
-    let dots = Style { colour: Colour::Curve(0), dash: "solid".into(), width: 0.0, marker: Some("circle") };
+    let circle = Style { colour: Colour::PageCurve(2), dash: "solid".into(), width: 1.0, marker: None };
+    let dots = Style { colour: Colour::PageCurve(0), dash: "solid".into(), width: 0.0, marker: Some("circle") };
     let mut curve = |name: &str, doc: &str, points: &[(f64, f64)], style: &Style, with| {
         let (x, y): (Vec<f64>, Vec<f64>) = points.iter().copied().unzip();
         let (x, y) = (html.embed(&x, Counts::Short), html.embed(&y, Counts::Short));
-        Curve { style: Some(style.clone()), with, ..Curve::new(name, doc, x, y, true) }
+        PageCurve { style: Some(style.clone()), with, ..PageCurve::new(name, doc, x, y, true) }
     };
     let curves = vec![
         curve("unit circle", "a disturbance whose multiplier is beyond it grows", &half(1.0), &circle, None),
@@ -64,8 +64,8 @@ pub fn page(
             html.note(&format!("Left out, because the analysis is linear: {}.", left_out.join(", ")));
         }
         html.lines(words);
-        let row = |z: &nalgebra::Complex<f64>| [z.re, z.im, z.norm(), z.arg()].map(Cell::Number).to_vec();
-        let rows: Vec<Vec<Cell>> = floquet.multipliers.iter().map(row).collect();
+        let row = |z: &nalgebra::Complex<f64>| [z.re, z.im, z.norm(), z.arg()].map(TableCell::Number).to_vec();
+        let rows: Vec<Vec<TableCell>> = floquet.multipliers.iter().map(row).collect();
         plane(html, floquet);
         html.table("Floquet multipliers", &["real", "imaginary", "absolute value", "angle [rad]"], &rows);
     });

@@ -21,7 +21,7 @@ pub struct Html {
 
 /// A cell of a table.
 #[derive(Debug, Clone)]
-pub enum Cell {
+pub enum TableCell {
     /// Text.
     Text(String),
     /// A number, shown with few digits and sorted by its value.
@@ -103,17 +103,19 @@ impl Html {
     }
 
     /// A table that a reader can sort by each column.
-    pub fn table(&mut self, caption: &str, head: &[&str], rows: &[Vec<Cell>]) {
+    pub fn table(&mut self, caption: &str, head: &[&str], rows: &[Vec<TableCell>]) {
         if rows.is_empty() {
             return;
         }
         let head = head.iter().zip(&rows[0]).map(|(name, cell)| {
-            let class = if matches!(cell, Cell::Number(_)) { " class=\"number\"" } else { "" };
+            let class = if matches!(cell, TableCell::Number(_)) { " class=\"number\"" } else { "" };
             format!("<th scope=\"col\"{class}><button type=\"button\">{}</button></th>", escape(name))
         });
         let head: String = head.collect();
-        let rows: String =
-            rows.iter().map(|row| format!("<tr>{}</tr>\n", row.iter().map(Cell::html).collect::<String>())).collect();
+        let rows: String = rows
+            .iter()
+            .map(|row| format!("<tr>{}</tr>\n", row.iter().map(TableCell::html).collect::<String>()))
+            .collect();
         let caption = escape(caption);
         let _ = write!(
             self.text,
@@ -167,18 +169,18 @@ impl Html {
     }
 }
 
-impl Cell {
+impl TableCell {
     /// A cell of text.
     pub fn text(text: impl Into<String>) -> Self {
-        Cell::Text(text.into())
+        TableCell::Text(text.into())
     }
 
     fn html(&self) -> String {
         match self {
-            Cell::Text(text) => format!("<td>{}</td>", escape(text)),
-            Cell::Number(x) if x.is_nan() => "<td class=\"number\" data-value=\"NaN\">-</td>".into(),
+            TableCell::Text(text) => format!("<td>{}</td>", escape(text)),
+            TableCell::Number(x) if x.is_nan() => "<td class=\"number\" data-value=\"NaN\">-</td>".into(),
             // The sum makes -0 a 0.
-            Cell::Number(x) => {
+            TableCell::Number(x) => {
                 format!("<td class=\"number\" data-value=\"{x:e}\">{}</td>", short(x + 0.0))
             }
         }

@@ -1,7 +1,7 @@
 //! The page of `gearsim modes`: shapes by energy, the Campbell diagram, the modes of the chosen cell and the frequencies of all cells.
 
 use super::Page;
-use super::html::{Cell, Html};
+use super::html::{Html, TableCell};
 use super::shared::{self, Made, figure};
 use crate::analysis::modes::masses::bodies;
 use crate::analysis::modes::{AT_A_PLACE, CellModes, Parts, Vibration};
@@ -67,9 +67,9 @@ fn frequencies(html: &mut Html, scene: &Scene, Modes { moves, chosen: cell, .. }
             (true, true) => "vibrates",
             (true, false) => "overdamped",
         };
-        numbers.into_iter().map(Cell::Number).chain([Cell::text(kind)]).collect()
+        numbers.into_iter().map(TableCell::Number).chain([TableCell::text(kind)]).collect()
     };
-    let rows: Vec<Vec<Cell>> = cell.modes.iter().enumerate().map(row).collect();
+    let rows: Vec<Vec<TableCell>> = cell.modes.iter().enumerate().map(row).collect();
     html.table("Modes of this cell", &["mode", "natural [Hz]", "damped [Hz]", "damping factor", "kind"], &rows);
 }
 
@@ -86,16 +86,17 @@ fn energies(html: &mut Html, scene: &Scene, modes: &Modes<'_>) {
         });
         let strain = elastic.iter().zip(mode.strain.iter().chain(&mode.springs));
         for (name, energy, share) in kinetic.chain(strain.map(|(name, share)| ((*name).to_owned(), "strain", *share))) {
-            let names = [Cell::Number(i as f64), Cell::text(name), Cell::text(energy)];
-            rows.push(names.into_iter().chain([Cell::Number(100.0 * share)]).collect());
+            let names = [TableCell::Number(i as f64), TableCell::text(name), TableCell::text(energy)];
+            rows.push(names.into_iter().chain([TableCell::Number(100.0 * share)]).collect());
         }
     }
     html.table("Shares of the energies", &["mode", "inertia, mesh or spring", "energy", "share [%]"], &rows);
     let mut rows = vec![];
     for (i, mode) in modes.chosen.modes.iter().enumerate() {
         for (coordinate, shape) in scene.model.coordinates.iter().zip(&mode.shape) {
-            let names = [Cell::Number(i as f64), Cell::text(coordinate.name), Cell::text(coordinate.unit)];
-            rows.push(names.into_iter().chain([shape.re, shape.im].map(Cell::Number)).collect());
+            let names =
+                [TableCell::Number(i as f64), TableCell::text(coordinate.name), TableCell::text(coordinate.unit)];
+            rows.push(names.into_iter().chain([shape.re, shape.im].map(TableCell::Number)).collect());
         }
     }
     html.table("Shapes", &["mode", "coordinate", "unit", "real", "imaginary"], &rows);
@@ -107,8 +108,8 @@ fn cells(html: &mut Html, scene: &Scene, cells: &[CellModes]) {
     let head: Vec<String> = head.collect();
     let row = |cell: &CellModes| {
         let numbers = cell.levels.iter().copied().chain(cell.modes.iter().map(|mode| mode.natural));
-        numbers.map(Cell::Number).collect()
+        numbers.map(TableCell::Number).collect()
     };
-    let rows: Vec<Vec<Cell>> = cells.iter().map(row).collect();
+    let rows: Vec<Vec<TableCell>> = cells.iter().map(row).collect();
     html.table("Natural frequencies of every cell", &head.iter().map(String::as_str).collect::<Vec<_>>(), &rows);
 }

@@ -15,7 +15,7 @@ pub struct Plot {
     /// The y axis.
     pub y: Axis,
     /// The curves.
-    pub curves: Vec<Curve>,
+    pub curves: Vec<PageCurve>,
     /// Plots of the same group have the same limits of x and one cursor.
     pub group: Option<String>,
     /// Values of x at which something happens, marked below the curves.
@@ -54,7 +54,7 @@ impl Axis {
 
 /// A curve.
 #[derive(Debug, Clone, Serialize)]
-pub struct Curve {
+pub struct PageCurve {
     /// Name, as in the files of the result.
     pub name: String,
     /// What it is, in words; may be empty.
@@ -73,10 +73,10 @@ pub struct Curve {
     pub note: Option<Note>,
 }
 
-impl Curve {
+impl PageCurve {
     /// A curve that looks as its place among the curves says.
     pub fn new(name: impl Into<String>, doc: impl Into<String>, x: Column, y: Column, shown: bool) -> Self {
-        Curve { name: name.into(), doc: doc.into(), x, y, shown, style: None, with: None, note: None }
+        PageCurve { name: name.into(), doc: doc.into(), x, y, shown, style: None, with: None, note: None }
     }
 }
 
@@ -98,7 +98,7 @@ pub struct Style {
 #[serde(untagged)]
 pub enum Colour {
     /// One of the colours of curves, which differ between light and dark pages.
-    Curve(usize),
+    PageCurve(usize),
     /// A CSS colour, the same on all pages.
     Fixed(&'static str),
 }

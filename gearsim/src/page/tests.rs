@@ -6,7 +6,7 @@ use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
 
 use super::data::{self, BLOCK, Counts};
-use super::html::{Cell, escape};
+use super::html::{TableCell, escape};
 use super::pack::unpack;
 use super::{Page, script};
 
@@ -67,7 +67,7 @@ fn a_page_has_its_sections_and_allows_only_its_own_scripts() {
     page.section("first", "First", |html| {
         html.pairs([(HOSTILE, HOSTILE)]);
         html.code(HOSTILE, HOSTILE, true);
-        html.table(HOSTILE, &[HOSTILE], &[vec![Cell::text(HOSTILE)], vec![Cell::Number(f64::NAN)]]);
+        html.table(HOSTILE, &[HOSTILE], &[vec![TableCell::text(HOSTILE)], vec![TableCell::Number(f64::NAN)]]);
         let (a, b) = (html.embed(&[1.0, 2.0], Counts::Long), html.embed(&[1.0, 2.0], Counts::Long));
         assert_eq!(a, b);
     });

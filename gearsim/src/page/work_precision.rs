@@ -1,10 +1,10 @@
 //! The page of `gearsim work-precision`: error against processor time, times at equal error, all settings.
 
 use super::Page;
-use super::html::{Cell, Html};
+use super::html::{Html, TableCell};
 use super::shared::{self, Made, figure};
 use crate::analysis::work_precision::table::{self, Price, TARGETS};
-use crate::analysis::work_precision::{Curve, Point, WorkPrecision};
+use crate::analysis::work_precision::{MeasuredFamily, MeasuredSetting, WorkPrecision};
 use crate::output::OutputError;
 use crate::output::number::short;
 use crate::plot;
@@ -23,38 +23,38 @@ pub fn page(made: &Made<'_>, measured: &WorkPrecision) -> Result<Page, OutputErr
 }
 
 fn prices(html: &mut Html, measured: &WorkPrecision) {
-    let cell = |curve: &Curve, target| match curve.price(target, measured.floor) {
-        Price::Seconds(seconds) => Cell::Number(seconds),
-        Price::Never => Cell::text("never"),
-        Price::Over(seconds) => Cell::text(format!("> {}", short(seconds))),
-        Price::Unknown => Cell::text("?"),
+    let cell = |curve: &MeasuredFamily, target| match curve.price(target, measured.floor) {
+        Price::Seconds(seconds) => TableCell::Number(seconds),
+        Price::Never => TableCell::text("never"),
+        Price::Over(seconds) => TableCell::text(format!("> {}", short(seconds))),
+        Price::Unknown => TableCell::text("?"),
     };
-    let row = |curve: &Curve| {
+    let row = |curve: &MeasuredFamily| {
         let times = TARGETS.map(|target| cell(curve, target));
-        let failures = [curve.failures(), curve.points.len()].map(|n| Cell::Number(n as f64));
-        [Cell::text(curve.label)].into_iter().chain(times).chain(failures).collect()
+        let failures = [curve.failures(), curve.points.len()].map(|n| TableCell::Number(n as f64));
+        [TableCell::text(curve.label)].into_iter().chain(times).chain(failures).collect()
     };
     let heads = TARGETS.map(|target| format!("time [s] at error {target:e}"));
     let head = ["method"].into_iter().chain(heads.iter().map(String::as_str)).chain(["failed settings", "settings"]);
-    let rows: Vec<Vec<Cell>> = measured.curves.iter().map(row).collect();
+    let rows: Vec<Vec<TableCell>> = measured.curves.iter().map(row).collect();
     html.table("Processor time at equal error", &head.collect::<Vec<_>>(), &rows);
     html.paragraph("never: no setting is accurate enough. ?: the error is below that of the reference.");
 }
 
 fn settings(html: &mut Html, measured: &WorkPrecision) {
-    let row = |curve: &Curve, point: &Point| {
+    let row = |curve: &MeasuredFamily, point: &MeasuredSetting| {
         let errors = point.errors.as_ref();
         let errors = errors.map_or([f64::NAN; 3], |errors| [errors.end, errors.path, errors.energy]);
         let counts = [point.evaluations, point.steps, point.events].map(|n| n as f64);
-        let numbers = [point.seconds.0, point.seconds.1].into_iter().chain(counts).chain(errors).map(Cell::Number);
+        let numbers = [point.seconds.0, point.seconds.1].into_iter().chain(counts).chain(errors).map(TableCell::Number);
         let remark = match &point.errors {
             Err(why) if !point.tried => why.clone(),
             Err(why) => format!("failed: {why}"),
             Ok(errors) if !point.right_events => format!("failed: {:+} events", errors.events),
             Ok(_) => String::new(),
         };
-        let names = [Cell::text(curve.label), Cell::text(&point.setting)];
-        names.into_iter().chain(numbers).chain([Cell::text(remark)]).collect()
+        let names = [TableCell::text(curve.label), TableCell::text(&point.setting)];
+        names.into_iter().chain(numbers).chain([TableCell::text(remark)]).collect()
     };
     let rows = measured.curves.iter().flat_map(|curve| curve.points.iter().map(move |point| row(curve, point)));
     let head = [
@@ -70,7 +70,7 @@ fn settings(html: &mut Html, measured: &WorkPrecision) {
         "energy unaccounted for",
         "remarks",
     ];
-    html.table("All settings", &head, &rows.collect::<Vec<Vec<Cell>>>());
+    html.table("All settings", &head, &rows.collect::<Vec<Vec<TableCell>>>());
     html.paragraph(&format!(
         "Errors are relative to the size of each coordinate and speed; that of a rotating coordinate is one pitch. The error of the \
          reference is {}. Times are those of one core without recording.",

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use super::{Axis, Figure, Marker, Note, Panel, Place, PlotError, Series, Style};
+use super::{Axis, Figure, Marker, Note, NotePlace, Panel, PlotError, Series, Style};
 use crate::analysis::modes::{CellModes, Meeting, meetings};
 use crate::analysis::steady::SteadyLaw;
 use crate::output::number::short;
@@ -83,7 +83,7 @@ pub fn draw(scene: &Scene, courses: &[SteadyLaw], cell: &CellModes) -> Result<Fi
             // Natural frequencies alone are black.
             line.style.colour = COLOURS[n % COLOURS.len()];
             line.style = Style { dashes: &[], width: if harmonic == 1 { 1.5 } else { 0.9 }, ..line.style };
-            let place = if top / slope < longest { Place::Above } else { Place::After };
+            let place = if top / slope < longest { NotePlace::Above } else { NotePlace::After };
             if harmonic == 1 || notes {
                 line.note = Note { text: short(order), place };
             }

@@ -16,7 +16,7 @@ const VARIES: f64 = 0.05;
 const CONTENT: f64 = 0.02;
 
 /// A part of a run.
-pub(super) struct Part {
+pub(super) struct RunPart {
     /// Mean speed of the shaft \[rad/s\].
     pub speed: f64,
     /// Time of its middle \[s\].
@@ -60,8 +60,8 @@ impl Subject {
 }
 
 /// The place up to which parts whose highest line is `peak` have something to show.
-pub(super) fn content(parts: &[Part], peak: f64) -> f64 {
-    let last = |part: &Part| part.amplitude.iter().rposition(|a| *a > CONTENT * peak).map_or(0.0, |i| part.place[i]);
+pub(super) fn content(parts: &[RunPart], peak: f64) -> f64 {
+    let last = |part: &RunPart| part.amplitude.iter().rposition(|a| *a > CONTENT * peak).map_or(0.0, |i| part.place[i]);
     parts.iter().map(last).fold(0.0, f64::max)
 }
 
@@ -89,7 +89,7 @@ fn line(n: usize, label: String, x: Vec<f64>, (low, high): (f64, f64)) -> Series
 /// The cascade of the `parts` of a run up to the place `end`; the highest line has the amplitude `peak` \[`unit`\]. Where the speed varies,
 /// `marks` gives the lines behind the curves from the lowest to the highest speed \[rpm\].
 pub(super) fn panel(
-    parts: &[Part],
+    parts: &[RunPart],
     (label, named): (&str, bool),
     (end, peak, unit): (f64, f64, &str),
     marks: &dyn Fn((f64, f64)) -> Vec<Series>,
@@ -98,7 +98,7 @@ pub(super) fn panel(
     let extreme = |of: fn(f64, f64) -> f64, start: f64| parts.iter().map(|part| part.speed).fold(start, of);
     let (low, high) = (extreme(f64::min, f64::INFINITY), extreme(f64::max, 0.0));
     let over_speed = high - low > VARIES * high;
-    let place = |part: &Part| if over_speed { rpm * part.speed } else { part.time };
+    let place = |part: &RunPart| if over_speed { rpm * part.speed } else { part.time };
     let places: Vec<f64> = parts.iter().map(place).collect();
     let (low, high) = places.iter().fold((f64::INFINITY, 0.0_f64), |(l, h), x| (l.min(*x), h.max(*x)));
     let largest = parts.iter().flat_map(|part| &part.amplitude).copied().fold(f64::MIN_POSITIVE, f64::max);

@@ -140,13 +140,13 @@ pub struct Note {
     /// The text; empty: none.
     pub text: String,
     /// Where it stands.
-    pub place: Place,
+    pub place: NotePlace,
 }
 
 /// Where a note stands, relative to the last point of its curve.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, serde::Serialize)]
 #[serde(rename_all = "snake_case")]
-pub enum Place {
+pub enum NotePlace {
     /// Above it, to its left.
     #[default]
     Before,

@@ -19,7 +19,7 @@ const SYMBOLS: [(&str, Marker); 4] = [
 ];
 
 /// The curve of a spectrum on which sidebands are marked.
-pub(super) struct Curve<'a> {
+pub(super) struct MarkedCurve<'a> {
     /// It.
     pub series: &'a Series,
     /// Its points in the width of a line.
@@ -34,7 +34,7 @@ pub(super) fn marks(
     meshes: &[Mesh],
     (unit, end, most): (f64, f64, usize),
     (low, high): (f64, f64),
-    Curve { series: curve, closer, least }: Curve<'_>,
+    MarkedCurve { series: curve, closer, least }: MarkedCurve<'_>,
 ) -> Vec<Series> {
     let step = curve.x.get(1).copied().unwrap_or(f64::INFINITY);
     let line = step * closer as f64;

@@ -31,7 +31,7 @@ mod ticks;
 pub(crate) mod waterfall;
 pub(crate) mod work_precision;
 
-pub use figure::{Axis, Figure, Marker, Note, Panel, Place, Scale, Series, Style};
+pub use figure::{Axis, Figure, Marker, Note, NotePlace, Panel, Scale, Series, Style};
 use heat::HeatMap;
 pub use picture::Picture;
 

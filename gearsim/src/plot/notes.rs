@@ -1,7 +1,7 @@
 //! The notes at the ends of curves: each legible, in the colour of its curve.
 
 use super::canvas::{SMALL, path};
-use super::figure::{Place, Series};
+use super::figure::{NotePlace, Series};
 use super::picture::Drawing;
 use super::text::{Anchor, ems};
 
@@ -19,13 +19,13 @@ pub(super) fn draw(
     right: f64,
     (top, bottom): (f64, f64),
 ) {
-    let placed = |place: Place| {
+    let placed = |place: NotePlace| {
         let mut all: Vec<_> = ends.iter().filter(|(_, series)| series.note.place == place).collect();
-        let key = |(x, y): (f64, f64)| if place == Place::Above { x } else { y };
+        let key = |(x, y): (f64, f64)| if place == NotePlace::Above { x } else { y };
         all.sort_by(|a, b| key(a.0).total_cmp(&key(b.0)));
         all
     };
-    for ((x, y), series) in placed(Place::Before) {
+    for ((x, y), series) in placed(NotePlace::Before) {
         let width = SMALL * ems(&series.note.text);
         // Below what ends at the top, to the left of what ends at the right, and within the frame.
         let at = ((x.min(right) - 5.0).max(left + 4.0 + width), (y - 4.0).max(top + 13.0));
@@ -35,13 +35,13 @@ pub(super) fn draw(
         path(out, &ground, "style=\"fill:white\" opacity=\"0.85\"");
         note(out, at, Anchor::End, series);
     }
-    let after = placed(Place::After);
+    let after = placed(NotePlace::After);
     let wanted: Vec<f64> = after.iter().map(|((_, y), _)| *y).collect();
     for (((x, y), series), row) in after.iter().zip(apart(&wanted, ROW, (top + 0.5 * ROW, bottom - 0.5 * ROW))) {
         leader(out, &format!("M{x:.1} {y:.1}L{:.1} {row:.1}", x + LEADER), series);
         note(out, (x + LEADER + 3.0, row + 4.3), Anchor::Start, series);
     }
-    let above = placed(Place::Above);
+    let above = placed(NotePlace::Above);
     let wanted: Vec<f64> = above.iter().map(|((x, _), _)| *x).collect();
     let width = above.iter().map(|(_, series)| SMALL * ems(&series.note.text)).fold(0.0, f64::max) + 8.0;
     for (((x, y), series), column) in above.iter().zip(apart(&wanted, width, (left + 0.5 * width, right))) {

@@ -1,7 +1,7 @@
 //! Waterfall of a run-up over orders: order spectra of windows of whole revolutions, each drawn at the speed of the first shaft there. Orders
 //! are vertical, natural frequencies are hyperbolas. At constant speed the windows are drawn at their times.
 
-use super::cascade::{Part, Subject, content, lines, panel};
+use super::cascade::{RunPart, Subject, content, lines, panel};
 use super::orders::{of, turnings};
 use super::outputs::sized;
 use super::spectrum::reach;
@@ -34,7 +34,7 @@ fn draw(runs: &[Run<'_>]) -> Result<Figure, PlotError> {
             return Err(PlotError::Nothing { plot: PLOT.name, why });
         }
         let each = windows.len().div_ceil(MOST);
-        let parts: Vec<Part> = windows.into_iter().step_by(each).map(part).collect();
+        let parts: Vec<RunPart> = windows.into_iter().step_by(each).map(part).collect();
         let longest = parts.iter().filter_map(|part| part.place.last().copied()).fold(0.0, f64::max);
         let peak = parts.iter().flat_map(|part| &part.amplitude).copied().fold(0.0, f64::max);
         end = end.max(reach([content(&parts, peak)].into_iter(), highest, longest));
@@ -57,9 +57,9 @@ fn draw(runs: &[Run<'_>]) -> Result<Figure, PlotError> {
 }
 
 /// A window without its mean, which is order zero.
-fn part(Window { speed, time, orders }: Window) -> Part {
+fn part(Window { speed, time, orders }: Window) -> RunPart {
     let (place, amplitude) = (orders.order[1..].to_vec(), orders.amplitude[1..].to_vec());
-    Part { speed: speed.abs(), time, place, amplitude }
+    RunPart { speed: speed.abs(), time, place, amplitude }
 }
 
 #[cfg(test)]
@@ -81,7 +81,7 @@ mod tests {
         up.outputs[0].1 = up.t.iter().map(|t| TAU * (5.0 + 5.0 * t)).collect();
         let x: Vec<f64> = up.t.iter().map(|t| 3.0 * (17.0 * TAU * (5.0 * t + 2.5 * t * t)).sin()).collect();
         let turning = Turning::of(&up, "rotor_speed", 0.0).unwrap();
-        let parts: Vec<Part> = windows(&turning, &x, WINDOW, APART).unwrap().into_iter().map(part).collect();
+        let parts: Vec<RunPart> = windows(&turning, &x, WINDOW, APART).unwrap().into_iter().map(part).collect();
         assert!(parts.len() > 25, "{}", parts.len());
         for part in &parts {
             let top = (0..part.place.len()).max_by(|&a, &b| part.amplitude[a].total_cmp(&part.amplitude[b])).unwrap();

@@ -1,7 +1,7 @@
 //! Order spectra of the recorded transmission errors and forces, over orders of a shaft: peak amplitudes.
 
 use super::figure::name_once;
-use super::marks::{Curve, MOST, marks};
+use super::marks::{MOST, MarkedCurve, marks};
 use super::outputs::{of_unit, sized};
 use super::spectrum::reach;
 use super::{Axis, Figure, Panel, Plot, PlotError, Run, Series, first_run, scene_names};
@@ -62,7 +62,7 @@ fn draw(runs: &[Run<'_>]) -> Result<Figure, PlotError> {
         let range = (DECADES * peak, 2.0 * peak);
         let y = Axis::log10(output.name, shown).between(range.0, range.1);
         if peak > 0.0 {
-            let curve = Curve { series: &series[0], closer: CLOSER, least: &|median| PROMINENCE * median };
+            let curve = MarkedCurve { series: &series[0], closer: CLOSER, least: &|median| PROMINENCE * median };
             let marks = marks(&meshes, (turning[0].frequency(), end, MOST), range, curve);
             let (lines, symbols): (Vec<_>, Vec<_>) = marks.into_iter().partition(|mark| mark.style.width > 0.0);
             panels.push(Panel { y, series: lines.into_iter().chain(series).chain(symbols).collect() });

@@ -3,7 +3,7 @@
 
 use std::f64::consts::TAU;
 
-use super::cascade::{Part, Subject, content, lines, panel};
+use super::cascade::{RunPart, Subject, content, lines, panel};
 use super::outputs::sized;
 use super::{Axis, Figure, Plot, PlotError, Run, first_run, scene_names};
 use crate::analysis::spectrum::{SpectrumError, uniform_samples, welch};
@@ -60,7 +60,7 @@ fn mesh_order(run: &crate::trajectory::Trajectory, shaft: &str, mesh: f64) -> f6
 }
 
 /// The spectra of the parts of a run.
-fn parts(run: &Run<'_>, column: &[f64], speed: &[f64]) -> Result<Vec<Part>, SpectrumError> {
+fn parts(run: &Run<'_>, column: &[f64], speed: &[f64]) -> Result<Vec<RunPart>, SpectrumError> {
     let (mut rows, rate) = uniform_samples(run.trajectory)?;
     rows.retain(|&row| run.trajectory.t[row] >= run.asked.spectrum.from);
     let length = (2 * rows.len() / (PARTS + 1) / 2 * 2).max(LEAST.min(rows.len()));
@@ -70,7 +70,7 @@ fn parts(run: &Run<'_>, column: &[f64], speed: &[f64]) -> Result<Vec<Part>, Spec
         let speed = rows.iter().map(|&row| speed[row]).sum::<f64>() / rows.len() as f64;
         let time = 0.5 * (run.trajectory.t[rows[0]] + run.trajectory.t[rows[rows.len() - 1]]);
         let amplitude: Vec<f64> = spectrum.rms().map(|rms| rms * 2.0_f64.sqrt()).collect();
-        Ok(Part { speed: speed.abs(), time, place: spectrum.frequency, amplitude })
+        Ok(RunPart { speed: speed.abs(), time, place: spectrum.frequency, amplitude })
     };
     rows.windows(length).step_by((length / 2).max(1)).map(part).collect()
 }

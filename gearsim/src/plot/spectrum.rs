@@ -8,7 +8,7 @@ mod scale;
 use std::f64::consts::TAU;
 
 use super::figure::name_once;
-use super::marks::{Curve, HARMONICS, marks};
+use super::marks::{HARMONICS, MarkedCurve, marks};
 use super::outputs::of_unit;
 use super::{Axis, Figure, Panel, Plot, PlotError, Run, Series, first_run, rotates, scene_names};
 use crate::analysis::orders::{Mesh, meshes};
@@ -64,7 +64,7 @@ fn draw(runs: &[Run<'_>]) -> Result<Figure, PlotError> {
         }
         let (y, range) = shown.axis(&series, end);
         let least = |median| shown.prominent(median);
-        let curve = Curve { series: &series[0], closer: 1, least: &least };
+        let curve = MarkedCurve { series: &series[0], closer: 1, least: &least };
         let marks = marks(&steady, (units[0], end, HARMONICS), range, curve);
         // Behind the curves.
         let (lines, symbols): (Vec<_>, Vec<_>) = marks.into_iter().partition(|mark| mark.style.width > 0.0);

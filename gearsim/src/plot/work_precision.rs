@@ -2,7 +2,7 @@
 //! the motion, the other the energy residual.
 
 use super::figure::{Axis, Figure, Marker, Panel, Series};
-use crate::analysis::work_precision::{Errors, Point, WorkPrecision};
+use crate::analysis::work_precision::{Errors, MeasuredSetting, WorkPrecision};
 
 /// A relative error above this says nothing more.
 const LOST: f64 = 10.0;
@@ -37,8 +37,8 @@ fn panel(measured: &WorkPrecision, label: &str, of: impl Fn(&Errors) -> f64) -> 
     let mut series = vec![];
     for (i, curve) in measured.curves.iter().enumerate() {
         let points = || curve.points.iter().filter(|point| point.tried);
-        let failed = |point: &&Point| point.failed();
-        let place = |point: &Point| {
+        let failed = |point: &&MeasuredSetting| point.failed();
+        let place = |point: &MeasuredSetting| {
             let error = point.errors.as_ref().map_or(LOST * FAILED, |errors| of(errors).min(LOST * FAILED));
             (point.seconds.0, error)
         };

@@ -1,6 +1,6 @@
 //! Checks the tree of a scene file and builds the [`Scene`]. All mistakes are reported at once.
 
-use super::document::{Entry, Node, Place};
+use super::document::{KeyEntry, Node, Place};
 use super::keys::{Key, Kind, REQUIRED, key};
 use super::mistake::{Report, did_you_mean};
 use super::per_radius::{OfModel, Radii};
@@ -96,7 +96,7 @@ pub(super) fn scene(root: &Node, end: &Place, models: &[&'static Model], report:
 }
 
 /// Reports keys that are not allowed at the top level. For a key that belongs to a table, the help names that table.
-fn stray_keys(entries: &[Entry], model: Option<&Model>, report: &mut Report) {
+fn stray_keys(entries: &[KeyEntry], model: Option<&Model>, report: &mut Report) {
     let mut homes = vec![("run", keys::names(RUN)), ("output", keys::names(&[output::KEYS]))];
     if let Some(model) = model {
         let coordinates = model.coordinates.iter().map(|coordinate| coordinate.name);
@@ -107,7 +107,7 @@ fn stray_keys(entries: &[Entry], model: Option<&Model>, report: &mut Report) {
     }
     let of_train = if model.is_some_and(|model| !model.elements.is_empty()) { train::KEYS } else { &[] };
     let known = keys::names(&[KEYS, of_train]);
-    for Entry { key, place, .. } in keys::unknown(entries, &known) {
+    for KeyEntry { key, place, .. } in keys::unknown(entries, &known) {
         let home = homes.iter().find(|(_, keys)| keys.contains(&key.as_str()));
         let (label, help) = match home {
             Some((table, _)) => ("in the wrong place", format!("it belongs to [{table}]: `{table}.{key}`")),

@@ -10,7 +10,7 @@
 
 use num_integer::Integer;
 
-use super::document::{Entry, Node, Place, Value};
+use super::document::{KeyEntry, Node, Place, Value};
 use super::keys::{Key, Kind, REQUIRED, key};
 use super::mistake::Report;
 use super::{field, keys};
@@ -120,7 +120,7 @@ fn tooth(path: &str, node: &Node, report: &mut Report) -> Option<Damage> {
 }
 
 /// Checks that damaged teeth are those of a gear of the mesh, whose numbers of teeth are `teeth`.
-pub(super) fn check(law: &Law, entries: &[Entry], teeth: [f64; 2], report: &mut Report) {
+pub(super) fn check(law: &Law, entries: &[KeyEntry], teeth: [f64; 2], report: &mut Report) {
     let Some(Value::Array(items)) = keys::get(entries, DAMAGE).map(|node| &node.value) else { return };
     for (i, item) in items.iter().enumerate() {
         let Value::Table(tooth) = &item.value else { continue };

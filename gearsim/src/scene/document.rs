@@ -31,12 +31,12 @@ pub(super) enum Value {
     Flag(bool),
     Date,
     Array(Vec<Node>),
-    Table(Vec<Entry>),
+    Table(Vec<KeyEntry>),
 }
 
 /// A key, its place, and its value.
 #[derive(Debug, Clone)]
-pub(super) struct Entry {
+pub(super) struct KeyEntry {
     pub key: String,
     pub place: Place,
     pub node: Node,
@@ -62,9 +62,9 @@ impl Node {
     /// The keys of each table in this one, in the order of the text.
     pub fn in_order(&self) -> Vec<(&str, Vec<&str>)> {
         let Value::Table(tables) = &self.value else { return vec![] };
-        fn keys(entry: &Entry) -> Option<Vec<&str>> {
+        fn keys(entry: &KeyEntry) -> Option<Vec<&str>> {
             let Value::Table(entries) = &entry.node.value else { return None };
-            let mut entries: Vec<&Entry> = entries.iter().collect();
+            let mut entries: Vec<&KeyEntry> = entries.iter().collect();
             entries.sort_by_key(|entry| (entry.place.source, entry.place.span.start));
             Some(entries.into_iter().map(|entry| entry.key.as_str()).collect())
         }
@@ -102,8 +102,8 @@ impl Origin {
         Node { value, place: self.place(spanned.span()) }
     }
 
-    fn entries(self, table: &DeTable) -> Vec<Entry> {
-        let entry = |(key, value): (&Spanned<DeString>, &Spanned<DeValue>)| Entry {
+    fn entries(self, table: &DeTable) -> Vec<KeyEntry> {
+        let entry = |(key, value): (&Spanned<DeString>, &Spanned<DeValue>)| KeyEntry {
             key: key.get_ref().to_string(),
             place: self.place(key.span()),
             node: self.node(value),

@@ -4,7 +4,7 @@ mod quantity;
 
 pub(super) use quantity::{out_of_range, quantity};
 
-use super::document::{Entry, Node, Value};
+use super::document::{KeyEntry, Node, Value};
 use super::keys::choices;
 use super::mistake::Report;
 
@@ -51,7 +51,7 @@ pub(super) fn array<'a>(path: &str, node: &'a Node, example: &str, report: &mut 
     }
 }
 
-pub(super) fn table<'a>(path: &str, node: &'a Node, report: &mut Report) -> Option<&'a [Entry]> {
+pub(super) fn table<'a>(path: &str, node: &'a Node, report: &mut Report) -> Option<&'a [KeyEntry]> {
     match &node.value {
         Value::Table(entries) => Some(entries),
         _ => {

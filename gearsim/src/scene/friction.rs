@@ -1,6 +1,6 @@
 //! Scene keys of friction laws that stiffnesses do not have: `teeth_of` computes the law from the teeth of another law.
 
-use super::document::{Entry, Node, Value};
+use super::document::{KeyEntry, Node, Value};
 use super::keys::{Key, Kind, key};
 use super::mistake::{Home, Report, list};
 use super::teeth::TeethReader;
@@ -50,7 +50,7 @@ pub(super) fn from_teeth_of(
     law: &Law,
     phase_unit: &str,
     node: &Node,
-    laws: &[Entry],
+    laws: &[KeyEntry],
     report: &mut Report,
 ) -> Option<Option<Profile>> {
     let Value::Table(entries) = &node.value else { return None };
@@ -58,7 +58,7 @@ pub(super) fn from_teeth_of(
     keys::known(entries, &format!("[laws.{}] with {OF}", law.name), &[KEYS], report);
     let path = format!("laws.{}.{OF}", law.name);
     let Some(text) = field::text(&path, name, report) else { return Some(None) };
-    let of_teeth = |entry: &&Entry| matches!(&entry.node.value, Value::Table(t) if keys::get(t, "teeth").is_some());
+    let of_teeth = |entry: &&KeyEntry| matches!(&entry.node.value, Value::Table(t) if keys::get(t, "teeth").is_some());
     let lenders: Vec<_> = laws.iter().filter(of_teeth).filter(|entry| entry.key != law.name).collect();
     let Some((lender, Value::Table(entries))) =
         lenders.iter().find(|entry| entry.key == text).map(|entry| (&entry.node, &entry.node.value))

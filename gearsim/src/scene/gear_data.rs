@@ -4,7 +4,7 @@
 //! The model states what a parameter is ([`GearData`]). A law is compared with its mesh ([`super::meshes`]). Impossible values are refused,
 //! and rare ones give a warning.
 
-use super::document::{Entry, Node, Value};
+use super::document::{KeyEntry, Node, Value};
 use super::meshes::{self, Mesh};
 use super::mistake::Report;
 use super::teeth::TeethReader;
@@ -17,7 +17,7 @@ use crate::tolerance::scene::{
 };
 
 /// Checks the gears of `scene`, which was read from `entries`. `train` has the meshes of a train.
-pub(super) fn check(scene: &Scene, entries: &[Entry], train: Option<&Meshes>, report: &mut Report) {
+pub(super) fn check(scene: &Scene, entries: &[KeyEntry], train: Option<&Meshes>, report: &mut Report) {
     let checker = Checker { scene, parameters: table(entries, "parameters"), laws: table(entries, "laws") };
     for (parameter, x) in scene.model.parameters.iter().zip(&scene.parameters) {
         match parameter.gear_data {
@@ -28,7 +28,7 @@ pub(super) fn check(scene: &Scene, entries: &[Entry], train: Option<&Meshes>, re
         }
     }
     for law in scene.model.laws {
-        if let Some(Entry { node, .. }) = checker.laws.iter().find(|entry| entry.key == law.name)
+        if let Some(KeyEntry { node, .. }) = checker.laws.iter().find(|entry| entry.key == law.name)
             && let Value::Table(of_law) = &node.value
         {
             let reader = TeethReader { law, entries: of_law, place: &node.place };
@@ -49,7 +49,7 @@ pub(super) fn check(scene: &Scene, entries: &[Entry], train: Option<&Meshes>, re
     }
 }
 
-fn table<'a>(entries: &'a [Entry], name: &str) -> &'a [Entry] {
+fn table<'a>(entries: &'a [KeyEntry], name: &str) -> &'a [KeyEntry] {
     match keys::get(entries, name).map(|node| &node.value) {
         Some(Value::Table(entries)) => entries,
         _ => &[],
@@ -62,8 +62,8 @@ fn is_angle(parameter: &Parameter) -> bool {
 
 struct Checker<'a> {
     scene: &'a Scene,
-    parameters: &'a [Entry],
-    laws: &'a [Entry],
+    parameters: &'a [KeyEntry],
+    laws: &'a [KeyEntry],
 }
 
 impl Checker<'_> {
@@ -170,10 +170,11 @@ impl Checker<'_> {
 
     /// Refuses friction from the teeth of a ring in a model that does not say which of its gears is a ring: flanks roll on each other with the
     /// sum of the speeds of external gears, and with the difference within a ring.
-    fn friction_in_a_ring(&self, name: &str, of_law: &[Entry], gears: Option<&Gears>, report: &mut Report) {
+    fn friction_in_a_ring(&self, name: &str, of_law: &[KeyEntry], gears: Option<&Gears>, report: &mut Report) {
         let text = |node: &Node| if let Value::Text(text) = &node.value { Some(text.clone()) } else { None };
         let lender = keys::get(of_law, friction::OF).and_then(|node| Some((node, table(self.laws, &text(node)?))));
-        let is_ring = |law: &[Entry]| matches!(keys::get(law, "internal"), Some(Node { value: Value::Flag(true), .. }));
+        let is_ring =
+            |law: &[KeyEntry]| matches!(keys::get(law, "internal"), Some(Node { value: Value::Flag(true), .. }));
         let place = match (gears, lender) {
             (Some(gears), _) if gears.internal => keys::get(of_law, "teeth").map(|node| &node.place),
             (None, Some((node, law))) if is_ring(law) => Some(&node.place),

@@ -2,7 +2,7 @@
 
 use std::collections::HashSet;
 
-use super::document::Entry;
+use super::document::KeyEntry;
 use super::mistake::Report;
 use super::{Effects, keys};
 use crate::model::Model;
@@ -14,7 +14,7 @@ const OF_EFFECTS: [&str; 5] = ["drives.", "loads.", "bearings.", "clutches.", "e
 /// Warns of torques, and of parts of a train, that a scene describes without their effect. Other parameters of effects, such as a backlash,
 /// may stay in a scene whose effects change. `is_zero` says whether parameter `i` is always 0, as where a scene says that there is none.
 pub(super) fn warn(
-    given: &[Entry],
+    given: &[KeyEntry],
     model: &Model,
     effects: Option<&Effects>,
     is_zero: &dyn Fn(usize) -> bool,

@@ -1,6 +1,6 @@
 //! `[laws]`: mesh stiffnesses, transmission errors and friction laws over one or several pitches.
 
-use super::document::{Entry, Node, Value};
+use super::document::{KeyEntry, Node, Value};
 use super::keys::{Key, Kind, Named, REQUIRED, each, key};
 use super::mistake::{Home, Report};
 use super::smooth::{self, SmoothLaw};
@@ -59,7 +59,7 @@ const STEP: &[Key] = &[
 /// Reads `[laws]`, in the order of the model. If the table is missing, the lines to add go to `absent`. A law whose effect is not
 /// among `effects` may be left out.
 pub(super) fn read(
-    entries: &[Entry],
+    entries: &[KeyEntry],
     model: &Model,
     effects: Option<&Effects>,
     absent: &mut Vec<(&str, String)>,
@@ -113,7 +113,7 @@ fn missing_in_parts(lacking: Vec<(Home, &Law)>, report: &mut Report) {
 }
 
 /// The gears of each law of the model that has keys of teeth. Mistakes in them are reported as the laws are read.
-pub(super) fn gears(entries: &[Entry], model: &Model) -> Vec<Option<Gears>> {
+pub(super) fn gears(entries: &[KeyEntry], model: &Model) -> Vec<Option<Gears>> {
     let of = |law: &Law| {
         let Value::Table(all) = &keys::get(entries, "laws")?.value else { return None };
         let node = keys::get(all, law.name)?;
@@ -155,7 +155,7 @@ impl<'a> LawReader<'a> {
     }
 
     /// Reads the law; `all` are the tables of all laws.
-    fn law(&self, node: &Node, all: &[Entry], report: &mut Report) -> Option<Profile> {
+    fn law(&self, node: &Node, all: &[KeyEntry], report: &mut Report) -> Option<Profile> {
         if let Some(read) = friction::from_teeth_of(self.law, self.phase_unit, node, all, report) {
             return read;
         }
@@ -184,7 +184,7 @@ impl<'a> LawReader<'a> {
     }
 
     /// Reads the law without its `phase`, over a number of pitches.
-    fn unshifted(&self, entries: &[Entry], node: &Node, pitches: u32, report: &mut Report) -> Option<Profile> {
+    fn unshifted(&self, entries: &[KeyEntry], node: &Node, pitches: u32, report: &mut Report) -> Option<Profile> {
         let table = format!("laws.{}", self.law.name);
         let length = self.law.period * f64::from(pitches);
         let smooth = SmoothLaw { law: self.law, phase_unit: self.phase_unit, length, entries, place: &node.place };

@@ -20,7 +20,7 @@
 
 use std::f64::consts::TAU;
 
-use super::document::{Entry, Node, Value};
+use super::document::{KeyEntry, Node, Value};
 use super::keys::{Key, Kind, REQUIRED, key};
 use super::mistake::Report;
 use super::quantity::Quantity;
@@ -63,7 +63,7 @@ pub(super) fn read(law: &Law, unit: &str, pitches: u32, node: &Node, report: &mu
 }
 
 /// Reads the phase of a planet's mesh from tooth numbers and angle [pitches].
-fn of_planet(path: &str, entries: &[Entry], node: &Node, report: &mut Report) -> Option<f64> {
+fn of_planet(path: &str, entries: &[KeyEntry], node: &Node, report: &mut Report) -> Option<f64> {
     keys::known(entries, &format!("`{path}`"), &[PLANET], report);
     let get = |key| keys::get(entries, key);
     let teeth = |key: &str, report: &mut Report| -> Option<Option<f64>> {

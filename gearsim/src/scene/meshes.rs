@@ -3,7 +3,7 @@
 //! The name of a law of a derived model states its mesh: `k12` of gears 1 and 2, `k_s1` of sun and planet, `k_r1` of planet and ring, `k` of
 //! a model with two gears.
 
-use super::document::{Entry, Node, Value};
+use super::document::{KeyEntry, Node, Value};
 use super::gear_data::{of_mesh, part_of, teeth};
 use super::keys;
 use super::train::Meshes;
@@ -75,16 +75,16 @@ fn internal(law: &str, train: Option<&Meshes>) -> Option<bool> {
 }
 
 /// States `internal` in the laws from teeth that do not say it, where the mesh is that of a ring.
-pub(super) fn infer_rings(entries: &mut [Entry], model: &Model, train: Option<&Meshes>) {
+pub(super) fn infer_rings(entries: &mut [KeyEntry], model: &Model, train: Option<&Meshes>) {
     let laws = entries.iter_mut().find(|entry| entry.key == "laws").map(|entry| &mut entry.node.value);
     let Some(Value::Table(laws)) = laws else { return };
-    for Entry { key, node: Node { value, place }, .. } in laws {
+    for KeyEntry { key, node: Node { value, place }, .. } in laws {
         let Value::Table(law) = value else { continue };
         let given = |key: &str| keys::get(law, key).is_some();
         let known = model.laws.iter().any(|law| law.name == key);
         if known && given("teeth") && !given("internal") && internal(key, train) == Some(true) {
             let node = Node { value: Value::Flag(true), place: place.clone() };
-            law.push(Entry { key: "internal".into(), place: place.clone(), node });
+            law.push(KeyEntry { key: "internal".into(), place: place.clone(), node });
         }
     }
 }

@@ -1,6 +1,6 @@
 //! `[run]` and `[output]`: the end time of a run, and what is recorded.
 
-use super::document::{Entry, Node};
+use super::document::{KeyEntry, Node};
 use super::keys::{Key, Kind, REQUIRED, key};
 use super::mistake::Report;
 use super::{Output, PLOTS, Solver, Spectrum, check, field, keys, solver, sound, spectrum};
@@ -39,7 +39,7 @@ pub(super) const RUN: &str = "[run]";
 
 /// Reads the end time of the run [s] and the solver. If `[run]` is missing, the lines to add go to `absent`, and the end is infinite.
 pub(super) fn read_run(
-    entries: &[Entry],
+    entries: &[KeyEntry],
     absent: &mut Vec<(&str, String)>,
     report: &mut Report,
 ) -> (Option<f64>, Option<Solver>) {
@@ -53,7 +53,7 @@ pub(super) fn read_run(
     (t_end, solver::read(given, run, t_end, report))
 }
 
-fn read_end(given: &[Entry], run: &Node, report: &mut Report) -> Option<f64> {
+fn read_end(given: &[KeyEntry], run: &Node, report: &mut Report) -> Option<f64> {
     let Some(node) = keys::get(given, "t_end") else {
         let line = "t_end = \"... s\"".to_string();
         keys::missing(&[("t_end", line)], "[run]", &run.place, report);
@@ -73,7 +73,7 @@ fn read_end(given: &[Entry], run: &Node, report: &mut Report) -> Option<f64> {
 
 /// Reads `[output]`. The table and all its keys may be left out.
 pub(super) fn read(
-    entries: &[Entry],
+    entries: &[KeyEntry],
     (model, effects): (Option<&'static Model>, Option<&Effects>),
     t_end: Option<f64>,
     report: &mut Report,

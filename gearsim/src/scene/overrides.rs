@@ -1,6 +1,6 @@
 //! Overrides: `--set parameters.T0="20 N*m"` replaces values in the tree of a scene before the tree is checked.
 
-use super::document::{self, Entry, Node, Origin, Place, Value};
+use super::document::{self, KeyEntry, Node, Origin, Place, Value};
 use super::mistake::Report;
 
 /// Largest depth of a key, more than any scene has. The tree is walked recursively, so its depth must be limited.
@@ -89,7 +89,7 @@ fn set(node: &mut Node, keys: &[(&str, Place)], value: Node, option: &str, repor
         Value::Table(entries) => {
             let index = entries.iter().position(|entry| entry.key == *key).unwrap_or_else(|| {
                 let node = Node { value: Value::Table(Vec::new()), place: place.clone() };
-                entries.push(Entry { key: key.to_string(), place: place.clone(), node });
+                entries.push(KeyEntry { key: key.to_string(), place: place.clone(), node });
                 entries.len() - 1
             });
             // An existing key keeps its place: the parts of a train are in the order of the text.

@@ -1,6 +1,6 @@
 //! `[parameters]`: for each parameter of the model a value, or a function of time.
 
-use super::document::{Entry, Node, Value};
+use super::document::{KeyEntry, Node, Value};
 use super::keys::{Kind, Named, each};
 use super::mistake::Report;
 use super::per_radius::{self, PerRadius, Radii};
@@ -29,7 +29,7 @@ pub(super) struct Given {
 /// default whose effect is not among `effects` may be left out; its value is then NaN. `radii` has the radii to which values per squared
 /// radius refer.
 pub(super) fn read(
-    entries: &[Entry],
+    entries: &[KeyEntry],
     (model, radii): (&Model, &dyn Radii),
     effects: Option<&Effects>,
     absent: &mut Vec<(&str, String)>,
@@ -94,7 +94,7 @@ pub(super) fn read(
 }
 
 /// Checks the parameters that must exceed others.
-fn ordered(given: &[Entry], model: &Model, values: &[f64], report: &mut Report) {
+fn ordered(given: &[KeyEntry], model: &Model, values: &[f64], report: &mut Report) {
     for (parameter, greater) in model.parameters.iter().zip(values) {
         let lesser = parameter.above.and_then(|name| model.parameters.iter().position(|p| p.name == name));
         let Some(i) = lesser.filter(|&i| *greater <= values[i]) else { continue };

@@ -1,6 +1,6 @@
 //! Smooth laws: ramps instead of steps, a Fourier series, or a spline through a table.
 
-use super::document::{Entry, Node, Place};
+use super::document::{KeyEntry, Node, Place};
 use super::keys::{Key, Kind, REQUIRED, key};
 use super::mistake::Report;
 use super::{field, keys, laws, transmission_error};
@@ -35,7 +35,7 @@ pub(super) struct SmoothLaw<'a> {
     /// Period of the law: one or more pitches [unit of the phase].
     pub(super) length: f64,
     /// The table of the law.
-    pub(super) entries: &'a [Entry],
+    pub(super) entries: &'a [KeyEntry],
     pub(super) place: &'a Place,
 }
 

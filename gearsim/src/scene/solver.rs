@@ -1,6 +1,6 @@
 //! `[run]`: the method by which a scene is solved, its tolerance or step, and its precision.
 
-use super::document::{Entry, Node};
+use super::document::{KeyEntry, Node};
 use super::keys::{Key, Kind, key};
 use super::mistake::Report;
 use super::{field, keys};
@@ -113,7 +113,7 @@ impl Default for Solver {
 }
 
 /// Reads the solver's keys of `[run]`, a run until `t_end` [s]. The caller reads the others.
-pub(super) fn read(run: &[Entry], place: &Node, t_end: Option<f64>, report: &mut Report) -> Option<Solver> {
+pub(super) fn read(run: &[KeyEntry], place: &Node, t_end: Option<f64>, report: &mut Report) -> Option<Solver> {
     let method = match keys::get(run, "method") {
         None => Some(None),
         Some(node) => read_method(node, report).map(Some),
@@ -185,7 +185,7 @@ fn read_step(node: &Node, t_end: Option<f64>, report: &mut Report) -> Option<f64
     None
 }
 
-fn read_precision(run: &[Entry], method: Option<Method>, report: &mut Report) -> Option<Precision> {
+fn read_precision(run: &[KeyEntry], method: Option<Method>, report: &mut Report) -> Option<Precision> {
     let Some(node) = keys::get(run, "precision") else { return Some(Precision::Plain) };
     let precision = match field::choice("run.precision", node, "precision", &PRECISIONS, report)? {
         0 => Precision::Plain,

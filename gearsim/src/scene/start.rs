@@ -1,6 +1,6 @@
 //! `[start]`: the initial coordinates and speeds.
 
-use super::document::{Entry, Node, Value};
+use super::document::{KeyEntry, Node, Value};
 use super::keys::{Kind, Named, each};
 use super::mistake::{Report, list};
 use super::{InitialState, field, keys};
@@ -16,15 +16,15 @@ const UNIT: Kind = Kind::ValueIn("unit of the speed");
 const STATIC: &str = "unit of the coordinate; \"static\": the static equilibrium; \"static near 0.1 rad\": of several, the one found from there";
 
 /// Reads `[start]`. The table and all its keys may be left out.
-pub(super) fn read(entries: &[Entry], model: &Model, report: &mut Report) -> Option<InitialState> {
+pub(super) fn read(entries: &[KeyEntry], model: &Model, report: &mut Report) -> Option<InitialState> {
     let node = keys::get(entries, "start");
     let given = node.map_or(Some(&[][..]), |node| field::table("start", node, report))?;
     let places: Vec<_> = model.coordinates.iter().map(|c| c.name).collect();
     let speeds: Vec<_> = places.iter().map(|name| format!("{name}_dot")).collect();
     let motions = model.motions.iter().map(|motion| motion.name);
     let allowed: Vec<_> = places.iter().copied().chain(speeds.iter().map(String::as_str)).chain(motions).collect();
-    let is_motion = |entry: &Entry| model.motions.is_empty() && entry.key.starts_with("speed");
-    let (motions, others): (Vec<Entry>, Vec<Entry>) = given.iter().cloned().partition(is_motion);
+    let is_motion = |entry: &KeyEntry| model.motions.is_empty() && entry.key.starts_with("speed");
+    let (motions, others): (Vec<KeyEntry>, Vec<KeyEntry>) = given.iter().cloned().partition(is_motion);
     for entry in motions {
         let message = format!("[start] has no `{}`: nothing in the model turns freely", entry.key);
         let why = "springs to the ground, or loops of parts with different ratios, hold each rotor";

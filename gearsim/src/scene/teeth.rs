@@ -10,7 +10,7 @@
 
 use std::f64::consts::PI;
 
-use super::document::{Entry, Node, Place, Value};
+use super::document::{KeyEntry, Node, Place, Value};
 use super::keys::{Key, Kind, key};
 use super::mistake::Report;
 use super::{field, keys};
@@ -78,7 +78,7 @@ const POSITIVE: (&str, f64, f64) = ("must be positive", f64::MIN_POSITIVE, f64::
 pub(super) struct TeethReader<'a> {
     pub(super) law: &'a Law,
     /// The table of the law.
-    pub(super) entries: &'a [Entry],
+    pub(super) entries: &'a [KeyEntry],
     pub(super) place: &'a Place,
 }
 

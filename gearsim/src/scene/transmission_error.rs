@@ -1,6 +1,6 @@
 //! The period of a law in pitches, and the scene key of transmission errors alone: the pitch errors of the teeth.
 
-use super::document::{Entry, Node, Value};
+use super::document::{KeyEntry, Node, Value};
 use super::keys::{Key, Kind, key};
 use super::mistake::Report;
 use super::{field, keys};
@@ -19,7 +19,7 @@ pub(super) const KEYS: &[Key] = &[key(
 )];
 
 /// Number of pitches in one period of the law: the value of `pitches`, or the number of pitch errors, or 1.
-pub(super) fn pitches(law: &Law, entries: &[Entry], report: &mut Report) -> Option<u32> {
+pub(super) fn pitches(law: &Law, entries: &[KeyEntry], report: &mut Report) -> Option<u32> {
     let of_teeth = keys::get(entries, OF_TEETH).filter(|_| law.role == Role::Error);
     match (keys::get(entries, "pitches"), of_teeth) {
         (Some(node), Some(_)) => {

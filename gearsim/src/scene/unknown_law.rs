@@ -1,14 +1,14 @@
 //! Help for an unknown law in `[laws]`.
 
-use super::document::Entry;
+use super::document::KeyEntry;
 use super::keys;
 use super::mistake::Report;
 use crate::model::{Model, Parameter};
 
 /// Reports the entries of `[laws]` that the model does not have. A parameter among them is constant, the stiffness of a shaft for example.
-pub(super) fn refuse(entries: &[Entry], model: &Model, report: &mut Report) {
+pub(super) fn refuse(entries: &[KeyEntry], model: &Model, report: &mut Report) {
     let names: Vec<_> = model.laws.iter().map(|law| law.name).collect();
-    for Entry { key, place, .. } in keys::unknown(entries, &names) {
+    for KeyEntry { key, place, .. } in keys::unknown(entries, &names) {
         let constant = model.parameters.iter().find(|parameter| parameter.name == key);
         let (label, help) = if let Some(Parameter { doc, .. }) = constant {
             let stated = report.stated.place_of(&format!("parameters.{key}"));

@@ -25,7 +25,7 @@ use crate::trajectory::Trajectory;
 pub use hold::Hold;
 use hold::{Handle, Speed};
 pub use measure::{MEASURES, Measure, measure};
-use motion::Motion;
+use motion::UnitMotion;
 use span::Excitations;
 pub use span::Span;
 
@@ -97,7 +97,7 @@ impl Sweep {
         if first.output.record.is_empty() {
             return impossible("the scene records no output", "name one in output.record: [\"dte_12\"]");
         }
-        let motion = Motion::of(&first, &axis.key, self)?;
+        let motion = UnitMotion::of(&first, &axis.key, self)?;
         let (handle, holding) = self.handle(&self.scene_at(&texts[texts.len() - 1])?, &axis.key, &motion, hold)?;
         let outputs = first.output.record.iter().map(|&i| &first.model.outputs[i]).collect();
         let named = |handle: &Handle| {
@@ -125,7 +125,7 @@ impl Sweep {
         &self,
         scene: &Scene,
         key: &str,
-        motion: &Motion,
+        motion: &UnitMotion,
         hold: &Hold,
     ) -> Result<(Option<Handle>, String), Error> {
         let free = |why: &str| Ok((None, format!("the speed is set at the start of each point, and not held: {why}")));
@@ -259,7 +259,7 @@ fn varied_keys_are_named_by_their_descriptions() {
 struct At<'a> {
     /// Its value, as an override.
     text: &'a str,
-    motion: &'a Motion,
+    motion: &'a UnitMotion,
     handle: Option<&'a Handle>,
     /// The point before it, and its mean speed.
     before: Option<&'a (Trajectory, f64)>,

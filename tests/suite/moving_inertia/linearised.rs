@@ -2,7 +2,7 @@
 
 use std::f64::consts::{PI, TAU};
 
-use gearsim::__private::{Inside, Motion, linear};
+use gearsim::__private::{Inside, LinearisedAbout, linear};
 use gearsim::analysis::floquet::{Floquet, Verdict};
 use gearsim::analysis::modes::CellModes;
 use gearsim::model::Start;
@@ -18,7 +18,7 @@ const LINKAGE: Entry = Entry::new::<linkage::Linkage>();
 
 const G: f64 = 9.81;
 
-fn cell(entry: &Entry, scene: &Scene) -> (CellModes, Motion) {
+fn cell(entry: &Entry, scene: &Scene) -> (CellModes, LinearisedAbout) {
     let system = entry.about_steady_motion(scene).unwrap();
     let levels = scene.mid_stiffnesses();
     (
@@ -39,7 +39,7 @@ fn a_pendulum_has_the_frequency_of_its_equilibrium() {
         let (cell, motion) = cell(&PENDULUM, &scene(&PENDULUM, &text, &[]));
         let expected = (G / l).sqrt() / TAU;
         println!("from {x}: {} Hz, {expected} by the closed form", cell.modes[0].natural);
-        assert_eq!(motion, Motion::Equilibrium, "from {x}");
+        assert_eq!(motion, LinearisedAbout::Equilibrium, "from {x}");
         assert!((cell.modes[0].natural / expected - 1.0).abs() < 1e-12, "from {x}: {}", cell.modes[0].natural);
     }
 }
@@ -74,7 +74,7 @@ fn a_double_pendulum_has_the_eigenvalues_of_the_closed_form() {
         (&*format!("a1 = \"{PI:?} rad\"\na2 = \"{PI:?} rad\""), [-1.0, -1.0]),
     ] {
         let (cell, motion) = cell(&DOUBLE, &double(start));
-        assert_eq!(motion, Motion::Equilibrium, "{start}");
+        assert_eq!(motion, LinearisedAbout::Equilibrium, "{start}");
         let expected = squares(p, stands);
         let mut found: Vec<f64> = cell
             .modes

@@ -6,7 +6,7 @@ use syn::{Expr, Index, Lit};
 
 use crate::equations::cold::{Cold, Returns, Takes, in_any_number};
 use crate::equations::effects::is_met;
-use crate::equations::gradients::{self, Place};
+use crate::equations::gradients::{self, ByVariable};
 use crate::equations::jumps;
 use crate::equations::lets::{positions, with_lets};
 use crate::equations::model::*;
@@ -31,7 +31,7 @@ pub fn cells(m: &Model) -> Vec<Cold> {
     let products = |name, entries| Cold { name, takes: &[], returns: Returns::Matrix, body: products(m, entries) };
     all.extend([products("damping", &m.damping), products("stiffness", &m.stiffness)].map(of_values));
     let load = m.load.iter().map(|row| {
-        let (along, value) = (gradients::straight(m, Place::of(m, &row.name)), sum(&row.sum));
+        let (along, value) = (gradients::straight(m, ByVariable::of(m, &row.name)), sum(&row.sum));
         quote!(equations::add_force(&mut v, #value, &#along);)
     });
     all.push(of_values(Cold {
@@ -95,7 +95,7 @@ fn matrix(m: &Model, entries: &[Entry]) -> TokenStream {
 fn products(m: &Model, entries: &[Entry]) -> TokenStream {
     let n = Index::from(m.coordinates.len());
     let entries = entries.iter().map(|e| {
-        let [row, column] = [&e.row, &e.column].map(|name| gradients::straight(m, Place::of(m, name)));
+        let [row, column] = [&e.row, &e.column].map(|name| gradients::straight(m, ByVariable::of(m, name)));
         let value = sum(&e.sum);
         if e.row == e.column {
             quote!(equations::add_square(v.as_flattened_mut(), #n, #value, &#row);)

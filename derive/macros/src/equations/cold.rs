@@ -8,7 +8,7 @@ use syn::{Index, Lit};
 
 use self::Takes::{Coordinates, Slopes, Values};
 use crate::equations::effects::is_met;
-use crate::equations::gradients::{self, Place};
+use crate::equations::gradients::{self, ByVariable};
 use crate::equations::jumps::jumps;
 use crate::equations::lets::with_lets;
 use crate::equations::model::*;
@@ -180,26 +180,26 @@ pub fn cold(m: &Model) -> Vec<Cold> {
 fn jacobian(m: &Model) -> TokenStream {
     let n = Index::from(m.coordinates.len());
     let entries: Vec<&Entry> = m.jacobian.iter().flatten().collect();
-    let columns: Vec<Place> = entries.iter().map(|e| Place::of(m, &e.column)).collect();
-    let through = |d: &usize| columns.contains(&Place::Deflection(*d)) || columns.contains(&Place::Rate(*d));
+    let columns: Vec<ByVariable> = entries.iter().map(|e| ByVariable::of(m, &e.column)).collect();
+    let through = |d: &usize| columns.contains(&ByVariable::Deflection(*d)) || columns.contains(&ByVariable::Rate(*d));
     let through: Vec<usize> = (0..m.deflections.len()).filter(through).collect();
     let terms = Terms::of_jacobian(m).add(m, |at| {
         let i = position(m, &entries[at].row);
         let by = |d| through.iter().position(|known| *known == d).map(Index::from);
         match columns[at] {
-            Place::Coordinate(j) => {
+            ByVariable::Coordinate(j) => {
                 let j = Index::from(j);
                 quote!(v[0][#i][#j])
             }
-            Place::Speed(j) => {
+            ByVariable::Speed(j) => {
                 let j = Index::from(j);
                 quote!(v[1][#i][#j])
             }
-            Place::Deflection(d) => {
+            ByVariable::Deflection(d) => {
                 let d = by(d);
                 quote!(by[0][#d][#i])
             }
-            Place::Rate(d) => {
+            ByVariable::Rate(d) => {
                 let d = by(d);
                 quote!(by[1][#d][#i])
             }
@@ -293,7 +293,7 @@ fn work(m: &Model) -> Sum {
     terms.collect()
 }
 
-fn motion(m: &Model, motion: &Motion) -> TokenStream {
+fn motion(m: &Model, motion: &RigidMotion) -> TokenStream {
     let n = Index::from(m.coordinates.len());
     let speeds = motion.speeds.iter().map(|Assignment { name, value }| {
         let i = m.coordinates.iter().position(|c| *name == speed(&c.name)).map(Index::from);

@@ -24,9 +24,9 @@ pub fn describe(m: &Model) -> TokenStream {
             role: model::Role::#role, doc: #doc
         })
     });
-    let motions = m.motions.iter().map(|Motion { name, unit, doc, .. }| {
+    let motions = m.motions.iter().map(|RigidMotion { name, unit, doc, .. }| {
         let name = name.to_string();
-        quote!(model::Motion { name: #name, unit: #unit, doc: #doc })
+        quote!(model::RigidMotion { name: #name, unit: #unit, doc: #doc })
     });
     let effects = m.effects.iter().map(|e| {
         let (name, doc, requires, excludes) = (e.name.to_string(), &e.doc, strings(&e.requires), strings(&e.excludes));
@@ -99,10 +99,10 @@ fn needs(m: &Model, torque: &Torque) -> Vec<Ident> {
 fn switch(Switch { over, unit, symbols, effect, doc, modes, .. }: &Switch) -> TokenStream {
     let (name, with) = (over.to_string(), effect.to_string());
     let neutral = symbols.iter().map(|(_, neutral)| number(*neutral));
-    let modes = modes.iter().map(|Mode { name, held, rests, counts, .. }| {
+    let modes = modes.iter().map(|SwitchMode { name, held, rests, counts, .. }| {
         let name = name.to_string();
         let counts = counts.as_ref().map_or(quote!(None), |counts| quote!(Some(#counts)));
-        quote!(model::Mode { name: #name, held: #held, rests: #rests, counts: #counts })
+        quote!(model::SwitchMode { name: #name, held: #held, rests: #rests, counts: #counts })
     });
     quote!(model::Switch {
         name: #name, unit: #unit, with: #with, neutral: &[#(#neutral),*], modes: &[#(#modes),*], doc: #doc

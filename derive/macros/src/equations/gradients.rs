@@ -13,14 +13,14 @@ use crate::equations::scope::speed;
 
 /// What a row or a column of a matrix is named after.
 #[derive(Clone, Copy, PartialEq, Eq)]
-pub enum Place {
+pub enum ByVariable {
     Coordinate(usize),
     Speed(usize),
     Deflection(usize),
     Rate(usize),
 }
 
-impl Place {
+impl ByVariable {
     /// The place of this name; `check` has made sure that it exists.
     pub fn of(m: &Model, name: &Ident) -> Self {
         let (q, x) = (&m.coordinates, &m.deflections);
@@ -33,13 +33,13 @@ impl Place {
 }
 
 /// The entries of the gradient of a coordinate or deflection that are not zero, `[(i, g_i), ..]`, where all deflections are straight.
-pub fn straight(m: &Model, place: Place) -> TokenStream {
+pub fn straight(m: &Model, place: ByVariable) -> TokenStream {
     match place {
-        Place::Coordinate(i) | Place::Speed(i) => {
+        ByVariable::Coordinate(i) | ByVariable::Speed(i) => {
             let i = Index::from(i);
             quote!([(#i, R::from(1.0))])
         }
-        Place::Deflection(d) | Place::Rate(d) => {
+        ByVariable::Deflection(d) | ByVariable::Rate(d) => {
             let bends = |addend: &Expr| m.functions.iter().any(|f| names(addend).contains(&f.name.to_string()));
             entries(m, d, |addend| !bends(addend), any_number)
         }

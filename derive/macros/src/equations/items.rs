@@ -77,7 +77,7 @@ impl Parse for Law {
     }
 }
 
-impl Parse for Motion {
+impl Parse for RigidMotion {
     fn parse(input: ParseStream) -> Result<Self> {
         Ok(Self { name: input.parse()?, unit: input.parse()?, speeds: list(input)?, doc: doc(input)? })
     }
@@ -179,7 +179,7 @@ impl Parse for Switch {
     }
 }
 
-impl Parse for Mode {
+impl Parse for SwitchMode {
     fn parse(input: ParseStream) -> Result<Self> {
         let name = input.parse()?;
         let inner;

@@ -15,7 +15,7 @@ pub struct Model {
     pub coordinates: Vec<Coordinate>,
     pub parameters: Vec<Parameter>,
     pub laws: Vec<Law>,
-    pub motions: Vec<Motion>,
+    pub motions: Vec<RigidMotion>,
     pub effects: Vec<Effect>,
     /// The effects that decide how laws switch.
     pub switching: Vec<Boundary>,
@@ -123,7 +123,7 @@ pub enum Role {
 }
 
 /// `speed "rad/s" { theta_dot = N1; }, "doc";`
-pub struct Motion {
+pub struct RigidMotion {
     pub name: Ident,
     pub unit: LitStr,
     pub speeds: Vec<Assignment>,
@@ -191,13 +191,13 @@ pub struct Switch {
     /// Without this effect there is no switch.
     pub effect: Ident,
     pub doc: LitStr,
-    pub modes: Vec<Mode>,
+    pub modes: Vec<SwitchMode>,
     /// The dissipative force against the deflection, as a linear form.
     pub loss: Vec<Row>,
 }
 
 /// `upper (b/2.0, 1.0) holds rests counts "flanks met" { EXITS }`
-pub struct Mode {
+pub struct SwitchMode {
     pub name: Ident,
     /// The values of the symbols.
     pub values: Vec<Expr>,

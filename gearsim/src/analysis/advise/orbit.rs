@@ -207,11 +207,11 @@ impl<'a> Steady<'a> {
             let step = time / substeps as f64;
             let changed = (0..here.levels.len()).filter(|&law| here.levels[law] != next.levels[law]);
             let changed = changed.filter(|&law| self.system.switching(law) == Switching::WithJump);
-            let mut steps: Vec<leg::Step> = vec![];
+            let mut steps: Vec<leg::LawSteps> = vec![];
             for law in changed {
                 let (phase, speed) = (self.phases[law], self.courses[law].speed * factor);
                 let at = steps.iter().position(|step| step.phase == phase).unwrap_or_else(|| {
-                    steps.push(leg::Step { phase, speed, beyond: here.levels.clone() });
+                    steps.push(leg::LawSteps { phase, speed, beyond: here.levels.clone() });
                     steps.len() - 1
                 });
                 steps[at].beyond[law] = next.levels[law];

@@ -3,7 +3,7 @@
 use super::{Teeth, ToothData, standard};
 use crate::model::{GearData, Parameter};
 use crate::scene::Scene;
-use crate::train::{Factor, Form, Part, Row, Train};
+use crate::train::{Factor, Part, RotationForm, Row, Train};
 
 /// The element that is a mesh: its rows are the phase, the lead h (N_1 theta_1 - N_2 theta_2), and theta_1 + theta_2, of a ring theta_1 -
 /// theta_2. h is the base radius per tooth.
@@ -15,10 +15,10 @@ const THRUST_BEARING: &str = "element_thrust_bearing";
 pub(super) fn teeth(scene: &Scene, train: &Train, i: usize) -> Option<Teeth> {
     let is = |part: &Part, name: &str| scene.model.elements[part.element].name == name;
     let part = train.parts.iter().find(|part| is(part, MESH) && part.values.first() == Some(&i))?;
-    let form = |row: &'_ Row| -> Form {
+    let form = |row: &'_ Row| -> RotationForm {
         match row {
             Row::Coordinate(j) => train.coordinates[*j].clone(),
-            Row::Form(form) => form.clone(),
+            Row::RotationForm(form) => form.clone(),
         }
     };
     let [mut lead, turn] = [form(part.rows.get(1)?), form(part.rows.get(2)?)];
@@ -30,7 +30,8 @@ pub(super) fn teeth(scene: &Scene, train: &Train, i: usize) -> Option<Teeth> {
     // The rotation of a rotor that is geared rigidly to another one is that of the other with further factors.
     let own = first.powers.len() == 3;
     let of_rotor = |part: &&Part| {
-        let alone = |form: &Form| matches!(&form[..], [(at, factor)] if at == rotor && factor.powers.is_empty());
+        let alone =
+            |form: &RotationForm| matches!(&form[..], [(at, factor)] if at == rotor && factor.powers.is_empty());
         is(part, ROTOR) && part.rows.first().is_some_and(|row| alone(&form(row)))
     };
     let speed = train.parts.iter().filter(|_| own).find(of_rotor).and_then(|part| part.outputs.first().copied());

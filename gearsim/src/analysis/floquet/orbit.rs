@@ -146,11 +146,11 @@ struct Shooting<'a> {
 }
 
 /// Coordinates and speeds.
-type Place = (Vector, Vector);
+type OrbitPoint = (Vector, Vector);
 
 impl Shooting<'_> {
     /// The motion that repeats: its start, and the end of its turn.
-    fn close(&self, about: &Steady) -> Result<(Place, Shot), FloquetError> {
+    fn close(&self, about: &Steady) -> Result<(OrbitPoint, Shot), FloquetError> {
         let n = about.q.len();
         let mut digits = Digits::FEW;
         let mut place = (self.aside(about)?, about.q_dot.clone());
@@ -204,7 +204,7 @@ impl Shooting<'_> {
 
     /// The end of a turn from `place` as the start of the next one. The reference coordinate is set back. Its speed is that with which it
     /// moves on by the turn, from one step of Newton's method on this speed alone.
-    fn onwards(&self, (q, v): &Place, shot: &Shot) -> Place {
+    fn onwards(&self, (q, v): &OrbitPoint, shot: &Shot) -> OrbitPoint {
         let (n, reference) = (q.len(), self.turn.reference);
         let mut next = (&shot.q - &self.turn.shift, shot.v.clone());
         let by_speed = shot.phi[(reference, n + reference)];
@@ -240,7 +240,7 @@ impl Shooting<'_> {
     }
 
     /// A run of a turn from a place.
-    fn shoot(&self, (q, v): &Place, digits: Digits) -> Result<Shot, FloquetError> {
+    fn shoot(&self, (q, v): &OrbitPoint, digits: Digits) -> Result<Shot, FloquetError> {
         let mut scene = self.scene.clone();
         scene.t_end = self.turn.time;
         scene.solver.tolerance = scene.solver.tolerance.min(digits.run);
@@ -275,7 +275,7 @@ impl Shooting<'_> {
 
     /// How far a turn is from closing. Speeds except that of the reference, and elastic coordinates times the fastest rate, are compared
     /// with the rotation by kinetic energy; the reference coordinate with the turn.
-    fn gap(&self, (q, v): &Place, shot: &Shot) -> f64 {
+    fn gap(&self, (q, v): &OrbitPoint, shot: &Shot) -> f64 {
         let ((rate, units), n, reference) = (self.units(), q.len(), self.turn.reference);
         let open = self.open((q, v), shot);
         let energy = |x: &dyn Fn(usize) -> f64| (0..n).map(|i| (x(i) / units[n + i]).powi(2)).sum::<f64>().sqrt();
@@ -314,7 +314,7 @@ impl Shooting<'_> {
 
     /// Newton's step of coordinates and speeds (2n): the coordinate of the reference stays, and its speed at the end is free. `None` if the
     /// matrix has no decomposition.
-    fn newton(&self, place: &Place, shot: &Shot) -> Option<DVector<f64>> {
+    fn newton(&self, place: &OrbitPoint, shot: &Shot) -> Option<DVector<f64>> {
         let (n, reference) = (place.0.len(), self.turn.reference);
         let rows: Vec<usize> = (0..2 * n).filter(|i| *i != n + reference).collect();
         let columns: Vec<usize> = (0..2 * n).filter(|i| *i != reference).collect();
@@ -336,7 +336,7 @@ impl Shooting<'_> {
     }
 
     /// The multipliers of the map from turn to turn.
-    fn multipliers(&self, place: &Place, shot: &Shot) -> Result<Multipliers, FloquetError> {
+    fn multipliers(&self, place: &OrbitPoint, shot: &Shot) -> Result<Multipliers, FloquetError> {
         let n = place.0.len();
         let (_, units) = self.units();
         let rest: Vec<usize> = (0..2 * n).filter(|i| *i != self.turn.reference).collect();
@@ -378,7 +378,7 @@ impl Shooting<'_> {
     }
 
     /// The kinetic energy at a place \[J\].
-    fn rolling(&self, (q, v): &Place) -> f64 {
+    fn rolling(&self, (q, v): &OrbitPoint) -> f64 {
         self.system.equations().kinetic(q, v)
     }
 }

@@ -5,13 +5,13 @@ use nalgebra::{Complex, DMatrix, DVector};
 use super::Parts;
 
 /// The elements of a symmetric matrix that are not zero.
-pub(super) struct Form(Vec<(usize, usize, f64)>);
+pub(super) struct SymmetricForm(Vec<(usize, usize, f64)>);
 
-impl Form {
-    pub fn of(matrix: &DMatrix<f64>) -> Form {
+impl SymmetricForm {
+    pub fn of(matrix: &DMatrix<f64>) -> SymmetricForm {
         let (rows, columns) = matrix.shape();
         let elements = (0..rows).flat_map(|i| (0..columns).map(move |j| (i, j)));
-        Form(elements.map(|(i, j)| (i, j, matrix[(i, j)])).filter(|(.., x)| *x != 0.0).collect())
+        SymmetricForm(elements.map(|(i, j)| (i, j, matrix[(i, j)])).filter(|(.., x)| *x != 0.0).collect())
     }
 
     /// phi* A phi.
@@ -22,18 +22,18 @@ impl Form {
 
 /// The matrices of the inertias and springs that have shares in the energies of the modes.
 pub(super) struct Forms {
-    pub laws: Vec<Form>,
-    pub springs: Vec<Form>,
-    pub masses: Vec<Form>,
+    pub laws: Vec<SymmetricForm>,
+    pub springs: Vec<SymmetricForm>,
+    pub masses: Vec<SymmetricForm>,
 }
 
 impl Forms {
     /// Those of `parts`, and of the parts of K that come from the `laws`.
     pub fn of(laws: &[DMatrix<f64>], parts: &Parts) -> Forms {
         Forms {
-            laws: laws.iter().map(Form::of).collect(),
-            springs: parts.springs.iter().map(|spring| Form::of(&spring.stiffness)).collect(),
-            masses: parts.masses.iter().map(|mass| Form::of(&mass.inertia)).collect(),
+            laws: laws.iter().map(SymmetricForm::of).collect(),
+            springs: parts.springs.iter().map(|spring| SymmetricForm::of(&spring.stiffness)).collect(),
+            masses: parts.masses.iter().map(|mass| SymmetricForm::of(&mass.inertia)).collect(),
         }
     }
 }

@@ -8,18 +8,18 @@ use super::{Reference, Runner};
 
 /// A family, measured.
 #[derive(Debug, Clone)]
-pub struct Curve {
+pub struct MeasuredFamily {
     /// Its name.
     pub label: &'static str,
     /// The origin of its error.
     pub kind: Kind,
     /// Its settings, from coarse to fine.
-    pub points: Vec<Point>,
+    pub points: Vec<MeasuredSetting>,
 }
 
 /// One setting, measured.
 #[derive(Debug, Clone)]
-pub struct Point {
+pub struct MeasuredSetting {
     /// The setting as text.
     pub setting: String,
     /// Processor time of a run without recording, minimum and median of several \[s\].
@@ -43,7 +43,7 @@ const PATIENCE: Duration = Duration::from_secs(2);
 /// If a setting takes longer than this, finer ones are not run.
 const MOST: Duration = Duration::from_secs(5);
 
-impl Point {
+impl MeasuredSetting {
     /// Whether it stopped early, or has other events than the reference.
     pub fn failed(&self) -> bool {
         self.tried && (self.errors.is_err() || !self.right_events)
@@ -56,17 +56,17 @@ impl Point {
 }
 
 /// The point of a rung that is not run, because a coarser one took `seconds` \[s\].
-pub fn not_tried(rung: &Rung, seconds: f64) -> Point {
-    Point { tried: false, ..failed(rung, format!("not tried: a coarser setting took {seconds:.0} s")) }
+pub fn not_tried(rung: &Rung, seconds: f64) -> MeasuredSetting {
+    MeasuredSetting { tried: false, ..failed(rung, format!("not tried: a coarser setting took {seconds:.0} s")) }
 }
 
 /// Whether a point took so long that finer settings are not run.
-pub fn is_slow(point: &Point) -> bool {
+pub fn is_slow(point: &MeasuredSetting) -> bool {
     point.seconds.0 > MOST.as_secs_f64()
 }
 
-fn failed(rung: &Rung, why: String) -> Point {
-    Point {
+fn failed(rung: &Rung, why: String) -> MeasuredSetting {
+    MeasuredSetting {
         setting: rung.setting.clone(),
         seconds: (f64::NAN, f64::NAN),
         evaluations: 0,
@@ -79,7 +79,13 @@ fn failed(rung: &Rung, why: String) -> Point {
 }
 
 /// Measures a rung: one run with everything recorded for the errors, then up to `repetitions` runs without recording for the time.
-pub fn point(family: &Family, rung: &Rung, reference: &Reference, run: Runner<'_>, repetitions: usize) -> Point {
+pub fn point(
+    family: &Family,
+    rung: &Rung,
+    reference: &Reference,
+    run: Runner<'_>,
+    repetitions: usize,
+) -> MeasuredSetting {
     let outcome = match run(&rung.scene) {
         Ok(outcome) => outcome,
         Err(refusal) => return failed(rung, refusal.to_string()),
@@ -102,7 +108,7 @@ pub fn point(family: &Family, rung: &Rung, reference: &Reference, run: Runner<'_
         }
     }
     seconds.sort_by(f64::total_cmp);
-    Point {
+    MeasuredSetting {
         setting: rung.setting.clone(),
         seconds: (seconds[0], seconds[seconds.len() / 2]),
         evaluations: counts.cost.evaluations,

@@ -2,7 +2,7 @@
 
 use super::WorkPrecision;
 use super::ladder::Kind;
-use super::measure::Curve;
+use super::measure::MeasuredFamily;
 use super::reference::By;
 use crate::tolerance::analysis::CHAOTIC;
 
@@ -22,7 +22,7 @@ pub enum Price {
     Unknown,
 }
 
-impl Curve {
+impl MeasuredFamily {
     /// Processor time for an error `target` along the path, interpolated between settings in the logarithms of error and time.
     /// `floor` is the error of the reference. Settings that failed or have other events than the reference are not used.
     pub fn price(&self, target: f64, floor: f64) -> Price {
@@ -59,7 +59,7 @@ pub fn words(measured: &WorkPrecision) -> String {
     let floor = measured.floor;
     let mut said = vec![];
     let methods = || measured.curves.iter().filter(|curve| curve.kind == Kind::Method);
-    let single = |curve: &&Curve| curve.points.len() == 1;
+    let single = |curve: &&MeasuredFamily| curve.points.len() == 1;
     if let By::Steps(_) = measured.reference {
         said.push("Cells are not linear here: there is no exact solution.".into());
     }

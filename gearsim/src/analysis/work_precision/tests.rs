@@ -4,7 +4,7 @@ use std::path::Path;
 
 use super::ladder::Kind;
 use super::table::{self, Price};
-use super::{By, Curve, Errors, Point, Scenes, WorkPrecision, error};
+use super::{By, Errors, MeasuredFamily, MeasuredSetting, Scenes, WorkPrecision, error};
 use crate::known::MODELS;
 use crate::model::{Coordinate, Model, Start};
 use crate::output::fixture;
@@ -12,9 +12,9 @@ use crate::scene::Scene;
 use crate::tolerance::analysis::AT_REST;
 use crate::trajectory::{Moment, Trajectory};
 
-fn point(error: f64, seconds: f64, right_events: bool) -> Point {
+fn point(error: f64, seconds: f64, right_events: bool) -> MeasuredSetting {
     let errors = Errors { end: error, path: error, times: None, events: i64::from(!right_events), energy: error };
-    Point {
+    MeasuredSetting {
         setting: "s".into(),
         seconds: (seconds, seconds),
         evaluations: 1,
@@ -26,8 +26,8 @@ fn point(error: f64, seconds: f64, right_events: bool) -> Point {
     }
 }
 
-fn curve(label: &'static str, kind: Kind, points: &[(f64, f64, bool)]) -> Curve {
-    Curve { label, kind, points: points.iter().map(|&(e, t, right)| point(e, t, right)).collect() }
+fn curve(label: &'static str, kind: Kind, points: &[(f64, f64, bool)]) -> MeasuredFamily {
+    MeasuredFamily { label, kind, points: points.iter().map(|&(e, t, right)| point(e, t, right)).collect() }
 }
 
 /// Between an error of 1e-4 at 1 ms and 1e-8 at 100 ms, an error of 1e-6 takes 10 ms.

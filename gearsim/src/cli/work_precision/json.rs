@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-use crate::analysis::work_precision::{By, Point, WorkPrecision};
+use crate::analysis::work_precision::{By, MeasuredSetting, WorkPrecision};
 use crate::output::{OutputError, document};
 
 /// Version of the format.
@@ -67,7 +67,7 @@ pub(super) fn json(measured: &WorkPrecision) -> Result<String, OutputError> {
     document::json("work-precision", VERSION, &report)
 }
 
-fn setting(point: &Point) -> Setting<'_> {
+fn setting(point: &MeasuredSetting) -> Setting<'_> {
     let errors = point.errors.as_ref().ok();
     Setting {
         setting: &point.setting,

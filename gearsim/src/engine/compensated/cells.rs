@@ -8,7 +8,7 @@ use xprec::Df64;
 
 use super::cell::Cell;
 use super::held::{self, Held};
-use super::step::Step;
+use super::step::StiffnessStep;
 use crate::engine::cell;
 use crate::engine::cells::Number;
 use crate::engine::contact::Contact;
@@ -25,9 +25,9 @@ pub struct Cells {
     /// The cells met so far, by number.
     met: HashMap<Number, Arc<Cell>>,
     /// The cells in which motions are held.
-    held: HashMap<Place, Arc<Held>>,
+    held: HashMap<CellKey, Arc<Held>>,
     /// Steps from one cell to another one.
-    steps: HashMap<(Number, Number), Step>,
+    steps: HashMap<(Number, Number), StiffnessStep>,
     /// Geometry of the steps of each law.
     surfaces: Vec<Surface>,
     /// The present cell.
@@ -37,7 +37,7 @@ pub struct Cells {
 }
 
 /// The number of a cell, and the phases and switches held in it.
-type Place = (Number, Vec<(usize, Side)>, Vec<(usize, usize)>);
+type CellKey = (Number, Vec<(usize, Side)>, Vec<(usize, usize)>);
 
 /// Geometry of the steps of a law.
 pub struct Surface {
@@ -125,7 +125,7 @@ impl Cells {
     }
 
     /// The step of V where `law` meets `side` of its cell; `None` if the modes of the cell beyond cannot be computed.
-    pub fn step(&mut self, exact: &dyn ExactCells, now: &Hybrid<'_>, law: usize, side: Side) -> Option<&Step> {
+    pub fn step(&mut self, exact: &dyn ExactCells, now: &Hybrid<'_>, law: usize, side: Side) -> Option<&StiffnessStep> {
         let stand = (&now.laws[..], &now.switches[..], &now.k[..]);
         let switches = law::switches_beyond(now.equations, stand, law, side, &now.state);
         let switches = switches.as_deref().unwrap_or(&now.switches);
@@ -136,7 +136,7 @@ impl Cells {
             switches.iter().for_each(|switch| switch.write(&mut k));
             let from = self.cell(exact, now, step.0.clone(), (&now.switches, &now.k)).ok()?;
             let to = self.cell(exact, now, step.1.clone(), (switches, &k)).ok()?;
-            self.steps.insert(step.clone(), Step::between(&from.matrices, &to.matrices));
+            self.steps.insert(step.clone(), StiffnessStep::between(&from.matrices, &to.matrices));
         }
         self.steps.get(&step)
     }

@@ -9,7 +9,7 @@ use xprec::Df64;
 use super::State;
 use super::cell::Cell;
 use super::guard::{Guard, dot};
-use super::step::Step;
+use super::step::StiffnessStep;
 use crate::engine::contact::{Contact, Ending};
 use crate::engine::crossing::Side;
 use crate::engine::equations::{Affine, ExactCells};
@@ -25,7 +25,7 @@ pub struct Held {
     /// R per F, one row for each hold, in the order of [`Contact`].
     to_reactions: DMatrix<Df64>,
     /// The steps at which the phases are held, in the order of [`Contact::laws`].
-    steps: Vec<Option<Step>>,
+    steps: Vec<Option<StiffnessStep>>,
 }
 
 /// A hold that ended earlier than the plain engine noticed.
@@ -51,7 +51,7 @@ pub fn normals(exact: &dyn ExactCells, now: &Hybrid<'_>, contact: &Contact, k: &
 impl Held {
     /// The cell `held`, which is `free` with the motions along `normals` held, the phases at `steps`. `None` if the motions are not
     /// independent.
-    pub fn new(held: Cell, free: &Cell, normals: &DMatrix<Df64>, steps: Vec<Option<Step>>) -> Option<Self> {
+    pub fn new(held: Cell, free: &Cell, normals: &DMatrix<Df64>, steps: Vec<Option<StiffnessStep>>) -> Option<Self> {
         let response = free.mobility() * normals;
         let to_reactions = solve(normals.transpose() * &response, response.transpose())?;
         Some(Held { cell: held, to_reactions, steps })
@@ -117,12 +117,12 @@ fn solve(mut a: DMatrix<Df64>, mut b: DMatrix<Df64>) -> Option<DMatrix<Df64>> {
     Some(b)
 }
 
-impl Step {
+impl StiffnessStep {
     /// A linear function of the coordinates that is zero where this step is, near the given state. The step of a transmission error is
     /// itself linear. The step of the stiffness of one deflection is zero at two values of the deflection: the function is the deflection
     /// minus the nearer value.
     fn zero(&self, near: &State) -> Option<Guard> {
-        let Step { stiffness, load, at_zero } = self;
+        let StiffnessStep { stiffness, load, at_zero } = self;
         let n = load.len();
         let none = DVector::from_element(n, Df64::from(0.0));
         let guard = |on_q: DVector<Df64>, constant: Df64| {

@@ -12,7 +12,7 @@ use crate::engine::law;
 
 /// The step from one cell to another one in which the switches have the same modes: dV = q.dK q/2 - df.q + h.
 #[derive(Debug, Clone)]
-pub struct Step {
+pub struct StiffnessStep {
     /// dK (n x n).
     pub stiffness: DMatrix<Df64>,
     /// df (n). Loads that do not depend on the cell cancel.
@@ -21,10 +21,10 @@ pub struct Step {
     pub at_zero: Df64,
 }
 
-impl Step {
+impl StiffnessStep {
     /// From the cell `here` to the cell `beyond`.
     pub fn between(here: &Matrices<Df64>, beyond: &Matrices<Df64>) -> Self {
-        Step {
+        StiffnessStep {
             stiffness: &beyond.stiffness - &here.stiffness,
             load: &beyond.load - &here.load,
             at_zero: beyond.at_zero - here.at_zero,

@@ -5,7 +5,7 @@ use nalgebra::{DMatrix, DVector, Dyn};
 
 use crate::engine::contact::reaction::{centripetal, is_free, left};
 use crate::engine::contact::step::barriers;
-use crate::engine::contact::watch::{Form, Watch};
+use crate::engine::contact::watch::{StateForm, Watch};
 use crate::engine::contact::{Contact, Ending};
 use crate::engine::crossing::Side;
 use crate::engine::equations::Affine;
@@ -79,7 +79,7 @@ impl Holds {
             let row = Vector::from_fn(n, |i| w[(0, i)]);
             match *held {
                 Held::Law(law, side) => {
-                    let form = Form::reaction(row, c, RELEASE * forces);
+                    let form = StateForm::reaction(row, c, RELEASE * forces);
                     reactions.push(Watch { end: End::Hold(law, Ending::Release), form });
                     let stand = (&now.laws[..], &now.switches[..], &k[..]);
                     let zeros = barriers(equations, stand, law, side, &now.state).into_iter();
@@ -94,7 +94,7 @@ impl Holds {
                         let Affine { on_reaction, .. } = exit.guard;
                         let (constant, margin) = (exit.guard.constant_at(k), RELEASE * on_reaction.abs() * forces);
                         let (on_q, on_speed) = (exit.guard.on_q.clone(), exit.guard.on_speed.clone());
-                        let form = Form {
+                        let form = StateForm {
                             on_q,
                             on_speed,
                             on_force: &row * on_reaction,

@@ -3,7 +3,7 @@
 use nalgebra::DMatrix;
 
 use crate::engine::cells::Stand;
-use crate::engine::contact::watch::Form;
+use crate::engine::contact::watch::StateForm;
 use crate::engine::crossing::Side;
 use crate::engine::equations::Equations;
 use crate::engine::law;
@@ -49,13 +49,13 @@ impl StepOfV {
 ///
 /// There are none if the law strains several deflections, which are not zero together, or if dV is not of this form. Laws of other phases
 /// have their present values.
-pub fn barriers(equations: &dyn Equations, stand: Stand<'_>, law: usize, side: Side, state: &State) -> Vec<Form> {
+pub fn barriers(equations: &dyn Equations, stand: Stand<'_>, law: usize, side: Side, state: &State) -> Vec<StateForm> {
     let Some(StepOfV { stiffness, load, at_zero: h }) = StepOfV::new(equations, stand, (law, side), state) else {
         return vec![];
     };
     let n = load.len();
     if stiffness.amax() == 0.0 {
-        return vec![Form::deflection(-load, -h)];
+        return vec![StateForm::deflection(-load, -h)];
     }
     let diagonal = stiffness.diagonal();
     let row = diagonal.iamax();
@@ -69,7 +69,7 @@ pub fn barriers(equations: &dyn Equations, stand: Stand<'_>, law: usize, side: S
         return vec![];
     }
     let (middle, square) = (g / c, (g / c).powi(2) - 2.0 * h / c);
-    let at = |x: f64| Form::deflection(d.clone(), x);
+    let at = |x: f64| StateForm::deflection(d.clone(), x);
     match square.abs() <= DOUBLE_ZERO * middle.powi(2) {
         true => vec![at(middle)],
         false if square < 0.0 => vec![],

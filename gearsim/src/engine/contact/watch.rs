@@ -13,12 +13,12 @@ pub struct Watch {
     /// The event at the zero.
     pub end: End,
     /// The function.
-    pub form: Form,
+    pub form: StateForm,
 }
 
 /// A linear function of the coordinates, the speeds and the generalised forces F (n each).
 #[derive(Debug, Clone)]
-pub struct Form {
+pub struct StateForm {
     /// Its slopes along the coordinates.
     pub on_q: Vector,
     /// Those along the speeds.
@@ -36,7 +36,7 @@ pub struct Form {
 impl Watch {
     /// Its function at the coordinates `q` and the law values `k`. Curved laws are factors of the guards of a switch, so that these change
     /// within a mode.
-    pub fn at(&self, equations: &dyn Equations, switches: &[Switch], q: &[f64], k: &[f64]) -> Form {
+    pub fn at(&self, equations: &dyn Equations, switches: &[Switch], q: &[f64], k: &[f64]) -> StateForm {
         let (End::Loose(switch, beyond), Some((_, factor))) = (self.end, self.form.reaction) else {
             return self.form.clone();
         };
@@ -44,15 +44,15 @@ impl Watch {
         let exit = exits.into_iter().find(|exit| exit.beyond == beyond && exit.guard.on_reaction == factor);
         let guard = exit.expect("the guard of which the hold was made").guard;
         let constant = guard.constant_at(k);
-        Form { on_q: guard.on_q, on_speed: guard.on_speed, constant, ..self.form.clone() }
+        StateForm { on_q: guard.on_q, on_speed: guard.on_speed, constant, ..self.form.clone() }
     }
 }
 
-impl Form {
+impl StateForm {
     /// R plus the margin by which it may pull: the forces times row `which` of the factors, plus the margin.
     pub(super) fn reaction(on_force: Vector, which: usize, margin: f64) -> Self {
         let none = Vector::zeros(on_force.len());
-        Form { on_q: none.clone(), on_speed: none, on_force, reaction: Some((which, 1.0)), constant: 0.0, margin }
+        StateForm { on_q: none.clone(), on_speed: none, on_force, reaction: Some((which, 1.0)), constant: 0.0, margin }
     }
 
     /// Its value where coordinates, speeds and forces are zero.
@@ -64,13 +64,13 @@ impl Form {
     pub fn at(&self, to_reactions: &DMatrix<f64>) -> Self {
         let row =
             |(which, factor): (usize, f64)| Vector::from_fn(self.on_force.len(), |i| factor * to_reactions[(which, i)]);
-        Form { on_force: self.reaction.map_or_else(|| self.on_force.clone(), row), ..self.clone() }
+        StateForm { on_force: self.reaction.map_or_else(|| self.on_force.clone(), row), ..self.clone() }
     }
 
     /// A deflection less the value `at`.
     pub(super) fn deflection(on_q: Vector, at: f64) -> Self {
         let none = Vector::zeros(on_q.len());
-        Form { on_q, on_speed: none.clone(), on_force: none, reaction: None, constant: -at, margin: 0.0 }
+        StateForm { on_q, on_speed: none.clone(), on_force: none, reaction: None, constant: -at, margin: 0.0 }
     }
 
     /// Its value at coordinates and speeds, with the generalised forces that `force` gives.

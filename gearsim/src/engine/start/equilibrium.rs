@@ -45,10 +45,10 @@ pub struct Settled {
 }
 
 /// A state, the laws in their cells, and the switches in their modes.
-type Place<'a> = (&'a State, &'a [LawState], &'a [Switch]);
+type Configuration<'a> = (&'a State, &'a [LawState], &'a [Switch]);
 
 /// A step of the iteration (N); zero for the coordinates that do not move.
-struct Step {
+struct NewtonStep {
     step: Vector,
     /// The diagonal of the stiffness matrix, absolute values (N).
     stiffness: Vector,
@@ -70,7 +70,7 @@ impl Equilibrium<'_> {
         let (mut reached, mut last) = (Vector::zeros(guess.len()), f64::INFINITY);
         for _ in 0..start::STEPS {
             let moving: Vec<usize> = self.free.iter().copied().filter(|i| !held.contains(i)).collect();
-            let Step { step, stiffness, stable } =
+            let NewtonStep { step, stiffness, stable } =
                 self.newton(&moving, (&state, &laws, switches), &rigid).ok_or_else(|| self.refusal())?;
             if laws.iter().any(|law| step[law.phase].abs() > law.pitch.period()) {
                 // The step is longer than a pitch: restart at its end instead of passing every boundary on the way.
@@ -137,10 +137,10 @@ impl Equilibrium<'_> {
 
     /// Newton's step. Where V is not convex, negative curvatures count as positive, so that the step reduces V and leads to the
     /// minimum nearest to the guess. `None` if the forces do not determine the step.
-    fn newton(&self, moving: &[usize], place: Place<'_>, rigid: &RigidMotions) -> Option<Step> {
+    fn newton(&self, moving: &[usize], place: Configuration<'_>, rigid: &RigidMotions) -> Option<NewtonStep> {
         let (mut step, mut diagonal) = (Vector::zeros(self.q_dot.len()), Vector::zeros(self.q_dot.len()));
         if moving.is_empty() {
-            return Some(Step { step, stiffness: diagonal, stable: true });
+            return Some(NewtonStep { step, stiffness: diagonal, stable: true });
         }
         let (force, external, stiffness) = self.balance(place);
         // The forces along rigid motions do not depend on the deflections: the derivative of the difference is that of the forces.
@@ -165,12 +165,12 @@ impl Equilibrium<'_> {
             return None;
         }
         moving.iter().zip(solved.iter()).for_each(|(&i, x)| step[i] = *x);
-        Some(Step { step, stiffness: diagonal, stable })
+        Some(NewtonStep { step, stiffness: diagonal, stable })
     }
 
     /// The generalised forces (N), the same without those of the slopes of laws, and minus the derivatives of the forces by the coordinates
     /// (N x N).
-    fn balance(&self, (state, laws, switches): Place<'_>) -> (Vector, Vector, Matrix) {
+    fn balance(&self, (state, laws, switches): Configuration<'_>) -> (Vector, Vector, Matrix) {
         let [mut k, dk, ddk] = courses(self.scene, state, laws);
         switches.iter().for_each(|switch| switch.write(&mut k));
         let (q, v) = (&state.q, &self.q_dot);

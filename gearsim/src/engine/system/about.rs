@@ -2,9 +2,9 @@
 //!
 //! | motion | when | matrices |
 //! | --- | --- | --- |
-//! | [`Motion::Equilibrium`] | nothing turns, and F(q, 0) = 0 | constant |
-//! | [`Motion::Steady`] | M and F do not change as the coordinates move on at the speeds of the start | constant |
-//! | [`Motion::Place`] | otherwise, e.g. a crank turns, or is released from a place that is no equilibrium | those of one instant |
+//! | [`LinearisedAbout::Equilibrium`] | nothing turns, and F(q, 0) = 0 | constant |
+//! | [`LinearisedAbout::Steady`] | M and F do not change as the coordinates move on at the speeds of the start | constant |
+//! | [`LinearisedAbout::Place`] | otherwise, e.g. a crank turns, or is released from a place that is no equilibrium | those of one instant |
 
 use crate::engine::equations::{Equations, Known};
 use crate::engine::error::Refusal;
@@ -18,7 +18,7 @@ use crate::tolerance::analysis::{AT_EQUILIBRIUM, SAME_EQUATIONS};
 
 /// What the equations are linearised about.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Motion {
+pub enum LinearisedAbout {
     /// A state of rest in which all forces vanish.
     Equilibrium,
     /// A motion at constant speeds, along which the equations do not change.
@@ -31,7 +31,7 @@ pub enum Motion {
 #[derive(Debug, Clone)]
 pub struct Steady {
     /// Which kind of motion it is.
-    pub motion: Motion,
+    pub motion: LinearisedAbout,
     /// The coordinates, with the elastic ones in static equilibrium [SI] (n).
     pub q: Vector,
     /// The speeds of the start [SI] (n).
@@ -49,7 +49,7 @@ pub struct Steady {
 impl Steady {
     /// Whether the matrices change along the motion: they are those of one place of it.
     pub fn moves(&self) -> bool {
-        self.motion == Motion::Place
+        self.motion == LinearisedAbout::Place
     }
 
     /// The motion of a scene whose `terms` are not linear.
@@ -82,25 +82,25 @@ impl Steady {
 }
 
 /// The motion of a scene, and the state from which it starts; `means` are the mean values of the laws.
-fn find(equations: &dyn Equations, scene: &Scene, means: &[f64]) -> Result<(Motion, Initial), Refusal> {
+fn find(equations: &dyn Equations, scene: &Scene, means: &[f64]) -> Result<(LinearisedAbout, Initial), Refusal> {
     let static_by_default = |i: usize| scene.model.coordinates[i].start == Start::Static;
     let begun = start::begin(equations, &settling(scene, static_by_default))?;
     let (q, q_dot) = (begun.absolute(), &begun.state.q_dot);
     let flat = vec![0.0; scene.model.laws.len()];
     if q_dot.iter().any(|v| *v != 0.0) {
         let moving = changes(equations, &q, q_dot, (means, &flat));
-        return Ok((if moving { Motion::Place } else { Motion::Steady }, begun));
+        return Ok((if moving { LinearisedAbout::Place } else { LinearisedAbout::Steady }, begun));
     }
     if is_balanced(equations, &q, (&begun.levels(scene), &flat)) {
-        return Ok((Motion::Equilibrium, begun));
+        return Ok((LinearisedAbout::Equilibrium, begun));
     }
     // The stated values, from which all coordinates may move to an equilibrium.
     if let Ok(settled) = start::begin(equations, &settling(scene, |_| true))
         && is_balanced(equations, &settled.absolute(), (&settled.levels(scene), &flat))
     {
-        return Ok((Motion::Equilibrium, settled));
+        return Ok((LinearisedAbout::Equilibrium, settled));
     }
-    Ok((if equations.is_inertia_constant() { Motion::Steady } else { Motion::Place }, begun))
+    Ok((if equations.is_inertia_constant() { LinearisedAbout::Steady } else { LinearisedAbout::Place }, begun))
 }
 
 /// The scene with the given coordinates in static equilibrium, found from their stated values.

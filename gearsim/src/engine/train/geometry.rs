@@ -9,7 +9,7 @@ use nalgebra::DMatrix;
 use crate::engine::real::{Real, Sized64};
 use crate::engine::vector::Vector;
 use crate::tolerance::scene::CANCELLED;
-use crate::train::{Factor, Form, Row, Train};
+use crate::train::{Factor, RotationForm, Row, Train};
 
 /// R of each part (its coordinates x those of the train), the displacements of the products among the outputs by the coordinates of the
 /// train, and the speeds of each rigid motion, in numbers of type R.
@@ -26,11 +26,11 @@ impl<R: Sized64> Geometry<R> {
     /// refuses the inertia.
     pub fn of(train: &Train, parameters: &[R]) -> Geometry<R> {
         let n = train.coordinates.len();
-        let dense = |form: &Form| dense(form, n, parameters);
+        let dense = |form: &RotationForm| dense(form, n, parameters);
         let b: Vec<Vec<R>> = train.coordinates.iter().map(&dense).collect();
         let inverse = inverse(&b);
         // A form has few rotors: only their terms are added up.
-        let by_coordinates = |form: &Form| {
+        let by_coordinates = |form: &RotationForm| {
             let d = dense(form);
             let rotors: Vec<usize> = (0..n).filter(|&i| d[i].rounded() != 0.0).collect();
             let d: Vec<R> = rotors.iter().map(|&i| d[i]).collect();
@@ -38,13 +38,13 @@ impl<R: Sized64> Geometry<R> {
         };
         let row = |row: &Row| match row {
             Row::Coordinate(j) => (0..n).map(|i| R::from(f64::from(u8::from(i == *j)))).collect(),
-            Row::Form(form) => by_coordinates(form),
+            Row::RotationForm(form) => by_coordinates(form),
         };
         let rows = |rows: &Vec<Row>| {
             let rows: Vec<Vec<R>> = rows.iter().map(row).collect();
             DMatrix::from_fn(rows.len(), n, |i, j| rows[i][j])
         };
-        let motion = |forms: &Vec<(Form, f64)>| {
+        let motion = |forms: &Vec<(RotationForm, f64)>| {
             let system: Vec<Vec<R>> = forms.iter().map(|(form, _)| dense(form)).collect();
             let solved = self::inverse(&system);
             let values: Vec<R> = forms.iter().map(|(_, value)| R::from(*value)).collect();
@@ -61,7 +61,7 @@ impl<R: Sized64> Geometry<R> {
 }
 
 /// A form as a vector of n numbers.
-fn dense<R: Real>(form: &Form, n: usize, parameters: &[R]) -> Vec<R> {
+fn dense<R: Real>(form: &RotationForm, n: usize, parameters: &[R]) -> Vec<R> {
     let mut vector = vec![R::from(0.0); n];
     for (rotor, factor) in form {
         vector[*rotor] += factor.value(parameters);

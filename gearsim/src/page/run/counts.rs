@@ -2,7 +2,7 @@
 
 use super::Report;
 use crate::output::summary::Number;
-use crate::page::html::{Cell, Html};
+use crate::page::html::{Html, TableCell};
 
 /// Writes the section.
 pub(super) fn fill(report: &Report<'_>, html: &mut Html) {
@@ -22,10 +22,13 @@ pub(super) fn fill(report: &Report<'_>, html: &mut Html) {
         ("steps of root finding", counts.root_steps, "to locate events"),
         ("recorded rows", report.run.outcome.trajectory.len() as u64, "samples, and both sides of events"),
     ];
-    let row =
-        |(name, count, what): (&str, u64, &str)| vec![Cell::text(name), Cell::Number(count as f64), Cell::text(what)];
+    let row = |(name, count, what): (&str, u64, &str)| {
+        vec![TableCell::text(name), TableCell::Number(count as f64), TableCell::text(what)]
+    };
     let modes = summary.modes.iter().flat_map(|(switch, shares)| {
-        let row = |(mode, share): (&String, &Number)| vec![Cell::text(switch), Cell::text(mode), Cell::Number(share.0)];
+        let row = |(mode, share): (&String, &Number)| {
+            vec![TableCell::text(switch), TableCell::text(mode), TableCell::Number(share.0)]
+        };
         shares.0.iter().map(row).collect::<Vec<_>>()
     });
     html.table("Share of the time in each mode", &["switch", "mode", "share"], &modes.collect::<Vec<_>>());

@@ -4,7 +4,7 @@ use super::Report;
 use super::columns::{Group, Kind};
 use super::{losses, motion};
 use crate::output::number::short;
-use crate::page::html::{Cell, Html};
+use crate::page::html::{Html, TableCell};
 
 /// The parts whose changes are drawn at first.
 const SHOWN: [&str; 5] = ["energy", "kinetic", "strain", "work", "dissipated"];
@@ -49,8 +49,10 @@ pub(super) fn fill(report: &Report<'_>, html: &mut Html) {
 fn table(all: &Group<'_>, html: &mut Html) {
     let rows = all.columns.iter().filter_map(|column| {
         let (start, end) = (*column.values.first()?, *column.values.last()?);
-        let numbers = [start, end, end - start].map(Cell::Number);
-        Some([Cell::text(&*column.name)].into_iter().chain(numbers).chain([Cell::text(&column.doc)]).collect())
+        let numbers = [start, end, end - start].map(TableCell::Number);
+        Some(
+            [TableCell::text(&*column.name)].into_iter().chain(numbers).chain([TableCell::text(&column.doc)]).collect(),
+        )
     });
     html.table(
         "Energy account",

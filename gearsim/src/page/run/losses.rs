@@ -4,7 +4,7 @@
 
 use super::Report;
 use crate::output::number::short;
-use crate::page::html::{Cell, Html};
+use crate::page::html::{Html, TableCell};
 use crate::trajectory::Trajectory;
 
 /// Writes the table; nothing if no loss is recorded.
@@ -15,8 +15,8 @@ pub(super) fn table(report: &Report<'_>, html: &mut Html) {
     let rest = total - causes.iter().map(|(_, _, energy)| energy).sum::<f64>();
     let row = |name: &str, energy: f64, doc: &str| {
         // Without losses there is no share.
-        let share = if *total > 0.0 { Cell::Number(100.0 * energy / total) } else { Cell::text("-") };
-        vec![Cell::text(name), Cell::Number(energy), share, Cell::text(doc)]
+        let share = if *total > 0.0 { TableCell::Number(100.0 * energy / total) } else { TableCell::text("-") };
+        vec![TableCell::text(name), TableCell::Number(energy), share, TableCell::text(doc)]
     };
     let mut rows: Vec<_> = causes.iter().map(|(name, doc, energy)| row(name, *energy, doc)).collect();
     rows.push(row(

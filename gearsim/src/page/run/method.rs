@@ -4,7 +4,7 @@ use super::Report;
 use crate::output::number::{short, time};
 use crate::output::summary::{Mesh, Observed};
 use crate::output::unit::readable;
-use crate::page::html::{Cell, Html};
+use crate::page::html::{Html, TableCell};
 
 /// Writes the section.
 pub(super) fn fill(report: &Report<'_>, html: &mut Html) {
@@ -42,9 +42,9 @@ pub(super) fn fill(report: &Report<'_>, html: &mut Html) {
 fn meshes(report: &Report<'_>, html: &mut Html) {
     let row = |(law, mesh): (&String, &Mesh)| {
         let (unit, factor) = readable(&mesh.unit, mesh.largest.0);
-        let texts = [law, &mesh.force, unit].map(Cell::text);
+        let texts = [law, &mesh.force, unit].map(TableCell::text);
         let forces = [mesh.largest, mesh.at_rest].map(|x| factor * x.0);
-        let numbers = forces.into_iter().chain([mesh.dynamic_factor.0, mesh.kv_iso6336.0]).map(Cell::Number);
+        let numbers = forces.into_iter().chain([mesh.dynamic_factor.0, mesh.kv_iso6336.0]).map(TableCell::Number);
         texts.into_iter().chain(numbers).collect::<Vec<_>>()
     };
     let rows: Vec<_> = report.run.summary.meshes.iter().map(row).collect();

@@ -5,7 +5,7 @@ use super::columns::{Group, Kind};
 use super::view::Source;
 use crate::page::data::{Column, Counts};
 use crate::page::html::Html;
-use crate::page::plot::{Axis, Curve, Plot};
+use crate::page::plot::{Axis, PageCurve, Plot};
 use crate::trajectory::Moment;
 
 /// The group of the plots over time, and of the gears.
@@ -52,7 +52,7 @@ pub(super) fn plot(
     let curves = group.columns.iter().enumerate().map(|(i, column)| {
         let values = if source.has(title, &column.name) { source.rows.values(&column.values) } else { vec![] };
         let y = html.embed(&values, Counts::Short);
-        Curve::new(&*column.name, &column.doc, times.rows.clone(), y, shown(i))
+        PageCurve::new(&*column.name, &column.doc, times.rows.clone(), y, shown(i))
     });
     let curves = curves.collect();
     // Speeds of rotors are read in revolutions a minute.

@@ -3,7 +3,7 @@
 use super::Report;
 use super::columns::Named;
 use crate::analysis::statistics::Statistics;
-use crate::page::html::{Cell, Html};
+use crate::page::html::{Html, TableCell};
 
 /// Writes the section.
 pub(super) fn fill(report: &Report<'_>, html: &mut Html) {
@@ -11,8 +11,8 @@ pub(super) fn fill(report: &Report<'_>, html: &mut Html) {
     let begin = run.row_from(report.run.scene.output.from);
     let row = |(unit, factor): (&str, f64), column: &Named<'_>| {
         let numbers = Statistics::of(&run.t[begin..], &column.values[begin..], &run.moment[begin..])?.values();
-        let numbers = numbers.into_iter().chain(column.values.last().copied()).map(|x| Cell::Number(factor * x));
-        Some([Cell::text(&*column.name), Cell::text(unit)].into_iter().chain(numbers).collect::<Vec<_>>())
+        let numbers = numbers.into_iter().chain(column.values.last().copied()).map(|x| TableCell::Number(factor * x));
+        Some([TableCell::text(&*column.name), TableCell::text(unit)].into_iter().chain(numbers).collect::<Vec<_>>())
     };
     let rows = report.groups.iter().flat_map(|group| {
         let unit = group.shown_unit();

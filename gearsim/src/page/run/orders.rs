@@ -5,8 +5,8 @@ use super::columns::{Group, Kind};
 use crate::analysis::orders::{self, Mesh, PROMINENCE, Turning, meshes, reference_shaft};
 use crate::analysis::spectrum::SpectrumError;
 use crate::page::data::Counts;
-use crate::page::html::{Cell, Html};
-use crate::page::plot::{Axis, Curve, Line, Plot};
+use crate::page::html::{Html, TableCell};
+use crate::page::plot::{Axis, Line, PageCurve, Plot};
 use crate::plot::marks::MOST;
 use crate::plot::orders::{CONTENT, DECADES};
 use crate::plot::spectrum::reach;
@@ -67,7 +67,7 @@ fn plot(
         }
         let logarithms: Vec<f64> = amplitude.iter().map(|x| x.log10()).collect();
         let y = html.embed(&logarithms, Counts::Short);
-        curves.push(Curve::new(&*column.name, &column.doc, x.clone(), y, group.shown(i)));
+        curves.push(PageCurve::new(&*column.name, &column.doc, x.clone(), y, group.shown(i)));
     }
     let longest = orders.last().copied().unwrap_or(0.0);
     let highest = meshes.iter().map(|mesh| mesh.frequency / turning.frequency()).fold(0.0, f64::max);
@@ -128,13 +128,13 @@ fn table(report: &Report<'_>, html: &mut Html, turning: &Turning, meshes: &[Mesh
             if !has[c][l] {
                 continue;
             }
-            let numbers = [line.harmonic as f64, f64::from(line.sideband)].map(Cell::Number);
-            let rest = [line.order, line.frequency, factor * amplitude].map(Cell::Number);
-            let mut row = vec![Cell::text(&*column.name), Cell::text(line.mesh)];
+            let numbers = [line.harmonic as f64, f64::from(line.sideband)].map(TableCell::Number);
+            let rest = [line.order, line.frequency, factor * amplitude].map(TableCell::Number);
+            let mut row = vec![TableCell::text(&*column.name), TableCell::text(line.mesh)];
             row.extend(numbers);
-            row.push(Cell::text(line.rotor.unwrap_or("-")));
+            row.push(TableCell::text(line.rotor.unwrap_or("-")));
             row.extend(rest);
-            row.push(Cell::text(*unit));
+            row.push(TableCell::text(*unit));
             rows.push(row);
         }
     }

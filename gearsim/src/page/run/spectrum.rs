@@ -9,7 +9,7 @@ use crate::analysis::spectrum::{Spectrum, SpectrumError, frequencies, segment_le
 use crate::output::number::short;
 use crate::page::data::Counts;
 use crate::page::html::Html;
-use crate::page::plot::{Axis, Curve, Line, Plot};
+use crate::page::plot::{Axis, Line, PageCurve, Plot};
 use crate::plot::spectrum::{CONTENT, reach};
 
 /// Decades shown below the highest peak. What is lower is rounding errors and leakage.
@@ -97,7 +97,7 @@ fn plot(
         }
         let logarithms: Vec<f64> = density.iter().map(|x| x.log10()).collect();
         let y = html.embed(&logarithms, Counts::Short);
-        curves.push(Curve::new(&*column.name, &column.doc, x.clone(), y, group.shown(i)));
+        curves.push(PageCurve::new(&*column.name, &column.doc, x.clone(), y, group.shown(i)));
     }
     let range = (lowest < peak).then(|| (lowest.max(peak / DECADES), 3.0 * peak));
     html.plot(&Plot {

@@ -3,7 +3,7 @@
 use super::rows::{MOST, Rows};
 use crate::page::data::Counts;
 use crate::page::html::Html;
-use crate::page::plot::{Axis, Colour, Curve, Plot, Style};
+use crate::page::plot::{Axis, Colour, PageCurve, Plot, Style};
 use crate::plot::{self, Figure, Marker, Scale};
 
 /// Number of colours of curves, in figures and in pages.
@@ -39,19 +39,19 @@ pub fn fill(html: &mut Html, group: &str, figure: &Figure) {
 }
 
 /// The curves of a panel. A panel without a legend has that of the first panel.
-fn curves(html: &mut Html, figure: &Figure, panel: &plot::Panel, rows: &Rows) -> Vec<Curve> {
-    let mut curves: Vec<Curve> = vec![];
+fn curves(html: &mut Html, figure: &Figure, panel: &plot::Panel, rows: &Rows) -> Vec<PageCurve> {
+    let mut curves: Vec<PageCurve> = vec![];
     let legend = if panel.series.iter().all(|series| series.label.is_empty()) { &figure.panels[0] } else { panel };
     for (i, series) in panel.series.iter().enumerate() {
         let style = style(series.style);
         let name = legend.series.get(i).map_or("", |series| &series.label);
         // What has no name belongs to the named curve of its colour.
-        let of_its_colour = |curve: &Curve| curve.style.as_ref().is_some_and(|other| other.colour == style.colour);
+        let of_its_colour = |curve: &PageCurve| curve.style.as_ref().is_some_and(|other| other.colour == style.colour);
         let with = curves.iter().rposition(|curve| !curve.name.is_empty() && of_its_colour(curve));
         let (x, y) = points(series, &figure.x, &panel.y);
         let x = html.embed(&rows.times(&x), Counts::Long);
         let y = html.embed(&rows.values(&y), Counts::Short);
-        let mut curve = Curve::new(name, "", x, y, true);
+        let mut curve = PageCurve::new(name, "", x, y, true);
         curve.with = with.filter(|_| name.is_empty());
         curve.style = Some(style);
         curve.note = Some(series.note.clone()).filter(|note| !note.text.is_empty());
@@ -94,7 +94,7 @@ fn style(style: plot::Style) -> Style {
     let known = (0..COLOURS).find(|&i| plot::Style::nth(i).colour == style.colour);
     let dashes: Vec<_> = style.dashes.iter().map(|length| format!("{length}px")).collect();
     Style {
-        colour: known.map_or(Colour::Fixed(style.colour), Colour::Curve),
+        colour: known.map_or(Colour::Fixed(style.colour), Colour::PageCurve),
         dash: if dashes.is_empty() { "solid".into() } else { dashes.join(",") },
         width: style.width,
         marker: match style.marker {

@@ -1,6 +1,6 @@
 //! The model: its source, the effects of the scene, and its equations.
 
-use crate::page::html::{Cell, Html};
+use crate::page::html::{Html, TableCell};
 use crate::scene::Scene;
 
 /// Writes the section.
@@ -11,7 +11,7 @@ pub fn fill(scene: &Scene, html: &mut Html) {
         model.effects.iter().enumerate().partition(|(i, _)| scene.effects.contains(*i));
     let effects = active.into_iter().chain(others).map(|(i, effect)| {
         let active = if scene.effects.contains(i) { "yes" } else { "no" };
-        vec![Cell::text(effect.name), Cell::text(active), Cell::text(effect.doc)]
+        vec![TableCell::text(effect.name), TableCell::text(active), TableCell::text(effect.doc)]
     });
     html.table("Effects", &["effect", "in this scene", "what it is"], &effects.collect::<Vec<_>>());
     html.code("Equations, with all effects", model.equations, false);

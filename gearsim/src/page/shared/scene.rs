@@ -1,6 +1,6 @@
 //! The scene: its text as read, the values set on the command line, and the parameters in SI units.
 
-use crate::page::html::{Cell, Html};
+use crate::page::html::{Html, TableCell};
 use crate::scene::Scene;
 
 /// Writes the section.
@@ -11,7 +11,12 @@ pub fn fill(scene: &Scene, html: &mut Html) {
     }
     let parameters = scene.model.parameters.iter().zip(&scene.parameters);
     let rows = parameters.filter(|(_, value)| value.is_finite()).map(|(parameter, value)| {
-        vec![Cell::text(parameter.name), Cell::Number(*value), Cell::text(parameter.unit), Cell::text(parameter.doc)]
+        vec![
+            TableCell::text(parameter.name),
+            TableCell::Number(*value),
+            TableCell::text(parameter.unit),
+            TableCell::text(parameter.doc),
+        ]
     });
     html.table("Parameters", &["name", "value", "SI unit", "what it is"], &rows.collect::<Vec<_>>());
 }

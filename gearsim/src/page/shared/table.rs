@@ -3,7 +3,7 @@
 use crate::output::Table;
 use crate::output::table::{Column, Values};
 use crate::output::unit::readable;
-use crate::page::html::{Cell, Html};
+use crate::page::html::{Html, TableCell};
 
 /// Most rows of a table in a page: more are slow to sort and to scroll.
 const MOST: usize = 5000;
@@ -44,11 +44,11 @@ pub fn fill(html: &mut Html, caption: &str, table: &Table, file: &str) {
     });
     let head: Vec<String> = head.collect();
     let cell = |values: &Values, factor: f64, row: usize| match values {
-        Values::Number(values) => Cell::Number(factor * values[row]),
-        Values::Text(values) => Cell::text(&*values[row]),
+        Values::Number(values) => TableCell::Number(factor * values[row]),
+        Values::Text(values) => TableCell::text(&*values[row]),
     };
     let cells = |row| table.columns().iter().zip(&units).map(move |(column, unit)| cell(&column.values, unit.1, row));
     let row = |row| cells(row).collect();
-    let rows: Vec<Vec<Cell>> = (0..rows.min(MOST)).map(row).collect();
+    let rows: Vec<Vec<TableCell>> = (0..rows.min(MOST)).map(row).collect();
     html.table(caption, &head.iter().map(String::as_str).collect::<Vec<_>>(), &rows);
 }

@@ -8,22 +8,22 @@ pub(in crate::scene) use key::{Key, Kind, Named, REQUIRED, each, key};
 pub(crate) use reference::reference;
 pub(crate) use schema::schema;
 
-use super::document::{Entry, Node, Place};
+use super::document::{KeyEntry, Node, Place};
 use super::mistake::{Home, Report, did_you_mean, list};
 use indexmap::IndexMap;
 
 /// The value of a key; `None` if the table does not have it.
-pub(super) fn get<'a>(entries: &'a [Entry], key: &str) -> Option<&'a Node> {
+pub(super) fn get<'a>(entries: &'a [KeyEntry], key: &str) -> Option<&'a Node> {
     entries.iter().find(|entry| entry.key == key).map(|entry| &entry.node)
 }
 
 /// The entries whose keys are not allowed.
-pub(super) fn unknown<'a>(entries: &'a [Entry], allowed: &[&str]) -> impl Iterator<Item = &'a Entry> {
+pub(super) fn unknown<'a>(entries: &'a [KeyEntry], allowed: &[&str]) -> impl Iterator<Item = &'a KeyEntry> {
     entries.iter().filter(|entry| !allowed.contains(&entry.key.as_str()))
 }
 
 /// Reports the keys of a table that are not in these lists.
-pub(super) fn known(entries: &[Entry], title: &str, allowed: &[&[Key]], report: &mut Report) {
+pub(super) fn known(entries: &[KeyEntry], title: &str, allowed: &[&[Key]], report: &mut Report) {
     names_known(entries, title, &names(allowed), report);
 }
 
@@ -33,7 +33,7 @@ pub(super) fn names(keys: &[&[Key]]) -> Vec<&'static str> {
 }
 
 /// Reports the keys of a table that have none of these names.
-pub(super) fn names_known(entries: &[Entry], title: &str, allowed: &[&str], report: &mut Report) {
+pub(super) fn names_known(entries: &[KeyEntry], title: &str, allowed: &[&str], report: &mut Report) {
     for entry in unknown(entries, allowed) {
         let message = format!("{title} has no `{}`", entry.key);
         report.add(&entry.place, message, "unknown key", choices(&entry.key, allowed));

@@ -2,7 +2,9 @@
 
 use std::f64::consts::TAU;
 
-use crate::model::{Coordinate, Effect, Law, Model, Motion, Parameter, Range, Role, Start, Switching, Torque, Varies};
+use crate::model::{
+    Coordinate, Effect, Law, Model, Parameter, Range, RigidMotion, Role, Start, Switching, Torque, Varies,
+};
 use crate::scene::{Scene, SceneMistakes};
 
 const POSITIVE: Range = Range { low: 0.0, high: f64::INFINITY, low_included: false, high_included: false };
@@ -55,7 +57,7 @@ pub static GEAR_PAIR: Model = Model {
         law("side", "1", Some("sliding_friction"), Role::Side, "side of the pitch point"),
         law("arm", "rad", Some("sliding_friction"), Role::Arm, "arm about it"),
     ],
-    motions: &[Motion { name: "speed", unit: "rad/s", doc: "rotational speed of the driving gear" }],
+    motions: &[RigidMotion { name: "speed", unit: "rad/s", doc: "rotational speed of the driving gear" }],
     effects: &[
         Effect { switching: Some(Switching::WithJump), ..effect("stiffness_step", &[], &[]) },
         effect("rigid_kinematics", &["stiffness_step"], &["frozen_phase"]),

@@ -2,7 +2,7 @@
 
 use super::{Harmonic, Piece, TimeHistory};
 use crate::model::{Model, Parameter};
-use crate::scene::document::{Entry, Node, Value};
+use crate::scene::document::{KeyEntry, Node, Value};
 use crate::scene::keys::{Key, Kind, REQUIRED, key};
 use crate::scene::mistake::{Report, list};
 use crate::scene::{field, keys};
@@ -71,7 +71,7 @@ struct HistoryReader<'a> {
     unit: &'static str,
     /// Key path of the parameter, e.g. `parameters.T_motor`.
     path: String,
-    entries: &'a [Entry],
+    entries: &'a [KeyEntry],
     node: &'a Node,
 }
 

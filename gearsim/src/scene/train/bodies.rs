@@ -4,7 +4,7 @@ use super::draft::{DraftPart, Rotor, Term, Terms, named};
 use super::item::Item;
 use super::read::Reader;
 use super::{ELSEWHERE, ROTOR, TWO_ROTORS};
-use crate::scene::document::{Entry, Node, Value};
+use crate::scene::document::{KeyEntry, Node, Value};
 use crate::scene::keys::{Key, Kind, Named, REQUIRED, each, key};
 use crate::scene::time_history::HISTORY;
 
@@ -100,7 +100,7 @@ const ANGLE: Kind = Kind::Quantity("rad");
 const TORQUE: Kind = Kind::Either(&[Kind::Quantity("N*m"), HISTORY]);
 
 impl Reader<'_> {
-    pub(super) fn rotor(&mut self, entry: &Entry) {
+    pub(super) fn rotor(&mut self, entry: &KeyEntry) {
         let name = entry.key.clone();
         match &entry.node.value {
             Value::Table(entries) => {
@@ -151,7 +151,8 @@ impl Reader<'_> {
     pub(super) fn per_radius(&mut self, parameter: String, item: &Item<'_>, key: &'static str) {
         let Some(node) = item.get(key) else { return self.lacking(format!("parameters.{parameter}"), item, key) };
         let Some(radius) = item.get("radius") else { return self.value(parameter, Some(node)) };
-        let entry = |key: &str, node: &Node| Entry { key: key.into(), place: node.place.clone(), node: node.clone() };
+        let entry =
+            |key: &str, node: &Node| KeyEntry { key: key.into(), place: node.place.clone(), node: node.clone() };
         let value = Value::Table(vec![entry("value", node), entry("radius", radius)]);
         self.value(parameter, Some(&Node { value, place: node.place.clone() }));
     }

@@ -2,7 +2,7 @@
 
 use std::collections::HashMap;
 
-use crate::scene::document::{Entry, Node, Place, Value};
+use crate::scene::document::{KeyEntry, Node, Place, Value};
 use crate::scene::keys;
 use crate::scene::mistake::{Home, Report};
 
@@ -10,7 +10,7 @@ use crate::scene::mistake::{Home, Report};
 pub(super) type Places = HashMap<(usize, usize, usize), (String, Node)>;
 
 /// The keys of the values in the tables.
-pub(super) fn places(entries: &[Entry], tables: &[&str]) -> Places {
+pub(super) fn places(entries: &[KeyEntry], tables: &[&str]) -> Places {
     fn walk(path: &str, node: &Node, depth: usize, places: &mut Places) {
         let inner: Vec<(String, &Node)> = match &node.value {
             Value::Table(entries) => entries.iter().map(|e| (format!("{path}.{}", e.key), &e.node)).collect(),
@@ -38,7 +38,7 @@ pub(super) fn call(
     names: Vec<(String, Node)>,
     homes: Vec<(String, Home)>,
     places: &Places,
-    entries: &[Entry],
+    entries: &[KeyEntry],
     report: &mut Report,
 ) {
     for (name, moved) in names {

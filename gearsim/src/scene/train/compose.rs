@@ -7,10 +7,10 @@ use super::basis::{self, Basis, resolve};
 use super::draft::{Draft, DraftPart, Terms, named};
 use super::{relative, text};
 use crate::model::{
-    Coordinate, Effect, Law, Model, Motion, Output, Parameter, Range, Role, Start, Switch, Torque, Varies,
+    Coordinate, Effect, Law, Model, Output, Parameter, Range, RigidMotion, Role, Start, Switch, Torque, Varies,
 };
 use crate::scene::mistake::Report;
-use crate::train::{Factor, Form, Row, Train};
+use crate::train::{Factor, RotationForm, Row, Train};
 
 type Composed = (&'static Model, Arc<Train>);
 
@@ -142,7 +142,7 @@ impl<'a> Composer<'a> {
             part.values[part.laws..].iter_mut().for_each(|symbol| *symbol += self.laws.len());
         }
         let index = |name: &str| self.parameters.iter().position(|p| p.name == name).unwrap_or(0);
-        let form = |terms: &Terms| -> Form {
+        let form = |terms: &Terms| -> RotationForm {
             let at = |rotor| self.basis.free.iter().position(|&i| i == rotor).unwrap_or(0);
             let factor = |number, powers: &[(String, i32)]| Factor {
                 number,
@@ -154,7 +154,7 @@ impl<'a> Composer<'a> {
             let rows = self.draft.parts[i].rows.iter().enumerate();
             let row = |(j, terms): (usize, &Terms)| match self.basis.of_rows.get(&(i, j)) {
                 Some(coordinate) => Row::Coordinate(*coordinate),
-                None => Row::Form(form(&resolve(self.draft, terms))),
+                None => Row::RotationForm(form(&resolve(self.draft, terms))),
             };
             part.rows = rows.map(row).collect();
         }
@@ -187,7 +187,7 @@ impl<'a> Composer<'a> {
         let motion = |(i, _): &(usize, Vec<(Terms, f64)>)| {
             let doc = format!("rotational speed of rotor {}, the rest turning with it", rotor(*i));
             let name = if several { named("speed", rotor(*i)) } else { "speed".into() };
-            Motion { name: leak(name), unit: "rad/s", doc: leak(doc) }
+            RigidMotion { name: leak(name), unit: "rad/s", doc: leak(doc) }
         };
         Model {
             coordinates: self.basis.coordinates.iter().map(coordinate).collect::<Vec<_>>().leak(),

@@ -5,7 +5,7 @@ use super::item::Item;
 use super::read::{GROUND, Reader};
 use super::{ELSEWHERE, TWO_ROTORS, axial};
 use crate::model::GearData;
-use crate::scene::document::{Entry, Node, Value};
+use crate::scene::document::{KeyEntry, Node, Value};
 use crate::scene::keys::{Key, Kind, Named, REQUIRED, each, key};
 use crate::scene::mistake::Report;
 use crate::scene::time_history::HISTORY;
@@ -103,7 +103,7 @@ impl Reader<'_> {
         };
         let table = || {
             let of = Node { value: Value::Text(named("k", name)), place: place.clone() };
-            let entry = Entry { key: friction::OF.into(), place: place.clone(), node: of };
+            let entry = KeyEntry { key: friction::OF.into(), place: place.clone(), node: of };
             Node { value: Value::Table(vec![entry]), place: place.clone() }
         };
         self.draft.usual_laws.extend(["side", "arm"].map(|quantity| (named(quantity, name), table())));

@@ -2,7 +2,7 @@
 
 use super::draft::{DraftPart, Joint, Terms, named};
 use super::read::{GROUND, Reader};
-use crate::scene::document::{Entry, Node, Place};
+use crate::scene::document::{KeyEntry, Node, Place};
 use crate::scene::keys::Key;
 use crate::scene::mistake::Home;
 use crate::scene::{field, keys};
@@ -11,7 +11,7 @@ use crate::scene::{field, keys};
 pub(super) struct Item<'a> {
     pub table: &'static str,
     pub name: &'a str,
-    pub entries: &'a [Entry],
+    pub entries: &'a [KeyEntry],
     pub place: &'a Place,
 }
 
@@ -38,7 +38,7 @@ impl Reader<'_> {
     /// Reports unknown keys of an item. A dot before one may have been meant as a part of the item's name.
     pub fn known(&mut self, item: &Item<'_>, allowed: &[Key]) {
         let (name, allowed) = (item.name, keys::names(&[allowed]));
-        for Entry { key, place, .. } in keys::unknown(item.entries, &allowed) {
+        for KeyEntry { key, place, .. } in keys::unknown(item.entries, &allowed) {
             let mut help = keys::choices(key, &allowed);
             let before = place.span.start.saturating_sub(1)..place.span.start;
             if !help.starts_with("did you mean") && self.report.text(&Place { span: before, ..*place }) == "." {

@@ -31,7 +31,7 @@ mod tables;
 mod text;
 mod torques;
 
-use super::document::{Entry, Place};
+use super::document::{KeyEntry, Place};
 use super::keys::{Key, Kind, key};
 use super::mistake::Report;
 use crate::model::Model;
@@ -55,7 +55,7 @@ pub(super) struct Listed {
 /// `entries`. The places are the beginning of the scene and its end, where tables would be added. `None` if a mistake was reported.
 pub(super) fn read(
     bare: &'static Model,
-    entries: &mut Vec<Entry>,
+    entries: &mut Vec<KeyEntry>,
     [root, end]: [&Place; 2],
     report: &mut Report,
 ) -> Option<Listed> {

@@ -6,7 +6,7 @@ use super::item::Item;
 use super::read::Reader;
 use super::{ELSEWHERE, ROTOR, axial, bodies};
 use crate::model::GearData;
-use crate::scene::document::{Entry, Node, Value};
+use crate::scene::document::{KeyEntry, Node, Value};
 use crate::scene::keys::{self, Key, Kind, Named, REQUIRED, each, key};
 use crate::scene::time_history::HISTORY;
 use crate::tolerance::scene::PLANETS;
@@ -214,14 +214,14 @@ fn shifted(node: &Node, with: &str, at: &Node, values: &[(String, Node)], names:
     if keys::get(entries, "phase").is_some() {
         return node.clone();
     }
-    let entry = |key: &str, node: Node| Entry { key: key.into(), place: at.place.clone(), node };
+    let entry = |key: &str, node: Node| KeyEntry { key: key.into(), place: at.place.clone(), node };
     let of = |name: &String| values.iter().rfind(|value| value.0 == *name).map(|value| value.1.clone());
     let [z_s, z_r, z_p, _] = names;
     let teeth = match with {
         "s" => vec![("sun", of(z_s))],
         _ => vec![("ring", of(z_r)), ("planet", of(z_p))],
     };
-    let mut phase: Vec<Entry> = teeth.into_iter().filter_map(|(key, node)| Some(entry(key, node?))).collect();
+    let mut phase: Vec<KeyEntry> = teeth.into_iter().filter_map(|(key, node)| Some(entry(key, node?))).collect();
     phase.push(entry("at", at.clone()));
     let phase = Node { value: Value::Table(phase), place: at.place.clone() };
     let all = entries.iter().cloned().chain([entry("phase", phase)]).collect();

@@ -3,7 +3,7 @@
 use super::KEYS;
 use super::draft::Draft;
 use super::item::Item;
-use crate::scene::document::{Entry, Place, Value};
+use crate::scene::document::{KeyEntry, Place, Value};
 use crate::scene::mistake::Report;
 use crate::scene::{field, keys};
 use crate::tolerance::scene::ROTORS;
@@ -12,7 +12,7 @@ use crate::tolerance::scene::ROTORS;
 pub(super) const GROUND: &str = "ground";
 
 /// Reads all tables. `None` if a mistake was reported that leaves no train.
-pub(super) fn draft(entries: &[Entry], root: &Place, report: &mut Report) -> Option<Draft> {
+pub(super) fn draft(entries: &[KeyEntry], root: &Place, report: &mut Report) -> Option<Draft> {
     let before = report.len();
     if keys::get(entries, "rotors").is_none() {
         let lines = "[rotors]\nmotor = \"... kg*m^2\"  # name = moment of inertia".to_string();
@@ -38,7 +38,7 @@ pub(super) fn draft(entries: &[Entry], root: &Place, report: &mut Report) -> Opt
                 _ => continue,
             }
         };
-        let mut items: Vec<&Entry> = items.iter().collect();
+        let mut items: Vec<&KeyEntry> = items.iter().collect();
         // In the order of the text: a table of TOML has none of its own.
         items.sort_by_key(|item| (item.place.source, item.place.span.start));
         for item in items {
@@ -68,7 +68,7 @@ pub(super) struct Reader<'a> {
 
 impl Reader<'_> {
     /// Whether the name of a part can be part of the names of parameters.
-    fn is_name(&mut self, table: &str, item: &Entry) -> bool {
+    fn is_name(&mut self, table: &str, item: &KeyEntry) -> bool {
         let fits = |name: &str| {
             name.len() <= 32 && name.chars().all(|c| c.is_ascii_alphanumeric() || c == '_') && name != GROUND
         };
@@ -81,7 +81,7 @@ impl Reader<'_> {
         false
     }
 
-    fn item(&mut self, table: &'static str, entry: &Entry) {
+    fn item(&mut self, table: &'static str, entry: &KeyEntry) {
         if table == "rotors" {
             return self.rotor(entry);
         }

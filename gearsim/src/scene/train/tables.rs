@@ -4,13 +4,13 @@ use std::collections::HashMap;
 
 use super::draft::Draft;
 use super::{KEYS, called};
-use crate::scene::document::{Entry, Node, Place, Value};
+use crate::scene::document::{KeyEntry, Node, Place, Value};
 use crate::scene::keys;
 use crate::scene::mistake::Report;
 use crate::scene::quantity::Quantity;
 
 /// Moves the values, and removes the tables of the train from `entries`. `None` if a value is stated twice.
-pub(super) fn fill(mut draft: Draft, entries: &mut Vec<Entry>, end: &Place, report: &mut Report) -> Option<Draft> {
+pub(super) fn fill(mut draft: Draft, entries: &mut Vec<KeyEntry>, end: &Place, report: &mut Report) -> Option<Draft> {
     let tables = keys::names(&[KEYS]);
     let places = called::places(entries, &tables);
     entries.retain(|entry| !tables.contains(&entry.key.as_str()));
@@ -40,10 +40,10 @@ pub(super) fn fill(mut draft: Draft, entries: &mut Vec<Entry>, end: &Place, repo
     }
     called::call(names, std::mem::take(&mut draft.homes), &places, entries, report);
     let laws = entries.iter_mut().find(|entry| entry.key == "laws");
-    if let Some(Entry { node: Node { value: Value::Table(stated), .. }, .. }) = laws {
+    if let Some(KeyEntry { node: Node { value: Value::Table(stated), .. }, .. }) = laws {
         for (key, node) in std::mem::take(&mut draft.usual_laws) {
             if keys::get(stated, &key).is_none() {
-                stated.push(Entry { key, place: node.place.clone(), node });
+                stated.push(KeyEntry { key, place: node.place.clone(), node });
             }
         }
     }
@@ -57,7 +57,7 @@ fn law(node: Node) -> Node {
     }
     let place = node.place.clone();
     let table = |key: &str, node: Node| {
-        let entry = Entry { key: key.into(), place: place.clone(), node };
+        let entry = KeyEntry { key: key.into(), place: place.clone(), node };
         Node { value: Value::Table(vec![entry]), place: place.clone() }
     };
     let step = table("value", node);
@@ -68,20 +68,20 @@ fn add(
     table: &str,
     given: Vec<(String, Node)>,
     fixed: &[(String, String)],
-    entries: &mut Vec<Entry>,
+    entries: &mut Vec<KeyEntry>,
     end: &Place,
     report: &mut Report,
 ) {
     let at = entries.iter().position(|entry| entry.key == table).unwrap_or_else(|| {
         let node = Node { value: Value::Table(vec![]), place: end.clone() };
-        entries.push(Entry { key: table.into(), place: end.clone(), node });
+        entries.push(KeyEntry { key: table.into(), place: end.clone(), node });
         entries.len() - 1
     });
     // Another type of value is reported where the table is read.
     let Value::Table(known) = &mut entries[at].node.value else { return };
     for (key, node) in given {
         match known.iter_mut().find(|entry| entry.key == key) {
-            None => known.push(Entry { key, place: node.place.clone(), node }),
+            None => known.push(KeyEntry { key, place: node.place.clone(), node }),
             // An override of a table replaces what the text says.
             Some(entry) if entry.place.source < node.place.source => entry.node = node,
             // An override of the value replaces what the tables say, unless other values follow from it.
@@ -106,15 +106,15 @@ fn line(place: &Place, report: &Report) -> String {
 }
 
 /// The values of the geometric parameters, for the choice of coordinates; 1 for one that cannot be read, which is reported later.
-pub(super) fn numbers(draft: &Draft, entries: &[Entry]) -> HashMap<String, f64> {
+pub(super) fn numbers(draft: &Draft, entries: &[KeyEntry]) -> HashMap<String, f64> {
     let usable = |x: &f64| x.is_finite() && *x > 0.0;
     draft.geometry.iter().map(|g| (g.name.clone(), number(entries, &g.name).filter(usable).unwrap_or(1.0))).collect()
 }
 
 /// The number that `[parameters]` states [SI].
-pub(super) fn number(entries: &[Entry], name: &str) -> Option<f64> {
+pub(super) fn number(entries: &[KeyEntry], name: &str) -> Option<f64> {
     let table = entries.iter().find(|entry| entry.key == "parameters").map(|entry| &entry.node.value);
-    let given: &[Entry] = if let Some(Value::Table(given)) = table { given } else { &[] };
+    let given: &[KeyEntry] = if let Some(Value::Table(given)) = table { given } else { &[] };
     match &given.iter().find(|entry| entry.key == name)?.node.value {
         Value::Number(x) => Some(*x),
         Value::Text(text) => Quantity::parse(text).ok().map(|quantity| quantity.value),

@@ -14,7 +14,7 @@
 //! A run that loses its speed before the measured time, under dry friction for example, has r = 0 while it stands. Its r is that from the
 //! start until half of the speed is lost.
 
-use super::motion::Motion;
+use super::motion::UnitMotion;
 use super::span::Span;
 use crate::engine::equations::Equations;
 use crate::engine::vector::{Vector, dot};
@@ -74,7 +74,7 @@ pub(super) struct Speed {
 
 impl Handle {
     /// The parameters of a scene that can hold the speed `motion`, the best one first.
-    pub(super) fn all(scene: &Scene, entry: &Entry, motion: &Motion, speed: f64) -> Vec<Handle> {
+    pub(super) fn all(scene: &Scene, entry: &Entry, motion: &UnitMotion, speed: f64) -> Vec<Handle> {
         let active = |p: &Parameter| p.varies == Varies::AsLoad && scene.effects.activate(p.with, scene.model);
         let of = |parameter: usize| {
             let force = |value: f64| {
@@ -118,7 +118,13 @@ impl Handle {
 
 impl Speed {
     /// The speed of a run over the measured time.
-    pub(super) fn of(scene: &Scene, equations: &dyn Equations, motion: &Motion, run: &Trajectory, span: &Span) -> Self {
+    pub(super) fn of(
+        scene: &Scene,
+        equations: &dyn Equations,
+        motion: &UnitMotion,
+        run: &Trajectory,
+        span: &Span,
+    ) -> Self {
         let state = |row: usize| -> [Vector; 2] {
             [&run.q, &run.q_dot].map(|columns| Vector::from_fn(columns.len(), |i| columns[i][row]))
         };

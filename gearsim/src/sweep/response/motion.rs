@@ -10,16 +10,16 @@ use crate::tolerance::analysis::HELD_PART;
 use crate::trajectory::{Trajectory, value_at};
 
 /// A motion of the model: the speeds of unit size, and the coordinate by which its size is measured.
-pub(super) struct Motion {
+pub(super) struct UnitMotion {
     pub unit: Vector,
     by: usize,
     /// Its number, if its speed is varied.
     pub varied: Option<usize>,
 }
 
-impl Motion {
+impl UnitMotion {
     /// The motion whose speed is varied, else the first one of the model.
-    pub(super) fn of(scene: &Scene, key: &str, sweep: &Sweep) -> Result<Motion, Error> {
+    pub(super) fn of(scene: &Scene, key: &str, sweep: &Sweep) -> Result<UnitMotion, Error> {
         let named = |name: &str| key.strip_prefix("start.") == Some(name);
         let varied = scene.model.motions.iter().position(|motion| named(motion.name));
         let equations = sweep
@@ -31,7 +31,7 @@ impl Motion {
             false => equations.motion(varied.unwrap_or(0)),
         };
         let by = (0..unit.len()).max_by(|&i, &j| unit[i].abs().total_cmp(&unit[j].abs())).unwrap_or(0);
-        Ok(Motion { unit, by, varied })
+        Ok(UnitMotion { unit, by, varied })
     }
 
     /// The speed that a scene states for it \[SI\]; 0 if it states none.

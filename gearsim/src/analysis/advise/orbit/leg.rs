@@ -3,7 +3,7 @@
 use nalgebra::{DMatrix, DVector};
 
 /// The laws of one phase that step at the end of a leg.
-pub(super) struct Step {
+pub(super) struct LawSteps {
     /// Index of the coordinate that is the phase.
     pub phase: usize,
     /// Its speed [unit of the phase/s].
@@ -27,7 +27,7 @@ pub(super) struct Leg {
     /// Static deflection z_s (m).
     pub rest: DVector<f64>,
     /// The steps at its end, one entry per phase.
-    pub steps: Vec<Step>,
+    pub steps: Vec<LawSteps>,
 }
 
 impl Leg {

@@ -24,7 +24,7 @@ pub(super) struct Phase {
 
 /// A time, s, s', y' and y'' there, and the size of the terms of s.
 #[derive(Clone, Copy)]
-pub(super) struct Place {
+pub(super) struct PhasePoint {
     pub(super) t: f64,
     pub(super) s: f64,
     pub(super) rate: f64,
@@ -34,7 +34,7 @@ pub(super) struct Place {
 }
 
 /// A step of time from a place to where s has another value.
-pub(super) struct Step {
+pub(super) struct SearchStep {
     /// Newton's step: it does not overshoot a root from which the phase bends away \[s\].
     pub(super) newton: f64,
     /// The root of the series of s, if it is close enough for the search to end there \[s\].
@@ -51,7 +51,7 @@ impl Phase {
 
     /// The step from a place to where the phase is `target`.
     #[inline(always)]
-    pub(super) fn step(&self, place: &Place, target: f64, fastest: f64) -> Step {
+    pub(super) fn step(&self, place: &PhasePoint, target: f64, fastest: f64) -> SearchStep {
         let per_rate = 1.0 / place.rate;
         let newton = (target - place.s) * per_rate;
         let jerk = -2.0 * self.sigma * place.a - self.omega2 * place.v;
@@ -64,30 +64,30 @@ impl Phase {
         let (angle, next) = (root.abs() * fastest, a * a + j.abs());
         let lacking = (14.0 * next * next + snap.abs() * (angle + 6.0 * a.abs())) * angle;
         let converges = next < REVERSION_LIMIT * REVERSION_LIMIT && angle <= TURN_REACH && lacking <= TURN_STEP;
-        Step { newton, root: converges.then_some(root) }
+        SearchStep { newton, root: converges.then_some(root) }
     }
 
     /// The phase at a time.
     #[inline(always)]
-    pub(super) fn at(&self, t: f64) -> Place {
+    pub(super) fn at(&self, t: f64) -> PhasePoint {
         let (sine, cosine) = sin_cos(Pack([self.w * t]));
         self.placed(t, cosine.0[0], sine.0[0], self.a)
     }
 
     /// The phase at a zero of y'', where cos wt and sin wt are known.
     #[inline(always)]
-    pub(super) fn bent(&self, t: f64, cosine: f64, sine: f64) -> Place {
+    pub(super) fn bent(&self, t: f64, cosine: f64, sine: f64) -> PhasePoint {
         self.placed(t, cosine, sine, [0.0; 2])
     }
 
     #[inline(always)]
-    fn placed(&self, t: f64, cosine: f64, sine: f64, a: [f64; 2]) -> Place {
+    fn placed(&self, t: f64, cosine: f64, sine: f64, a: [f64; 2]) -> PhasePoint {
         let e = 1.0 + exp_m1(Pack([-(self.sigma * t)])).0[0];
         let v = e * (self.v[0] * cosine + self.v[1] * sine);
         let a = e * (a[0] * cosine + a[1] * sine);
         let y = -(a + 2.0 * self.sigma * v) * self.per_omega2;
         let way = self.drift * t;
-        Place {
+        PhasePoint {
             t,
             s: way + self.part * (y - self.start),
             rate: self.drift + self.part * v,

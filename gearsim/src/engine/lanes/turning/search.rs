@@ -1,6 +1,6 @@
 //! The search for the first crossing, interval by interval.
 
-use super::phase::{Phase, Place};
+use super::phase::{Phase, PhasePoint};
 use crate::tolerance::events::{BOUND_MARGIN, TURN_NEAR};
 use crate::tolerance::modes::KERNEL_ANGLE;
 
@@ -25,7 +25,7 @@ impl Phase {
         };
         let half = std::f64::consts::PI / self.w;
         let (rate, v, a) = (self.drift + self.part * self.v[0], self.v[0], self.a[0]);
-        let mut from = Place { t: 0.0, s: 0.0, rate, v, a, size: 0.0 };
+        let mut from = PhasePoint { t: 0.0, s: 0.0, rate, v, a, size: 0.0 };
         let (mut t, mut sign, mut up) = (turn[1].atan2(turn[0]) / self.w, 1.0, bends < 0.0);
         for _ in 0..MOST.0 {
             if fastest * t > KERNEL_ANGLE {
@@ -46,7 +46,7 @@ impl Phase {
 
     /// The crossing of a phase that is monotone after `from`, which lies between the boundaries.
     #[inline(always)]
-    fn last(&self, from: Place, gaps: [f64; 2], fastest: f64) -> Option<(bool, f64)> {
+    fn last(&self, from: PhasePoint, gaps: [f64; 2], fastest: f64) -> Option<(bool, f64)> {
         let up = self.drift > 0.0;
         let mirror = if up { 1.0 } else { -1.0 };
         let edge = gaps[usize::from(up)];
@@ -70,8 +70,8 @@ impl Phase {
     #[inline(always)]
     fn within(
         &self,
-        from: Place,
-        to: Place,
+        from: PhasePoint,
+        to: PhasePoint,
         (up, bend): (bool, f64),
         gaps: [f64; 2],
         fastest: f64,
