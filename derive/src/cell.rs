@@ -4,7 +4,7 @@
 use symbolica::atom::{Atom, AtomCore, Symbol};
 
 use crate::expr::{Expr, Kind, kind_and_name, number, set, symbol, symbols, total};
-use crate::lagrange::{Motion, external};
+use crate::lagrange::{EquationsOfMotion, external};
 use crate::markers::{all_present, markers, optional, terms, without};
 use crate::model::{Model, Switch};
 use crate::print::{Style, print};
@@ -28,7 +28,7 @@ pub(crate) struct Cell {
 }
 
 /// The matrices of a cell.
-pub(crate) fn derive(model: &Model, s: &Symbols, motion: &Motion) -> Cell {
+pub(crate) fn derive(model: &Model, s: &Symbols, motion: &EquationsOfMotion) -> Cell {
     let mut culprits = inertias(model, s, motion);
     for (energy, pieces) in [("potential energy", &model.potential), ("dissipation function", &model.dissipation)] {
         culprits
@@ -119,7 +119,7 @@ impl Bends {
 }
 
 /// The inertias that depend on the coordinates, as text, each with the effects that it needs.
-fn inertias(model: &Model, s: &Symbols, motion: &Motion) -> Vec<(Vec<String>, String)> {
+fn inertias(model: &Model, s: &Symbols, motion: &EquationsOfMotion) -> Vec<(Vec<String>, String)> {
     let mut found: Vec<(Vec<String>, String)> = vec![];
     for term in motion.inertia.iter().flatten().flatten().flat_map(terms) {
         let coordinates = model.coordinates.iter().map(|c| c.name.as_str());

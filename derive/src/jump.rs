@@ -7,7 +7,7 @@
 use symbolica::atom::{Atom, AtomCore};
 
 use crate::expr::{number, total};
-use crate::lagrange::{Motion, rows};
+use crate::lagrange::{EquationsOfMotion, rows};
 use crate::model::Model;
 use crate::symbols::Symbols;
 
@@ -24,7 +24,7 @@ pub(crate) struct Jump {
 }
 
 /// The jump rule of every law.
-pub(crate) fn derive(model: &Model, motion: &Motion, s: &Symbols) -> Vec<Jump> {
+pub(crate) fn derive(model: &Model, motion: &EquationsOfMotion, s: &Symbols) -> Vec<Jump> {
     model
         .laws
         .iter()

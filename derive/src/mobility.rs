@@ -3,7 +3,7 @@
 use symbolica::atom::{Atom, AtomCore, AtomView};
 
 use crate::expr::{Kind, number, set, symbol, symbols};
-use crate::lagrange::{Motion, mobility_symbol};
+use crate::lagrange::{EquationsOfMotion, mobility_symbol};
 use crate::markers::{all_present, terms};
 use crate::model::Model;
 use crate::refute::is_somewhere_nonzero;
@@ -20,7 +20,7 @@ pub(crate) const LARGEST_DETERMINANT: usize = 4;
 ///
 /// If a constant is a multiple of one entry W_ij of the inverse, as in `m.constant("M2", 2 * m.inverse_mass(phi, phi))`, that
 /// entry and all equal ones are written in this constant in the equations.
-pub(crate) fn name(model: &Model, motion: &mut Motion) -> Result<(), Slip> {
+pub(crate) fn name(model: &Model, motion: &mut EquationsOfMotion) -> Result<(), Slip> {
     let n = model.coordinates.len();
     // If an effect adds inertia, M contains its marker and differs between sets of effects: the engine inverts it numerically.
     let of_effect = motion.mass.iter().flatten().any(|m| symbols(m).iter().any(|s| s.0 == Kind::Marker));

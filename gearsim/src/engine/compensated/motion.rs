@@ -47,12 +47,12 @@ impl Motion for Refined<'_> {
         let due = match end {
             End::Run => Some(clock.exactly_until(self.now.t_end)),
             End::Breakpoint => self.now.forcing.as_ref().map(|forcing| clock.exactly_until(forcing.next())),
-            End::StiffnessStep(i, _) => self.now.laws[i].next_switch().map(|(switch, _)| clock.exactly_until(switch)),
+            End::Step(i, _) => self.now.laws[i].next_switch().map(|(switch, _)| clock.exactly_until(switch)),
             _ => None,
         };
         let met = match (due, end) {
             (Some(due), _) => Some((due, self.flight.at(due))),
-            (None, End::StiffnessStep(..) | End::Exit(..)) => {
+            (None, End::Step(..) | End::Exit(..)) => {
                 self.guard(end, &reached).and_then(|guard| self.flight.meet(&guard, t))
             }
             (None, End::Hold(..) | End::Loose(..)) => {
@@ -82,7 +82,7 @@ impl Refined<'_> {
         let now = self.now;
         let k = || cells::values(self.exact, &now.switches, &now.k);
         match end {
-            End::StiffnessStep(i, side) => {
+            End::Step(i, side) => {
                 let law = &now.laws[i];
                 Some(Guard::phase(now.state.q.len(), law.phase, law.boundary(side)))
             }
