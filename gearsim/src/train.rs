@@ -23,7 +23,7 @@ pub enum Row {
     /// A coordinate of the train.
     Coordinate(usize),
     /// A linear form.
-    RotationForm(RotationForm),
+    Form(RotationForm),
 }
 
 /// A part of a train. Each list has, for everything that the element has, its index in the train.

@@ -39,7 +39,7 @@ impl Effects {
         self
     }
 
-    /// The indices of the effect `name`, or of the effect of that name at each part.
+    /// The numbers of the effects that `name` stands for: one effect, or the effects of that name at all parts.
     pub fn numbers(name: &str, model: &Model) -> Vec<usize> {
         let all = model.effects.iter().enumerate().filter(|(_, effect)| effect.name == name || effect.of == Some(name));
         all.map(|(i, _)| i).collect()
@@ -95,7 +95,7 @@ impl Effects {
         model.laws.iter().any(|law| law.phase == coordinate && self.rolls(law, model))
     }
 
-    /// The terms that make cells of `model` nonlinear with these effects, as text; empty if cells are linear.
+    /// The terms that make the cells of `model` nonlinear if it has these effects, as text. Empty if the cells are linear.
     pub fn nonlinear(&self, model: &Model) -> String {
         let all = |effects: &[&str]| effects.iter().all(|effect| self.has(effect, model));
         let with = model.nonlinear_with.iter().filter(|(effects, _)| all(effects));
@@ -103,7 +103,8 @@ impl Effects {
         all.collect::<Vec<_>>().join("; ")
     }
 
-    /// The effects of the set that exclude one another or need a missing one, as text; empty if there are none.
+    /// The contradictions in the set, as text: effects that exclude one another, and effects that need one that is missing. Empty if there
+    /// are none.
     pub fn contradictions(&self, model: &Model) -> String {
         let of = |effect: &Effect| {
             let excluded = effect.excludes.iter().filter(|other| self.has(other, model));

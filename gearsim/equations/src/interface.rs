@@ -32,7 +32,7 @@ use crate::vector::{Matrix, Vector};
 /// symbols of the model have a place, also those of absent effects.
 ///
 /// # Panics
-/// All functions, if the length of a vector does not match the model.
+/// Each function panics if the length of a vector does not match the model.
 pub trait Equations: Send + Sync {
     /// Number n of coordinates.
     fn coordinates(&self) -> usize;
@@ -90,7 +90,7 @@ pub trait Equations: Send + Sync {
     fn other_dissipation(&self, _q: &[f64], _q_dot: &[f64], _k: &[f64]) -> f64 {
         0.0
     }
-    /// Derivatives of the generalised forces by q and by q' (n x n each, one row per equation); `ddk` = d²k/ds².
+    /// The derivatives of the generalised forces by q, and those by q' (n x n each, one row for each force). `ddk` = d²k/ds².
     fn jacobian(&self, q: &[f64], q_dot: &[f64], k: &[f64], dk: &[f64], ddk: &[f64]) -> [Matrix; 2];
 
     /// Whether M does not depend on q in this set of effects.
@@ -134,7 +134,7 @@ pub trait Equations: Send + Sync {
     /// dV = V(far side) - V(near side) at the same q, for a step `dk` of law `i` \[J\].
     fn step(&self, law: usize, q: &[f64], k: &[f64], dk: f64) -> f64;
 
-    /// The values of the symbols of switch `i` in a mode; `None` if its effect is not in the set.
+    /// The values that the symbols of switch `i` have in a mode; `None` if the scene does not have the effect of the switch.
     fn mode(&self, i: usize, _mode: usize) -> Option<Vec<f64>> {
         no_such("switch", i)
     }
@@ -155,7 +155,7 @@ pub trait Equations: Send + Sync {
     fn deflection(&self, i: usize, _q: &[f64], _k: &[f64]) -> Deflection {
         no_such("deflection", i)
     }
-    /// Whether a named deflection is not linear in the coordinates in this set of effects.
+    /// Whether, with these effects, a named deflection is a nonlinear function of the coordinates.
     fn bends(&self) -> bool {
         false
     }

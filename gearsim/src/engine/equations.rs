@@ -16,10 +16,10 @@ use crate::scene::Scene;
 use crate::tolerance::events::EDGE_ROUNDING;
 use varying::Varying;
 
-/// The source of the equations of a scene: a derived model, or parts that are put together ([`train`](crate::engine::train)).
+/// Where the equations of a scene come from: a derived model, or the parts of a train ([`train`](crate::engine::train)).
 pub trait Source: Sync {
-    /// The equations of a scene with these values of its parameters [SI] and mid values of its laws; `None` if its effects contradict one
-    /// another.
+    /// The equations of a scene. `parameters` are the values of its parameters \[SI\], `mids` the mid values of its laws. `None` if its
+    /// effects contradict one another.
     fn equations(&self, scene: &Scene, parameters: &[f64], mids: &[f64]) -> Option<Box<dyn Equations>>;
     /// The linear cells of a scene in double-double precision.
     fn exactly<'a>(&'a self, scene: &'a Scene, parameters: Vec<Df64>, mids: Vec<Df64>) -> Box<dyn ExactCells + 'a>;

@@ -24,8 +24,8 @@ fn plane(html: &mut Html, floquet: &Floquet) {
         let at = |i: usize| std::f64::consts::PI * (1.0 - i as f64 / HALF as f64);
         (0..=HALF).map(at).map(|angle| (angle.cos(), sign * angle.sin())).collect()
     };
-    let circle = Style { colour: Colour::PageCurve(2), dash: "solid".into(), width: 1.0, marker: None };
-    let dots = Style { colour: Colour::PageCurve(0), dash: "solid".into(), width: 0.0, marker: Some("circle") };
+    let circle = Style { colour: Colour::Curve(2), dash: "solid".into(), width: 1.0, marker: None };
+    let dots = Style { colour: Colour::Curve(0), dash: "solid".into(), width: 0.0, marker: Some("circle") };
     let mut curve = |name: &str, doc: &str, points: &[(f64, f64)], style: &Style, with| {
         let (x, y): (Vec<f64>, Vec<f64>) = points.iter().copied().unzip();
         let (x, y) = (html.embed(&x, Counts::Short), html.embed(&y, Counts::Short));

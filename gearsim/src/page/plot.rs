@@ -98,7 +98,7 @@ pub struct Style {
 #[serde(untagged)]
 pub enum Colour {
     /// One of the colours of curves, which differ between light and dark pages.
-    PageCurve(usize),
+    Curve(usize),
     /// A CSS colour, the same on all pages.
     Fixed(&'static str),
 }

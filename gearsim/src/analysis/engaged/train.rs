@@ -18,7 +18,7 @@ pub(super) fn teeth(scene: &Scene, train: &Train, i: usize) -> Option<Teeth> {
     let form = |row: &'_ Row| -> RotationForm {
         match row {
             Row::Coordinate(j) => train.coordinates[*j].clone(),
-            Row::RotationForm(form) => form.clone(),
+            Row::Form(form) => form.clone(),
         }
     };
     let [mut lead, turn] = [form(part.rows.get(1)?), form(part.rows.get(2)?)];

@@ -38,7 +38,7 @@ impl<R: Sized64> Geometry<R> {
         };
         let row = |row: &Row| match row {
             Row::Coordinate(j) => (0..n).map(|i| R::from(f64::from(u8::from(i == *j)))).collect(),
-            Row::RotationForm(form) => by_coordinates(form),
+            Row::Form(form) => by_coordinates(form),
         };
         let rows = |rows: &Vec<Row>| {
             let rows: Vec<Vec<R>> = rows.iter().map(row).collect();

@@ -94,7 +94,7 @@ fn style(style: plot::Style) -> Style {
     let known = (0..COLOURS).find(|&i| plot::Style::nth(i).colour == style.colour);
     let dashes: Vec<_> = style.dashes.iter().map(|length| format!("{length}px")).collect();
     Style {
-        colour: known.map_or(Colour::Fixed(style.colour), Colour::PageCurve),
+        colour: known.map_or(Colour::Fixed(style.colour), Colour::Curve),
         dash: if dashes.is_empty() { "solid".into() } else { dashes.join(",") },
         width: style.width,
         marker: match style.marker {

@@ -154,7 +154,7 @@ impl<'a> Composer<'a> {
             let rows = self.draft.parts[i].rows.iter().enumerate();
             let row = |(j, terms): (usize, &Terms)| match self.basis.of_rows.get(&(i, j)) {
                 Some(coordinate) => Row::Coordinate(*coordinate),
-                None => Row::RotationForm(form(&resolve(self.draft, terms))),
+                None => Row::Form(form(&resolve(self.draft, terms))),
             };
             part.rows = rows.map(row).collect();
         }

@@ -18,7 +18,7 @@ const LOG: &str = "GEARSIM_COSTS_LOG";
 
 /// Processor times of a build [s]: user and system time of rustc and of the linker, to 0.02 s for each call of rustc.
 pub struct Build {
-    /// The crates of gearsim and its program, by their names in the table.
+    /// The processor time of each crate of gearsim, and of its program, with its name in the table.
     pub gearsim: Vec<(String, f64)>,
     /// Each dependency by its name, all its versions and its build script included, the longest time first.
     pub dependencies: Vec<(String, f64)>,
