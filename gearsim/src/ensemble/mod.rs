@@ -146,6 +146,12 @@ impl<const N: usize, const L: usize> NullaryFnOnce for Advance<'_, N, L> {
     #[inline(always)]
     fn call(self) -> (Mask<L>, Mask<L>) {
         let Advance { lanes, mut active, mut waiting } = self;
+        if L == 1 {
+            // A single lane waits for no other. With a mask that is known, its numbers need not be masked.
+            let all = Mask::of(|_| true);
+            while lanes.pass(all).is_all() {}
+            return (all, waiting.without(all));
+        }
         let mut waited = 0;
         loop {
             let leader = (0..L).find(|lane| active.is_set(*lane));

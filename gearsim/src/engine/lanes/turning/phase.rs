@@ -22,7 +22,7 @@ pub(super) struct Phase {
     pub(super) start: f64,
 }
 
-/// A time, s, s', y' and y'' there, and the size of the terms of s.
+/// A time, s, s', y' and y'' there, the size of the terms of s, and e^{-sigma t}.
 #[derive(Clone, Copy)]
 pub(super) struct PhasePoint {
     pub(super) t: f64,
@@ -31,6 +31,7 @@ pub(super) struct PhasePoint {
     pub(super) v: f64,
     pub(super) a: f64,
     pub(super) size: f64,
+    pub(super) decay: f64,
 }
 
 /// A step of time from a place to where s has another value.
@@ -94,6 +95,7 @@ impl Phase {
             v,
             a,
             size: way.abs() + self.part.abs() * (y.abs() + self.start.abs()),
+            decay: e,
         }
     }
 }

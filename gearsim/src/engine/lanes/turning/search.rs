@@ -25,7 +25,7 @@ impl Phase {
         };
         let half = std::f64::consts::PI / self.w;
         let (rate, v, a) = (self.drift + self.part * self.v[0], self.v[0], self.a[0]);
-        let mut from = PhasePoint { t: 0.0, s: 0.0, rate, v, a, size: 0.0 };
+        let mut from = PhasePoint { t: 0.0, s: 0.0, rate, v, a, size: 0.0, decay: 1.0 };
         let (mut t, mut sign, mut up) = (turn[1].atan2(turn[0]) / self.w, 1.0, bends < 0.0);
         for _ in 0..MOST.0 {
             if fastest * t > KERNEL_ANGLE {
@@ -38,10 +38,38 @@ impl Phase {
                 None if self.drift.abs() > (to.rate - self.drift).abs() * (1.0 + BOUND_MARGIN) => {
                     return self.last(to, gaps, fastest);
                 }
-                None => (from, t, sign, up) = (to, t + half, -sign, !up),
+                None => {}
             }
+            from = to;
+            let halves = self.halves_out_of_reach(&to, gaps, half);
+            if halves > 0.0 {
+                t += halves * half;
+                if halves % 2.0 == 1.0 {
+                    (sign, up) = (-sign, !up);
+                }
+                from = self.bent(t, sign * turn[0], sign * turn[1]);
+            }
+            (t, sign, up) = (t + half, -sign, !up);
         }
         None
+    }
+
+    /// Number of half vibrations after `here` in which no boundary can be met: the vibration is never larger again than it is here, so the
+    /// steady motion has to come closer to a boundary first.
+    #[inline(always)]
+    fn halves_out_of_reach(&self, here: &PhasePoint, gaps: [f64; 2], half: f64) -> f64 {
+        let displacement = |i: usize| (self.a[i] + 2.0 * self.sigma * self.v[i]) * self.per_omega2;
+        let (y, lag) = (displacement(0), displacement(1));
+        let swing = self.part.abs() * here.decay * (y * y + lag * lag).sqrt();
+        let margin = swing + TURN_NEAR * (gaps[0] + gaps[1] + here.size);
+        let up = self.drift > 0.0;
+        let (mirror, way) = (if up { 1.0 } else { -1.0 }, self.drift.abs());
+        let [ahead, behind] = if up { [gaps[1], gaps[0]] } else { gaps };
+        let centre = -mirror * self.part * self.start;
+        if behind + centre + way * here.t <= margin {
+            return 0.0;
+        }
+        (((ahead - centre - margin) / way - here.t) / half).floor().max(0.0)
     }
 
     /// The crossing of a phase that is monotone after `from`, which lies between the boundaries.

@@ -9,12 +9,12 @@ fn random(seed: &mut u64) -> f64 {
     (*seed >> 11) as f64 / (1u64 << 53) as f64
 }
 
-/// A phase of unit frequency that starts on a boundary or between two, with any drift.
-fn draw(seed: &mut u64) -> (Phase, [f64; 2]) {
+/// A phase of unit frequency that starts on a boundary or between two, with any drift up to `fastest`, and damping up to `most`.
+fn draw(seed: &mut u64, fastest: f64, most: f64) -> (Phase, [f64; 2]) {
     let mut even = |size: f64| size * (2.0 * random(seed) - 1.0);
-    let (sigma, omega2, part) = (even(0.2).abs(), 1.0, even(2.0));
+    let (sigma, omega2, part) = (even(most).abs(), 1.0, even(2.0));
     let w: f64 = (omega2 - sigma * sigma).sqrt();
-    let (v, y, drift) = (even(1.0), even(1.0), even(0.5));
+    let (v, y, drift) = (even(1.0), even(1.0), even(fastest));
     let a = -2.0 * sigma * v - omega2 * y;
     let jerk = -2.0 * sigma * a - omega2 * v;
     let phase = Phase {
@@ -41,20 +41,31 @@ fn draw(seed: &mut u64) -> (Phase, [f64; 2]) {
 
 #[test]
 fn first_crossings_are_those_of_a_scan() {
-    let (mut seed, mut found, mut left) = (1, 0u32, 0u32);
-    let (until, steps) = (40.0, 8000);
-    for _ in 0..4000 {
-        let (phase, gaps) = draw(&mut seed);
+    agrees_with_scans(4000, 0.5, 0.2, 40.0);
+}
+
+#[test]
+fn slow_phases_cross_after_many_vibrations_where_a_scan_finds_it() {
+    agrees_with_scans(400, 0.01, 0.002, 1000.0);
+}
+
+/// Compares the first crossings before the time `until` of `count` random phases with those of a scan.
+fn agrees_with_scans(count: usize, fastest: f64, damping: f64, until: f64) {
+    let (mut seed, mut found, mut left, mut late) = (1, 0usize, 0usize, 0usize);
+    let steps = (until / 5e-3) as u32;
+    for _ in 0..count {
+        let (phase, gaps) = draw(&mut seed, fastest, damping);
         let outside = |t: f64| {
             let s = phase.at(t).s;
             if s > gaps[1] { Some(true) } else { (s < -gaps[0]).then_some(false) }
         };
         let seen = (1..=steps).map(|i| until * f64::from(i) / f64::from(steps)).find_map(|t| Some((outside(t)?, t)));
         let Some((up, t)) = phase.first(gaps, 1.0 + 2.0 * phase.sigma, until) else {
-            left += u32::from(seen.is_some());
+            left += usize::from(seen.is_some());
             continue;
         };
         found += 1;
+        late += usize::from(t > until / 4.0);
         // It lies where it was found, whether or not it is deep enough for the scan.
         assert!(!phase.is_monotone() || up == (phase.drift > 0.0), "a monotone phase goes one way, {gaps:?}");
         let there = phase.at(t);
@@ -66,7 +77,8 @@ fn first_crossings_are_those_of_a_scan() {
             assert!(side == up || t < at - until / f64::from(steps), "{up} at {t}, {side} at {at}, {gaps:?}");
         }
     }
-    assert!(found > 2000 && left * 50 < found, "{found} found, {left} left");
+    assert!(found * 2 > count && left * 50 < found, "{found} found, {left} left");
+    assert!(late * 50 > found, "{late} of {found} are late");
 }
 
 #[test]
