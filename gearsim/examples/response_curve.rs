@@ -2,7 +2,7 @@
 //!
 //! `cargo run --release --example response_curve`, from the root of the repository.
 
-use gearsim::sweep::response::Response;
+use gearsim::sweep::response::ResponseCurve;
 use gearsim::{Error, Scene};
 
 fn main() -> Result<(), Error> {
@@ -18,6 +18,6 @@ fn main() -> Result<(), Error> {
 }
 
 /// The response over `axis` of the first recorded output, from the time after 0.05 s of each point.
-pub fn curve(path: &str, axis: &str) -> Result<Response, Error> {
+pub fn curve(path: &str, axis: &str) -> Result<ResponseCurve, Error> {
     Scene::load(path)?.vary(axis).from(0.05).response()
 }

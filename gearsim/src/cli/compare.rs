@@ -58,13 +58,13 @@ struct Comparison {
     /// Name of the scene.
     scene: String,
     /// One entry per set of equations, the exact ones first.
-    runs: Vec<Entry>,
+    runs: Vec<RunSummary>,
     /// Names of the plots in the same folder; each shows all runs.
     plots: Vec<String>,
 }
 
 #[derive(Serialize)]
-struct Entry {
+struct RunSummary {
     /// Name of the set of equations.
     equations: &'static str,
     /// The content of `summary.json` for this run.
@@ -117,7 +117,7 @@ fn write(
     let entries = members.iter().zip(&summaries);
     let comparison = Comparison {
         scene: scene.name.clone(),
-        runs: entries.map(|(m, s)| Entry { equations: m.set.label, summary: s.clone() }).collect(),
+        runs: entries.map(|(m, s)| RunSummary { equations: m.set.label, summary: s.clone() }).collect(),
         plots: folder.files()[before..].to_vec(),
     };
     if let Some(page) = page {

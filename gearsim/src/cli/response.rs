@@ -14,7 +14,7 @@ use crate::output::unit::in_words;
 use crate::output::{OutputFolder, csv, document, parquet};
 use crate::plot;
 use crate::scene::Scene;
-use crate::sweep::response::{Hold, MEASURES, Measure, Response, measure};
+use crate::sweep::response::{Hold, MEASURES, Measure, ResponseCurve, measure};
 use crate::sweep::{Request, Status, Sweep};
 
 /// Response curves: outputs over a speed or another value, each point from the settled state before it
@@ -158,7 +158,7 @@ impl ResponseCommand {
 
 /// What holds the speed, what was measured, the largest value of each output on each way, and where it is: names, and what is said of
 /// each.
-fn facts(response: &Response, measure: Measure) -> Vec<(String, String)> {
+fn facts(response: &ResponseCurve, measure: Measure) -> Vec<(String, String)> {
     let mut facts = vec![("speed".into(), response.holding.clone()), ("measured".into(), measured(response))];
     let words = measure.name.replace('_', " ");
     let (unit, scale) = response.shown_unit();
@@ -183,7 +183,7 @@ fn facts(response: &Response, measure: Measure) -> Vec<(String, String)> {
 }
 
 /// What the points were measured over, in words.
-fn measured(response: &Response) -> String {
+fn measured(response: &ResponseCurve) -> String {
     let spans: Vec<_> = response.points.iter().filter_map(|point| point.span).collect();
     let Some(first) = spans.first() else { return "nothing: no point has a result".into() };
     let (least, most) = spans.iter().fold((u32::MAX, 0), |(a, b), span| (a.min(span.periods), b.max(span.periods)));
@@ -201,7 +201,7 @@ fn measured(response: &Response) -> String {
 }
 
 /// A failure if a point was not run to its end, or not at its speed.
-fn failure(response: &Response, folder: &Path) -> Result<(), Failure> {
+fn failure(response: &ResponseCurve, folder: &Path) -> Result<(), Failure> {
     let wrong: Vec<_> = response.points.iter().filter(|point| point.status != Status::Done).collect();
     match wrong.first() {
         None => Ok(()),

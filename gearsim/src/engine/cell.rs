@@ -10,7 +10,7 @@ use crate::engine::conserved::Conserved;
 use crate::engine::coupling::Coupling;
 use crate::engine::equations::Equations;
 use crate::engine::error::Refusal;
-use crate::engine::forcing::linear::Linear;
+use crate::engine::forcing::linear::LinearCell;
 use crate::engine::modal::{Coupled, Matrices, Modal, inverse_root};
 use crate::engine::mode::Mode;
 use crate::engine::real::Sized64;
@@ -71,7 +71,7 @@ impl Cell {
         equations: &dyn Equations,
         (switches, k): (&[Switch], &[f64]),
         normals: &DMatrix<f64>,
-    ) -> Result<(Self, Linear), Refusal> {
+    ) -> Result<(Self, LinearCell), Refusal> {
         let full = matrices(equations, switches, k)?;
         // Z is a basis of the remaining motions: q' = Z u, where u are the speeds of some of the coordinates. M, C, K and f are
         // projected onto it.
@@ -89,7 +89,7 @@ impl Cell {
         })?;
         let shapes = &z * &modal.shapes;
         let (momentum, springs) = (&modal.momentum * select, shapes.transpose() * full.stiffness);
-        let linear = Linear::seen(&modal, &shapes, &momentum, &springs);
+        let linear = LinearCell::seen(&modal, &shapes, &momentum, &springs);
         Ok((Self::from_modal(&modal, &shapes, &momentum, &springs), linear))
     }
 

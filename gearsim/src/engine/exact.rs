@@ -9,7 +9,7 @@ use crate::engine::cells::{Cells, Number, Prepared};
 use crate::engine::contact::{Contact, StateForm};
 use crate::engine::crossing::{Delay, Side};
 use crate::engine::error::{Refusal, Stop};
-use crate::engine::forcing::linear::Linear;
+use crate::engine::forcing::linear::LinearCell;
 use crate::engine::hybrid::Hybrid;
 use crate::engine::law;
 use crate::engine::motion::{Motion, Solver};
@@ -30,7 +30,7 @@ use window::InWindow;
 pub struct Exact {
     cells: Cells,
     /// The cells in their undamped modes, for windows, by their numbers.
-    linear: HashMap<Number, Linear>,
+    linear: HashMap<Number, LinearCell>,
     /// The present cell with what is held in it.
     held: Option<Arc<Held>>,
     /// The cells met so far in which something was held, by their numbers and the phases held.
@@ -46,7 +46,7 @@ type CellKey = (Number, Vec<(usize, Side)>);
 #[derive(Debug, Clone)]
 struct Held {
     cell: Prepared,
-    linear: Linear,
+    linear: LinearCell,
     /// The functions that end the holds, in the order of the contact's.
     watches: Vec<Watch>,
 }
@@ -98,7 +98,7 @@ impl Solver for Exact {
         if now.forcing.is_some()
             && let Entry::Vacant(place) = self.linear.entry(now.cell())
         {
-            place.insert(Linear::new(now.equations, &now.switches, &now.k)?);
+            place.insert(LinearCell::new(now.equations, &now.switches, &now.k)?);
         }
         self.held = match &now.contact {
             Some(contact) => Some(self.meet_held(now, contact)?),

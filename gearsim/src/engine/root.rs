@@ -79,7 +79,7 @@ pub fn first_of<const MOST: usize>(coefficients: &[f64], tolerance: f64) -> Foun
 
 /// An interval, and the Bernstein coefficients on it.
 #[derive(Clone, Copy)]
-struct Piece<const MOST: usize> {
+struct BernsteinInterval<const MOST: usize> {
     low: f64,
     width: f64,
     depth: u32,
@@ -89,8 +89,8 @@ struct Piece<const MOST: usize> {
 fn search<const MOST: usize>(b: &[f64; MOST], c: &[f64], order: i32, tolerance: f64) -> Found {
     let n = c.len();
     let mut found = Found::default();
-    let mut stack = vec![Piece { low: 0.0, width: 1.0, depth: 0, b: *b }];
-    while let Some(Piece { low, width, depth, b }) = stack.pop() {
+    let mut stack = vec![BernsteinInterval { low: 0.0, width: 1.0, depth: 0, b: *b }];
+    while let Some(BernsteinInterval { low, width, depth, b }) = stack.pop() {
         found.steps += 1;
         let b_of = &b[..n];
         if b_of.iter().all(|b| *b > 0.0) {
@@ -115,8 +115,8 @@ fn search<const MOST: usize>(b: &[f64; MOST], c: &[f64], order: i32, tolerance: 
         }
         let (left, right) = halves(&b, n);
         let width = 0.5 * width;
-        stack.push(Piece { low: low + width, width, depth: depth + 1, b: right });
-        stack.push(Piece { low, width, depth: depth + 1, b: left });
+        stack.push(BernsteinInterval { low: low + width, width, depth: depth + 1, b: right });
+        stack.push(BernsteinInterval { low, width, depth: depth + 1, b: left });
     }
     found
 }

@@ -42,7 +42,7 @@ pub struct Rounding {
 
 /// Power series of a signal at the start: s(t) = s'(0) t + sum over k >= 2 of s^(k)(0) t^k/k!, and a remainder.
 #[derive(Debug, Clone, Copy)]
-pub struct Series {
+pub struct PowerSeries {
     /// s'', s''', ... at the start.
     pub derivatives: [f64; TERMS],
     /// Rounding error of each of them.
@@ -51,7 +51,7 @@ pub struct Series {
     pub bound: f64,
 }
 
-/// Number of derivatives of a [`Series`], from the second on.
+/// Number of derivatives of a [`PowerSeries`], from the second on.
 pub const TERMS: usize = 12;
 
 impl Reach {
@@ -184,8 +184,8 @@ impl Signal<'_> {
     }
 
     /// Its power series at the start.
-    pub fn series(&self) -> Series {
-        let mut series = Series { derivatives: [0.0; TERMS], rounding: [0.0; TERMS], bound: 0.0 };
+    pub fn series(&self) -> PowerSeries {
+        let mut series = PowerSeries { derivatives: [0.0; TERMS], rounding: [0.0; TERMS], bound: 0.0 };
         for i in 0..self.flight.n() {
             let mode = self.flight.mode(i);
             let (c, d) = (self.on_moved[i], self.on_speed.map_or(0.0, |d| d[i]));

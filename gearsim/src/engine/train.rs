@@ -14,7 +14,7 @@ mod placed;
 use xprec::Df64;
 
 use self::geometry::Geometry;
-use self::linear::{Balance, Inertias, Linear, Sparse};
+use self::linear::{Balance, ConstantParts, Inertias, Sparse};
 use self::observed::{Observed, Observer, OfPart};
 use self::placed::Placed;
 use crate::engine::equations::{
@@ -71,7 +71,7 @@ struct Assembly {
     /// Parts whose forces are not linear with constant factors.
     varying: Vec<usize>,
     /// The other parts.
-    linear: Linear,
+    linear: ConstantParts,
     inertias: Inertias,
     /// For each law, each switch and each deflection: its part, and its number there.
     laws: Vec<[usize; 2]>,
@@ -134,7 +134,7 @@ impl Assembly {
         Assembly {
             n,
             varying: (0..parts.len()).filter(|&i| !parts[i].is_constant).collect(),
-            linear: Linear::of(n, parts.iter().filter(|p| p.is_constant).map(|p| (&*p.equations, &p.rows[..]))),
+            linear: ConstantParts::of(n, parts.iter().filter(|p| p.is_constant).map(|p| (&*p.equations, &p.rows[..]))),
             inertias: Inertias::of(parts.iter().map(|p| (p.mass(), &p.matrix))),
             laws: of_laws,
             switches,

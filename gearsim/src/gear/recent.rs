@@ -16,13 +16,13 @@ const MOST: usize = 16;
 struct Asked {
     gears: Gears,
     method: StiffnessMethod,
-    law: Law,
+    law: AskedLaw,
     period: f64,
     scale: f64,
 }
 
 #[derive(Debug, Clone, Copy, PartialEq)]
-enum Law {
+enum AskedLaw {
     Stiffness(CellShape),
     Friction(FrictionLaw),
 }
@@ -40,7 +40,7 @@ pub fn stiffness(
     period: f64,
     scale: f64,
 ) -> Result<Profile, GearError> {
-    known(Asked { gears: gears.clone(), method, law: Law::Stiffness(shape), period, scale })
+    known(Asked { gears: gears.clone(), method, law: AskedLaw::Stiffness(shape), period, scale })
 }
 
 /// The friction law `what` of `gears` over a phase of the given period, times `scale`. The stiffness method decides the shares: equal
@@ -55,7 +55,7 @@ pub fn friction(
     period: f64,
     scale: f64,
 ) -> Result<Profile, GearError> {
-    known(Asked { gears: gears.clone(), method, law: Law::Friction(what), period, scale })
+    known(Asked { gears: gears.clone(), method, law: AskedLaw::Friction(what), period, scale })
 }
 
 /// The law: one of the last ones, or computed.
@@ -66,8 +66,8 @@ fn known(asked: Asked) -> Result<Profile, GearError> {
     }
     let Asked { ref gears, method, law, period, scale } = asked;
     let profile = match law {
-        Law::Stiffness(shape) => mesh_stiffness::stiffness(gears, method, shape, period, scale),
-        Law::Friction(what) => friction::friction(gears, method, what, period, scale),
+        AskedLaw::Stiffness(shape) => mesh_stiffness::stiffness(gears, method, shape, period, scale),
+        AskedLaw::Friction(what) => friction::friction(gears, method, what, period, scale),
     }?;
     let mut laws = recent();
     laws.truncate(MOST - 1);

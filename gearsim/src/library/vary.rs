@@ -6,7 +6,7 @@ use super::{Error, Job, Value};
 use crate::known;
 use crate::output::Table;
 use crate::scene::{Scene, Template};
-use crate::sweep::response::{Hold, Response};
+use crate::sweep::response::{Hold, ResponseCurve};
 use crate::sweep::{Design, Request, Sweep};
 
 impl Scene {
@@ -110,7 +110,7 @@ impl Variation {
     /// # Errors
     /// If there is more than one axis, its values do not rise, the scene records no output, or [`Variation::hold`] names a parameter that
     /// cannot hold the speed.
-    pub fn response(&self) -> Result<Response, Error> {
+    pub fn response(&self) -> Result<ResponseCurve, Error> {
         self.response_watched(&mut |_| {})
     }
 
@@ -118,7 +118,7 @@ impl Variation {
     ///
     /// # Errors
     /// As [`Variation::response`].
-    pub fn response_watched(&self, watch: &mut dyn FnMut(usize)) -> Result<Response, Error> {
+    pub fn response_watched(&self, watch: &mut dyn FnMut(usize)) -> Result<ResponseCurve, Error> {
         Ok(self.sweep()?.response(true, &self.hold, watch)?)
     }
 

@@ -3,7 +3,7 @@
 //! Method of Dormand & Prince; coefficients and error estimate: Hairer, Norsett & Wanner, Solving Ordinary Differential Equations
 //! I, 2nd ed. (1993), II.5, II.10, and their code `dop853`. Stability limit on the negative real axis: h |lambda| < 6.1.
 
-use super::explicit::{Error, Interpolant, Tableau};
+use super::explicit::{ErrorEstimate, Interpolant, Tableau};
 
 /// The method. Stages 13 to 15 are used by the dense output only.
 pub const DOP853: Tableau = Tableau {
@@ -12,7 +12,7 @@ pub const DOP853: Tableau = Tableau {
     rows: &ROWS,
     nodes: &NODES,
     last: 12,
-    error: Error::Double { fifth: FIFTH, third: THIRD },
+    error: ErrorEstimate::Double { fifth: FIFTH, third: THIRD },
     interpolant: Interpolant::Nested(&DENSE),
     stability: 6.1,
 };

@@ -3,7 +3,7 @@
 //! Dormand & Prince (1980), J. Comput. Appl. Math. 6(1), Table 2; dense output: Shampine (1986), Math. Comput. 46(173); stability
 //! limit: Hairer & Wanner, Solving Ordinary Differential Equations II, IV.2.
 
-use super::explicit::{Error, Interpolant, Tableau};
+use super::explicit::{ErrorEstimate, Interpolant, Tableau};
 
 /// The method.
 pub const DOPRI5: Tableau = Tableau {
@@ -12,7 +12,7 @@ pub const DOPRI5: Tableau = Tableau {
     rows: &ROWS,
     nodes: &NODES,
     last: 6,
-    error: Error::Single(ERROR),
+    error: ErrorEstimate::Single(ERROR),
     interpolant: Interpolant::Powers(DENSE),
     stability: 3.25,
 };

@@ -25,7 +25,7 @@ pub struct Tableau {
     /// The stage whose argument is the state at the end of the step. The stages after it are used by the dense output only.
     pub last: usize,
     /// The error estimate.
-    pub error: Error,
+    pub error: ErrorEstimate,
     /// The dense output.
     pub interpolant: Interpolant,
     /// Stability limit: the largest |h lambda| on the negative real axis.
@@ -34,7 +34,7 @@ pub struct Tableau {
 
 /// The error estimate of a step.
 #[derive(Debug, Clone, Copy)]
-pub enum Error {
+pub enum ErrorEstimate {
     /// None.
     None,
     /// One linear combination of the k.
@@ -138,9 +138,9 @@ impl Explicit {
         let error = self.tableau.error;
         let mut size = |row| h * scale.norm(&self.sum(row));
         match error {
-            Error::None => 0.0,
-            Error::Single(row) => size(row),
-            Error::Double { fifth, third } => {
+            ErrorEstimate::None => 0.0,
+            ErrorEstimate::Single(row) => size(row),
+            ErrorEstimate::Double { fifth, third } => {
                 let (e5, e3) = (size(fifth), size(third));
                 if e5 == 0.0 { 0.0 } else { e5 * e5 / (e5 * e5 + 0.01 * e3 * e3).sqrt() }
             }

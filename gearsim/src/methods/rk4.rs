@@ -2,7 +2,7 @@
 //!
 //! Kutta (1901), Z. Math. Phys. 46. The method has no error estimate; the scene states the step length.
 
-use super::explicit::{Error, Interpolant, Tableau};
+use super::explicit::{ErrorEstimate, Interpolant, Tableau};
 
 /// The method.
 pub const RK4: Tableau = Tableau {
@@ -11,7 +11,7 @@ pub const RK4: Tableau = Tableau {
     rows: &ROWS,
     nodes: &[0.0, 0.5, 0.5, 1.0, 1.0],
     last: 4,
-    error: Error::None,
+    error: ErrorEstimate::None,
     // y_0 + h k_0 x + (3 (y_1 - y_0) - h (2 k_0 + k_4)) x² + (h (k_0 + k_4) - 2 (y_1 - y_0)) x³.
     interpolant: Interpolant::Powers(&[
         (0, [1.0, -1.5, 2.0 / 3.0, 0.0]),

@@ -3,16 +3,16 @@
 use super::figure::MARKED;
 use super::outputs;
 use super::{Axis, Figure, Marker, Panel, Series};
-use crate::sweep::response::{Measure, Point, Response, measure};
+use crate::sweep::response::{Measure, ResponseCurve, ResponsePoint, measure};
 use crate::sweep::row::Status;
 
 /// The figure of a response; `measured` is what is drawn of the outputs that have it.
-pub fn figure(scene: &str, response: &Response, measured: Measure) -> Figure {
+pub fn figure(scene: &str, response: &ResponseCurve, measured: Measure) -> Figure {
     let (unit, scale) = response.shown_unit();
     let is_sparse = response.points.len() <= MARKED;
     let curve = |i: usize, measure: Measure, upward: bool| {
         let points = response.points.iter().filter(|point| point.upward == upward && point.status == Status::Done);
-        let place = |point: &Point| (scale * point.value, (measure.value)(point, i));
+        let place = |point: &ResponsePoint| (scale * point.value, (measure.value)(point, i));
         let mut points: Vec<(f64, f64)> = points.map(place).collect();
         points.sort_by(|a, b| a.0.total_cmp(&b.0));
         points.into_iter().unzip()

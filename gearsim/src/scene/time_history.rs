@@ -12,14 +12,14 @@ use super::{Scene, list};
 #[derive(Debug, Clone, PartialEq)]
 pub struct TimeHistory {
     /// The pieces, in ascending order of `begin`; the first begins at t = 0.
-    pub pieces: Vec<Piece>,
+    pub pieces: Vec<LinearPiece>,
     /// Harmonics added to the pieces.
     pub harmonics: Vec<Harmonic>,
 }
 
 /// A linear piece. It ends where the next one begins; the last one never ends.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Piece {
+pub struct LinearPiece {
     /// Start of the piece \[s\].
     pub begin: f64,
     /// Value at `begin` \[unit of the torque\].
@@ -43,7 +43,7 @@ impl TimeHistory {
     /// Levels (value, end time \[s\]); the last one has no end.
     pub fn steps(levels: &[(f64, Option<f64>)]) -> Self {
         let begins = std::iter::once(0.0).chain(levels.iter().map(|(_, until)| until.unwrap_or(f64::INFINITY)));
-        let piece = |(begin, (value, _)): (f64, &(f64, Option<f64>))| Piece { begin, value: *value, slope: 0.0 };
+        let piece = |(begin, (value, _)): (f64, &(f64, Option<f64>))| LinearPiece { begin, value: *value, slope: 0.0 };
         TimeHistory { pieces: begins.zip(levels).map(piece).collect(), harmonics: vec![] }
     }
 
@@ -51,11 +51,11 @@ impl TimeHistory {
     pub fn table(points: &[(f64, f64)]) -> Self {
         let mut pieces = vec![];
         if let Some((_, value)) = points.first().filter(|point| point.0 > 0.0) {
-            pieces.push(Piece { begin: 0.0, value: *value, slope: 0.0 });
+            pieces.push(LinearPiece { begin: 0.0, value: *value, slope: 0.0 });
         }
         for (i, (begin, value)) in points.iter().copied().enumerate() {
             let slope = points.get(i + 1).map_or(0.0, |next| (next.1 - value) / (next.0 - begin));
-            pieces.push(Piece { begin, value, slope });
+            pieces.push(LinearPiece { begin, value, slope });
         }
         TimeHistory { pieces, harmonics: vec![] }
     }
@@ -67,7 +67,7 @@ impl TimeHistory {
 
     /// Value at the time `t` \[s\], with the formula of the piece with index `piece`.
     pub fn at(&self, piece: usize, t: f64) -> f64 {
-        let Piece { begin, value, slope } = self.pieces[piece];
+        let LinearPiece { begin, value, slope } = self.pieces[piece];
         let swing = |h: &Harmonic| h.amplitude * (h.omega * t + h.phase).cos();
         value + slope * (t - begin) + self.harmonics.iter().map(swing).sum::<f64>()
     }

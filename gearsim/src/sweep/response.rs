@@ -34,7 +34,7 @@ const RUNS: usize = 6;
 
 /// The points of a response curve.
 #[derive(Debug, Clone)]
-pub struct Response {
+pub struct ResponseCurve {
     /// The varied key.
     pub key: String,
     /// Its SI unit.
@@ -50,12 +50,12 @@ pub struct Response {
     /// What holds the speed, or why nothing does: a sentence.
     pub holding: String,
     /// The points in the order in which they were run.
-    pub points: Vec<Point>,
+    pub points: Vec<ResponsePoint>,
 }
 
 /// A point of a response curve.
 #[derive(Debug, Clone)]
-pub struct Point {
+pub struct ResponsePoint {
     /// Whether the value was reached from below.
     pub upward: bool,
     /// The value of the varied key \[SI\].
@@ -85,7 +85,7 @@ impl Sweep {
     /// # Errors
     /// If there is not exactly one axis with numbers in rising order, the scene records no output, or the parameter of `hold` cannot hold
     /// the speed.
-    pub fn response(&self, both: bool, hold: &Hold, watch: &mut dyn FnMut(usize)) -> Result<Response, Error> {
+    pub fn response(&self, both: bool, hold: &Hold, watch: &mut dyn FnMut(usize)) -> Result<ResponseCurve, Error> {
         let [axis] = &self.plan.axes[..] else { return impossible("a response has one axis", "vary one key") };
         let texts: Vec<String> = (0..self.points).map(|i| self.plan.overrides(i).remove(0)).collect();
         let values: Vec<f64> = (0..self.points).map(|i| axis::si(&self.plan.values(i)[0])).collect();
@@ -106,12 +106,12 @@ impl Sweep {
         };
         let (held, unit, words) = (handle.as_ref().map(named), self.unit(), words(&axis.key, first.model));
         let (key, model) = (axis.key.clone(), first.model);
-        let mut response = Response { key, unit, words, model, outputs, held, holding, points: vec![] };
+        let mut response = ResponseCurve { key, unit, words, model, outputs, held, holding, points: vec![] };
         let down = (0..values.len()).rev().filter(|_| both).map(|i| (false, i));
         let (mut before, mut more): (Option<(Trajectory, f64)>, f64) = (None, 0.0);
         for (done, (upward, i)) in (0..values.len()).map(|i| (true, i)).chain(down).enumerate() {
             let at = At { text: &texts[i], motion: &motion, handle: handle.as_ref(), before: before.as_ref() };
-            let mut point = Point { upward, value: values[i], ..Point::none(response.outputs.len()) };
+            let mut point = ResponsePoint { upward, value: values[i], ..ResponsePoint::none(response.outputs.len()) };
             let ended = self.settled(&at, &mut more, &mut point, &mut |_| watch(done))?;
             before = ended.map(|run| (run, point.speed));
             response.points.push(point);
@@ -166,7 +166,7 @@ impl Sweep {
         &self,
         at: &At<'_>,
         more: &mut f64,
-        point: &mut Point,
+        point: &mut ResponsePoint,
         watch: &mut dyn FnMut(f64),
     ) -> Result<Option<Trajectory>, Error> {
         let motion = at.motion;
@@ -265,10 +265,10 @@ struct At<'a> {
     before: Option<&'a (Trajectory, f64)>,
 }
 
-impl Point {
+impl ResponsePoint {
     /// A point that has not run.
-    fn none(outputs: usize) -> Point {
-        Point {
+    fn none(outputs: usize) -> ResponsePoint {
+        ResponsePoint {
             upward: true,
             value: f64::NAN,
             speed: f64::NAN,
@@ -290,7 +290,13 @@ impl Point {
             Ok(Outcome { refuted: Some(account), .. }) => (Status::Refuted, account.to_string()),
             Ok(outcome) => return Some(outcome.trajectory),
         };
-        *self = Point { upward: self.upward, value: self.value, status, reason, ..Point::none(self.observed.len()) };
+        *self = ResponsePoint {
+            upward: self.upward,
+            value: self.value,
+            status,
+            reason,
+            ..ResponsePoint::none(self.observed.len())
+        };
         None
     }
 
@@ -301,7 +307,7 @@ impl Point {
     }
 }
 
-impl Response {
+impl ResponseCurve {
     /// The unit in which people read the varied value, and the factor to it from the SI unit.
     pub fn shown_unit(&self) -> (&str, f64) {
         let largest = self.points.iter().map(|point| point.value.abs()).fold(0.0, f64::max);
@@ -321,8 +327,8 @@ impl Response {
     /// [`OutputError::Ragged`] never happens: all columns have one entry a point.
     pub fn table(&self) -> Result<Table, OutputError> {
         let mut table = Table::default();
-        let numbers = |value: &dyn Fn(&Point) -> f64| Values::Number(self.points.iter().map(value).collect());
-        let texts = |text: &dyn Fn(&Point) -> String| {
+        let numbers = |value: &dyn Fn(&ResponsePoint) -> f64| Values::Number(self.points.iter().map(value).collect());
+        let texts = |text: &dyn Fn(&ResponsePoint) -> String| {
             Values::Text(self.points.iter().map(|point| text(point).into()).collect())
         };
         table.push("way", "", texts(&|point| if point.upward { "up".into() } else { "down".into() }))?;

@@ -73,7 +73,7 @@ fn ours() -> Result<Vec<Point>, String> {
     let speeds: Vec<String> = frequencies().iter().map(|w| format!("{} rad/s", SCALES.0 * w)).collect();
     let axis = format!("start.speed={}", speeds.join(","));
     let response = scene.vary(&axis).from(TIMES.1).response().map_err(|e| e.to_string())?;
-    let point = |point: &gearsim::sweep::response::Point| {
+    let point = |point: &gearsim::sweep::response::ResponsePoint| {
         let (dte, force) = (point.observed[0]?, point.observed[1]?);
         Some((point.upward, point.speed / SCALES.0, SQRT_2 * dte.rms / SCALES.1, force.min <= 0.0))
     };

@@ -66,7 +66,7 @@ pub fn of(scene: &Scene, entry: &Entry, system: &System, watch: &dyn Fn()) -> Re
             && inertia.amax() > 0.0
         {
             let sense = |inertia: &DMatrix<f64>| sense(inertia, rigid.as_ref());
-            let piece = |(own, inertia): pieces::Piece| Piece {
+            let piece = |(own, inertia): pieces::InertiaPart| Piece {
                 coordinate: scene.model.coordinates[own].name,
                 sense: sense(&inertia),
                 inertia,

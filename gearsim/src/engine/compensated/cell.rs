@@ -10,7 +10,7 @@ use xprec::Df64;
 use crate::engine::cell::remaining;
 use crate::engine::compensated::mode::Mode;
 use crate::engine::equations::Matrices;
-use crate::engine::forcing::linear::Linear;
+use crate::engine::forcing::linear::LinearCell;
 use crate::tolerance::modes::{COMPENSATED_COUPLED, COMPENSATED_JACOBI, COMPENSATED_UNDAMPED};
 
 /// The modes of one cell.
@@ -41,7 +41,7 @@ const MOST_SWEEPS: usize = 20;
 
 impl Cell {
     /// The cell with the given matrices, refined from its `plain` modes. The motions along `held` (n, one per column) are held.
-    pub fn new(matrices: Matrices<Df64>, plain: &Linear, held: Option<&DMatrix<Df64>>) -> Self {
+    pub fn new(matrices: Matrices<Df64>, plain: &LinearCell, held: Option<&DMatrix<Df64>>) -> Self {
         let Matrices { mass, damping, stiffness, load, .. } = &matrices;
         let z = held.map(remaining);
         let seen = |a: &DMatrix<Df64>| z.as_ref().map_or_else(|| a.clone(), |(z, _)| z.transpose() * a * z);

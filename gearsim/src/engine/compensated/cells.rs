@@ -15,7 +15,7 @@ use crate::engine::contact::Contact;
 use crate::engine::crossing::Side;
 use crate::engine::equations::ExactCells;
 use crate::engine::error::Refusal;
-use crate::engine::forcing::linear::Linear;
+use crate::engine::forcing::linear::LinearCell;
 use crate::engine::hybrid::Hybrid;
 use crate::engine::law;
 use crate::engine::switch::Switch;
@@ -145,7 +145,7 @@ impl Cells {
 /// A cell with these switches and law values.
 fn cell(exact: &dyn ExactCells, now: &Hybrid<'_>, (switches, k): (&[Switch], &[f64])) -> Result<Cell, Refusal> {
     let matrices = exact.matrices(&values(exact, switches, k));
-    Ok(Cell::new(matrices, &Linear::new(now.equations, switches, k)?, None))
+    Ok(Cell::new(matrices, &LinearCell::new(now.equations, switches, k)?, None))
 }
 
 /// The law values in double-double precision: the levels of the laws as given in the scene, and the values of the modes of switches.

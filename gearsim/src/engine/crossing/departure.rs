@@ -13,7 +13,7 @@
 use super::bernstein::{Bernstein, First};
 use super::{Search, Side};
 use crate::engine::cell::Point;
-use crate::engine::signal::{Series, TERMS};
+use crate::engine::signal::{PowerSeries, TERMS};
 use crate::tolerance::events;
 
 /// Result of the search for a return.
@@ -71,12 +71,12 @@ fn clear(until: f64) -> Option<Departure> {
 struct Quotient([f64; TERMS + 1]);
 
 impl Quotient {
-    fn new(r: f64, sign: f64, series: &Series) -> Self {
+    fn new(r: f64, sign: f64, series: &PowerSeries) -> Self {
         Quotient(std::array::from_fn(|k| if k == 0 { r } else { sign * series.derivatives[k - 1] / factorial(k + 1) }))
     }
 
     /// The coefficients of -s(t)/t, lowered by their rounding errors and by the remainder.
-    fn lowered(&self, series: &Series) -> [f64; TERMS + 2] {
+    fn lowered(&self, series: &PowerSeries) -> [f64; TERMS + 2] {
         std::array::from_fn(|k| match k {
             0 => -self.0[0],
             k if k <= TERMS => -self.0[k] - series.rounding[k - 1] / factorial(k + 1),
@@ -85,7 +85,7 @@ impl Quotient {
     }
 
     /// Bound on the remainder of s(t)/t at `t`.
-    fn remainder(&self, series: &Series, t: f64) -> f64 {
+    fn remainder(&self, series: &PowerSeries, t: f64) -> f64 {
         series.bound / factorial(TERMS + 2) * t.powi(TERMS as i32 + 1)
     }
 

@@ -5,7 +5,7 @@ use xprec::Df64;
 
 use crate::engine::crossing::{Cost, SearchError, Side};
 use crate::engine::forcing::Forcing;
-use crate::engine::forcing::linear::Linear;
+use crate::engine::forcing::linear::LinearCell;
 use crate::engine::forcing::window::{TERMS, Window};
 use crate::engine::hybrid::Hybrid;
 use crate::engine::motion::{End, Guard, Motion, Reached};
@@ -32,7 +32,7 @@ impl<'s> InWindow<'s> {
     pub fn begin(
         now: &'s Hybrid<'s>,
         forcing: &'s Forcing,
-        linear: &'s Linear,
+        linear: &'s LinearCell,
         (exits, held): (&'s [SmallVec<[Watch; 2]>], &'s [Watch]),
         longest: f64,
     ) -> Self {

@@ -9,7 +9,7 @@ use crate::engine::vector::{Matrix, Vector};
 
 /// One cell.
 #[derive(Debug, Clone)]
-pub struct Linear {
+pub struct LinearCell {
     /// X: q = X xi.
     pub shapes: Matrix,
     /// Xᵀ M: modal speeds from speeds.
@@ -28,7 +28,7 @@ pub struct Linear {
     pub rate: f64,
 }
 
-impl Linear {
+impl LinearCell {
     /// The cell of `equations` with `switches` in the modes whose values are among the law values `k`.
     ///
     /// # Errors
@@ -48,7 +48,7 @@ impl Linear {
         // The largest sum of a row bounds the eigenvalues of a symmetric matrix.
         let strongest = damping.row_iter().map(|row| row.abs().sum()).fold(0.0, f64::max);
         let fastest = modes.iter().map(|mode| mode.omega2.sqrt()).fold(0.0, f64::max);
-        Linear {
+        LinearCell {
             shapes: shapes.clone(),
             momentum: momentum.clone(),
             springs: springs.clone(),

@@ -12,7 +12,7 @@
 //! therefore the first root of a polynomial, which is found with certainty ([`root`](crate::engine::root)).
 
 use super::Forcing;
-use super::linear::Linear;
+use super::linear::LinearCell;
 use crate::engine::clock::Clock;
 use crate::engine::mode::GAUSS_16;
 use crate::engine::vector::{Vector, transposed};
@@ -24,7 +24,7 @@ pub const TERMS: usize = 28;
 /// The motion over a window.
 #[derive(Debug, Clone)]
 pub struct Window<'a> {
-    linear: &'a Linear,
+    linear: &'a LinearCell,
     /// Generalised forces per unit of each parameter that varies.
     units: Vec<Vector>,
     /// Its length W \[s\].
@@ -47,7 +47,7 @@ pub struct Gains {
 impl<'a> Window<'a> {
     /// The window from the state (q, q') at the clock's time, at most `longest` \[s\] long.
     pub fn begin(
-        linear: &'a Linear,
+        linear: &'a LinearCell,
         forcing: &Forcing,
         clock: &Clock,
         q: &Vector,

@@ -77,15 +77,15 @@ struct Spring {
 
 /// The springs and dampers of all these parts.
 #[derive(Debug)]
-pub(super) struct Linear {
+pub(super) struct ConstantParts {
     springs: Vec<Spring>,
     load: Vector,
 }
 
-impl Linear {
+impl ConstantParts {
     /// The springs and dampers of `parts`, each with one coordinate, in a train with `n` coordinates. The factors are those of the derived
     /// cells.
-    pub fn of<'a>(n: usize, parts: impl Iterator<Item = (&'a dyn Equations, &'a [Sparse])>) -> Linear {
+    pub fn of<'a>(n: usize, parts: impl Iterator<Item = (&'a dyn Equations, &'a [Sparse])>) -> ConstantParts {
         let (mut springs, mut load): (Vec<Spring>, _) = (vec![], Balance::zero(n));
         for (equations, rows) in parts {
             let (stiffness, damping, force) = (equations.stiffness(&[]), equations.damping(&[]), equations.load(&[]));
@@ -97,7 +97,7 @@ impl Linear {
                 }
             }
         }
-        Linear { springs, load: load.total() }
+        ConstantParts { springs, load: load.total() }
     }
 
     pub fn potential(&self, q: &[f64]) -> f64 {

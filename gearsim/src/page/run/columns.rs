@@ -10,7 +10,7 @@ use crate::trajectory::Trajectory;
 
 /// What a column is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-pub(super) enum Kind {
+pub(super) enum ColumnKind {
     /// An output of the model: a force, a transmission error, the speed of a rotor.
     Signal,
     /// Speed of a coordinate that rotates.
@@ -26,15 +26,15 @@ pub(super) enum Kind {
 }
 
 /// Columns of one kind and one unit.
-pub(super) struct Group<'a> {
-    pub kind: Kind,
+pub(super) struct ColumnGroup<'a> {
+    pub kind: ColumnKind,
     pub unit: Cow<'static, str>,
-    pub columns: Vec<Named<'a>>,
+    pub columns: Vec<NamedColumn<'a>>,
 }
 
 /// A column with its numbers and its description, which may be empty.
 #[derive(Clone)]
-pub(super) struct Named<'a> {
+pub(super) struct NamedColumn<'a> {
     pub name: Cow<'static, str>,
     pub doc: String,
     pub values: Cow<'a, [f64]>,
@@ -58,37 +58,37 @@ const ENERGIES: [(&str, &str); 6] = [
     ("residual", "T + V - W + dissipated, less its value at the start"),
 ];
 
-impl Group<'_> {
+impl ColumnGroup<'_> {
     /// A title for people.
     pub fn title(&self) -> &'static str {
         match (self.kind, &*self.unit) {
-            (Kind::Speed, _) => "Speeds of coordinates",
-            (Kind::Signal, "N") => "Forces",
-            (Kind::Signal, "N*m") => "Torques",
-            (Kind::Signal, "m") => "Displacements",
-            (Kind::Signal, "W") => "Powers",
-            (Kind::Signal, "rad/s") => "Speeds",
-            (Kind::Signal, "rad") => "Angles",
-            (Kind::Signal, _) => {
+            (ColumnKind::Speed, _) => "Speeds of coordinates",
+            (ColumnKind::Signal, "N") => "Forces",
+            (ColumnKind::Signal, "N*m") => "Torques",
+            (ColumnKind::Signal, "m") => "Displacements",
+            (ColumnKind::Signal, "W") => "Powers",
+            (ColumnKind::Signal, "rad/s") => "Speeds",
+            (ColumnKind::Signal, "rad") => "Angles",
+            (ColumnKind::Signal, _) => {
                 if self.columns.iter().all(|column| column.name.starts_with("contact_loss")) {
                     "Loss of contact"
                 } else {
                     "Signals"
                 }
             }
-            (Kind::Deflection, "rad") => "Angular deflections",
-            (Kind::Deflection, _) => "Deflections",
-            (Kind::Rate, "rad/s") => "Rates of angular deflections",
-            (Kind::Rate, _) => "Rates of deflections",
-            (Kind::Rotation, _) => "Angles of rotation",
-            (Kind::Energy, _) => "Energies",
+            (ColumnKind::Deflection, "rad") => "Angular deflections",
+            (ColumnKind::Deflection, _) => "Deflections",
+            (ColumnKind::Rate, "rad/s") => "Rates of angular deflections",
+            (ColumnKind::Rate, _) => "Rates of deflections",
+            (ColumnKind::Rotation, _) => "Angles of rotation",
+            (ColumnKind::Energy, _) => "Energies",
         }
     }
 
     /// The unit of its plot, and the factor to it from the SI unit: speeds of rotors in revolutions a minute, else what suits the size of the
     /// curves that are drawn at first.
     pub fn shown_unit(&self) -> (&str, f64) {
-        if self.unit == "rad/s" && self.kind != Kind::Signal {
+        if self.unit == "rad/s" && self.kind != ColumnKind::Signal {
             return ("rad/s", 1.0);
         }
         let shown = self.columns.iter().enumerate().filter(|(i, _)| self.shown(*i));
@@ -99,32 +99,32 @@ impl Group<'_> {
     /// Whether the `index`-th of its columns is drawn at first: the first few that vary, of kinds that people look at
     /// first. Of those that are the same curve the first one.
     pub fn shown(&self, index: usize) -> bool {
-        let varies = |column: &Named<'_>| !column.again && column.values.iter().any(|x| *x != column.values[0]);
+        let varies = |column: &NamedColumn<'_>| !column.again && column.values.iter().any(|x| *x != column.values[0]);
         let before = self.columns[..index].iter().filter(|column| varies(column)).count();
-        !matches!(self.kind, Kind::Rate | Kind::Rotation) && before < FIRST && varies(&self.columns[index])
+        !matches!(self.kind, ColumnKind::Rate | ColumnKind::Rotation) && before < FIRST && varies(&self.columns[index])
     }
 }
 
-/// The columns of the run in groups of one kind and unit, in the order of [`Kind`]; in each group those of meshes first, of
+/// The columns of the run in groups of one kind and unit, in the order of [`ColumnKind`]; in each group those of meshes first, of
 /// planets those of the first one.
 ///
 /// Errors: [`OutputError::Ragged`] if they differ in length.
-pub(super) fn groups(trajectory: &Trajectory) -> Result<Vec<Group<'_>>, OutputError> {
-    let mut groups: Vec<Group<'_>> = vec![];
+pub(super) fn groups(trajectory: &Trajectory) -> Result<Vec<ColumnGroup<'_>>, OutputError> {
+    let mut groups: Vec<ColumnGroup<'_>> = vec![];
     for series in trajectory.columns() {
         let Some((kind, doc)) = describe(trajectory, &series.name) else { continue };
         let values = series.part(0..trajectory.len()).ok_or_else(|| {
             let (column, rows) = (series.name.to_string(), series.rows());
             OutputError::Ragged { column, rows, expected: trajectory.len() }
         })?;
-        let named = Named { name: series.name, doc, values, again: false };
+        let named = NamedColumn { name: series.name, doc, values, again: false };
         match groups.iter_mut().find(|group| (group.kind, &group.unit) == (kind, &series.unit)) {
             Some(group) => group.columns.push(named),
-            None => groups.push(Group { kind, unit: series.unit, columns: vec![named] }),
+            None => groups.push(ColumnGroup { kind, unit: series.unit, columns: vec![named] }),
         }
     }
-    let unit = |group: &Group<'_>| UNITS.iter().position(|unit| *unit == group.unit).unwrap_or(UNITS.len());
-    groups.sort_by_key(|group| (group.kind, if group.kind == Kind::Signal { unit(group) } else { 0 }));
+    let unit = |group: &ColumnGroup<'_>| UNITS.iter().position(|unit| *unit == group.unit).unwrap_or(UNITS.len());
+    groups.sort_by_key(|group| (group.kind, if group.kind == ColumnKind::Signal { unit(group) } else { 0 }));
     for group in &mut groups {
         group.columns.sort_by_key(|column| (!column.name.starts_with("mesh_"), is_further_planet(&column.name)));
         for i in 1..group.columns.len() {
@@ -139,26 +139,34 @@ pub(super) fn groups(trajectory: &Trajectory) -> Result<Vec<Group<'_>>, OutputEr
 }
 
 /// The kind and the description of a column; `None` for the time.
-fn describe(trajectory: &Trajectory, name: &str) -> Option<(Kind, String)> {
+fn describe(trajectory: &Trajectory, name: &str) -> Option<(ColumnKind, String)> {
     if name == "t" {
         return None;
     }
     for coordinate in trajectory.model.coordinates {
         if name == coordinate.name {
             let rotates = rotates(trajectory, name);
-            return Some((if rotates { Kind::Rotation } else { Kind::Deflection }, coordinate.doc.to_owned()));
+            return Some((
+                if rotates { ColumnKind::Rotation } else { ColumnKind::Deflection },
+                coordinate.doc.to_owned(),
+            ));
         }
         if name.strip_suffix("_dot") == Some(coordinate.name) {
             let rotates = rotates(trajectory, coordinate.name);
-            return Some((if rotates { Kind::Speed } else { Kind::Rate }, format!("rate of: {}", coordinate.doc)));
+            return Some((
+                if rotates { ColumnKind::Speed } else { ColumnKind::Rate },
+                format!("rate of: {}", coordinate.doc),
+            ));
         }
     }
     if let Some((_, doc)) = ENERGIES.iter().find(|(energy, _)| *energy == name) {
-        return Some((Kind::Energy, (*doc).to_owned()));
+        return Some((ColumnKind::Energy, (*doc).to_owned()));
     }
     if let Some((output, _)) = trajectory.outputs.iter().find(|(output, _)| output.name == name) {
-        return Some((Kind::Signal, output.doc.to_owned()));
+        return Some((ColumnKind::Signal, output.doc.to_owned()));
     }
     let torque = trajectory.torque_work.iter().find(|(torque, _)| name.strip_prefix("work_") == Some(torque.name));
-    Some(torque.map_or((Kind::Signal, String::new()), |(torque, _)| (Kind::Energy, format!("work: {}", torque.doc))))
+    Some(torque.map_or((ColumnKind::Signal, String::new()), |(torque, _)| {
+        (ColumnKind::Energy, format!("work: {}", torque.doc))
+    }))
 }

@@ -1,7 +1,7 @@
 //! The energy account: its parts against time, and their values at the start and at the end.
 
 use super::Report;
-use super::columns::{Group, Kind};
+use super::columns::{ColumnGroup, ColumnKind};
 use super::{losses, motion};
 use crate::output::number::short;
 use crate::page::html::{Html, TableCell};
@@ -11,7 +11,7 @@ const SHOWN: [&str; 5] = ["energy", "kinetic", "strain", "work", "dissipated"];
 
 /// Writes the section.
 pub(super) fn fill(report: &Report<'_>, html: &mut Html) {
-    let Some(all) = report.groups.iter().find(|group| group.kind == Kind::Energy) else { return };
+    let Some(all) = report.groups.iter().find(|group| group.kind == ColumnKind::Energy) else { return };
     if report.run.outcome.trajectory.is_empty() {
         return;
     }
@@ -32,7 +32,7 @@ pub(super) fn fill(report: &Report<'_>, html: &mut Html) {
     }
     table(all, html);
     losses::table(report, html);
-    let Group { kind, unit, columns } = all;
+    let ColumnGroup { kind, unit, columns } = all;
     let (residual, mut parts): (Vec<_>, Vec<_>) = columns.iter().cloned().partition(|c| c.name == "residual");
     for part in &mut parts {
         let start = part.values.first().copied().unwrap_or(0.0);
@@ -40,13 +40,13 @@ pub(super) fn fill(report: &Report<'_>, html: &mut Html) {
     }
     parts.sort_by_key(|part| SHOWN.iter().position(|name| *name == part.name).unwrap_or(SHOWN.len()));
     let shown: Vec<bool> = parts.iter().map(|part| SHOWN.contains(&&*part.name)).collect();
-    let group = |columns| Group { kind: *kind, unit: unit.clone(), columns };
+    let group = |columns| ColumnGroup { kind: *kind, unit: unit.clone(), columns };
     motion::plot(report, html, "Changes since the start", &group(parts), &|i| shown[i]);
     motion::plot(report, html, "Residual of the account", &group(residual), &|_| true);
 }
 
 /// The table of the account.
-fn table(all: &Group<'_>, html: &mut Html) {
+fn table(all: &ColumnGroup<'_>, html: &mut Html) {
     let rows = all.columns.iter().filter_map(|column| {
         let (start, end) = (*column.values.first()?, *column.values.last()?);
         let numbers = [start, end, end - start].map(TableCell::Number);

@@ -19,7 +19,7 @@ use super::{Page, Parts, shared};
 use crate::output::{OutputError, Summary};
 use crate::run::Outcome;
 use crate::scene::Scene;
-use columns::Group;
+use columns::ColumnGroup;
 use view::Source;
 pub use view::View;
 
@@ -63,7 +63,7 @@ pub struct Run<'a> {
 /// What sections are made of: the run, its columns, and the rows that the page has of them.
 struct Report<'a> {
     run: &'a Run<'a>,
-    groups: Vec<Group<'a>>,
+    groups: Vec<ColumnGroup<'a>>,
     all: Source<'a>,
     /// What the plots have instead of `all`.
     seen: Option<Source<'a>>,

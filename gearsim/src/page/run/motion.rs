@@ -1,7 +1,7 @@
 //! The motion: speeds, signals and deflections against time, a plot for each unit.
 
 use super::Report;
-use super::columns::{Group, Kind};
+use super::columns::{ColumnGroup, ColumnKind};
 use super::view::Source;
 use crate::page::data::{Column, Counts};
 use crate::page::html::Html;
@@ -32,7 +32,7 @@ pub(super) fn fill(report: &Report<'_>, html: &mut Html) {
             trajectory.len()
         ));
     }
-    for group in report.groups.iter().filter(|group| group.kind != Kind::Energy) {
+    for group in report.groups.iter().filter(|group| group.kind != ColumnKind::Energy) {
         let shown = |i: usize| group.shown(i);
         plot(report, html, group.title(), group, &shown);
     }
@@ -43,7 +43,7 @@ pub(super) fn plot(
     report: &Report<'_>,
     html: &mut Html,
     title: &str,
-    group: &Group<'_>,
+    group: &ColumnGroup<'_>,
     shown: &dyn Fn(usize) -> bool,
 ) {
     let outcome = report.run.outcome;
@@ -56,7 +56,7 @@ pub(super) fn plot(
     });
     let curves = curves.collect();
     // Speeds of rotors are read in revolutions a minute.
-    let usual = (group.kind == Kind::Signal && group.unit == "rad/s").then_some("rpm");
+    let usual = (group.kind == ColumnKind::Signal && group.unit == "rad/s").then_some("rpm");
     html.plot(&Plot {
         title: title.to_owned(),
         x: Axis::linear("time t", "s"),

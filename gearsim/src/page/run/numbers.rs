@@ -1,7 +1,7 @@
 //! Statistics of every column, with the definitions of the summary ([`crate::analysis::statistics`]).
 
 use super::Report;
-use super::columns::Named;
+use super::columns::NamedColumn;
 use crate::analysis::statistics::Statistics;
 use crate::page::html::{Html, TableCell};
 
@@ -9,7 +9,7 @@ use crate::page::html::{Html, TableCell};
 pub(super) fn fill(report: &Report<'_>, html: &mut Html) {
     let run = &report.run.outcome.trajectory;
     let begin = run.row_from(report.run.scene.output.from);
-    let row = |(unit, factor): (&str, f64), column: &Named<'_>| {
+    let row = |(unit, factor): (&str, f64), column: &NamedColumn<'_>| {
         let numbers = Statistics::of(&run.t[begin..], &column.values[begin..], &run.moment[begin..])?.values();
         let numbers = numbers.into_iter().chain(column.values.last().copied()).map(|x| TableCell::Number(factor * x));
         Some([TableCell::text(&*column.name), TableCell::text(unit)].into_iter().chain(numbers).collect::<Vec<_>>())

@@ -1,7 +1,7 @@
 //! Order spectra of signals and deflections ([`crate::analysis::orders`]), a plot for each unit, and a table of the mesh orders.
 
 use super::Report;
-use super::columns::{Group, Kind};
+use super::columns::{ColumnGroup, ColumnKind};
 use crate::analysis::orders::{self, Mesh, PROMINENCE, Turning, meshes, reference_shaft};
 use crate::analysis::spectrum::SpectrumError;
 use crate::page::data::Counts;
@@ -33,7 +33,8 @@ pub(super) fn fill(report: &Report<'_>, html: &mut Html) {
         turning.revolutions(),
     ));
     let meshes = meshes(run, 0.0);
-    for group in report.groups.iter().filter(|group| matches!(group.kind, Kind::Signal | Kind::Deflection)) {
+    for group in report.groups.iter().filter(|group| matches!(group.kind, ColumnKind::Signal | ColumnKind::Deflection))
+    {
         if let Err(error) = plot(report, html, group, (shaft.name, &turning), &meshes) {
             html.note(&format!("There are no orders of {}: {error}.", group.title().to_lowercase()));
         }
@@ -45,7 +46,7 @@ pub(super) fn fill(report: &Report<'_>, html: &mut Html) {
 fn plot(
     report: &Report<'_>,
     html: &mut Html,
-    group: &Group<'_>,
+    group: &ColumnGroup<'_>,
     (shaft, turning): (&str, &Turning),
     meshes: &[Mesh],
 ) -> Result<(), SpectrumError> {
@@ -79,7 +80,7 @@ fn plot(
             log: true,
             range: (peak > 0.0).then_some((DECADES * peak, 2.0 * peak)),
             // As over time: speeds of rotors in revolutions a minute.
-            usual: (group.kind == Kind::Signal && group.unit == "rad/s").then_some("rpm"),
+            usual: (group.kind == ColumnKind::Signal && group.unit == "rad/s").then_some("rpm"),
             ..Axis::linear("", &*group.unit)
         },
         curves,
@@ -113,7 +114,7 @@ fn table(report: &Report<'_>, html: &mut Html, turning: &Turning, meshes: &[Mesh
     if !lines.is_empty() && !report.plotted().has_table(LINES) {
         return html.later(LINES);
     }
-    let groups = report.groups.iter().filter(|group| matches!(group.kind, Kind::Signal | Kind::Deflection));
+    let groups = report.groups.iter().filter(|group| matches!(group.kind, ColumnKind::Signal | ColumnKind::Deflection));
     let shown = groups.flat_map(|group| {
         let unit = group.shown_unit();
         let columns = group.columns.iter().enumerate().filter(|(i, _)| group.shown(*i));

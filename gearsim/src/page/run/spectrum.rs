@@ -3,7 +3,7 @@
 use std::f64::consts::TAU;
 
 use super::Report;
-use super::columns::{Group, Kind, Named};
+use super::columns::{ColumnGroup, ColumnKind, NamedColumn};
 use crate::analysis::orders::{Mesh, meshes};
 use crate::analysis::spectrum::{Spectrum, SpectrumError, frequencies, segment_length, uniform_samples, welch};
 use crate::output::number::short;
@@ -32,7 +32,7 @@ pub(super) fn fill(report: &Report<'_>, html: &mut Html) {
         short(rate),
         short(hertz),
     ));
-    let kinds = [Kind::Speed, Kind::Signal, Kind::Deflection];
+    let kinds = [ColumnKind::Speed, ColumnKind::Signal, ColumnKind::Deflection];
     let mut found = vec![];
     for group in report.groups.iter().filter(|group| kinds.contains(&group.kind)) {
         match spectra(report, group, &rows, rate) {
@@ -57,19 +57,19 @@ pub(super) fn fill(report: &Report<'_>, html: &mut Html) {
 }
 
 /// The title of the plot of a group.
-fn title(group: &Group<'_>) -> String {
+fn title(group: &ColumnGroup<'_>) -> String {
     format!("{}: power spectral density", group.title())
 }
 
 /// The spectra of the columns of a group that the report shows.
 fn spectra(
     report: &Report<'_>,
-    group: &Group<'_>,
+    group: &ColumnGroup<'_>,
     rows: &[usize],
     rate: f64,
 ) -> Result<Vec<Option<Spectrum>>, SpectrumError> {
     let title = title(group);
-    let spectrum = |column: &Named<'_>| {
+    let spectrum = |column: &NamedColumn<'_>| {
         if !report.plotted().has(&title, &column.name) {
             return Ok(None);
         }
@@ -82,7 +82,7 @@ fn spectra(
 /// Adds the plot of a group, at first up to the frequency `end`.
 fn plot(
     html: &mut Html,
-    group: &Group<'_>,
+    group: &ColumnGroup<'_>,
     (frequencies, spectra): (&[f64], &[Option<Spectrum>]),
     end: f64,
     lines: Vec<Line>,

@@ -1,6 +1,6 @@
 //! Reads a parameter that varies in time, a table instead of a quantity: `T_motor = { ramp = { to = "240 N*m", duration = "1 s" } }`.
 
-use super::{Harmonic, Piece, TimeHistory};
+use super::{Harmonic, LinearPiece, TimeHistory};
 use crate::model::{Model, Parameter};
 use crate::scene::document::{KeyEntry, Node, Value};
 use crate::scene::keys::{Key, Kind, REQUIRED, key};
@@ -249,7 +249,7 @@ impl HistoryReader<'_> {
 
     /// Returns `history` if its slopes, times and squared angular frequencies are finite.
     fn finite(&self, history: TimeHistory, report: &mut Report) -> Option<TimeHistory> {
-        let straight = |p: &Piece| p.slope.is_finite() && p.begin.is_finite();
+        let straight = |p: &LinearPiece| p.slope.is_finite() && p.begin.is_finite();
         if history.pieces.iter().all(straight) && history.harmonics.iter().all(|h| (h.omega * h.omega).is_finite()) {
             return Some(history);
         }

@@ -6,7 +6,7 @@
 
 use std::collections::HashMap;
 
-use super::draft::{Draft, Group, Term, Terms};
+use super::draft::{Draft, GearGroup, Term, Terms};
 use crate::tolerance::scene::INDEPENDENT;
 
 /// A coordinate.
@@ -142,7 +142,7 @@ pub(super) fn choose(draft: &Draft, values: &HashMap<String, f64>) -> Result<Bas
 }
 
 /// Candidates for the phase of a group of gears, in order of preference.
-fn candidates(group: &Group) -> Vec<Terms> {
+fn candidates(group: &GearGroup) -> Vec<Terms> {
     let meshes = |i: usize| group.meshes.iter().filter(|mesh| mesh.contains(&i)).count();
     let turns = |i: &usize| group.gears[*i].rotor.is_some();
     let mut gears: Vec<usize> = (0..group.gears.len()).filter(turns).collect();

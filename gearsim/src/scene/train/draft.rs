@@ -76,13 +76,13 @@ impl DraftPart {
 }
 
 /// Gears that mesh with one another; they have one phase.
-pub(super) struct Group {
+pub(super) struct GearGroup {
     /// Its first mesh.
     pub mesh: String,
     /// Candidates for its phase, in order of preference.
     pub phases: Vec<Terms>,
     /// The gears: rotor, carrier, number of teeth.
-    pub gears: Vec<Gear>,
+    pub gears: Vec<DraftGear>,
     /// The base radius of its first gear.
     pub radius: String,
     /// Pairs of gears that mesh.
@@ -95,7 +95,7 @@ pub(super) struct Group {
 
 /// A gear on a rotor.
 #[derive(Clone, PartialEq)]
-pub(super) struct Gear {
+pub(super) struct DraftGear {
     /// `None`: fixed to the ground.
     pub rotor: Option<usize>,
     pub carrier: Option<usize>,
@@ -129,7 +129,7 @@ pub(super) struct Draft {
     pub rotors: Vec<Rotor>,
     pub geometry: Vec<Geometry>,
     pub parts: Vec<DraftPart>,
-    pub groups: Vec<Group>,
+    pub groups: Vec<GearGroup>,
     pub joints: Vec<Joint>,
     pub planet_sets: Vec<PlanetSet>,
     /// Helical meshes whose axial motion is not yet in their deflection.

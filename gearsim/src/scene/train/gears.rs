@@ -1,6 +1,6 @@
 //! Meshes of two gears: their teeth, and gears that are rigid.
 
-use super::draft::{Draft, Gear, Geometry, Rotor, Term, named};
+use super::draft::{Draft, DraftGear, Geometry, Rotor, Term, named};
 use super::item::Item;
 use super::read::{GROUND, Reader};
 use super::{ELSEWHERE, TWO_ROTORS, axial};
@@ -74,7 +74,7 @@ impl Reader<'_> {
         self.laws(item, item.name, [law("k", "stiffness"), law("e", "error")]);
         self.stated(named("b", item.name), item, "backlash");
         self.friction(item, item.name, "stiffness", item.get("stiffness"));
-        let gears = [0, 1].map(|i| Gear { rotor: ends[i], carrier: None, teeth: teeth[i].clone(), sense: 1.0 });
+        let gears = [0, 1].map(|i| DraftGear { rotor: ends[i], carrier: None, teeth: teeth[i].clone(), sense: 1.0 });
         let first = ends[0].map_or(GROUND, |i| &self.draft.rotors[i].name);
         let radius = named("r", if teeth[0] == named("N", first) { first } else { item.name });
         let doc = format!("base radius of gear {first}");

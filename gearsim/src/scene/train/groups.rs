@@ -1,6 +1,6 @@
 //! Groups of gears that mesh with one another: one base pitch, one phase.
 
-use super::draft::{DraftPart, Gear, Geometry, Group, Term, Terms, named};
+use super::draft::{DraftGear, DraftPart, GearGroup, Geometry, Term, Terms, named};
 use super::item::Item;
 use super::read::Reader;
 use crate::gear::Gears;
@@ -14,12 +14,13 @@ impl Reader<'_> {
         &mut self,
         name: String,
         item: &Item<'_>,
-        gears: [Gear; 2],
+        gears: [DraftGear; 2],
         radius: Geometry,
         internal: bool,
     ) -> usize {
-        let same = |a: &Gear, b: &Gear| a.rotor == b.rotor && a.carrier == b.carrier && a.teeth == b.teeth;
-        let has = |group: &Group, gear: &Gear| group.gears.iter().any(|g| gear.rotor.is_some() && same(g, gear));
+        let same = |a: &DraftGear, b: &DraftGear| a.rotor == b.rotor && a.carrier == b.carrier && a.teeth == b.teeth;
+        let has =
+            |group: &GearGroup, gear: &DraftGear| group.gears.iter().any(|g| gear.rotor.is_some() && same(g, gear));
         let found: Vec<usize> = (0..self.draft.groups.len())
             .filter(|&i| gears.iter().any(|gear| has(&self.draft.groups[i], gear)))
             .collect();
@@ -28,7 +29,7 @@ impl Reader<'_> {
                 let mesh = name.clone();
                 let (phases, gears, meshes, stated, parts) = (vec![], vec![], vec![], vec![], vec![]);
                 let of_first = radius.name.clone();
-                self.draft.groups.push(Group { mesh, phases, gears, radius: of_first, meshes, stated, parts });
+                self.draft.groups.push(GearGroup { mesh, phases, gears, radius: of_first, meshes, stated, parts });
                 self.draft.geometry.push(radius);
                 self.draft.groups.len() - 1
             }
@@ -52,7 +53,7 @@ impl Reader<'_> {
         of.meshes.push(index);
         of.stated.push((item.title(), internal));
         let [first, second] = [of.gears[0].teeth.clone(), of.radius.clone()];
-        let count = |gear: &Gear, number: f64, powers: &[(&str, i32)]| {
+        let count = |gear: &DraftGear, number: f64, powers: &[(&str, i32)]| {
             let all = [&[(gear.teeth.as_str(), 1)], powers].concat();
             let of =
                 |rotor: Option<usize>, sign: f64| rotor.map(|rotor| Term::new(rotor, sign * number * gear.sense, &all));
@@ -63,7 +64,7 @@ impl Reader<'_> {
         let mean = [count(&gears[0], 0.5, &[]), count(&gears[1], 0.5, &[])].concat();
         of.phases.push(mean);
         // The rotation of the first gear relative to the second. A carrier turns both alike.
-        let turns = |gear: &Gear, sign: f64| gear.rotor.map(|rotor| Term::new(rotor, sign * gear.sense, &[]));
+        let turns = |gear: &DraftGear, sign: f64| gear.rotor.map(|rotor| Term::new(rotor, sign * gear.sense, &[]));
         let psi = [turns(&gears[0], 1.0), turns(&gears[1], if internal { -1.0 } else { 1.0 })];
         // The power is that of the gear that turns about a fixed axis: its flank moves by r theta. A ring meshes with planets as second gear.
         let given = usize::from(internal && gears[0].carrier.is_some());

@@ -9,7 +9,7 @@ use crate::scene::meshes::{Gear, Mesh};
 const LAWS: [&str; 3] = ["k", "side", "arm"];
 
 /// A mesh, by the names of its parameters.
-struct Named {
+struct NamedMesh {
     /// Where it stands.
     title: String,
     /// Numbers of teeth of its gears.
@@ -23,7 +23,7 @@ struct Named {
 }
 
 /// The meshes of a train, by the names of their laws.
-pub(in crate::scene) struct Meshes(HashMap<String, Named>);
+pub(in crate::scene) struct Meshes(HashMap<String, NamedMesh>);
 
 /// The meshes in the tables.
 pub(super) fn of(draft: &Draft) -> Meshes {
@@ -34,7 +34,7 @@ pub(super) fn of(draft: &Draft) -> Meshes {
             let angle = part.renamed.iter().find(|renamed| renamed.0 == "alpha");
             let tangent = draft.axial_forces.iter().find(|(mesh, _)| *mesh == part.name);
             for law in LAWS {
-                let mesh = Named {
+                let mesh = NamedMesh {
                     title: title.clone(),
                     teeth: gears.map(|i| group.gears[i].teeth.clone()),
                     radius: [group.radius.clone(), group.gears[0].teeth.clone()],

@@ -1,6 +1,6 @@
 //! Planet sets: a sun, a ring and a carrier, and planets whose centres are fixed to the carrier.
 
-use super::draft::{DraftPart, Gear, Geometry, PlanetSet, Rotor, Term, named};
+use super::draft::{DraftGear, DraftPart, Geometry, PlanetSet, Rotor, Term, named};
 use super::gears::{LAW, is_rigid};
 use super::item::Item;
 use super::read::Reader;
@@ -102,7 +102,7 @@ impl Reader<'_> {
         for (i, place) in places.iter().enumerate() {
             let planet = self.planet(item, i + 1);
             planets.push(planet);
-            let gear = |rotor, teeth: &String, sense| Gear { rotor, carrier, teeth: teeth.clone(), sense };
+            let gear = |rotor, teeth: &String, sense| DraftGear { rotor, carrier, teeth: teeth.clone(), sense };
             let of_planet = gear(Some(planet), z_p, -1.0);
             let pairs = [
                 ("s", ["sun_stiffness", "sun_error"], [gear(Some(sun), z_s, 1.0), of_planet.clone()]),

@@ -3,7 +3,7 @@
 
 use std::collections::HashMap;
 
-use super::draft::{Draft, DraftPart, Group, named};
+use super::draft::{Draft, DraftPart, GearGroup, named};
 use crate::model::Parameter;
 use crate::scene::per_radius::Radii;
 use crate::tolerance::scene::SAME_RADIUS;
@@ -63,7 +63,7 @@ fn of_rotor(draft: &Draft, rotor: usize, value: &dyn Fn(&str) -> Option<f64>) ->
 }
 
 /// The base radius of gear `i` of a group [m].
-fn base_radius(group: &Group, i: usize, value: &dyn Fn(&str) -> Option<f64>) -> Option<f64> {
+fn base_radius(group: &GearGroup, i: usize, value: &dyn Fn(&str) -> Option<f64>) -> Option<f64> {
     Some(value(&group.radius)? * value(&group.gears[i].teeth)? / value(&group.gears[0].teeth)?)
 }
 

@@ -3,7 +3,7 @@
 mod dynamic_factor;
 mod statistics;
 
-use super::Point;
+use super::ResponsePoint;
 use crate::model::{Model, Output};
 
 /// A measure of outputs.
@@ -18,9 +18,9 @@ pub struct Measure {
     /// Whether an output of a model has it.
     pub is_of: fn(&Model, &Output) -> bool,
     /// Its value for an output, by its index; NaN where there is none.
-    pub value: fn(&Point, usize) -> f64,
+    pub value: fn(&ResponsePoint, usize) -> f64,
     /// Why it has no value for an output.
-    pub lacks: fn(&Point, usize) -> Option<&str>,
+    pub lacks: fn(&ResponsePoint, usize) -> Option<&str>,
 }
 
 /// All measures, in the order of their columns.

@@ -3,15 +3,15 @@
 use super::*;
 use crate::plot::Marker;
 use crate::sweep::Status;
-use crate::sweep::response::{Hold, Response, measure};
+use crate::sweep::response::{Hold, ResponseCurve, measure};
 use crate::tolerance::analysis::SPEED_NOT_HELD;
 
 /// The response of a committed scene, its speed held by its own means.
-fn response(scene: &str, over: &str, settle: f64, sets: &[&str]) -> Response {
+fn response(scene: &str, over: &str, settle: f64, sets: &[&str]) -> ResponseCurve {
     held(scene, over, settle, sets, &Hold::Own).unwrap()
 }
 
-fn held(scene: &str, over: &str, settle: f64, sets: &[&str], hold: &Hold) -> Result<Response, Error> {
+fn held(scene: &str, over: &str, settle: f64, sets: &[&str], hold: &Hold) -> Result<ResponseCurve, Error> {
     let request = Request {
         vary: vec![over.into()],
         overrides: sets.iter().map(|set| (*set).to_owned()).collect(),
@@ -146,7 +146,8 @@ fn steps_between_samples_do_not_shift_the_mean_force() {
 fn a_speed_that_is_not_held_is_said() {
     let sets = ["output.record=[\"mesh_force_12\"]", "run.t_end=0.15 s"];
     let response = response("two_stage", "start.speed=1000 rpm:2000 rpm:3", 0.1, &sets);
-    let held = |point: &&crate::sweep::response::Point| (point.speed / point.value - 1.0).abs() <= SPEED_NOT_HELD;
+    let held =
+        |point: &&crate::sweep::response::ResponsePoint| (point.speed / point.value - 1.0).abs() <= SPEED_NOT_HELD;
     for point in &response.points {
         assert_eq!(point.status == Status::Done, held(&point), "{} at {}: {}", point.speed, point.value, point.reason);
     }

@@ -10,10 +10,10 @@ use nalgebra::DMatrix;
 const ROUNDING: f64 = 1e-9;
 
 /// A piece: its first own coordinate, and its part of the inertia (n x n).
-pub type Piece = (usize, DMatrix<f64>);
+pub type InertiaPart = (usize, DMatrix<f64>);
 
 /// The pieces of `whole`, which is positive semidefinite; empty if there is one.
-pub fn of(whole: &DMatrix<f64>) -> Vec<Piece> {
+pub fn of(whole: &DMatrix<f64>) -> Vec<InertiaPart> {
     let largest = whole.amax();
     let coupled = |i: usize, j: usize| whole[(i, j)].abs() > ROUNDING * largest;
     let mut own: Vec<usize> = (0..whole.nrows()).filter(|&i| whole[(i, i)] > 0.0).collect();
@@ -21,7 +21,7 @@ pub fn of(whole: &DMatrix<f64>) -> Vec<Piece> {
     while !own.is_empty() {
         let groups = groups(&own, &coupled);
         if groups.len() > best.len().max(1)
-            && let Some(pieces) = groups.iter().map(|group| piece(whole, group)).collect::<Option<Vec<Piece>>>()
+            && let Some(pieces) = groups.iter().map(|group| piece(whole, group)).collect::<Option<Vec<InertiaPart>>>()
         {
             let rest = pieces.iter().fold(whole.clone(), |rest, (_, piece)| rest - piece);
             if rest.amax() <= ROUNDING * largest {
@@ -51,7 +51,7 @@ fn groups(own: &[usize], coupled: &dyn Fn(usize, usize) -> bool) -> Vec<Vec<usiz
     groups
 }
 
-fn piece(whole: &DMatrix<f64>, group: &[usize]) -> Option<Piece> {
+fn piece(whole: &DMatrix<f64>, group: &[usize]) -> Option<InertiaPart> {
     let columns = whole.select_columns(group);
     let inverse = columns.select_rows(group).cholesky()?.inverse();
     Some((*group.first()?, &columns * inverse * columns.transpose()))

@@ -2,7 +2,7 @@
 
 use super::Measure;
 use crate::analysis::statistics::Statistics;
-use crate::sweep::response::Point;
+use crate::sweep::response::ResponsePoint;
 
 pub(super) const MEAN: Measure = Measure { name: "mean", value: |point, i| of(point, i, |s| s.mean), ..RMS };
 pub(super) const RMS: Measure = Measure {
@@ -16,6 +16,6 @@ pub(super) const RMS: Measure = Measure {
 pub(super) const PEAK_TO_PEAK: Measure =
     Measure { name: "peak_to_peak", value: |point, i| of(point, i, |s| s.max - s.min), ..RMS };
 
-fn of(point: &Point, i: usize, value: fn(&Statistics) -> f64) -> f64 {
+fn of(point: &ResponsePoint, i: usize, value: fn(&Statistics) -> f64) -> f64 {
     point.observed[i].as_ref().map_or(f64::NAN, value)
 }
