@@ -8,6 +8,8 @@ use crate::engine::train::Elements;
 use crate::run::Entry;
 use crate::scene::Scene;
 
+// Without models there is no use of it.
+#[cfg(feature = "models")]
 macro_rules! entry {
     ($model:ty) => {
         Entry::new::<$model>()
