@@ -8,7 +8,7 @@ use crate::engine::train::Elements;
 use crate::run::Entry;
 use crate::scene::Scene;
 
-// Without models there is no use of it.
+// Without this feature it is not used.
 #[cfg(feature = "models")]
 macro_rules! entry {
     ($model:ty) => {

@@ -51,7 +51,7 @@ pub struct PowerSeries {
     pub bound: f64,
 }
 
-/// Number of derivatives of a [`PowerSeries`], from the second on.
+/// Number of derivatives in a [`PowerSeries`]: the second one and those after it.
 pub const TERMS: usize = 12;
 
 impl Reach {

@@ -147,10 +147,10 @@ impl<const N: usize, const L: usize> NullaryFnOnce for Advance<'_, N, L> {
     fn call(self) -> (Mask<L>, Mask<L>) {
         let Advance { lanes, mut active, mut waiting } = self;
         if L == 1 {
-            // A single lane waits for no other. With a mask that is known, its numbers need not be masked.
+            // A single lane does not wait for others. Its mask is known to the compiler, which leaves out the selections by masks.
             let all = Mask::of(|_| true);
             while lanes.pass(all).is_all() {}
-            return (all, waiting.without(all));
+            return (all, Mask::of(|_| false));
         }
         let mut waited = 0;
         loop {

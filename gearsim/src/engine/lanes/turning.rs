@@ -5,9 +5,9 @@
 //! way to it; Newton's method from the beginning of the interval does not overshoot this root. It crosses the other boundary at most once,
 //! on the way back; Newton's method from the end of the interval does not overshoot that root. The first crossing is therefore found with
 //! certainty, interval by interval. |y'| is largest at the zeros of y'', and falls from one to the next: as soon as it is smaller than |d|/|c|
-//! there, the phase is monotone from then on, and has one crossing left. The vibration does not grow: intervals in which the steady motion is
-//! too far from both boundaries for it are skipped. Cases that rounding errors could decide, and phases with several
-//! vibrations, are left to the general loop.
+//! there, the phase is monotone from then on, and has one crossing left. Intervals in which the steady motion is
+//! too far from both boundaries are skipped: the vibration does not grow, so the phase cannot reach a boundary there. Cases that rounding
+//! errors could decide, and phases with several vibrations, are left to the general loop.
 
 mod phase;
 mod search;

@@ -22,15 +22,21 @@ pub(super) struct Phase {
     pub(super) start: f64,
 }
 
-/// A time, s, s', y' and y'' there, the size of the terms of s, and e^{-sigma t}.
+/// The phase at a time.
 #[derive(Clone, Copy)]
 pub(super) struct PhasePoint {
+    /// The time \[s\].
     pub(super) t: f64,
     pub(super) s: f64,
+    /// s'.
     pub(super) rate: f64,
+    /// y'.
     pub(super) v: f64,
+    /// y''.
     pub(super) a: f64,
+    /// Size of the terms of s, which have rounding errors.
     pub(super) size: f64,
+    /// e^{-sigma t}.
     pub(super) decay: f64,
 }
 

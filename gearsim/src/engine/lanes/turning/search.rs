@@ -54,13 +54,13 @@ impl Phase {
         None
     }
 
-    /// Number of half vibrations after `here` in which no boundary can be met: the vibration is never larger again than it is here, so the
-    /// steady motion has to come closer to a boundary first.
+    /// Number of half vibrations after `here` in which the phase cannot reach a boundary. The vibration does not grow: its amplitude here
+    /// is an upper bound for all later times.
     #[inline(always)]
     fn halves_out_of_reach(&self, here: &PhasePoint, gaps: [f64; 2], half: f64) -> f64 {
-        let displacement = |i: usize| (self.a[i] + 2.0 * self.sigma * self.v[i]) * self.per_omega2;
-        let (y, lag) = (displacement(0), displacement(1));
-        let swing = self.part.abs() * here.decay * (y * y + lag * lag).sqrt();
+        // y = e (start C - lag S).
+        let lag = (self.a[1] + 2.0 * self.sigma * self.v[1]) * self.per_omega2;
+        let swing = self.part.abs() * here.decay * (self.start * self.start + lag * lag).sqrt();
         let margin = swing + TURN_NEAR * (gaps[0] + gaps[1] + here.size);
         let up = self.drift > 0.0;
         let (mirror, way) = (if up { 1.0 } else { -1.0 }, self.drift.abs());

@@ -9,7 +9,7 @@ fn random(seed: &mut u64) -> f64 {
     (*seed >> 11) as f64 / (1u64 << 53) as f64
 }
 
-/// A phase of unit frequency that starts on a boundary or between two, with any drift up to `fastest`, and damping up to `most`.
+/// A random phase of unit frequency. It starts on a boundary or between two. Its drift is at most `fastest`, its damping at most `most`.
 fn draw(seed: &mut u64, fastest: f64, most: f64) -> (Phase, [f64; 2]) {
     let mut even = |size: f64| size * (2.0 * random(seed) - 1.0);
     let (sigma, omega2, part) = (even(most).abs(), 1.0, even(2.0));
@@ -49,7 +49,7 @@ fn slow_phases_cross_after_many_vibrations_where_a_scan_finds_it() {
     agrees_with_scans(400, 0.01, 0.002, 1000.0);
 }
 
-/// Compares the first crossings before the time `until` of `count` random phases with those of a scan.
+/// The first crossing of a random phase is that which a scan until the time `until` finds. This is checked for `count` phases.
 fn agrees_with_scans(count: usize, fastest: f64, damping: f64, until: f64) {
     let (mut seed, mut found, mut left, mut late) = (1, 0usize, 0usize, 0usize);
     let steps = (until / 5e-3) as u32;
