@@ -105,8 +105,8 @@ impl ColumnGroup<'_> {
     }
 }
 
-/// The columns of the run in groups of one kind and unit, in the order of [`ColumnKind`]; in each group those of meshes first, of
-/// planets those of the first one.
+/// The columns of the run, in groups of one kind and unit. The groups are in the order of [`ColumnKind`]. In each group the columns of meshes
+/// come first; of several planets, those of the first one do.
 ///
 /// Errors: [`OutputError::Ragged`] if they differ in length.
 pub(super) fn groups(trajectory: &Trajectory) -> Result<Vec<ColumnGroup<'_>>, OutputError> {
