@@ -32,9 +32,9 @@ pub struct Exact {
     /// The cells in their undamped modes, for windows, by their numbers.
     linear: HashMap<Number, LinearCell>,
     /// The present cell with what is held in it.
-    held: Option<Arc<Held>>,
+    held: Option<Held>,
     /// The cells met so far in which something was held, by their numbers and the phases held.
-    met: HashMap<CellKey, Arc<Held>>,
+    met: HashMap<CellKey, Arc<HeldCell>>,
     /// The delay of the phase in each cell of a pitch at its last passage. Used only for a single law, whose motion repeats itself.
     lateness: Vec<Delay>,
 }
@@ -44,10 +44,17 @@ type CellKey = (Number, Vec<(usize, Side)>);
 
 /// A cell in which phases or deflections are held.
 #[derive(Debug, Clone)]
-struct Held {
+struct HeldCell {
     cell: Prepared,
     linear: LinearCell,
-    /// The functions that end the holds, in the order of the contact's.
+}
+
+/// The present cell with what is held in it.
+#[derive(Debug, Clone)]
+struct Held {
+    here: Arc<HeldCell>,
+    /// The functions that end the holds, in the order of [`Contact::watches`]. They also depend on the place: laws of longer periods may
+    /// step at the same boundary in one pitch and not in the next.
     watches: Vec<Watch>,
 }
 
@@ -72,18 +79,18 @@ impl Exact {
 
 /// The present cell with what is held in it, and the functions that end the holds.
 #[inline]
-fn here<'s>(cells: &'s Cells, held: &'s Option<Arc<Held>>) -> (&'s Prepared, &'s [Watch]) {
-    held.as_ref().map_or_else(|| (cells.here(), &[][..]), |held| (&held.cell, &held.watches))
+fn here<'s>(cells: &'s Cells, held: &'s Option<Held>) -> (&'s Prepared, &'s [Watch]) {
+    held.as_ref().map_or_else(|| (cells.here(), &[][..]), |held| (&held.here.cell, &held.watches))
 }
 
 impl Exact {
     /// The present cell with what is held in it; computed once for each.
-    fn meet_held(&mut self, now: &Hybrid<'_>, contact: &Contact) -> Result<Arc<Held>, Refusal> {
+    fn meet_held(&mut self, now: &Hybrid<'_>, contact: &Contact) -> Result<Arc<HeldCell>, Refusal> {
         let key = (now.cell(), contact.laws.clone());
         if let Some(held) = self.met.get(&key) {
             return Ok(held.clone());
         }
-        let held = Arc::new(Held::new(now, contact)?);
+        let held = Arc::new(HeldCell::new(now, contact)?);
         if self.met.len() < HELD_CELLS {
             self.met.insert(key, held.clone());
         }
@@ -101,7 +108,7 @@ impl Solver for Exact {
             place.insert(LinearCell::new(now.equations, &now.switches, &now.k)?);
         }
         self.held = match &now.contact {
-            Some(contact) => Some(self.meet_held(now, contact)?),
+            Some(contact) => Some(Held::new(self.meet_held(now, contact)?, now, contact)),
             None => None,
         };
         if !now.switches.is_empty() {
@@ -116,7 +123,7 @@ impl Solver for Exact {
         if let Some(forcing) = &now.forcing
             && !forcing.is_flat()
         {
-            let linear = held.as_ref().map_or_else(|| &linear[&now.cell()], |held| &held.linear);
+            let linear = held.as_ref().map_or_else(|| &linear[&now.cell()], |held| &held.here.linear);
             return Ok(Box::new(InWindow::begin(now, forcing, linear, (&here.exits, watches), horizon)));
         }
         let State { q, q_dot, .. } = &now.state;
@@ -143,16 +150,22 @@ impl Solver for Exact {
     }
 }
 
-impl Held {
+impl HeldCell {
     fn new(now: &Hybrid<'_>, contact: &Contact) -> Result<Self, Refusal> {
         let (equations, k) = (now.equations, &now.k);
         let (cell, linear) = Cell::held(equations, (&now.switches, k), &contact.normals)?;
-        let (stiffness, damping) = (equations.stiffness(k), equations.damping(k));
+        let cell = Prepared::new(cell, equations, (&now.laws, &now.switches, k));
+        Ok(HeldCell { cell, linear })
+    }
+}
+
+impl Held {
+    fn new(here: Arc<HeldCell>, now: &Hybrid<'_>, contact: &Contact) -> Self {
+        let (stiffness, damping) = (now.equations.stiffness(&now.k), now.equations.damping(&now.k));
         let slopes = |StateForm { on_q, on_speed, on_force, .. }: &StateForm| {
             [on_q - &transposed(&stiffness, on_force), on_speed - &transposed(&damping, on_force), on_force.clone()]
         };
-        let watches = contact.watches.iter().map(|watch| Watch::loaded(&cell, slopes(&watch.form))).collect();
-        let cell = Prepared::new(cell, equations, (&now.laws, &now.switches, k));
-        Ok(Held { cell, linear, watches })
+        let watches = contact.watches.iter().map(|watch| Watch::loaded(&here.cell.cell, slopes(&watch.form))).collect();
+        Held { here, watches }
     }
 }

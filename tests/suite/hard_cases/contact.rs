@@ -4,7 +4,7 @@ use gearsim::run::{Entry, Outcome};
 
 use crate::case::{Case, largest};
 use crate::common;
-use crate::models::{self, end, pressed::Pressed, residual};
+use crate::models::{self, end, pressed::Pressed, residual, shifted::Shifted};
 
 pub const CASES: &[Case] = &[
     Case {
@@ -83,6 +83,15 @@ pub const CASES: &[Case] = &[
         reason: "a relative tolerance of 1e-12 of a step, over the steps of the run",
         measure: |_| largest([slip(DOP853), slip(RADAU)]),
     },
+    Case {
+        row: "3",
+        name: "a phase held at a step of one law, then of two laws, in the same cell",
+        proves: "the exact method has the same holds as dop853 with a tolerance of 1e-12: the functions that end a hold are those of its place",
+        tolerance: 1e-9,
+        unit: "rad, rad/s, of 0.5",
+        reason: "the error of dop853",
+        measure: |note| shifted(note),
+    },
 ];
 
 /// Settings of a run, and the allowed residual of its energy account, relative to the energy.
@@ -92,6 +101,7 @@ const DOP853: Method = (&["run.method=dop853", "run.tolerance=1e-12"], 1e-10);
 const RADAU: Method = (&["run.method=radau", "run.tolerance=1e-12"], 1e-10);
 
 const PRESSED: Entry = Entry::new::<Pressed>();
+const SHIFTED: Entry = Entry::new::<Shifted>();
 /// T + V of the pressed rotor at rest: load²/(2 k) [J].
 const ENERGY: f64 = 10.0;
 
@@ -195,4 +205,32 @@ fn slip((method, lack): Method) -> f64 {
     let outcome = at_rest(-10.0, -2.0, (1.0f64 / 3.0).acos() / held + after, method);
     let speed = -3.0 * REST * held * (1.0f64 - 1.0 / 9.0).sqrt();
     Freed { phi: 0.0, speed, k: 2780.0, rest: -10.0 / 2780.0, after }.off(&outcome, (1, 1), lack)
+}
+
+/// The rotor creeps against the step at 0.4 rad, where the spring stiffens, and passes it when the spring has no deflection. At 1.4 rad, in the
+/// same cell of both laws, the zero of the spring steps too. The step of V then has two zeros instead of one.
+fn shifted(note: &mut String) -> f64 {
+    let run = |method: &str| {
+        models::run(
+            &SHIFTED,
+            &format!(
+                r#"
+                model = "shifted"
+                effects = ["stiffness_step", "uneven"]
+                parameters = {{ T = "1 N*m", c = "100 N*m*s" }}
+                laws.k.steps = [{{ value = "5 N*m", width = "0.4 rad" }}, {{ value = "50 N*m" }}]
+                laws.e.steps = [{{ value = "0 rad", width = "1.4 rad" }}, {{ value = "0.1 rad" }}]
+                run = {{ t_end = "160 s", {method} }}
+                "#
+            ),
+        )
+    };
+    let [exact, steps] = ["", "method = \"dop853\", tolerance = 1e-12"].map(run);
+    *note = format!("{} holds, {} cell changes", exact.counts.holds, exact.counts.cell_changes);
+    let counted = |outcome: &Outcome| (outcome.counts.holds, outcome.counts.cell_changes);
+    if counted(&exact) != (2, 3) || counted(&steps) != (2, 3) {
+        return f64::INFINITY;
+    }
+    let [(q, v), (q_steps, v_steps)] = [&exact, &steps].map(end);
+    largest(q.iter().zip(&q_steps).chain(v.iter().zip(&v_steps)).map(|(a, b)| (a - b).abs() / 0.5))
 }

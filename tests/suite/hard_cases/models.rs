@@ -23,8 +23,8 @@ pub fn residual(outcome: &Outcome) -> f64 {
     crate::case::largest(outcome.trajectory.residual.iter().map(|r| r.abs())) / outcome.energy_at_start
 }
 
-/// A damped rotor under a torque. Its angle stiffens the spring of a second, loaded rotor, so that the torque presses it against a step
-/// that reflects it.
+/// A damped rotor under a torque. The spring of a second, loaded rotor becomes stiffer at a step in the angle of the first. The torque
+/// presses the first rotor against this step, which reflects it.
 pub mod pressed {
     gearsim::equations! {
         model pressed "a rotor pressed against a step";
@@ -56,6 +56,42 @@ pub mod pressed {
     }
 }
 
+/// As `pressed`, without a load. The zero of the spring steps too, with a longer period: at some steps of the spring both step, at
+/// others the spring alone.
+pub mod shifted {
+    gearsim::equations! {
+        model shifted "a rotor pressed against steps of a spring and of its zero";
+        coordinates { alpha "rad" start 0.0, "switching rotor"; beta "rad" start 0.5, "sprung rotor"; }
+        parameters {
+            T "N*m" required, open -inf to inf, "torque on the switching rotor";
+            c "N*m*s" default 0.0, from 0.0 to inf, "damping of the switching rotor";
+        }
+        laws {
+            k "N*m" phase alpha period 1.0, "spring";
+            e "rad" phase alpha period 2.0 with uneven, "zero of the spring";
+        }
+        effects { stiffness_step "steps of the spring"; uneven requires(stiffness_step) "steps of its zero"; }
+        switching { stiffness_step => with_jump; }
+        energies {
+            kinetic { _ => (alpha_dot.powi(2) + beta_dot.powi(2))/2.0; }
+            potential { _ => k*(beta - e).powi(2)/2.0; }
+            dissipation { _ => c*alpha_dot.powi(2)/2.0; }
+        }
+        torques { drive "drive" { _ => T*alpha; } }
+        work { alpha { _ => T; } }
+        mass { alpha alpha { _ => 1.0; } beta beta { _ => 1.0; } }
+        force { alpha { _ => T - c*alpha_dot; } beta { _ => -k*(beta - e); } }
+        jacobian {}
+        cell {
+            stiffness { beta beta { _ => k; } }
+            damping { alpha alpha { _ => c; } }
+            load { alpha { _ => T; } beta { _ => k*e; } }
+        }
+        jump k { normal { alpha { _ => 1.0; } } step { _ => dk*(beta - e).powi(2)/2.0; } }
+        jump e { normal { alpha { _ => 1.0; } } step { _ => k*(de.powi(2)/2.0 - de*(beta - e)); } }
+    }
+}
+
 /// Two springs on one rotor; both step with the same angle.
 pub mod twice {
     gearsim::equations! {
@@ -80,7 +116,7 @@ pub mod twice {
     }
 }
 
-/// Two switching rotors, coupled by inertia, and a third rotor whose two springs each step with one of them.
+/// Two switching rotors, coupled by inertia, and a third rotor on two springs. Each spring steps with the angle of one switching rotor.
 pub mod meshes {
     gearsim::equations! {
         model meshes "two meshes on one spring";
