@@ -9,6 +9,7 @@ use super::data::{self, BLOCK, Counts};
 use super::html::{TableCell, escape};
 use super::pack::unpack;
 use super::{Page, script};
+use crate::scene::Scene;
 
 const HOSTILE: &str = "</script><script>alert(1)</script><img src=x onerror='alert(2)'>\" & \u{2028}\u{1b}]0;";
 
@@ -85,6 +86,29 @@ fn a_page_has_its_sections_and_allows_only_its_own_scripts() {
     assert_eq!(allowed[0], "default-src 'none'");
     assert!(allowed[1].matches("sha256-").count() == 2 && !allowed[1].contains("unsafe"), "{policy}");
     assert!(!policy.contains("http"));
+}
+
+/// The samples before `output.spectrum.from` are in neither the spectra nor the orders of the page.
+#[test]
+fn spectra_and_orders_leave_out_the_samples_before_their_first_time() {
+    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../models/scenes/damaged_tooth.toml");
+    let scene = Scene::load(path).unwrap();
+    let page = |scene: &Scene| scene.run().unwrap().page().unwrap();
+    let number = |page: &str, before: &str, after: &str| -> f64 {
+        let end = page.find(after).unwrap();
+        let begin = page[..end].rfind(before).unwrap() + before.len();
+        page[begin..end].trim().parse().unwrap()
+    };
+    // 30 revolutions in 0.4 s.
+    for (from, revolutions) in [(0.0, 29.0..=30.0), (0.2, 14.0..=15.0)] {
+        let page = page(&scene.with("output.spectrum.from", format!("{from} s")).unwrap());
+        assert_eq!(page.matches("Samples before t = 0.2 s are left out.").count(), if from > 0.0 { 2 } else { 0 });
+        let found = number(&page, ": ", " whole revolutions");
+        assert!(revolutions.contains(&found), "{found} revolutions from {from} s on");
+        let (rate, segment) = (50e3, number(&page, "in segments of ", " with a Hann window"));
+        let resolution = number(&page, "resolution ", " Hz. ");
+        assert!((resolution * segment / rate - 1.0).abs() < 1e-3 && segment <= rate * (0.4 - from), "{segment}");
+    }
 }
 
 /// How often plotly.js has the beginning of a script element among its strings.

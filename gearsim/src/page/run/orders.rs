@@ -2,6 +2,7 @@
 
 use super::Report;
 use super::columns::{ColumnGroup, ColumnKind};
+use super::spectrum::beginning;
 use crate::analysis::orders::{self, Mesh, PROMINENCE, Turning, meshes, reference_shaft};
 use crate::analysis::spectrum::SpectrumError;
 use crate::page::data::Counts;
@@ -16,23 +17,24 @@ const LINES: &str = "Mesh orders and their sidebands";
 
 /// Writes the section.
 pub(super) fn fill(report: &Report<'_>, html: &mut Html) {
-    let run = &report.run.outcome.trajectory;
-    let Some(shaft) = reference_shaft(run, report.run.scene.output.spectrum.shaft) else {
+    let (run, asked) = (&report.run.outcome.trajectory, &report.run.scene.output.spectrum);
+    let Some(shaft) = reference_shaft(run, asked.shaft) else {
         return html.paragraph("There are no orders: the run recorded no speed of a rotor.");
     };
-    let turning = match Turning::of(run, shaft.name, 0.0) {
+    let turning = match Turning::of(run, shaft.name, asked.from) {
         Ok(turning) => turning,
         Err(error) => return html.paragraph(&format!("There are no orders of {}: {error}.", shaft.name)),
     };
     html.paragraph(&format!(
         "Peak amplitudes over orders of the shaft with the speed {} ({}): {} whole revolutions, interpolated at equal angles, \
-         Hann window. The mean is left out. Sidebands are listed where their amplitude is above {PROMINENCE} times the median of those \
+         Hann window. {}The mean is left out. Sidebands are listed where their amplitude is above {PROMINENCE} times the median of those \
          about them. Those of gears of planet sets are multiples of their speed relative to the carrier.",
         shaft.name,
         shaft.doc,
         turning.revolutions(),
+        beginning(asked.from),
     ));
-    let meshes = meshes(run, 0.0);
+    let meshes = meshes(run, asked.from);
     for group in report.groups.iter().filter(|group| matches!(group.kind, ColumnKind::Signal | ColumnKind::Deflection))
     {
         if let Err(error) = plot(report, html, group, (shaft.name, &turning), &meshes) {

@@ -11,16 +11,18 @@ use crate::page::data::Counts;
 use crate::page::html::Html;
 use crate::page::plot::{Axis, Line, PageCurve, Plot};
 use crate::plot::spectrum::{CONTENT, reach};
+use crate::trajectory::Trajectory;
 
-/// Decades shown below the highest peak. What is lower is rounding errors and leakage.
+/// The highest peak over the lowest density that is shown. Lower densities are rounding errors and leakage.
 const DECADES: f64 = 1e12;
 
-/// Mesh frequency and multiples of it that are marked.
+/// Number of marked multiples of a mesh frequency, from the frequency itself on.
 const MULTIPLES: usize = 3;
 
 /// Writes the section.
 pub(super) fn fill(report: &Report<'_>, html: &mut Html) {
-    let (rows, rate) = match uniform_samples(&report.run.outcome.trajectory) {
+    let (run, from) = (&report.run.outcome.trajectory, report.run.scene.output.spectrum.from);
+    let (rows, rate) = match samples(run, from) {
         Ok(samples) => samples,
         Err(error) => return html.paragraph(&format!("There are no spectra: {error}.")),
     };
@@ -28,9 +30,10 @@ pub(super) fn fill(report: &Report<'_>, html: &mut Html) {
     let hertz = rate / segment as f64;
     html.paragraph(&format!(
         "Power spectral densities by Welch's method: {} samples a second in segments of {segment} with a Hann window, overlapping by \
-         half; resolution {} Hz. The mean is left out.",
+         half; resolution {} Hz. {}The mean is left out.",
         short(rate),
         short(hertz),
+        beginning(from),
     ));
     let kinds = [ColumnKind::Speed, ColumnKind::Signal, ColumnKind::Deflection];
     let mut found = vec![];
@@ -40,10 +43,9 @@ pub(super) fn fill(report: &Report<'_>, html: &mut Html) {
             Err(error) => html.note(&format!("There is no spectrum of {}: {error}.", group.title().to_lowercase())),
         }
     }
-    let meshes: Vec<Mesh> =
-        meshes(&report.run.outcome.trajectory, 0.0).into_iter().filter(|mesh| mesh.steady).collect();
+    let meshes: Vec<Mesh> = meshes(run, from).into_iter().filter(|mesh| mesh.steady).collect();
     let highest = meshes.iter().map(|mesh| mesh.frequency).fold(0.0, f64::max);
-    // What is 0 or 1 has content at all frequencies.
+    // A signal that is 0 or 1 has content at all frequencies.
     let shown = found.iter().filter(|(group, _)| group.unit != "1").flat_map(|(group, spectra)| {
         spectra.iter().enumerate().filter(|(i, _)| group.shown(*i)).filter_map(|(_, spectrum)| spectrum.as_ref())
     });
@@ -54,6 +56,21 @@ pub(super) fn fill(report: &Report<'_>, html: &mut Html) {
     for (group, spectra) in &found {
         plot(html, group, (&frequencies, spectra), end, lines.clone());
     }
+}
+
+/// The rows of the samples from the time `from` \[s\] on, and their rate \[Hz\].
+fn samples(run: &Trajectory, from: f64) -> Result<(Vec<usize>, f64), SpectrumError> {
+    let (mut rows, rate) = uniform_samples(run)?;
+    rows.retain(|&row| run.t[row] >= from);
+    match rows.len() {
+        samples @ 0..4 => Err(SpectrumError::TooShort { samples }),
+        _ => Ok((rows, rate)),
+    }
+}
+
+/// A sentence that states from which time \[s\] on samples are used; empty if all are.
+pub(super) fn beginning(from: f64) -> String {
+    if from > 0.0 { format!("Samples before t = {} s are left out. ", short(from)) } else { String::new() }
 }
 
 /// The title of the plot of a group.
@@ -127,7 +144,7 @@ fn lines(report: &Report<'_>, meshes: &[Mesh]) -> Vec<Line> {
     let natural = report.run.outcome.reference_frequency.map(|w| Line { x: w / TAU, name: "natural".into() });
     let mut lines: Vec<Line> = natural.into_iter().collect();
     for mesh in meshes {
-        // Of several meshes each has its name.
+        // If there are several meshes, each line has the name of its mesh.
         let of = if meshes.len() > 1 { mesh.name } else { "mesh" };
         let name = |n: usize| if n == 1 { of.to_owned() } else { format!("{n} x {of}") };
         lines.extend((1..=MULTIPLES).map(|n| Line { x: n as f64 * mesh.frequency, name: name(n) }));
