@@ -22,7 +22,8 @@ pub struct Picture {
     drawing: Drawing,
 }
 
-/// The elements of a picture. What is written to it goes to both forms of the SVG; [`Drawing::text`] tells them apart.
+/// The elements of a picture. Everything that is written to it goes to both forms of the SVG. Only [`Drawing::text`] writes something else
+/// to each form.
 #[derive(Default)]
 pub(super) struct Drawing {
     /// SVG with text as text.
@@ -32,7 +33,7 @@ pub(super) struct Drawing {
 }
 
 impl Drawing {
-    /// Draws `words` at `at`, with an index where they say `_{...}`; `attributes` are those of SVG.
+    /// Draws `words` at `at`, with the content of `_{...}` as a subscript; `attributes` are those of SVG.
     pub(super) fn text(&mut self, at: (f64, f64), anchor: Anchor, size: f64, attributes: &str, words: &str) {
         self.svg += &text::element(at, anchor, size, attributes, words);
         self.outlined += &text::outlines(at, anchor, size, attributes, words);
@@ -76,7 +77,24 @@ impl Picture {
         let pixels = size.and_then(|s| tiny_skia::Pixmap::new(s.width(), s.height()));
         let mut pixels = pixels.ok_or_else(|| failed("it has no size".into()))?;
         let scale = tiny_skia::Transform::from_scale(PNG_SCALE, PNG_SCALE);
+        pixels.fill(tiny_skia::Color::WHITE);
         resvg::render(&tree, scale, &mut pixels.as_mut());
-        pixels.encode_png().map_err(|e| failed(e.to_string()))
+        encode(&pixels).map_err(|e| failed(e.to_string()))
     }
+}
+
+/// An opaque picture as PNG. Without the channel of opacity it is encoded in half the time. Large areas have one colour: the filter `Up`
+/// turns these into zeros.
+fn encode(pixels: &tiny_skia::Pixmap) -> Result<Vec<u8>, png::EncodingError> {
+    let mut file = vec![];
+    let mut encoder = png::Encoder::new(&mut file, pixels.width(), pixels.height());
+    encoder.set_color(png::ColorType::Rgb);
+    encoder.set_depth(png::BitDepth::Eight);
+    encoder.set_filter(png::Filter::Up);
+    let mut colours = vec![0; 3 * pixels.pixels().len()];
+    for (colour, pixel) in colours.chunks_exact_mut(3).zip(pixels.data().chunks_exact(4)) {
+        colour.copy_from_slice(&pixel[..3]);
+    }
+    encoder.write_header()?.write_image_data(&colours)?;
+    Ok(file)
 }
