@@ -1,6 +1,6 @@
-//! Stability of steady rotation: the stiffnesses are periodic in time. The monodromy matrix is the product of the propagators of the cells of
-//! a period. They are exact where the stiffnesses are constant, and integrated where one follows a curve. The eigenvalues of the monodromy
-//! matrix are the Floquet multipliers, the factors by which a small disturbance grows per period (Meissner's equation and its
+//! Stability of steady rotation: the stiffnesses are periodic in time. The monodromy matrix is the product of the propagators of the cells
+//! of a period. They are exact where the stiffnesses are constant, and integrated where one follows a curve. The eigenvalues of the
+//! monodromy matrix are the Floquet multipliers, the factors by which a small disturbance grows per period (Meissner's equation and its
 //! generalisations; G. Floquet, 1883).
 //!
 //! Forces that are not linear, such as friction of the flanks, are linearised about the steady motion (`about.rs`). If M or F change along
@@ -60,9 +60,10 @@ pub enum FloquetError {
 pub struct Floquet {
     /// Common period of all stiffnesses \[s\].
     pub period: f64,
-    /// Multipliers of the motions that are not rigid, in descending order. The list ends with the last one that is larger than `rounding`.
+    /// Multipliers of the motions that are not rigid, by descending absolute value. The list ends with the last one that is larger than
+    /// `rounding`.
     pub multipliers: Vec<Complex<f64>>,
-    /// Number of multipliers that are left out: those motions decay to less than `rounding` of their size.
+    /// Number of multipliers that are left out because their absolute value is at most `rounding`.
     pub unresolved: usize,
     /// Rounding error of a multiplier.
     pub rounding: f64,
@@ -77,7 +78,7 @@ pub struct Floquet {
     /// The steady motion about which forces are linearised; `None` if all are linear.
     #[doc(hidden)]
     pub steady: Option<Steady>,
-    /// The motion that repeats, about which the equations are linearised where they change along the motion.
+    /// The motion that repeats, about which the equations are linearised; `None` if they do not change along the motion.
     pub orbit: Option<Orbit>,
     /// Whether propagators are integrated, because a law follows a curve.
     pub(crate) is_integrated: bool,
@@ -96,7 +97,8 @@ pub enum Verdict {
     Growing,
     /// It grows with twice that period: a real multiplier below -1.
     Alternating,
-    /// It grows at a frequency of its own (combination resonance): two complex multipliers outside the unit circle.
+    /// It grows at a frequency other than that of the stiffness or half of it (combination resonance): two complex multipliers outside the
+    /// unit circle.
     Combination,
 }
 
@@ -108,7 +110,17 @@ impl Verdict {
 }
 
 impl Floquet {
-    /// The multipliers of `scene` in steady rotation at the speeds of its start. `watch` is called many times meanwhile; it may unwind.
+    /// How the monodromy matrix was found, in words.
+    pub fn method(&self) -> &'static str {
+        match self.orbit {
+            Some(_) => "variational equations along the motion that repeats, with saltation matrices",
+            None if self.is_integrated => "product of propagators, integrated where a law follows a curve",
+            None => "product of exact cell propagators",
+        }
+    }
+
+    /// The multipliers of `scene` in steady rotation at the speeds of its start. `watch` is called many times during the computation; it
+    /// may unwind.
     ///
     /// # Errors
     /// If the modes of a cell cannot be computed, the stiffnesses have no common period, nothing vibrates, or the multipliers overflow.
@@ -125,7 +137,8 @@ impl Floquet {
         let modes = Modal::of(&system.matrices(&means)?)?.modes;
         let omega = || modes.iter().map(|mode| mode.omega2.sqrt()).filter(|omega| *omega > 0.0);
         let lowest = omega().reduce(f64::min).ok_or(FloquetError::Rigid)?;
-        // In this unit of speed displacements and speeds have values of the same size, and matrices have the norm of the fastest vibration.
+        // With this unit of speed, displacements and speeds have values of the same size, and the norm of a matrix is about the highest
+        // natural frequency [rad/s].
         let unit = omega().fold(lowest, f64::max);
 
         let split = Split::of(system, &stretches)?;
@@ -148,8 +161,8 @@ impl Floquet {
         } else {
             monodromy.complex_eigenvalues().iter().copied().collect()
         };
-        // A motion held by dampers only keeps the displacement at which it comes to rest: its multiplier 1 says nothing about stability
-        // and is removed.
+        // A motion on which dampers act, but no springs, stays where it comes to rest. Its multiplier 1 says nothing about stability and is
+        // removed.
         for _ in 0..split.drifting {
             let apart = |z: &Complex<f64>| (z - 1.0).norm();
             let nearest =
@@ -192,7 +205,7 @@ impl Floquet {
     }
 }
 
-/// Leaves out the multipliers, in descending order, that are smaller than their rounding error. Returns their number.
+/// Removes the multipliers that are smaller than their rounding error from a list in descending order. Returns their number.
 fn leave_out(multipliers: &mut Vec<Complex<f64>>, rounding: f64) -> usize {
     let resolved = multipliers.iter().take_while(|z| z.norm() > rounding).count();
     multipliers.drain(resolved..).count()
@@ -222,7 +235,7 @@ fn of_one(trace: f64, determinant: f64) -> Verdict {
     }
 }
 
-/// The verdict on several vibrations, from the multipliers with the largest first.
+/// The verdict on several vibrations, from the multipliers by descending absolute value.
 fn of_all(multipliers: &[Complex<f64>]) -> Verdict {
     let Some(first) = multipliers.first() else { return Verdict::Neutral };
     if first.norm() > 1.0 + analysis::UNIT_CIRCLE {

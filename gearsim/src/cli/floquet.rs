@@ -84,14 +84,15 @@ struct Report<'a> {
     rigid_motions: usize,
     /// What the analysis leaves out because it is linear.
     left_out: Vec<&'static str>,
-    /// The steady motion about which forces are linearised that are not linear.
+    /// The steady motion about which nonlinear forces are linearised.
     #[serde(skip_serializing_if = "Option::is_none")]
     linearised: Option<Linearised<'a>>,
-    /// The motion that repeats, about which the equations are linearised where inertias change along it.
+    /// The periodic motion about which the equations are linearised, if inertias change along the motion.
     #[serde(skip_serializing_if = "Option::is_none")]
     orbit: Option<Repeats<'a>>,
     verdict: &'static str,
-    /// Natural logarithm of the largest absolute value of a multiplier; that of the rounding error, an upper bound, if all are smaller.
+    /// Natural logarithm of the largest absolute value of a multiplier. If all multipliers are smaller than the rounding error: the
+    /// logarithm of the rounding error, an upper bound.
     growth_per_period: f64,
     /// Names of the other files in the same folder.
     files: Vec<String>,
@@ -101,17 +102,18 @@ struct Report<'a> {
 /// A motion that repeats after a turn.
 #[derive(Serialize)]
 struct Repeats<'a> {
-    /// Coordinate by which turns are counted, and how far it moves on in one [SI].
+    /// Coordinate by which turns are counted.
     reference: &'a str,
+    /// Change of the reference coordinate in a turn [SI].
     turn: f64,
     /// Coordinates and speeds at the start of the turn [SI], in the order of the model.
     q: &'a [f64],
     q_dot: &'a [f64],
     /// Relative change of the speed of the reference in a turn.
     drift: f64,
-    /// How far the turn is from closing [relative to the rotation].
+    /// Residual of the periodicity of the motion over a turn [relative to the rotation].
     gap: f64,
-    /// Real and imaginary part of the multiplier of a change of the speed of the rotation.
+    /// Real and imaginary part of the Floquet multiplier of a change of the rotational speed.
     speed_multiplier: [f64; 2],
 }
 
@@ -158,7 +160,7 @@ impl Verb for FloquetCommand {
             verdict: word(floquet.verdict),
             growth_per_period: floquet.growth(),
             files: folder.files().to_vec(),
-            provenance: provenance::of(&scene, method(&floquet).into()),
+            provenance: provenance::of(&scene, floquet.method().into()),
         };
         let json = document::json("floquet", VERSION, &report)?;
         folder.write_bytes("floquet.json", json.as_bytes())?;
@@ -215,7 +217,7 @@ impl FloquetCommand {
 /// The values of an axis of a chart, in its unit.
 fn rising(axis: &Axis) -> Result<Vec<f64>, Failure> {
     let count = axis.count().unwrap_or(0);
-    // A range has one unit; the values of a list may have several, so that a list is read in SI.
+    // A range has one unit. The values of a list may have different units, so that a list is read in SI units.
     let number = if axis.unit.is_empty() { axis::si } else { axis::number };
     let values: Vec<f64> = (0..count).map(|i| number(&axis.value(i))).collect();
     match (2..=MOST).contains(&count) && values.windows(2).all(|pair| pair[0] < pair[1]) {
@@ -245,15 +247,6 @@ fn table(chart: &Chart) -> Result<Table, OutputError> {
     table.push("growth_per_period", "1", Values::Number(each(&|_, _, s| known(s, |s| s.growth))))?;
     table.push("unstable", "1", Values::Number(each(&|_, _, s| known(s, |s| f64::from(u8::from(s.unstable))))))?;
     Ok(table)
-}
-
-/// How the monodromy matrix is found, in words.
-fn method(floquet: &Floquet) -> &'static str {
-    match floquet.orbit {
-        Some(_) => "variational equations along the motion that repeats, with saltation matrices",
-        None if floquet.is_integrated => "product of propagators, integrated where a law follows a curve",
-        None => "product of exact cell propagators",
-    }
 }
 
 fn word(verdict: Verdict) -> &'static str {

@@ -37,7 +37,7 @@ pub(super) struct Asked;
 pub(super) enum Asked {}
 
 impl Html {
-    /// The page, if it is asked for. Errors: as of [`asked`].
+    /// The page, if it is asked for. Errors: those of [`asked`].
     pub(super) fn asked(&self) -> Result<Option<Asked>, Failure> {
         asked(self.html)
     }
@@ -69,14 +69,14 @@ pub(super) fn asked(html: bool) -> Result<Option<Asked>, Failure> {
     Ok(html.then_some(Asked))
 }
 
-/// What the page of a result of `scene`, computed by `solver`, says of it. `files` are the other files of the result.
+/// The scene, provenance and files that a page shows. `solver` says how the result was computed; `files` are its other files.
 #[cfg(feature = "html")]
 fn made<'a>(scene: &'a Scene, solver: &str, files: &'a [String]) -> page::shared::Made<'a> {
     page::shared::Made { scene, provenance: super::provenance::of(scene, solver.into()), files }
 }
 
-/// Makes a method of [`Asked`] for the page of each command: it writes the page into the folder of the result, whose index
-/// file it names.
+/// Makes a method of [`Asked`] for each command. It writes the page into the folder of the result. The page names the index file of
+/// that result.
 macro_rules! pages {
     ($($command:ident of $index:literal in $folder:ident($($name:ident: $type:ty),* $(,)?) => |$files:ident| $page:expr;)*) => {
         #[cfg(feature = "html")]
@@ -99,7 +99,7 @@ macro_rules! pages {
     };
 }
 
-/// The page of a run; programs have it too ([`Results::page`]).
+/// The page of a run. Programs that use the library can write it too ([`Results::page`]).
 impl Asked {
     #[cfg(feature = "html")]
     pub(super) fn run(
@@ -125,7 +125,7 @@ pages! {
     modes of "modes.json" in OutputFolder(scene: &Scene, moves: bool, parts: &Parts, cells: (&CellModes, &[CellModes]), figures: &[Figure]) => |files|
         page::modes::page(&made(scene, "modes of linear cells", files), &page::modes::Modes { moves, parts, chosen: cells.0, cells: cells.1, figures });
     floquet of "floquet.json" in OutputFolder(scene: &Scene, words: &str, floquet: &Floquet, chart: Option<(&Chart, &Table)>) => |files|
-        page::floquet::page(&made(scene, "product of exact cell propagators", files), words, floquet, chart);
+        page::floquet::page(&made(scene, floquet.method(), files), words, floquet, chart);
     compare of "compare.json" in OutputFolder(scene: &Scene, runs: &[Run<'_>], summaries: &[Summary]) => |files|
         page::compare::page(&made(scene, "the solver of each run", files), runs, summaries);
     advise of "advise.json" in OutputFolder(scene: &Scene, conclusions: &[(String, String)], drawn: Option<&Figure>, deviations: &Table) => |files|
