@@ -1,9 +1,10 @@
 //! `cargo xtask fuzz`: search with libFuzzer for inputs that break the readers or the engine. The targets: `tests/fuzz/README.md`.
 //!
 //! Builds the targets with cargo and the installed rustc. libFuzzer needs coverage instrumentation (basic blocks, comparisons), which
-//! any rustc can add; a sanitizer is not needed, since there is no unsafe code. Only gearsim and the targets are instrumented: this
-//! program runs as cargo's rustc wrapper and adds the flags for them, so that dependencies of other builds are reused. libFuzzer
-//! itself needs a C++ compiler. New inputs and crashes are written to `out/fuzz`; inputs are added to the committed corpus by hand.
+//! any rustc can add; a sanitizer is not needed, since there is no unsafe code. Only gearsim and the target `derived_file`, which contains
+//! the macro, are instrumented: this program runs as cargo's rustc wrapper and adds the flags for these crates, so that dependencies of
+//! other builds are reused. libFuzzer itself needs a C++ compiler. New inputs and crashes are written to `out/fuzz`; inputs are added to
+//! the committed corpus by hand.
 
 use std::ffi::OsString;
 use std::path::Path;
@@ -19,7 +20,7 @@ const NAMED: [&str; 2] = ["combination", "parts"];
 /// Time limit for a single input [s].
 const TIMEOUT: u32 = 60;
 /// Crates that are instrumented.
-const INSTRUMENTED: [&str; 2] = ["gearsim", "derived_file"];
+const INSTRUMENTED: [&str; 4] = ["gearsim", "gearsim_equations", "gearsim_generated", "derived_file"];
 /// Environment variable that is set while this program runs as rustc wrapper.
 const COMPILING: &str = "GEARSIM_FUZZ_COMPILING";
 /// The flags that add coverage instrumentation: blocks reached, and numbers compared.
