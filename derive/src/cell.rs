@@ -11,23 +11,24 @@ use crate::print::{Style, print};
 use crate::symbols::{Partials, Symbols, Variable, expanded};
 use crate::tree::Tree;
 
-/// The matrices of a cell, of its terms that are linear. They are written in coordinates and deflections: with the gradients g of
-/// deflections, an entry k of deflections d and e is the matrix k g_d g_eᵀ.
+/// The matrices of the linear terms of a cell. Their entries are given in coordinates and deflections: an entry k of the deflections d and
+/// e stands for the matrix k g_d g_eᵀ, where g_d and g_e are the gradients of the deflections.
 pub(crate) struct Cell {
-    /// The entries of K that are not zero, of each pair of different places one.
+    /// The nonzero entries of K. K is symmetric: only one of two mirrored entries is given.
     pub stiffness: Vec<(Variable, Variable, Atom)>,
-    /// Those of C.
+    /// The nonzero entries of C, given in the same way.
     pub damping: Vec<(Variable, Variable, Atom)>,
-    /// Those of f: forces along coordinates and deflections.
+    /// The nonzero entries of f: forces along coordinates and deflections.
     pub load: Partials,
-    /// The terms that make the cell nonlinear in every scene, as text, each with the energy or torque it comes from. The matrices are
-    /// without them.
+    /// The terms that make the cell nonlinear in every scene, as text, each with the energy or torque it comes from. The matrices do not
+    /// contain them.
     pub nonlinear: Vec<String>,
-    /// Terms that make the cell nonlinear in scenes with some effects: these, and the term as text. The matrices are without them.
+    /// Terms that make the cell nonlinear in scenes with some effects: these effects, and the term as text. The matrices do not contain the
+    /// terms.
     pub nonlinear_with: Vec<(Vec<String>, String)>,
 }
 
-/// The matrices of a cell.
+/// Derives the matrices of a cell, and the terms that make it nonlinear.
 pub(crate) fn derive(model: &Model, s: &Symbols, motion: &EquationsOfMotion) -> Cell {
     let mut culprits = inertias(model, s, motion);
     for (energy, pieces) in [("potential energy", &model.potential), ("dissipation function", &model.dissipation)] {
@@ -35,7 +36,7 @@ pub(crate) fn derive(model: &Model, s: &Symbols, motion: &EquationsOfMotion) -> 
             .extend(not_quadratic(pieces).into_iter().map(|(marks, term)| (marks, format!("{term} in the {energy}"))));
     }
     for torque in model.torques.iter().filter(|t| model.varies(t)) {
-        // Effects that only change the torque do not count.
+        // Effects without which the torque changes but does not vanish do not count.
         let unchanged = |e: Atom| optional(&e).iter().fold(e, |e, effect| without(&e, effect));
         let value = torque.value.atom();
         let marks = markers(&unchanged(model.written_out(&value)));
@@ -65,7 +66,7 @@ pub(crate) fn derive(model: &Model, s: &Symbols, motion: &EquationsOfMotion) -> 
     Cell { stiffness, damping, load, nonlinear, nonlinear_with }
 }
 
-/// The derivatives of `forces` that are not zero. They are symmetric: of each pair of different places one is given.
+/// The nonzero derivatives of `forces`. They form a symmetric matrix: only one of two mirrored entries is returned.
 fn second(forces: &[(Variable, Atom)], by: impl Fn(&Atom) -> Partials) -> Vec<(Variable, Variable, Atom)> {
     let row = |(place, force): &(Variable, Atom)| {
         let place = *place;
@@ -85,11 +86,11 @@ fn lost(model: &Model, s: &Symbols) -> Partials {
     lossy.filter_map(|switch| Some((along(switch)?, switch.lost()))).collect()
 }
 
-/// The functions of positions by which deflections bend.
+/// The functions of positions in deflections. With such a function a deflection bends: it is not linear in the coordinates.
 struct Bends {
-    /// The functions and the effects without which they are zero.
+    /// The functions with their derivatives, and the markers of their effects. If all are set to zero, every deflection is linear.
     zero: Vec<Symbol>,
-    /// What makes cells nonlinear, with the effects that it needs.
+    /// The deflections that bend, as text, each with the effects that it needs. They make cells nonlinear.
     culprits: Vec<(Vec<String>, String)>,
 }
 
@@ -112,7 +113,7 @@ impl Bends {
         Bends { zero, culprits }
     }
 
-    /// The expression with straight deflections.
+    /// The expression with all deflections linear: without the functions by which they bend.
     fn straight(&self, e: &Atom) -> Atom {
         self.zero.iter().fold(e.clone(), |e, s| set(&e, *s, &number(0))).expand()
     }

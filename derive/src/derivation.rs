@@ -34,13 +34,14 @@ pub struct Derivation<'a> {
 }
 
 impl Derivation<'_> {
-    /// The generated files: the path of each and its text. The first is what runs.
+    /// The generated files: the path of each and its text. The first is the Rust file; the others have the equations as plain text and in
+    /// LaTeX.
     pub fn files(&self, home: Home<'_>) -> [(String, String); 3] {
         let [file, text, latex] = file::paths(&self.model.name);
         [(file, file::write(self, home)), (text, self.text()), (latex, self.latex())]
     }
 
-    /// The text of the file that runs, for a model of gearsim.
+    /// The text of the generated Rust file, for a model in the repository of gearsim.
     pub fn file(&self) -> String {
         file::write(self, Home::default())
     }
@@ -101,12 +102,12 @@ impl Derivation<'_> {
         Expr::new(markers::all_present(&proof::exact(&self.motion, &self.without(&written_out, absent))))
     }
 
-    /// The nonlinear terms of a cell, each with the energy it comes from. Empty if the cell is linear.
+    /// The terms that make a cell nonlinear in every scene, each with the energy or torque it comes from. Empty if the cell is linear.
     pub fn nonlinear_terms(&self) -> &[String] {
         &self.cell.nonlinear
     }
 
-    /// The terms that make a cell nonlinear in scenes with some effects: these, and the term.
+    /// The terms that make a cell nonlinear in scenes with some effects: these effects, and the term.
     pub fn nonlinear_with(&self) -> &[(Vec<String>, String)] {
         &self.cell.nonlinear_with
     }

@@ -186,7 +186,7 @@ pub(crate) fn number(n: i64) -> Atom {
 pub(crate) fn set(e: &Atom, symbol: Symbol, value: &Atom) -> Atom {
     match e.contains_symbol(symbol) {
         true => e.replace(Atom::var(symbol).to_pattern()).with(value.to_pattern()),
-        // The search for a symbol is quicker than that for a pattern.
+        // The search for a symbol is faster than the search for a pattern.
         false => e.clone(),
     }
 }
@@ -201,7 +201,7 @@ pub(crate) fn derivative(e: &Atom, by: Symbol) -> Atom {
     }
 }
 
-/// The sum of many atoms, halves first: adding one after another copies the growing sum each time.
+/// The sum of many atoms, added in pairs. To add one after another would copy the growing sum each time.
 pub(crate) fn total(mut parts: Vec<Atom>) -> Atom {
     while parts.len() > 1 {
         parts = parts.chunks(2).map(|pair| pair.iter().skip(1).fold(pair[0].clone(), |a, b| a + b)).collect();
@@ -231,8 +231,8 @@ impl Expr {
         Expr::var(Kind::Free, name)
     }
 
-    /// A function by name: `sin`, `cos`, `exp`, `log` or `atan`. A model that contains another one is refused, above all piecewise ones
-    /// (`abs`, `max`, `heaviside`, ...): declare a law instead.
+    /// A function by name: `sin`, `cos`, `exp`, `log` or `atan`. A model that contains any other function is refused. For a piecewise
+    /// function (`abs`, `max`, `heaviside`, ...) declare a law instead.
     pub fn function(name: &str, argument: Expr) -> Expr {
         let symbol = match name {
             "sin" => Symbol::SIN,

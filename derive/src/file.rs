@@ -1,7 +1,7 @@
-//! The generated files of a model: `<model>.rs`, which runs, `text/<model>.txt` and `latex/<model>.tex`, which are printed.
+//! The generated files of a model: `<model>.rs`, which is compiled, and `text/<model>.txt` and `latex/<model>.tex`, which are for reading.
 //!
-//! The first has the `equations!` block, with the declarations, then the equations, one file here for each part. Its grammar is
-//! documented at the head of the crate `gearsim-macros`.
+//! The first has the `equations!` block: the declarations, then the equations. Each part is written by one file of this folder. The grammar
+//! of the block is documented at the head of the crate `gearsim-macros`.
 
 mod block;
 mod cell;
@@ -30,7 +30,7 @@ pub(crate) fn write(d: &Derivation, home: Home<'_>) -> String {
     outputs::write(&mut equations, d);
 
     let mut block = Block::new(d);
-    // After the equations: only they show which combinations of effects need a condition.
+    // Written after the equations, because these determine which combinations of effects need a condition.
     declarations::write(&mut block, d, equations.conditions());
     block.blank();
     block.append(equations);

@@ -5,7 +5,7 @@
 pub struct Home<'a> {
     /// The folder of the Rust files with the energies, from the root of the repository.
     pub energies: &'a str,
-    /// The command that derives a model, before its name.
+    /// The command that derives a model, without the name of the model after it.
     pub command: &'a str,
 }
 

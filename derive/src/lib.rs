@@ -6,7 +6,7 @@
 //! The stages, in order: `expr` (expressions), `model` (what an author declares), `check` (errors in a model, `slip`), `symbols`
 //! (derivatives), `lagrange` and `mobility` (equations of motion, M⁻¹), `cell` (linearity), `jump` (jump rules), `proof` and
 //! `squares` (identities, definiteness of M; `trigonometry`), `tree` and `print` (sorted expressions as text), `text` and `file` (the
-//! generated file). `program` derives the models of a crate. `wrong` makes mistakes for the tests of the proofs.
+//! generated file). `program` derives the models of a crate. `wrong` makes deliberate mistakes, to test that the proofs find them.
 
 mod cell;
 mod check;

@@ -24,7 +24,7 @@ pub(crate) fn without(e: &Atom, effect: &str) -> Atom {
     set(e, symbol(Kind::Marker, effect), &number(0)).expand()
 }
 
-/// The effects that change a sum, which is not zero without them.
+/// The effects that only some terms of a sum need: without such an effect the sum changes, but is not zero.
 pub(crate) fn optional(e: &Atom) -> Vec<String> {
     markers(e).into_iter().filter(|effect| !without(e, effect).is_zero()).collect()
 }

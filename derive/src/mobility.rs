@@ -28,7 +28,7 @@ pub(crate) fn name(model: &Model, motion: &mut EquationsOfMotion) -> Result<(), 
         refuse_singular(model, &motion.mass)?;
     }
     let exact = if n <= LARGEST && !of_effect { Some(inverse(&motion.mass)) } else { None };
-    // Constants do not depend on coordinates.
+    // A constant must not depend on the coordinates, so it may contain entries of M⁻¹ only if M is constant.
     let constant = motion.inertia.is_none();
     let mut named = exact.clone();
     for (name, value) in &model.constants {

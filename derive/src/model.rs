@@ -80,7 +80,7 @@ impl Model {
     }
 
     /// Declares a generalised coordinate with its SI unit. A coordinate without inertia on which only springs of constant stiffness act is
-    /// eliminated: it is where they balance, and becomes an output.
+    /// eliminated: its value follows from the balance of their forces. It becomes an output.
     pub fn coordinate(&mut self, name: &str, unit: &str, start: Start, doc: &str) -> Expr {
         self.coordinates.push(Coordinate { name: name.into(), unit: unit.into(), start, doc: doc.into() });
         Expr::var(Kind::Coordinate, name)
@@ -111,8 +111,9 @@ impl Model {
     }
 
     /// Names a deflection, for example of a spring: a linear form of the coordinates without a constant term, from which
-    /// offsets ([`Model::offset_law`]) and functions of several positions ([`Model::function_of`]) may be subtracted. V may be written in the
-    /// deflection, D in its `.dot()`, which does not contain the rate of an offset. The equations are then written in the deflection instead of being multiplied out.
+    /// offsets ([`Model::offset_law`]) and functions of several positions ([`Model::function_of`]) may be subtracted. V may be written in
+    /// the deflection, and D in its `.dot()`, which does not contain the rate of an offset. The equations then contain the name of the
+    /// deflection; they are not multiplied out.
     pub fn deflection(&mut self, name: &str, value: Expr) -> Expr {
         self.deflections.push(Deflection { name: name.into(), value: value.expand() });
         Expr::var(Kind::Deflection, name)

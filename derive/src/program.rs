@@ -35,7 +35,7 @@ fn run(models: &[Entry], folder: &Path, home: Home<'_>) -> Result<(), String> {
     if let Some(name) = names.iter().find(|n| !known.contains(&n.as_str())) {
         return Err(format!("no model `{name}`; there are: {}", known.join(", ")));
     }
-    // The computer algebra starts with its first expression: not in the time of the first model.
+    // The computer algebra starts up at its first expression. This time must not be part of the time of the first model.
     let _ = Expr::from(0) + 1;
     let mut stale = vec![];
     for (name, describe) in models.iter().filter(|m| names.is_empty() || names.iter().any(|n| n == m.0)) {

@@ -63,7 +63,7 @@ pub(crate) fn prove(
     Ok(p.proved)
 }
 
-/// The derivatives of a function of several positions, less those that are written.
+/// The derivatives of a function of several positions minus those that the author wrote.
 fn gradient(f: &Function) -> Vec<Atom> {
     let by = |(of, slope): (&Expr, &Expr)| {
         let (kind, name) = symbols(&of.atom()).into_iter().next()?;
@@ -73,7 +73,7 @@ fn gradient(f: &Function) -> Vec<Atom> {
 }
 
 impl Proof<'_> {
-    /// States `what`, proved if each of `rests` is zero. Says nothing if there are none.
+    /// Records `what` as proved if each of `rests` is zero. Records nothing if there are no `rests`.
     fn claim(&mut self, what: &str, rests: impl IntoIterator<Item = Atom>) -> Result<(), Slip> {
         let mut any = false;
         for rest in rests {

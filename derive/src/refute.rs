@@ -14,12 +14,13 @@ struct Value {
 /// A value that is larger than this fraction of its size is not a rounding error, after up to some 1e4 operations.
 const ROUNDING: f64 = 1e-9;
 
-/// Whether the expression has a value other than zero for one choice of the numbers for its symbols. `false` says nothing.
+/// Whether the expression has a value other than zero for one choice of the numbers for its symbols. `false` does not mean that the
+/// expression is zero.
 pub(crate) fn is_somewhere_nonzero(e: &Atom) -> bool {
     value(e.as_view()).is_some_and(|v| v.size.is_finite() && v.value.abs() > ROUNDING * v.size)
 }
 
-/// `None` where a function has no number here, or a root has none.
+/// `None` for a function other than sine and cosine, and if a power has no finite real value.
 fn value(e: AtomView) -> Option<Value> {
     match e {
         AtomView::Num(n) => match n.get_coeff_view() {
@@ -75,7 +76,7 @@ mod tests {
     use crate::mobility::is_zero;
 
     #[test]
-    fn a_small_value_of_large_terms_says_nothing_and_any_other_refutes() {
+    fn only_a_value_above_the_rounding_error_refutes_a_zero() {
         let [x, y] = ["x", "y"].map(|name| Atom::var(symbol(Kind::Parameter, name)));
         let root = |e: &Atom| e.pow(number(1) / number(2));
         let square = (&x + &y) * (&x + &y);

@@ -27,7 +27,7 @@ pub(crate) fn decide(model: &Model, s: &Symbols) -> Squares {
     let mut left: Vec<usize> = (0..s.q.len()).collect();
     loop {
         rows.retain(|row| row.iter().any(|c| !c.is_zero()));
-        // The simplest pivot first: the other rows then stay simple enough that the signs of their entries show.
+        // The simplest pivot first: the other rows then stay so simple that the form of an entry shows its sign.
         let entries = rows.iter().enumerate().flat_map(|(r, row)| {
             let size = row.iter().filter(|c| !c.is_zero()).count();
             let places = row.iter().enumerate().filter(|(_, c)| !c.is_zero());

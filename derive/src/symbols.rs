@@ -15,7 +15,7 @@ pub(crate) use named::{Force, Linear};
 /// Nonzero entries of a vector: index and entry, by rising index.
 pub(crate) type Sparse = Vec<(usize, Atom)>;
 
-/// Nonzero derivatives by symbols: the place of each, and the derivative, by rising place.
+/// Nonzero derivatives: the variable of each, and the derivative, in the order of the variables.
 pub(crate) type Partials = Vec<(Variable, Atom)>;
 
 /// The symbols of one model; entry i belongs to coordinate i, or law i.
@@ -31,18 +31,18 @@ pub(crate) struct Symbols {
     pub deflections: Vec<Linear>,
     pub forces: Vec<Force>,
     functions: Vec<Function>,
-    /// What each symbol is.
+    /// The variable that each symbol stands for.
     places: HashMap<Symbol, Variable>,
 }
 
 /// The derivatives of a named function, and of its derivatives; empty for the highest ones.
 struct Function {
     by_coordinates: Vec<Sparse>,
-    /// Those by coordinates and deflections, each while all others are held.
+    /// The derivatives by coordinates and deflections, each with all others constant.
     by_positions: Vec<Partials>,
 }
 
-/// What a symbol is, with its index.
+/// The variable that a symbol stands for, with its index.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(crate) enum Variable {
     Coordinate(usize),
@@ -52,12 +52,12 @@ pub(crate) enum Variable {
     Law(usize),
     Slope(usize),
     Force(usize),
-    /// Index of a named function, and which of it and its derivatives.
+    /// Index of a named function, and index in the list of the function and its derivatives.
     Function(usize, usize),
 }
 
 impl Variable {
-    /// The coordinate of a speed, the deflection of a rate; of others itself.
+    /// For a speed its coordinate, for a rate its deflection, for others the variable itself.
     pub fn position(self) -> Self {
         match self {
             Variable::Speed(i) => Variable::Coordinate(i),
@@ -85,13 +85,14 @@ pub(crate) fn merged<I: Ord>(parts: impl Iterator<Item = (I, Atom)>) -> Vec<(I, 
     sums.into_iter().collect()
 }
 
-/// The sums of parts by place, expanded, those that are not zero.
+/// The sums of the parts of each variable, expanded, without those that are zero.
 pub(crate) fn expanded(parts: impl Iterator<Item = (Variable, Atom)>) -> Partials {
     let sums = merged(parts).into_iter().map(|(place, sum)| (place, sum.expand()));
     sums.filter(|(_, sum)| !sum.is_zero()).collect()
 }
 
-/// The derivatives of functions by the chain rule: `next` has those of each by its arguments, `slopes` those of each argument.
+/// The derivatives of functions by the chain rule. `next` has the derivatives of each function by its arguments, `slopes` the derivatives
+/// of each argument.
 fn chained<I: Ord + Copy>(next: &[Vec<Atom>], slopes: &[Vec<(I, Atom)>]) -> Vec<Vec<(I, Atom)>> {
     let through = |next: &Vec<Atom>| {
         let parts = next.iter().zip(slopes);

@@ -15,7 +15,7 @@ use crate::tree::Tree;
 /// Left sides shorter than this are followed by the first terms of the right side in the same line.
 const SHORT: usize = 40;
 
-/// The text of a derivation in a style. LaTeX has the equations only, plain text also says what they mean.
+/// The text of a derivation in a style. LaTeX has the equations only; plain text has explanations too.
 pub(crate) fn write(d: &Derivation, style: Style) -> String {
     let w = Writer { order: d.order(), style };
     let sections = [energies(d, &w), names::write(d, &w), motion(d, &w), jumps::write(d, &w), cells(d, &w)];

@@ -30,7 +30,7 @@ pub enum Wrong {
     Direction,
     /// dV at a step of the first law.
     Step,
-    /// dV at a step of the last law: one more.
+    /// dV at a step of the last law: larger by one.
     LastStep,
     /// The slopes of the first deflection.
     Deflection,

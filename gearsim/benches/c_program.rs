@@ -1,4 +1,5 @@
-//! Time per event of gearsim, compared with programs written by hand for this one system in C and in Rust, measured together.
+//! Time per event of gearsim, compared with programs that are written by hand for this one system in C and in Rust. All are measured
+//! together.
 //!
 //! `cargo bench -p gearsim --bench c_program`. It compiles `tests/peers/c/gear_pair.c` with `gcc -O3` (or `cc`) into a temporary
 //! folder. An event is a cell change or a reflection. All programs run the same scene to the same end state.
@@ -9,7 +10,7 @@
 //! - **unrecorded**: [`ensemble::run`] with one simulation, as in sweeps and for end states. It includes the guarantee and the
 //!   energy account.
 //! - **recordable**: [`Simulation::run`] without a recorder.
-//! - **recorded, no rows**: [`Simulation::run`] with a recorder, events off and a rate that leaves no samples.
+//! - **recorded, no rows**: [`Simulation::run`] with a recorder, without events, and with such a low rate that there are no samples.
 //!
 //! The times of gearsim do not include [`Simulation::new`], which is in the column "preparation". The times of the hand-written
 //! programs include the preparation of their two cells.
@@ -22,7 +23,7 @@
 //! slows them down by a factor of 1.1 to 1.4. The C program mostly waits for its own results and is hardly affected. The ratio to
 //! C is therefore meaningful only on an idle machine.
 //!
-//! Every figure is the smallest of several rounds. The programs alternate within a round.
+//! Every time is the smallest of several rounds. In each round the programs run one after another.
 
 use std::hint::black_box;
 use std::path::PathBuf;
@@ -138,14 +139,15 @@ fn end(simulation: &Simulation<'_>) -> End {
     End { counts, state: [state.q[0] - law.bounds().0, state.q_dot[0], state.q[1], state.q_dot[1]] }
 }
 
-/// Largest difference of two states: theta over a pitch, theta' over its start, phi over T0/k1, phi' over w0 T0/k1.
+/// Largest difference of two states. The differences are relative: that of theta to a pitch, that of theta' to its value at the start, that
+/// of phi to T0/k1, and that of phi' to w0 T0/k1.
 fn apart(pair: &oh2005::GearPair, rpm: f64, a: &End, b: &End) -> f64 {
     let (phi, theta_dot) = (pair.t0 / pair.k1, pair.start(rpm).theta_dot);
     let units = [oh2005::PITCH, theta_dot, phi, pair.w0() * phi];
     (0..4).map(|i| (a.state[i] - b.state[i]).abs() / units[i]).fold(0.0, f64::max)
 }
 
-/// Smallest time of `run` on the result of `prepare`, over about one slice [ns].
+/// Smallest time of `run` on the result of `prepare` [ns]. Both are repeated for about one slice.
 fn least<T>(mut prepare: impl FnMut() -> T, mut run: impl FnMut(&mut T)) -> f64 {
     let (begun, mut least) = (Instant::now(), f64::INFINITY);
     while begun.elapsed() < SLICE {

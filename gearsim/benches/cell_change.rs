@@ -1,9 +1,9 @@
 //! Time per cell change on the 4500 rpm scene of the paper, compared with a hand-written solver.
 //!
 //! `cargo bench -p gearsim`. Every row runs 3,600 cell changes or an equivalent amount of work, so that rows are comparable
-//! within one run: the engine with its guarantee and energy account; the hand-written program for this one system; and three
-//! pairs of exponential and sine-cosine, each of which waits for the last. The hand-written program needs one such pair.
-//! `benches/c_program.rs` measures it in C too, on three scenes.
+//! within one run: the engine with its guarantee and energy account; the hand-written program for this one system; and three pairs of
+//! exponential and sine-cosine per cell change, each of which waits for the result of the one before. The hand-written program needs one
+//! such pair. `benches/c_program.rs` also measures the program in C, on three scenes.
 
 use divan::{Bencher, black_box};
 use gearsim::__private::equations::Derived;
@@ -44,7 +44,7 @@ fn engine_damped(bencher: Bencher) {
     engine(bencher, &[]);
 }
 
-/// The way in which unrecorded runs are simulated.
+/// Unrecorded runs are simulated in this way.
 #[divan::bench]
 fn engine_unwatched(bencher: Bencher) {
     let scene = scene(&[]);
@@ -83,7 +83,7 @@ fn three_exp_and_sincos(bencher: Bencher) {
     bencher.counter(divan::counter::ItemsCount::new(CHANGES)).bench_local(|| {
         let mut x = black_box(0.3_f64);
         for _ in 0..3 * CHANGES {
-            // Each depends on the last one, as the evaluations of one solution do.
+            // Each value depends on the one before, as in the evaluations of one solution.
             let (s, c) = (3.0 + x).sin_cos();
             x = (-0.2 - 1e-3 * x).exp() * (s + 0.5 * c);
         }

@@ -3,8 +3,7 @@
 //! `cargo bench -p gearsim --bench ensemble`: 64 gear pairs near the 4500 rpm scene of the paper, on one core.
 //!
 //! The times are for prepared simulations. They exclude equations, starts, cells and energy accounts, which take about 12 us per
-//! scene (3 ns per cell change in runs of 3,600). `benches/c_program.rs` measures whole batches, and explains what else changes
-//! these times.
+//! scene (3 ns per cell change in runs of 3,600). `benches/c_program.rs` measures whole batches, and names other influences on these times.
 
 use divan::Bencher;
 use divan::counter::ItemsCount;

@@ -1,5 +1,5 @@
-//! The cost of the guarantee of first crossings: time per search on the flights of the paper's scenes, with the guarantee, and
-//! with Newton's method alone from the same guess.
+//! The cost of the guarantee that the first crossing is found: time per search on the flights of the paper's scenes, with the guarantee,
+//! and with Newton's method alone from the same guess.
 //!
 //! `cargo bench -p gearsim --bench guarantee`. Both rows of a scene search the same flights, and must find the same crossings.
 
@@ -9,7 +9,7 @@ use gearsim::__private::models::GearPair;
 use gearsim::__private::{Cost, Delay, Search, Side, Signal, Simulation, Vector};
 use gearsim::scene::Scene;
 
-/// The scenes, and the simulated time to measure over [s].
+/// The scenes, and the simulated time of each.
 const SCENES: [(&str, &str); 3] =
     [("energy_300rpm", "0.3 s"), ("spectrum_600rpm_exact", "1 s"), ("spectrum_4500rpm_exact", "1 s")];
 
@@ -32,7 +32,7 @@ struct Start {
     bounds: (f64, f64),
 }
 
-/// Searches all flights; returns the boundaries reached and the sum of the times [s].
+/// Searches all flights; returns the sides of the boundaries reached and the sum of the crossing times [s].
 fn search(simulation: &Simulation<'_>, starts: &[Start], guaranteed: bool) -> (Vec<Option<Side>>, f64) {
     let cells = simulation.cells().and_then(|cells| cells.all()).expect("the gear pair has two cells");
     let mut lateness = vec![Delay::default(); cells.len()];

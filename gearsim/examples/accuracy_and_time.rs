@@ -11,7 +11,7 @@ fn main() -> Result<(), Error> {
     Ok(())
 }
 
-/// For each tolerance: the largest error of phi in the first 20 ms, over the largest phi, and the number of steps.
+/// For each tolerance: the tolerance, the largest error of phi in the first 20 ms relative to the largest phi, and the number of steps.
 pub fn errors(path: &str, tolerances: &[f64]) -> Result<Vec<(f64, f64, u64)>, Error> {
     // Samples only, so that the rows of all runs are at the same times.
     let scene = Scene::load(path)?.with("run.t_end", "20 ms")?.with("output.events", false)?;

@@ -1,4 +1,4 @@
-//! Leaves out one effect of a scene after another; prints how far the rms of the mesh torque changes, and what time that saves.
+//! Leaves out one effect of a scene after another; prints by what factors the rms of the mesh torque and the processor time change.
 //!
 //! `cargo run --release --example effects_and_time`, from the root of the repository.
 
@@ -11,8 +11,8 @@ fn main() -> Result<(), Error> {
     Ok(())
 }
 
-/// For each effect: its name, the rms of an output without the effect over that with it, and the ratio of the processor times.
-/// Effects without which the scene is not valid are left out.
+/// For each effect: its name, the ratio of the rms of an output without the effect to that with it, and the same ratio of the processor
+/// times. Effects without which the scene is not valid are left out.
 pub fn without_each(path: &str, output: &str) -> Result<Vec<(&'static str, f64, f64)>, Error> {
     let scene = Scene::load(path)?;
     let measure = |scene: &Scene| {

@@ -1,4 +1,5 @@
-//! Runs a gear pair up and down in speed, each point from the settled state before it, and prints where the two ways differ.
+//! Runs a gear pair up and down in speed, and prints where the two directions differ. Each point starts from the settled state of the point
+//! before.
 //!
 //! `cargo run --release --example response_curve`, from the root of the repository.
 
@@ -17,7 +18,7 @@ fn main() -> Result<(), Error> {
     Ok(())
 }
 
-/// The response over `axis` of the first recorded output, from the time after 0.05 s of each point.
+/// The response over `axis`, measured after the first 0.05 s of each point.
 pub fn curve(path: &str, axis: &str) -> Result<ResponseCurve, Error> {
     Scene::load(path)?.vary(axis).from(0.05).response()
 }

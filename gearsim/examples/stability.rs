@@ -10,7 +10,7 @@ fn main() -> Result<(), Error> {
     Ok(())
 }
 
-/// Those of `speeds` [rpm] at which a small disturbance grows if nothing damps it.
+/// The speeds among `speeds` [rpm] at which a small disturbance grows if there is no damping.
 pub fn unstable(path: &str, speeds: &[f64]) -> Result<Vec<f64>, Error> {
     let scene = Scene::load(path)?.with("parameters.zeta", 0)?;
     let mut found = vec![];

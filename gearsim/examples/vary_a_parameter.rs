@@ -15,7 +15,7 @@ fn main() -> Result<(), Error> {
     Ok(())
 }
 
-/// A row per value of `axis`: the number of events, and extremes, means and rms values over the last 0.1 s of 0.2 s.
+/// A table with a row per value of `axis`: the number of events, and extremes, means and rms values in the last 0.1 s of a run of 0.2 s.
 pub fn vary(path: &str, axis: &str) -> Result<Table, Error> {
     let scene = Scene::load(path)?.with("run.t_end", "0.2 s")?;
     scene.vary(axis).record(&["events", "extremes"]).from(0.1).run()

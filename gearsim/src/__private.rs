@@ -1,17 +1,17 @@
-//! No part of the interface: it changes without notice. The code that `equations!` writes into other crates needs some of the engine, and so
-//! do the tests, benches and chores of this repository. They find it here, and nowhere else.
+//! Not part of the public interface: it changes without notice. It exports the items of the engine that two users need: the code that
+//! `equations!` generates in other crates, and the tests, benches and chores of this repository.
 
-// The code of `equations!`: the trait of a model's equations, what its functions take and return, and their arithmetic.
+// For the code of `equations!`: the trait of a model's equations, the arguments and results of its functions, and their arithmetic.
 pub use gearsim_equations::__private::{Effects, Matrix, Vector, model, real};
 
-/// For the code of `equations!`; the second line is for tests and benches.
+/// For the code of `equations!`. `DerivedModel` is for tests and benches.
 pub mod equations {
     pub use gearsim_equations::__private::equations::*;
 
     pub use crate::engine::equations::DerivedModel;
 }
 
-// Tests of the parts of the engine by themselves (`tests/suite`), with programs by hand (`benches`) and with other tools (`xtask/chores`).
+// Parts of the engine, for the tests (`tests/suite`), the benches (`benches`) and the chores (`xtask/chores`).
 pub use crate::engine::cell::{Cell, Flight, Point};
 pub use crate::engine::clock::Clock;
 pub use crate::engine::crossing::{Cost, Delay, Search, SearchError, Side};
@@ -25,16 +25,16 @@ pub use crate::engine::simulate::Simulation;
 pub use crate::engine::system::{LinearisedAbout, System};
 pub use crate::engine::vector::dot;
 
-/// What runs the points of sweeps: benches and chores measure it alone.
+/// Runs many simulations side by side, as sweeps do. Benches and chores measure it alone.
 pub mod ensemble {
     pub use crate::ensemble::run;
 }
 
-/// The derived models by their types: tests compare them with equations by hand.
+/// The types of the derived models: tests compare them with hand-written equations.
 #[cfg(feature = "models")]
 pub use gearsim_generated::models;
 
-/// Modes and multipliers for tests that change the equations. [`Scene::modes`] and [`Scene::floquet`] compute those of a scene.
+/// Modes and Floquet multipliers, for tests that change the equations. For a scene, use [`Scene::modes`] and [`Scene::floquet`].
 pub mod linear {
     use nalgebra::DMatrix;
 
@@ -48,7 +48,7 @@ pub mod linear {
     pub use modes::masses::Mass;
     pub use modes::parts::Parts;
 
-    /// The parts of a scene that have a share in the energies of its modes.
+    /// The parts of a scene among which the energies of its modes are divided.
     ///
     /// # Errors
     /// Those of the matrices of the scene.
@@ -64,7 +64,7 @@ pub mod linear {
         modes::of(system, k, parts, &|| {})
     }
 
-    /// The modes of the cell with these matrices and without laws.
+    /// The modes of a cell without laws, from its matrices.
     ///
     /// # Errors
     /// Those of [`Modal::of`](super::Modal::of).
@@ -82,7 +82,7 @@ pub mod linear {
         Ok(move |t| courses.iter().map(|course| course.at(t)).collect())
     }
 
-    /// The multipliers of a scene whose equations are `system`.
+    /// The Floquet multipliers of a scene whose equations are `system`.
     ///
     /// # Errors
     /// Those of [`Scene::floquet`].
@@ -101,7 +101,7 @@ pub mod error {
     pub use crate::analysis::work_precision::error::{difference, of, sizes};
 }
 
-// Tests of the parts of commands by themselves, and fuzz targets.
+// Parts of commands, for tests and fuzz targets.
 pub use crate::analysis::work_precision::Runner;
 pub use crate::analysis::work_precision::reference::of as reference;
 pub use crate::output::marker::MARKER;
@@ -111,7 +111,7 @@ pub use crate::sweep::manifest::Manifest;
 pub use crate::sweep::merge::gather;
 pub use crate::sweep::{Request, Sweep};
 
-// Scenes of any model, for tests of all of them.
+// Usual values for the scenes of any model, for tests of all models.
 pub use crate::library::{usual_levels, usual_value};
 
 use crate::engine::equations::Equations;
@@ -119,12 +119,12 @@ use crate::engine::error::Refusal;
 use crate::run::Entry;
 use crate::scene::Scene;
 
-/// What tests, benches and chores ask of a model, beyond running its scenes.
+/// Functions of a model that only tests, benches and chores use.
 pub trait Inside {
     /// The equations of a scene.
     ///
     /// # Errors
-    /// Where its effects contradict one another.
+    /// If its effects contradict one another.
     fn equations(&self, scene: &Scene) -> Result<Box<dyn Equations>, Refusal>;
 
     /// A simulation of `scene` as [`Entry::run`] runs it; `equations` are those of the scene.
@@ -133,10 +133,10 @@ pub trait Inside {
     /// Those of [`Entry::run`].
     fn simulation<'a>(&self, scene: &'a Scene, equations: &'a dyn Equations) -> Result<Simulation<'a>, Refusal>;
 
-    /// The simulation with state and time in twice the digits.
+    /// The simulation with state and time in double-double precision.
     ///
     /// # Errors
-    /// Where the cells of the scene cannot be solved in twice the digits.
+    /// If the cells of the scene cannot be solved in double-double precision.
     fn compensate<'a>(&self, simulation: Simulation<'a>, scene: &'a Scene) -> Result<Simulation<'a>, Refusal>;
 
     /// The equations of a scene, for analyses.

@@ -1,5 +1,5 @@
-//! Programs of less than 40 lines, each a whole one. They are in the folder `examples` of gearsim: `cargo run --release --example
-//! run_a_scene`, from the root of the repository, whose scenes they read.
+//! Complete programs of fewer than 40 lines each, in the folder `examples` of gearsim. They read scenes of the repository, so run them from
+//! its root: `cargo run --release --example run_a_scene`.
 //!
 //! # Run a scene
 //!

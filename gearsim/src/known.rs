@@ -8,7 +8,7 @@ use crate::engine::train::Elements;
 use crate::run::Entry;
 use crate::scene::Scene;
 
-// Without this feature it is not used.
+// Unused without the feature `models`.
 #[cfg(feature = "models")]
 macro_rules! entry {
     ($model:ty) => {
@@ -23,13 +23,13 @@ pub(crate) static MODELS: &[Entry] = &gearsim_generated::each_model!(entry, Entr
 
 static KNOWN: RwLock<&'static [Entry]> = RwLock::new(MODELS);
 
-/// Adds the models of another crate, for example `add(&[Entry::new::<my_axle::MyAxle>()])`. Call it once, before any scene is read. Of
-/// two models of one name the last one added counts.
+/// Adds the models of another crate, for example `add(&[Entry::new::<my_axle::MyAxle>()])`. Call it once, before any scene is read. If two
+/// models have the same name, the one added last is used.
 pub fn add(own: &[Entry]) {
     if own.is_empty() {
         return;
     }
-    // Scenes refer to their models for as long as the program runs.
+    // Scenes hold references to their models until the program ends, so the list is never freed.
     let mut known = KNOWN.write().unwrap_or_else(|poisoned| poisoned.into_inner());
     *known = Box::leak([own, *known].concat().into_boxed_slice());
 }

@@ -1,7 +1,7 @@
 //! gearsim: energy-conserving simulation of gear systems.
 //!
-//! A [`Scene`] names a model of a drivetrain, the effects that it has, and its numbers. It is read from a file, or built in code. It runs,
-//! and gives [`Results`]: named columns, an energy account, plots, files.
+//! A [`Scene`] names a model of a drivetrain, the effects that it has, and its numbers. It is read from a file, or built in code. A run
+//! gives [`Results`]: named columns, an energy account, plots, files.
 //!
 //! ```
 //! use gearsim::Scene;
@@ -26,9 +26,9 @@
 //! | write tables, read them again; draw data of your own | [`output`], [`plot`] |
 //! | use models of your own | [`add_models`], [`equations!`], [`cli::run`] |
 //!
-//! Whole programs are in [`examples`].
+//! Complete programs are in [`examples`].
 //!
-//! Units of all numbers are SI, unless a name or a text states another.
+//! All numbers are in SI units, unless a name or a text states another unit.
 
 // The code of `equations!` names this crate `::gearsim`, here as in every other crate.
 extern crate self as gearsim;
@@ -37,10 +37,10 @@ extern crate self as gearsim;
 pub mod __private;
 /// What [`Scene::advise`] finds: which effects a scene needs.
 ///
-/// The scene is compared with itself without one effect, or without some terms ([`Candidate`](advice::Candidate)). The deviation is
-/// estimated from the settled motion or from short runs ([`Estimate`](advice::Estimate)), then measured by full runs with and without
-/// it. Up to [`LIMITS`](advice::LIMITS) an effect is negligible. [`Groups`](advice::Groups) are the dimensionless numbers of the scene
-/// that indicate which effects matter.
+/// The scene is compared with the same scene without one effect, or without some terms ([`Candidate`](advice::Candidate)). The deviation is
+/// estimated from the settled motion or from short runs ([`Estimate`](advice::Estimate)). Then it is measured by full runs with and without
+/// the effect. An effect is negligible if its deviations are at most [`LIMITS`](advice::LIMITS). [`Groups`](advice::Groups) are the
+/// dimensionless numbers of the scene that indicate which effects matter.
 ///
 /// ```no_run
 /// let scene = gearsim::Scene::load("models/scenes/two_stage.toml")?;
@@ -58,7 +58,7 @@ pub mod analysis;
 pub mod cli;
 mod engine;
 mod ensemble;
-// Pages only: no code of it is compiled.
+// Only for the documentation: the module contains no code.
 #[cfg(any(doc, doctest))]
 pub mod examples;
 #[cfg(feature = "html")]

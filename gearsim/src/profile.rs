@@ -75,7 +75,8 @@ impl Profile {
         if self.steps.iter().any(|step| step.width <= ramp) {
             return None;
         }
-        // The period begins at a step, that is within a ramp. This ramp is cut into two cells.
+        // The period begins at a step, which now lies within a ramp. This ramp is cut into two cells: at the beginning and at the end of
+        // the period.
         let after = (1.0 - before) * ramp;
         let mut cells = vec![];
         let mut add = |from: f64, to: f64, width: f64| {
@@ -97,11 +98,12 @@ impl Profile {
         Some(Profile::curved(cells).with_origin(self.origin).with_pitches(self.pitches))
     }
 
-    /// The mean of a law of levels or cubic curves over a window of width `window` about each phase [unit of the phase]: each step becomes a
-    /// ramp of this width. A window of width 0 gives the law itself.
+    /// The moving average of a law of levels or cubic curves, over a window of width `window` centred at each phase [unit of the phase].
+    /// Each step becomes a ramp of this width. A window of width 0 gives the law itself.
     ///
-    /// With F the integral of the law, the mean is (F(s + w/2) - F(s - w/2))/w. Between the places where one end of the window is at
-    /// the end of a cell it is linear if the law is piecewise constant, and else cubic curves follow it.
+    /// With F the integral of the law, the mean is (F(s + w/2) - F(s - w/2))/w. The result has a new cell where one end of the window
+    /// passes the end of a cell. In such a cell the mean is linear if the law is piecewise constant; otherwise a cubic curve approximates
+    /// it.
     pub fn averaged(&self, window: f64) -> Self {
         if window <= 0.0 || (self.steps_only() && self.steps.len() == 1) {
             return self.clone();
@@ -115,8 +117,8 @@ impl Profile {
         self.over_windows(window, |s, inside| self.window_mean(s, inside, window))
     }
 
-    /// The mean of `self` times the values of `weight` over a window about each phase, over the mean of `weight` there. The two laws have the
-    /// same cells, and `self` is the product already.
+    /// The weighted moving average of a law over a window centred at each phase: the mean of `self` divided by the mean of `weight`. `self`
+    /// must be the product of the law and `weight`, with the same cells as `weight`. `window` is the width [unit of the phase].
     pub fn averaged_by(&self, weight: &Profile, window: f64) -> Self {
         self.over_windows(window, |s, inside| {
             let ([f, df], [w, dw]) = (self.window_mean(s, inside, window), weight.window_mean(s, inside, window));
@@ -124,8 +126,9 @@ impl Profile {
         })
     }
 
-    /// A law of the period of this one that follows `value`, whose value and slope are smooth between the places where one end of a window
-    /// is at the end of a cell. `value` gets a phase from the beginning of the first cell, and one within the same smooth piece.
+    /// A law with the period of this one that interpolates `value`. Its cells are the smooth pieces: they begin and end where one end of
+    /// the window is at the end of a cell. `value(s, inside)` returns the value and the slope at the phase s, as the limit from the piece
+    /// that contains the phase `inside`. Phases count from the beginning of the first cell.
     fn over_windows(&self, window: f64, value: impl Fn(f64, f64) -> [f64; 2]) -> Self {
         let bounds = self.bounds();
         let period = bounds[self.steps.len()];
@@ -140,7 +143,7 @@ impl Profile {
             let next = (i + 1) % ends.len();
             let width = ends[next] - ends[i] + if next == 0 { period } else { 0.0 };
             let inside = ends[i] + width / 2.0;
-            // The last piece ends where the first one begins, to the last bit.
+            // The last piece ends at the same number at which the first one begins, to the last bit.
             let ends_at = value(ends[next], inside - if next == 0 { period } else { 0.0 });
             let ([a, da], [b, db]) = (value(ends[i], inside), ends_at);
             match self.steps_only() {
@@ -153,7 +156,7 @@ impl Profile {
             .with_pitches(self.pitches)
     }
 
-    /// Where the cells begin, and where the last one ends, from the beginning of the first one.
+    /// The phases at which the cells begin, then the end of the last cell, counted from the beginning of the first cell.
     fn bounds(&self) -> Vec<f64> {
         let ends = self.steps.iter().scan(0.0, |end, step| {
             *end += step.width;
@@ -162,8 +165,8 @@ impl Profile {
         std::iter::once(0.0).chain(ends).collect()
     }
 
-    /// The mean over a window about `s`, and its slope where the ends of the window are in the cells of those about `inside`. Phases
-    /// count from the beginning of the first cell.
+    /// The mean over a window centred at `s`, and its slope. The slope uses the cells in which the ends of a window centred at `inside`
+    /// lie. Phases count from the beginning of the first cell.
     fn window_mean(&self, s: f64, inside: f64, window: f64) -> [f64; 2] {
         let bounds = self.bounds();
         let period = bounds[self.steps.len()];
@@ -212,7 +215,7 @@ impl Profile {
             let (m0, m1) = (m[i], m[(i + 1) % n]);
             [points[i].1, chord(i) - h(i) * (2.0 * m0 + m1) / 6.0, m0 / 2.0, (m1 - m0) / (6.0 * h(i))]
         };
-        // The last piece extends beyond the end of the period. It is cut there, and the rest is the first cell.
+        // The last piece extends beyond the end of the period. It is cut there, and the remaining part becomes the first cell.
         let cut = period - last;
         let tail = Curve::Cubic(cubic(n - 1));
         let [k, dk, ddk] = tail.at(cut);

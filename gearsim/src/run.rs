@@ -1,4 +1,4 @@
-//! A whole run of a scene, from its equations to its account. Programs call [`Scene::run`](crate::Scene::run).
+//! A whole run of a scene, from its equations to its energy account. Programs call [`Scene::run`](crate::Scene::run).
 
 pub(crate) mod account;
 mod compensated;
@@ -40,10 +40,10 @@ struct Prepared<'a> {
     plan: Plan<'a>,
 }
 
-/// Said of a run that does not use the tolerance of its scene.
+/// The remark on a run that does not use the tolerance of its scene.
 const UNUSED_TOLERANCE: &str = "run.tolerance is not used: every cell is linear, and the exact method has no tolerance";
 
-/// What is run, and how.
+/// The scene of a run, the choice of its method, and remarks.
 struct Plan<'a> {
     scene: &'a Scene,
     choice: Choice,
@@ -61,7 +61,7 @@ impl<'a> Prepared<'a> {
         if !equations.kinetic(q, q_dot).is_finite() {
             return Err(Refusal::StartOverflow);
         }
-        // A constant M is checked with the first cell.
+        // A constant M is checked when the first cell is computed.
         if !equations.is_inertia_constant() && equations.mass(q).cholesky().is_none() {
             return Err(Refusal::Mass);
         }
@@ -86,7 +86,7 @@ impl<'a> Prepared<'a> {
         Ok(Prepared { simulation, plan: Plan { scene, choice, remarks } })
     }
 
-    /// Runs it to the end, or to where it must stop.
+    /// Runs the scene to its end, or until it must stop. `watch` gets the model time \[s\] as the run proceeds.
     fn run(self, watch: &mut dyn FnMut(f64)) -> Outcome {
         let Prepared { mut simulation, plan } = self;
         let mut recorder = plan.recorder(&simulation);
@@ -102,7 +102,7 @@ impl<'a> Prepared<'a> {
 }
 
 impl<'a> Plan<'a> {
-    /// A recorder of a run from the present state of its simulation.
+    /// A recorder whose account begins at the present state of the simulation.
     fn recorder(&self, simulation: &Simulation<'a>) -> Recorder<'a> {
         let (now, lengths) = (&simulation.now, simulation.turn_lengths());
         let mut recorder = Recorder::new(self.scene, now.equations, lengths, now.state.clone(), &now.k);
@@ -153,13 +153,13 @@ impl<'a> Plan<'a> {
     }
 }
 
-/// The name of a switch, and the time that it spent in each of its modes \[s\].
+/// The name of a switch; and for each of its modes the name and the time spent in it \[s\].
 fn times(scene: &Scene, switch: &Switch) -> (&'static str, Vec<(&'static str, f64)>) {
     let spent = switch.spent().map(|(mode, time)| (mode.name, time));
     (scene.model.switches[switch.index].name, spent.collect())
 }
 
-/// The impacts of each kind, in the order of the switches.
+/// The number of impacts of each kind, in the order of the switches.
 fn impacts(switches: &[Switch]) -> Vec<(&'static str, u64)> {
     let mut kinds = IndexMap::new();
     for (kind, impacts) in switches.iter().flat_map(Switch::impacts) {

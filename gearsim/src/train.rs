@@ -1,7 +1,7 @@
-//! A train: parts along linear forms of the rotations of rotors.
+//! A train: parts whose coordinates are linear forms of the rotations of rotors.
 //!
-//! Each part is an element, a model of its own with a few coordinates x. Its equations are derived. Each x is a linear form of the rotations
-//! of the rotors, and of motions along their axes, whose factors are products of powers of parameters: a base radius, a ratio of numbers of teeth.
+//! Each part is an element: a derived model with a few coordinates x. Each x is a linear form of the rotations of the rotors and of their
+//! axial motions. The factors of this form are products of powers of parameters. Examples: a base radius, a ratio of numbers of teeth.
 
 use smallvec::SmallVec;
 
@@ -14,19 +14,20 @@ pub struct Factor {
     pub powers: SmallVec<[(usize, i32); 3]>,
 }
 
-/// A linear form of rotations: rotor and factor.
+/// A linear form of rotations: the terms, each with the index of its rotor and its factor.
 pub type RotationForm = Vec<(usize, Factor)>;
 
-/// What a coordinate of a part is.
+/// A coordinate of a part, in terms of the train.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Row {
     /// A coordinate of the train.
     Coordinate(usize),
-    /// A linear form.
+    /// A linear form of the rotations.
     Form(RotationForm),
 }
 
-/// A part of a train. Each list has, for everything that the element has, its index in the train.
+/// A part of a train. Its lists have one entry for each parameter, effect, law, torque and so on of the element: the index of this item in
+/// the train.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Part {
     /// Index of the element.
@@ -49,18 +50,18 @@ pub struct Part {
     pub outputs: Vec<usize>,
 }
 
-/// What the engine puts together.
+/// A train, from which the engine assembles the equations.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Train {
-    /// The linear forms that are the coordinates; as many as there are rotors that move independently.
+    /// The linear forms that are the coordinates of the train: as many as there are rotors that move independently.
     pub coordinates: Vec<RotationForm>,
     /// The parts.
     pub parts: Vec<Part>,
-    /// For each rigid motion of unit size, independent forms and their values.
+    /// For each rigid motion of unit size: independent linear forms, each with its value in this motion.
     pub motions: Vec<Vec<(RotationForm, f64)>>,
-    /// Outputs that are products: the output, another output, and the displacement with whose rate that is multiplied.
+    /// Outputs that are products: the index of the output, and its factors: another output, and the rate of a displacement.
     pub products: Vec<(usize, usize, RotationForm)>,
-    /// Outputs that are multiples: the output, another output, and the factor.
+    /// Outputs that are multiples of another output: the index of the output, that of the other output, and the factor.
     pub multiples: Vec<(usize, usize, Factor)>,
     /// Numbers of laws, torques and outputs of the train.
     pub counts: [usize; 3],

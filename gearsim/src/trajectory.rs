@@ -59,7 +59,8 @@ pub struct Trajectory {
 }
 
 impl Trajectory {
-    /// A trajectory of `model` without rows that has the external `torques` and the outputs `recorded`, by their numbers.
+    /// A trajectory of `model` without rows, with columns for the external `torques` and the outputs `recorded`, which are indices in the
+    /// model.
     pub fn new(model: &'static Model, torques: &[usize], recorded: &[usize]) -> Self {
         let n = model.coordinates.len();
         Trajectory {
@@ -86,13 +87,13 @@ impl Trajectory {
         Trajectory { outputs, torque_work, ..Trajectory::new(self.model, &[], &[]) }
     }
 
-    /// Memory of one row with a number of external torques and of outputs \[bytes\].
+    /// Memory of one row with these numbers of external torques and of outputs \[bytes\].
     pub fn bytes_of_row(model: &Model, torques: usize, outputs: usize) -> usize {
         let columns = 2 * model.coordinates.len() + torques + outputs + 6;
         columns * size_of::<f64>() + size_of::<Moment>()
     }
 
-    /// The first row from the time `from` \[s\] on.
+    /// The first row at or after the time `from` \[s\]; the number of rows if there is none.
     pub fn row_from(&self, from: f64) -> usize {
         self.t.partition_point(|&t| t < from)
     }
@@ -112,7 +113,7 @@ impl Trajectory {
         self.kinetic[i] + self.strain[i] - self.work[i]
     }
 
-    /// The same, where the columns may differ in length.
+    /// [`Trajectory::energy`]; `None` if one of the columns has no row `i`.
     fn checked_energy(&self, i: usize) -> Option<f64> {
         Some(self.kinetic.get(i)? + self.strain.get(i)? - self.work.get(i)?)
     }
@@ -156,13 +157,13 @@ impl Trajectory {
         series.part(0..self.len())
     }
 
-    /// For each recorded event, its row before and its row after.
+    /// For each recorded event, the indices of the row before it and of the row after it.
     pub fn events(&self) -> impl Iterator<Item = (usize, usize)> + '_ {
         let pair = |i: &usize| self.moment[*i] == Moment::Before && self.moment.get(i + 1) == Some(&Moment::After);
         (0..self.len()).filter(pair).map(|i| (i, i + 1))
     }
 
-    /// The column of the recorded output `name`.
+    /// The column of the recorded output `name` \[SI\]; `None` if it is not recorded.
     pub fn output(&self, name: &str) -> Option<&[f64]> {
         self.outputs.iter().find(|(output, _)| output.name == name).map(|(_, column)| &column[..])
     }
@@ -172,7 +173,7 @@ impl Trajectory {
         self.torque_work.iter().find(|(torque, _)| torque.name == name).map(|(_, column)| &column[..])
     }
 
-    /// The recorded output or the coordinate `name`: its SI unit and its column.
+    /// The recorded output or the coordinate `name`: its SI unit and its column; `None` if there is none.
     pub fn signal(&self, name: &str) -> Option<(&'static str, &[f64])> {
         let output = self.outputs.iter().find(|(output, _)| output.name == name);
         let coordinate = || self.model.coordinates.iter().position(|c| c.name == name);
@@ -201,7 +202,8 @@ pub struct Series<'a> {
 }
 
 impl<'a> Series<'a> {
-    /// The numbers of some rows \[SI\]; `None` if the column has not exactly one number a row, or has no such rows.
+    /// The numbers of the rows `rows` \[SI\]; `None` if the column does not have exactly one number per row, or some of these rows do not
+    /// exist.
     pub fn part(&self, rows: Range<usize>) -> Option<Cow<'a, [f64]>> {
         match self.values {
             Some(values) => values.get(rows).filter(|_| values.len() == self.of.len()).map(Cow::Borrowed),
@@ -209,18 +211,18 @@ impl<'a> Series<'a> {
         }
     }
 
-    /// Number of numbers.
+    /// Length of the column.
     pub fn rows(&self) -> usize {
         self.values.map_or(self.of.len(), Vec::len)
     }
 }
 
-/// The interval of the times `t` that contains `time`: the row at its start, and the position of `time` in it, from 0 (start) to 1 (end). The
-/// times `t` do not decrease, and there are at least two. A time outside all intervals is moved to the nearest end.
+/// The interval between two rows that contains `time`: the row at its start, and the position of `time` in it, from 0 (start) to 1 (end).
+/// The times `t` of the rows do not decrease, and there are at least two. A time outside all intervals is moved to the nearest end.
 pub(crate) fn place(t: &[f64], time: f64) -> (usize, f64) {
     let next = t.partition_point(|&t| t < time).clamp(1, t.len() - 1);
     let [from, to] = [t[next - 1], t[next]];
-    // Rows at one time: the first of them.
+    // If both rows have the same time, take the first one.
     (next - 1, if to > from { ((time - from) / (to - from)).clamp(0.0, 1.0) } else { 0.0 })
 }
 

@@ -1,4 +1,4 @@
-//! Control characters of a scene are shown on the terminal, and not sent to it.
+//! Control characters of a scene are printed as visible text.
 
 use std::process::Command;
 

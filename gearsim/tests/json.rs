@@ -1,5 +1,5 @@
-//! `--json`: what each command prints is one JSON document of its format, as its schema says, with the numbers of its files, of `check` one a
-//! scene; `-q` prints nothing.
+//! `--json`: each command prints one JSON document, and `check` one for each scene. The document conforms to the schema of its format, and
+//! has the numbers of the files. `-q` prints nothing.
 
 #[path = "../src/output/conforms.rs"]
 mod conforms;
@@ -69,7 +69,7 @@ fn commands_print_their_results_as_json() {
     assert_eq!(modes, file("modes", "modes.json"));
     let floquet = print(with("floquet", SCENE, "floquet", &[]), "floquet");
     assert_eq!(floquet, file("floquet", "floquet.json"));
-    // What only some scenes have: a steady motion that is linearised about, an orbit, a range over a turn.
+    // Only some scenes have a steady motion about which terms are linearised, an orbit, or ranges over a turn.
     let friction = "models/scenes/sliding_friction.toml";
     assert!(print(with("modes", friction, "modes", &[]), "modes")["linearised"].is_object());
     assert!(print(with("floquet", friction, "floquet", &[]), "floquet")["linearised"].is_object());
@@ -158,7 +158,7 @@ fn quiet_commands_print_nothing() {
     assert!(advise.status.success() && advise.stdout.is_empty());
 }
 
-/// What a schema says of each key is in the manual, and the schemas are all in use.
+/// The manual has the descriptions of all keys from each schema, and each schema belongs to a format in use.
 #[test]
 fn every_format_has_a_schema_that_describes_its_keys() {
     let schemas = Path::new(env!("CARGO_MANIFEST_DIR")).join("src/output/schemas");

@@ -1,6 +1,6 @@
 //! Time of the derivation with its proofs, and size of its file, for the gear pair, chains of discs and planar planetaries.
 //! Usage: `cargo build --workspace --example scale && target/debug/examples/scale [--once] [NAME]...`; with `-p` instead of `--workspace`
-//! Symbolica would be compiled once more, with other features. `cargo xtask derivation-costs` counts instructions by it.
+//! Symbolica would be compiled once more, with other features. `cargo xtask derivation-costs` counts the instructions of this program.
 
 use std::time::Instant;
 

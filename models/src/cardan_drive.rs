@@ -23,7 +23,7 @@ pub fn cardan_drive(m: &mut Model) {
         let load = m.parameter("T_load", "N*m", None, Range::Any, doc);
         m.torque_along("load", load, -speed, doc);
     });
-    // On the shaft before the joint, where the speed is linear in those of the coordinates.
+    // The machines act on the shaft before the joint, where the speed is linear in the speeds of the coordinates.
     machines(m, "2", "driven gear", gears.theta2);
     damping(m);
     m.motion("speed", "rad/s", &[(gears.theta, gears.n1)], "rotational speed of the driving gear");

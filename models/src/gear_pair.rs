@@ -90,7 +90,7 @@ pub fn gear_pair(m: &mut Model) {
     let mesh = Mesh { stiffness: k.value * gap.touch, delta: gap.over, flank: None };
     sliding_friction(m, "", "mesh", "rad", mesh, Sliding { phase: theta, tau, psi: q1 / N1 + q2 / N2 });
 
-    // The torque T0 is one for both gears. What depends on speed acts on each gear by itself.
+    // The torque T0 acts on both gears. The machines, whose torque depends on the speed, act on each gear separately.
     machines(m, "motor", "driving gear", q1 / N1);
     machines(m, "load", "driven gear", q2 / N2);
 

@@ -28,7 +28,8 @@ pub fn gear_pair_bearings(m: &mut Model) {
     planar_rotor(m, "2", "driven gear", c2, gears.theta2);
     bearing(m, "1", "bearing of gear 1", c1);
     bearing(m, "2", "bearing of gear 2", c2);
-    // Rolling does not deflect the mesh: of the rotations only s does. The lines of action are at the angles -alpha and alpha.
+    // Rolling does not deflect the mesh. Of the rotations only the relative motion s does, so u is s for the first gear and 0 for the
+    // second. The lines of action are at the angles -alpha and alpha.
     let (one, two) = (Gear { x: c1[0], y: c1[1], u: gears.s }, Gear { x: c2[0], y: c2[1], u: 0.into() });
     let lines = [alpha.mirrored(), alpha];
     let apart = [c2[0] - c1[0], c2[1] - c1[1]];

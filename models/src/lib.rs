@@ -8,14 +8,14 @@
 //!    - `m.coordinate(name, unit, start, doc)`: declares a coordinate and returns it as an expression. Expressions have
 //!      `+ - * /`, `.sq()`, `.sqrt()`, `.sin()`, `.cos()`, and `.dot()` for the time derivative. Numbers are integers: write a half
 //!      as `half(...)`, any other number as a parameter with a default.
-//!      A coordinate without inertia, such as the node between two springs, is eliminated if springs of constant stiffness alone act on it: it is
-//!      where they balance, and becomes an output.
+//!      A coordinate without inertia, such as the node between two springs, is eliminated if springs of constant stiffness alone act on it:
+//!      its value follows from the balance of their forces. It becomes an output.
 //!    - [`components`] add bodies and their connections, with their parameters: `rotor`, `planar_rotor`, `shaft`, `ground`, `torsional_support`,
 //!      `bearing`, `dry_friction`, `viscous`, `overrunning_clutch`, `mesh_with_play` (with transmission errors
 //!      and backlash), `sliding_friction`, `pair` (two gears), `geared` (rigidly), `stage` (planets), `end_stop`, `driven` and `loaded` (a constant torque, and `machines`: `governor`, `dc_motor`, `induction_motor`, `traction_motor`, `fan`), and last `damping`. The
 //!      names of parameters end in the name of the part: `rotor(m, "1", ...)` declares `I1`, `rotor(m, "t", ...)` declares `I_t`.
-//!      Components take rotations and displacements as expressions, so that you choose the coordinates. Best are small elastic
-//!      ones (twists, deflections), and one phase, which grows, for each mesh or group of meshes that roll together.
+//!      Components take rotations and displacements as expressions, so that you choose the coordinates. The best coordinates are small
+//!      elastic ones (twists, deflections), and one phase, which grows, for each mesh or group of meshes that roll together.
 //!    - For everything else: `m.parameter(name, unit, default, range, doc)` and the energies themselves, `m.kinetic(T)`,
 //!      `m.potential(V)`, `m.dissipation(D)`, `m.torque(name, value, displacement, doc)`, called once for each body, spring, damper
 //!      and torque. T is proved positive definite if each call of `m.kinetic` adds one square.
@@ -28,11 +28,11 @@
 //!    - `transmission_error(m, [name, part], unit, phase, pitch, doc)`, a component: the deviation of the flanks from their ideal position, given by
 //!      the scene. Subtract it from a deflection, as the component `mesh_with_play` does.
 //!    - Laws in general, periodic functions of a phase that the scene gives: `m.stiffness_law`; inside an effect `m.offset_law`, which is
-//!      subtracted from deflections, and `m.factor_law`, a factor of torques. Only with such a factor may a torque depend on deflections and
-//!      stiffnesses, as that of the component `sliding_friction` does. `m.boundaries(effect, how)` says which effect makes laws switch, and
+//!      subtracted from deflections, and `m.factor_law`, a factor of torques. A torque may depend on deflections and stiffnesses only if it
+//!      has such a factor, as in the component `sliding_friction`. `m.boundaries(effect, how)` says which effect makes laws switch, and
 //!      how; the component `steps` does it.
-//!    - `m.switch(over, unit, delta, effect, doc)`: modes between which a deflection changes the equations, each until a linear guard
-//!      becomes zero. The components `play` and `dead_band` are made of it: a force acts only beyond the play. Write V in
+//!    - `m.switch(over, unit, delta, effect, doc)`: a deflection with modes. The equations depend on the mode, and a mode lasts until a
+//!      linear guard becomes zero. The components `play` and `dead_band` use it: a force acts only beyond the play. Write V in
 //!      the symbols returned.
 //!    - `m.effect(name, doc, |m| ...)`: what is added inside is in the equations only of scenes that name the effect; only they must
 //!      give the parameters declared inside, which no other term may use. `m.part_effect(name, part, doc, |m| ...)` is an effect of one part: a scene names
@@ -42,8 +42,8 @@
 //!      these names.
 //!    - `m.output(name, unit, value, doc)`: what a run can record besides the coordinates, for example `m.spring(x) + m.damper(x)`, the
 //!      force along a named deflection. Components declare their own: forces, torques, transmission errors, speeds, losses.
-//!    - `m.function(name, position, |u| ...)`: a name for a smooth function of one coordinate or deflection. This is how a constraint is
-//!      stated, solved for one quantity: the place of a piston as a function of its crank's angle. T, V and the displacements of
+//!    - `m.function(name, position, |u| ...)`: a name for a smooth function of one coordinate or deflection. A constraint is stated in
+//!      this way, solved for one quantity: the place of a piston as a function of its crank's angle. T, V and the displacements of
 //!      torques may contain it and its `.dot()`. T may depend on coordinates in any other way too; the equations are then integrated
 //!      by a stepping method. The components `slider_crank` and `universal_joint` are of this kind.
 //!    - `m.function_of(name, [x, y], |[x, y]| value, |[x, y]| gradient)`: a smooth function of several positions. Deflections may have it as

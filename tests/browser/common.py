@@ -38,7 +38,7 @@ def opened(browser, url, allowed, **settings):
     page.on("request", lambda request: requests.append(request.url))
     page.goto(url)
     page.wait_for_selector("body[data-ready]")
-    # Plots are drawn when they are in sight; on a phone the first one begins below the fold.
+    # Plots are drawn when they are in sight. On a phone the first one begins below the visible part of the page.
     page.locator("figure.plot, figure.map").first.scroll_into_view_if_needed()
     page.wait_for_selector("figure .main-svg")
     yield page

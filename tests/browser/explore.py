@@ -89,7 +89,8 @@ def a_slider_gives_what_the_command_line_gives(browser, gearsim, folder):
         print(f"  from input to redraw: median {statistics.median(latencies):.0f} ms, least {min(latencies):.0f} ms")
         zeta = f"parameters.zeta={value_of(page, 'parameters.zeta')}"
         assert shown(page) == run(gearsim, PAIR, folder / "slid", zeta)["state"]
-        # The first plot has the speed of the driving gear; its points are taken from a column with five digits, the last a little before the end.
+        # The first plot has the speed of the driving gear. Its points are from a column with five digits, the last one a little before
+        # the end.
         run(gearsim, PAIR, folder / "plotted", zeta, "output.csv=true")
         with open(folder / "plotted" / "trajectory.csv", newline="") as file:
             *_, end = csv.DictReader(file)
@@ -162,7 +163,7 @@ def cost_and_advice_are_shown(browser, gearsim, folder):
         assert 1e-9 < float(page.locator("#error").text_content()) < 1e-1
         assert page.locator("#ratio").text_content().endswith(" x exact cells")
         assert page.locator("#digits").text_content().isdigit()
-        # Without being asked for, and once more after a change.
+        # The advice appears without being asked for, and again after a change.
         page.wait_for_selector("body:not(.unadvised) #advised table")
         page.locator("#tolerance").fill("1e-6")
         assert page.locator("body.unadvised").count() == 1
@@ -219,12 +220,12 @@ def another_page_gets_nothing(browser, gearsim, folder):
         asked = {"method": "POST", "headers": {"Content-Type": "application/json"}, "body": "{}"}
         for what, settings in [("", {}), ("run", asked), ("run", {"method": "POST", "body": "{}"})]:
             assert page.evaluate(reach, [url, what, settings]) == "refused", (what, settings)
-        # Without asking for the answer, the request is sent; the server refuses it.
+        # With no-cors the browser sends the request, but shows no answer to the page. The server refuses it.
         assert page.evaluate(reach, [url, "run", {"method": "POST", "mode": "no-cors", "body": "{}"}]) in ("opaque", "refused")
         assert all(status in (403, 405) for status, address in statuses if address.startswith(url) and address != url), statuses
         page.evaluate("(url) => { const frame = document.createElement('iframe'); frame.src = url; document.body.append(frame); }", url)
         page.wait_for_timeout(1000)
-        # A refused frame has an error page of the browser.
+        # Where a frame is refused, the browser shows its own error page.
         assert not any(frame.url.startswith(url) and frame.locator("#controls").count() for frame in page.frames[1:])
         page.close()
         server.shutdown()
@@ -234,7 +235,7 @@ def works_with_keys_and_on_a_phone(browser, gearsim, folder):
     """A slider obeys the arrow keys; on a phone the controls open from below, and nothing is wider than the screen."""
     with served(gearsim, PAIR) as url:
         with opened(browser, url, color_scheme="dark", **LAPTOP) as page:
-            # The first key leads past the controls.
+            # The first Tab reaches the link that skips the controls.
             page.keyboard.press("Tab")
             page.keyboard.press("Enter")
             page.keyboard.press("Tab")

@@ -11,7 +11,7 @@ import subprocess
 import common
 from common import LAPTOP, SCENES, opened_file, settle, wait_until
 
-# Columns of the page have 1/8.6e9 (times, rotations) and 1/131,000 (others) of the range of a block.
+# Allowed differences. The columns of the page are resolved to 1/8.6e9 (times, rotations) and 1/131,000 (others) of the range of a block.
 FINE, COARSE = 1e-7, 2e-5
 
 # Distance of a point from a polyline.
@@ -97,7 +97,7 @@ def the_pinion_is_where_the_run_recorded_it(browser, path):
                 settle(page)
                 turned = page.evaluate("drawings[0].now().angles.map((angle, i) => angle - drawings[0].mesh.gears[i].place - drawings[0].mesh.begin / drawings[0].mesh.gears[i].base)")
                 assert abs(turned[0] - first) <= FINE * largest, (t, turned[0], first)
-                # The lead r_b1 theta_1 - r_b2 theta_2, magnified, is what the driven gear lacks.
+                # The driven gear lags by the lead r_b1 theta_1 - r_b2 theta_2 times the magnification.
                 base = page.evaluate("drawings[0].mesh.gears.map((gear) => gear.base)")
                 lead = base[0] * first - base[1] * second
                 lag = base[0] * turned[0] - base[1] * turned[1]
@@ -134,9 +134,9 @@ def contacts_lie_on_the_line_of_action(browser, path, times=60):
                     distance = abs((x - centre) * u[1] - y * u[0])
                     assert abs(distance / gear["base"] - 1) < 1e-9, (distance, gear["base"])
                     low, high = sorted((gear["tip"], gear["root"]))
-                    # The middle between both flanks lies off the path by half the lead at most.
+                    # The middle between both flanks is away from the path of contact by half the lead at most.
                     assert low - mesh["largest_lead"] <= math.hypot(x - centre, y) <= high + mesh["largest_lead"]
-                # Half the lead on each side, and what the chords of the outline cut off.
+                # Allowed are half the lead on each side, and the distance of the chords of the outline from the curved flank.
                 assert max(gap) < mesh["largest_lead"] + 2e-4 * mesh["pitch"], (state["t"], gap, mesh["largest_lead"])
             places = sorted(contact["x"] for contact in state["contacts"])
             assert all(abs((b - a) / mesh["pitch"] - 1) < 1e-9 for a, b in zip(places, places[1:]))
@@ -160,7 +160,7 @@ def contact_is_lost_and_made_again(browser, path):
         for k in range(100):
             t, touching = page.evaluate("(part) => { const { mesh, times } = drawings[0], t = drawings[0].fraction(part); return [t, instant(mesh, times, t, 1).contacts.length > 0]; }", (k + 0.31) / 100)
             force = at(rows, t, lambda row: row[name])
-            # Near a change of the two the digits of the page decide.
+            # Near the beginning and the end of contact the digits of the page decide.
             if abs(force) == 0 or abs(force) > 2e-3 * largest:
                 assert touching == (force != 0), (t, force, touching)
     return sides
@@ -174,7 +174,7 @@ def coast_flanks_touch_too(browser, path):
 def gears_move_in_step_with_the_plots(browser, path):
     """The slider moves the cursor of the plots, the cursor moves the gears, playing moves both; keys do the same."""
     with opened_file(browser, path, **LAPTOP) as page:
-        # By the pointer over a plot, with the gears out of sight.
+        # First the pointer over a plot moves the cursor, with the gears out of sight.
         box = page.locator(".nsewdrag").first.bounding_box()
         page.mouse.move(box["x"] + 0.25 * box["width"], box["y"] + 30)
         settle(page)
@@ -223,7 +223,7 @@ def gears_move_in_step_with_the_plots(browser, path):
                 )
                 * slower
             )
-        # In seconds of the screen. A busy machine draws late, and then time stands still.
+        # Seconds played within 1.5 s, in the time of the screen. A busy machine draws late, and then the played time stands still.
         assert all(0.1 < rate < 2.0 for rate in rates), rates
 
 

@@ -16,8 +16,8 @@ from common import LAPTOP, SCENES, processor
 from explore import opened, served, shown, slide
 
 MOVES = 40
-# The same while other sections of the page are on the screen, and their identifiers: a choice then needs all rows of the run, and their
-# transforms.
+# Number of moves while another section of the page is on the screen, and the identifiers of these sections. A change then needs all rows of
+# the run, and their transforms.
 MOVES_ELSEWHERE = 20
 ELSEWHERE = ["orders", "spectra"]
 # Moves before those that count: the first ones compile the page's scripts.
@@ -26,7 +26,7 @@ FIRST = 3
 LIMIT = 100
 # Runs of this time [ms] and more are left out.
 LONGEST = 2000
-# Places of a slider by which it moves at a time.
+# Number of places by which a slider moves at a time.
 STEP = 2
 
 HEAD = """# From a slider to the plots
@@ -58,7 +58,7 @@ def moved(page, key, place):
     page.wait_for_selector("body[data-latency][data-shown]")
     total, share = (float(page.evaluate(f"document.body.dataset.{name}")) for name in ("latency", "shown"))
     answer = "performance.getEntriesByType('resource').find(({ name, startTime }) => name.endsWith('run') && startTime >= began)?.duration"
-    # The entry of an answer may come after it.
+    # The performance entry of an answer may appear later than the answer.
     return total, page.wait_for_function(f"(began) => {answer}", arg=began).json_value(), share
 
 
@@ -141,7 +141,7 @@ def main():
             else:
                 long.append(f"{scene} ({run:.0f} ms)")
         browser.close()
-    # Of the scenes that have the plots in question.
+    # A column has only the scenes that have the plots in question.
     assert rows, f"every run takes {LONGEST} ms or more"
     columns = [[time for time in column if time is not None] for column in zip(*(times for _, times in rows))]
     within = [f"{sum(time <= LIMIT for time in column)} of {len(column)}" for column in columns]

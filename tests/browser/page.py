@@ -10,7 +10,7 @@ import subprocess
 import common
 from common import LAPTOP, PHONE, SCENES, opened_file, settle, wait_until
 
-# A file name that is HTML, and quotes.
+# A file name with HTML and quotes.
 HOSTILE = "<img src=x onerror=document.body.dataset.hurt=1> \"a\" 'b' \u2028"
 
 
@@ -72,7 +72,7 @@ def a_zoom_takes_few_of_many_rows(browser, path):
     """What is decoded, looked at and drawn does not grow with the number of rows: it is bounded by curves and pixels."""
     with opened_file(browser, path, **LAPTOP) as page:
         settle(page)
-        # Of the columns only those of curves that are drawn, with their times and events.
+        # Only the columns of curves that are drawn are decoded, with their times and events.
         decoded, wanted = page.evaluate(
             """(() => {
                 const plots = panels.filter((panel) => panel.drawn || panel.inSight);
@@ -84,7 +84,7 @@ def a_zoom_takes_few_of_many_rows(browser, path):
         )
         assert set(decoded) <= set(wanted) and len(decoded) < page.locator("script[type='text/plain']").count() / 2, decoded
         frame_of_first_plot(page)
-        # Values that are looked at one by one while curves are drawn.
+        # Counts the values that are looked at one by one while curves are drawn.
         page.evaluate("window.looked = 0; window.plain = scan; window.scan = (values, a, b) => { looked += b - a; return plain(values, a, b); }; 0")
         for step in ["zoom(0.5)", "zoom(0.9)", "pan(0.25)", "reset()"]:
             page.evaluate(f"looked = 0; panels[0].group.{step}; 0")
@@ -96,7 +96,8 @@ def a_zoom_takes_few_of_many_rows(browser, path):
                     return [looked, lines.length, Math.max(...lines.map(({ x }) => x.length)), drawn[0].pixels()];
                 })()"""
             )
-            # The lowest and the highest value of each pixel; at both ends of its rows up to 64 are looked at. Coarsely, then in all detail.
+            # Each pixel has its lowest and highest value. To find them, up to 64 values at both ends of its rows are looked at. This is
+            # done twice, coarsely and then in all detail.
             assert 0 < points <= 2 * pixels and looked <= 2 * curves * pixels * (2 * 64 + 2), (step, points, looked, curves, pixels)
 
 
@@ -166,12 +167,12 @@ def every_plot_is_drawn(browser, path, settings, scheme):
     """Every plot in every section is drawn when it is in sight, and nothing is wider than the screen."""
     with opened_file(browser, path, color_scheme=scheme, **settings) as page:
         for figure in page.locator("figure.plot").all():
-            # As a person scrolls: plots above it may still be growing.
+            # Scrolls as a person does, because plots above it may still be growing.
             figure.evaluate("figure => figure.scrollIntoView({ block: 'center' })")
             if figure.locator(".frame").is_visible():
                 figure.locator(".main-svg").first.wait_for()
         assert page.evaluate("document.documentElement.scrollWidth") <= settings["viewport"]["width"]
-        # Exponents and indices too can be read.
+        # Exponents and indices are large enough to be read, too.
         sizes = page.evaluate("Array.from(document.querySelectorAll('.canvas tspan'), (part) => parseFloat(getComputedStyle(part).fontSize))")
         assert min(sizes) >= 11, min(sizes)
 

@@ -77,7 +77,7 @@ def work_precision(page, folder):
     drawn = curve(page, name)
     assert len(drawn) > 5
     for x, y in drawn:
-        # Errors below that of the reference are drawn at that of the reference.
+        # Errors below the error of the reference are drawn at the error of the reference.
         assert any(abs(x / a - 1) < 1e-3 and (abs(y / b - 1) < 1e-3 or y > b) for a, b in points), (x, y, points)
 
 
@@ -109,7 +109,7 @@ def floquet(page, folder):
     agree([(0, y) for _, y in curve(page, "above 0: a disturbance grows", index)], [(0, y) for y in expected], "floquet")
     multipliers = json.loads((folder / "floquet.json").read_text())["multipliers"]
     agree(curve(page, "multipliers"), sorted(map(tuple, multipliers), key=lambda z: z[0]), "multipliers")
-    # The plane has one scale.
+    # Both axes of the complex plane have the same scale.
     scales = page.evaluate("[panels[0].canvas._fullLayout.xaxis, panels[0].canvas._fullLayout.yaxis].map((axis) => Math.abs(axis._m))")
     assert abs(scales[0] / scales[1] - 1) < 1e-3, scales
 

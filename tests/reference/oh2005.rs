@@ -9,8 +9,9 @@
 //! ```
 //!
 //! Source: Oh, Grosh & Barber, "Energy Conserving Equations of Motion for Gear Systems", J. Vib. Acoust. 127(2),
-//! 2005, doi:10.1115/1.1891815. Inertias are those for which the printed N1 Omega1/wd hold (10^3 times the printed
-//! kg mm^2). Damping is Rayleigh's, hence in (3) too: in (2) alone, as printed, it would change the total momentum.
+//! 2005, doi:10.1115/1.1891815. The inertias are 10^3 times the printed ones \[kg mm^2\]: with these the printed ratios N1 Omega1/wd
+//! hold. The damping follows from Rayleigh's function D, so it also acts in (3). In (2) alone, as printed, it would change the total
+//! momentum.
 
 mod fast;
 mod ramp;

@@ -1,4 +1,4 @@
-//! Derived models, and the same drivetrains as trains.
+//! Drivetrains that are stated twice: as a derived model, and as a train.
 
 /// A derived model's scene, and the tables that list the same parts.
 pub struct Pair<'a> {
@@ -6,7 +6,7 @@ pub struct Pair<'a> {
     pub scene: &'static str,
     /// The tables of the train.
     pub tables: &'a str,
-    /// Names that differ: in the derived model, in the train.
+    /// Texts that differ: (text in the derived model's scene, text in the train's).
     pub renamed: &'a [(&'static str, &'static str)],
 }
 
@@ -27,7 +27,7 @@ pub const BRANCHES: Pair<'static> = Pair {
     renamed: &[],
 };
 
-/// A pair between motor and load.
+/// A gear pair on shafts between motor and load.
 pub const SHAFTS: Pair<'static> = Pair {
     scene: "gear_pair_shafts",
     tables: "[rotors]\n1={}\nm={}\n2={}\nl={}\n[shafts]\nm={between=['m','1']}\nl={between=['2','l']}\n\
@@ -69,7 +69,7 @@ impl Pair<'_> {
     /// The text of the train's scene, from that of the derived model.
     ///
     /// # Panics
-    /// If a name that differs does not occur in it.
+    /// If a text to be renamed does not occur in `derived`.
     pub fn listed(&self, derived: &str) -> String {
         let mut listed = derived.replace(&format!("model = {:?}", self.scene), "model = \"train\"");
         for (from, to) in self.renamed {

@@ -90,7 +90,7 @@ const CORE: [&str; 7] = [
 /// Effects whose names are also words of the core: the matrix C of a cell and its block, and the terms that a model adds by `m.torque`.
 const WORDS: [&str; 2] = ["damping", "torques"];
 
-/// The code of a file: without comments, and without unit tests, of which some are files of their own.
+/// The code of a file without comments and unit tests. A file that has only unit tests has no code.
 fn code(path: &Path, root: &Path) -> String {
     let inside = path.strip_prefix(root).expect("below it").with_extension("");
     let is_test = inside.iter().any(|part| ["tests", "runs", "fixture"].iter().any(|of| part == *of));

@@ -1,12 +1,12 @@
 //! Every effect with every other: random scenes over models, sets of effects, numbers, methods and precisions. For each run the energy
-//! account closes and all numbers are finite; a sweep gives the bits of the run; two halves give the whole run; and another method gives
-//! the same motion. A scene that cannot be run is refused with a message.
+//! account closes and all numbers are finite. A sweep gives the same bits as the run. Two halves end where the whole run ends. Another
+//! method gives the same motion. A scene that cannot be run is refused with a message.
 //!
 //! `COMBINATIONS=N` runs N scenes instead of 1,000, `COMBINATIONS_FROM=I` begins with scene I: `cargo xtask combinations`. The command of
 //! a single scene is shown before it runs.
 //!
-//! Scenes 0 to 99,999 have been run, in parts of 500: `COMBINATIONS_FROM=I COMBINATIONS=500`, the last time with the present scenes of `models/scenes`
-//! those of 0 to 999, 9,500 to 15,499, 20,000 to 28,499 and 60,000 to 60,999.
+//! Scenes 0 to 99,999 have been run, in parts of 500: `COMBINATIONS_FROM=I COMBINATIONS=500`. With the present scenes of `models/scenes`
+//! scenes 0 to 999, 9,500 to 15,499, 20,000 to 28,499 and 60,000 to 60,999 have been run.
 
 #[path = "combinations/checks.rs"]
 mod checks;
@@ -28,7 +28,7 @@ use std::time::{Duration, Instant};
 
 use checks::{CHECKS, Checked};
 
-/// A check that takes longer is named: its scene is worth a look.
+/// A check that takes longer than this is printed with its scene.
 const SLOW: Duration = Duration::from_secs(10);
 
 /// A number from the environment.

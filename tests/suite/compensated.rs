@@ -1,4 +1,4 @@
-//! Compensated precision against closed forms and against sums in 50 digits: state and time have 32.
+//! Compensated precision, in which state and time have 32 digits, against closed forms and against sums in 50 digits.
 
 mod common;
 

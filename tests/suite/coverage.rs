@@ -1,6 +1,7 @@
 //! Models x effects x commands, from runs: the table tests/coverage.md. Every cell says "yes", or why not.
 //!
-//! With GEARSIM_COVERAGE=FILE the run writes the table to FILE: `cargo xtask coverage`. Without, it compares it with the committed one.
+//! With GEARSIM_COVERAGE=FILE the test writes the table to FILE: `cargo xtask coverage`. Without this variable it compares the table with
+//! the committed one.
 
 #[path = "coverage/commands.rs"]
 mod commands;
@@ -63,7 +64,7 @@ fn sections() -> Vec<Section> {
     scenes::models().into_iter().map(of).chain([parts]).collect()
 }
 
-/// What each command gives for each row, in their order. The rows are shared among two threads.
+/// The results of the commands for each row, in the order of `COMMANDS`. The rows are shared among two threads.
 fn results(sections: &[Section]) -> Vec<Vec<Result<(), String>>> {
     let scenes: Vec<&Result<Scene, String>> =
         sections.iter().flat_map(|section| &section.rows).map(|row| &row.1).collect();

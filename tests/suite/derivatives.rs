@@ -71,7 +71,8 @@ fn everywhere(check: impl Fn(&Scene, &dyn Equations, &Place) -> Result<(), Strin
     assert!(wrong.is_empty(), "{} scenes are wrong:\n{}", wrong.len(), wrong.join("\n"));
 }
 
-/// A matrix against differences, column by column. A row may have the error `TOLERANCE` of its largest entry, and that of the differences.
+/// A matrix against differences, column by column. An entry may have an error of `TOLERANCE` times the largest entry of its row, plus the
+/// error of the differences.
 fn compare(what: &str, matrix: &Matrix, columns: &[Difference]) -> Result<(), String> {
     let n = matrix.nrows();
     for i in 0..n {
@@ -141,7 +142,7 @@ fn forces_of_linear_cells_are_those_of_their_matrices() {
 }
 
 #[test]
-fn linear_and_other_forces_are_the_force() {
+fn linear_and_other_forces_sum_to_the_force() {
     everywhere(|_, equations, place| {
         let flat = vec![0.0; place.dk.len()];
         let Some(linear) = equations.linear_forces(&place.k) else { return Ok(()) };

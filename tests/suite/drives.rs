@@ -245,7 +245,8 @@ fn a_second_motor_brakes_as_a_generator() {
     assert!(unaccounted(&outcome) < 1e-11, "{:e}", unaccounted(&outcome));
 }
 
-/// The end scene: what is nonlinear is named; without it every cell is solved exactly. Friction takes energy, and the account closes.
+/// The scene `electric_axle`: the reason for the method names the nonlinear terms. Without these terms every cell is solved exactly.
+/// Friction dissipates energy, and the energy account closes.
 #[test]
 fn the_electric_axle_is_exact_where_its_cells_are_linear() {
     let outcome = run(&scene("electric_axle", &[]));

@@ -58,7 +58,7 @@ fn run(body: Body, data: &[u8]) {
 /// Runs a case.
 type Body = fn(&[u8]);
 
-/// The targets whose cases are texts or bytes in a format. `combination` is a suite of its own.
+/// The targets whose cases are texts or bytes in a format. The target `combination` has a separate suite, `combinations`.
 const TARGETS: [(&str, Body); 5] = [
     ("scene", scene::check),
     ("axes", axes::check),

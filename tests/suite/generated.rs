@@ -1,4 +1,4 @@
-//! The generated files as a reader finds them: short lines, what runs first, and the proofs that README and ARCHITECTURE claim.
+//! What a reader expects of the generated files: short lines, the code at the beginning, and the proofs that README and ARCHITECTURE claim.
 
 use std::path::{Path, PathBuf};
 
@@ -8,7 +8,7 @@ const WIDTH: usize = 160;
 /// The files beside the generated ones that are written by hand.
 const BY_HAND: [&str; 2] = ["lib", "train"];
 
-/// The file whose M has a sign that the proof leaves open: the square of a distance over cos(alpha).
+/// The file in which the proof cannot decide whether M is positive definite: M contains the square of a distance over cos(alpha).
 const UNDECIDED: &str = "element_planets";
 
 fn root() -> PathBuf {
@@ -127,7 +127,7 @@ fn readme_and_architecture_claim_what_the_files_say() {
     }
 }
 
-/// The proof of the step names every law that steps V, and that of the exits every switch.
+/// Every law is named in a proof about its steps, and every switch in the proof about its exits.
 #[test]
 fn every_law_and_every_switch_has_its_proof() {
     for (name, file) in generated("rs") {

@@ -1,5 +1,5 @@
-//! The models: compared with published frequencies and a published response curve, with energies written by hand and, in their limits, with each other. Every
-//! scene of a model must conserve energy.
+//! The models, compared with published frequencies and a published response curve, with energies written by hand and, in their limits, with
+//! each other. Every scene of a model must conserve energy.
 //!
 //! With GEARSIM_PUBLISHED=FILE the run writes a table of the published and the computed numbers to FILE, in Markdown:
 //! `cargo xtask published`.

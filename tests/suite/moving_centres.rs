@@ -1,5 +1,5 @@
-//! Gears whose centres move, in the effect `moving_centres`: against involutes as geometry and vectors, the closed form of the opening play, the
-//! linear model in the limit of small motions, and the energy account.
+//! Gears whose centres move (effect `moving_centres`), compared with the geometry of involutes and forces as vectors, with the closed form
+//! of the opening play, and with the linear model in the limit of small motions. The energy account closes.
 mod common;
 
 use std::f64::consts::TAU;
@@ -32,8 +32,8 @@ fn run(scene: &Scene) -> Outcome {
     outcome
 }
 
-/// Where the flanks of two involute gears stand: a string from the base circle of the first gear to that of the second, crossed between the
-/// circles.
+/// The contact of two involute gears, described by a string from the base circle of the first gear to that of the second, crossed between
+/// the circles.
 struct Cord {
     /// Penetration of the drive flanks [m].
     depth: f64,
@@ -41,10 +41,10 @@ struct Cord {
     along: [f64; 2],
 }
 
-/// The string between the base circles. a1 and a2 are the rotations of the gears, each in its own direction; the centres are displaced. At rest it has the
-/// pressure angle, and the depth zero. It touches the first circle at the angle b: the free lengths of the flanks' involutes are
-/// r1 (a1 - b) and -r2 (a2 + b), up to a constant. The flanks overlap by the excess of these lengths over the distance of the points of
-/// contact.
+/// The string between the base circles. a1 and a2 are the rotations of the gears \[rad\], each in its own direction; the centres are
+/// displaced \[m\]. Without rotations and displacements the string is at the pressure angle, and the depth is zero. The string touches the
+/// first circle at the angle b: the free lengths of the flanks' involutes are r1 (a1 - b) and -r2 (a2 + b), up to a constant. The flanks
+/// overlap by the excess of these lengths over the distance of the points where the string touches the circles.
 fn string([a1, a2]: [f64; 2], [x1, y1, x2, y2]: [f64; 4]) -> Cord {
     let free = |[x1, y1, x2, y2]: [f64; 4]| {
         let distance = (R1 + R2) / ALPHA.cos();
@@ -64,8 +64,8 @@ fn coordinates([a1, a2]: [f64; 2]) -> [f64; 2] {
     [0.5 * (N1 * a1 + N2 * a2), R1 * a1 - R2 * a2]
 }
 
-/// At any position, the accelerations are those of the force k d + c d' along the common tangent, with d' from a difference quotient of its
-/// length.
+/// At any position, the accelerations are those of the force k d + c d' along the common tangent. d is the depth, and its rate d' is a
+/// difference quotient.
 #[test]
 fn forces_act_along_the_common_tangent_of_the_base_circles() {
     let scene = scene(&["moving_centres", "damping", "stiffness_step"], &["parameters.beta_K=2 us"]);
@@ -119,7 +119,7 @@ fn forces_act_along_the_common_tangent_of_the_base_circles() {
     }
 }
 
-/// In the limit of small motions it is the linear model: the difference falls with the square of the motion.
+/// In the limit of small motions `moving_centres` is the linear model: the difference falls with the square of the motion.
 #[test]
 fn small_motions_are_those_of_the_linear_model() {
     let accelerations = |effects: &[&str], size: f64| {
@@ -165,8 +165,9 @@ fn floating(effects: &[&str], Floating { x, y, b, v }: Floating, more: &[&str]) 
     scene(effects, &[&set[..], more].concat())
 }
 
-/// A light gear moves through the play of heavy gears whose centres are apart. It meets the drive flank after the distance b/2 + R (phi +
-/// inv a' - inv a), and the coast flank at the distance b/2 - R phi + R (inv a' - inv a) from the middle.
+/// A gear moves freely through its play while the centres are further apart than at rest. From the middle it meets the drive flank after
+/// the distance b/2 + R (phi + inv a' - inv a), and the coast flank after b/2 - R phi + R (inv a' - inv a). R is the sum of the base radii,
+/// phi the angle by which the line of centres is turned, a the pressure angle, and a' that of the displaced centres.
 #[test]
 fn the_play_opens_as_the_centres_move_apart() {
     let (x, y, b) = (0.4e-3, 0.1e-3, 100e-6);
@@ -233,8 +234,8 @@ fn closed_play_keeps_the_energy() {
     assert!(worst < 1e-12 * t.kinetic[0], "{worst:e} J");
 }
 
-/// A mirror on the line of centres exchanges the flanks. In it all rotations and y have the opposite sign, and x has the same sign. So the coast flanks
-/// push the centres apart, as the drive flanks do.
+/// A mirror on the line of centres exchanges the flanks. In it all rotations and y have the opposite sign, and x has the same sign. So the
+/// coast flanks push the centres apart, as the drive flanks do.
 #[test]
 fn a_mirror_exchanges_the_flanks() {
     let law = |first: (&str, f64), second: &str, mirrored: bool| match (first, mirrored) {
@@ -321,7 +322,7 @@ fn the_energy_account_closes_and_methods_agree() {
 
 /// The exact method refuses the effect by name; without a method the scene runs by steps.
 #[test]
-fn the_exact_method_refuses_it_by_name() {
+fn the_exact_method_refuses_moving_centres_by_name() {
     let scene = scene(&["moving_centres", "stiffness_step", "torques"], &["run.method=exact"]);
     let refusal = common::model("gear_pair_bearings").run(&scene, &mut |_| {}).expect_err("not linear").to_string();
     assert!(refusal.contains("over12 bends") && refusal.contains("run.method"), "{refusal}");

@@ -32,7 +32,7 @@ fn scene(entry: &Entry, text: &str, overrides: &[&str]) -> Scene {
         .unwrap_or_else(|errors| panic!("{}", errors.render(100, false)))
 }
 
-/// Its run, which must reach its end.
+/// Runs such a scene; the run must reach its end.
 fn run(entry: &Entry, text: &str, overrides: &[&str]) -> Outcome {
     let outcome = entry.run(&scene(entry, text, overrides), &mut |_| {}).expect("a scene that can be simulated");
     assert!(outcome.stopped_by.is_none(), "{:?}", outcome.stopped_by);

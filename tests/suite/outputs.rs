@@ -111,8 +111,8 @@ fn forces_accelerate_bodies_by_newtons_law() {
         let a = equations.acceleration(&q, q_dot, &k, &vec![0.0; scene.model.laws.len()]);
         let at = |name: &str| equations.output(output(name), &q, q_dot, &k, &Known::default());
         let (mesh, alpha) = (at("mesh_force_12"), number("alpha"));
-        // The lines of action are at the angles -alpha (drive flanks) and alpha to the x axis; the mesh pushes gear 1 back across the one of the
-        // flanks in contact, 1 or -1.
+        // The mesh pushes gear 1 along -(flank sin(alpha), cos(alpha)). `flank` is 1 if the drive flanks are in contact and -1 if the coast
+        // flanks are.
         let flank = k[scene.model.laws.len() + FLANK];
         let push = [-flank * mesh * alpha.sin(), -mesh * alpha.cos()];
         for (gear, sign) in [("1", 1.0), ("2", -1.0)] {
@@ -136,7 +136,7 @@ fn forces_accelerate_bodies_by_newtons_law() {
         }
         Ok(())
     };
-    // beta_K alone: damping in proportion to inertia is no force between bodies.
+    // Only beta_K damps, because damping in proportion to inertia is no force between bodies.
     assert_eq!(number("alpha_M"), 0.0);
     let numbers = proptest::collection::vec(-1.0..1.0_f64, 40);
     TestRunner::new(Config { cases: 200, ..Config::default() }).run(&numbers, check).unwrap();
@@ -171,7 +171,7 @@ fn a_harmonic_transmission_error_gives_the_amplitudes_of_the_closed_form() {
         let mut sets: Vec<String> = [
             "effects=[\"stiffness_step\",\"transmission_error\",\"torques\"]".into(),
             "parameters.zeta=0".into(),
-            // A deflection at rest would couple the error to the rotation, in proportion to it.
+            // A small torque, because a static deflection couples the error to the rotation in proportion to the deflection.
             "parameters.T0=1e-4 N*m".into(),
             "laws.k={steps=[{value=\"2 kN*m\"}]}".into(),
             format!("laws.e={{harmonics=[{{order=1, amplitude=\"{E} rad\"}}]}}"),
@@ -184,7 +184,7 @@ fn a_harmonic_transmission_error_gives_the_amplitudes_of_the_closed_form() {
         let mobility = equations.mobility(&[0.0; 2]);
         let w0 = (2.0 * 2e3 * mobility[(1, 1)]).sqrt();
         let speed = r * w0;
-        // On the periodic solution from the start: the mean rotation moves by the inertia that couples it to phi.
+        // The run starts on the periodic solution. theta vibrates too, because inertia couples it to phi.
         let amplitude = E / (1.0 - r * r);
         let t0 = still.parameter("T0").unwrap();
         let phi = t0 / 2e3 + amplitude;
@@ -222,7 +222,7 @@ fn every_model_declares_outputs() {
     }
 }
 
-/// Names connect a mesh stiffness with its force; a new component must follow them.
+/// The force of a mesh stiffness is found by its name. A new component must follow this rule for names.
 #[test]
 fn every_mesh_stiffness_has_its_force() {
     for model in common::models() {
@@ -232,7 +232,7 @@ fn every_mesh_stiffness_has_its_force() {
     }
 }
 
-/// Without vibration the mesh of a stage carries T/r, and each of n equal planets a part of it.
+/// Without vibration the mesh of a stage carries the force T/r.
 #[test]
 fn the_force_at_rest_is_the_torque_over_the_base_radius() {
     let scene = scene("two_stage", &["run.t_end=5 ms".into()]);
@@ -269,7 +269,8 @@ fn gears_that_speed_up_steadily_start_without_vibration() {
     }
 }
 
-/// Bearings move the gears' centres: their masses have no part in the resonance of the standard. The same gears on shafts have the same K_v.
+/// On bearings the centres of the gears move too, but the standard's resonance does not depend on the masses of the gears. So the same
+/// gears on shafts have the same K_v.
 #[test]
 fn bearings_do_not_change_the_factor_of_the_standard() {
     let text = |model: &str, more: &str, torque: f64, speed: f64| {
@@ -297,7 +298,7 @@ fn bearings_do_not_change_the_factor_of_the_standard() {
     }
 }
 
-/// K_v beside the simulated factor, and the numbers it depends on by hand: N = 24 f/f_E with f_E = sqrt(c/m_red)/2 pi.
+/// K_v of the standard, compared with the number by hand: 1 + 0.23 N, N = 24 f/f_E with f_E = sqrt(c/m_red)/2 pi.
 #[test]
 fn gears_by_their_teeth_have_the_factor_of_the_standard() {
     let sets = ["laws.k.method=iso6336", "run.t_end=50 ms"].map(String::from);

@@ -10,12 +10,13 @@ mod mirrored;
 
 use gearsim::run::Outcome;
 
-/// A stage: its scene, and the places of its planets' meshes.
+/// The names of the meshes of a stage: s1, r1, s2, ...
 fn meshes(planets: usize) -> Vec<String> {
     (1..=planets).flat_map(|i| [format!("s{i}"), format!("r{i}")]).collect()
 }
 
-/// Runs `planetary_3`, or the planar stage with the given number of planets, with `each` for each mesh, in which `{}` is the mesh.
+/// Runs `planetary_3`, or the planar stage with the given number of planets. The overrides are `all`, and `each` for every mesh, where `{}`
+/// stands for the name of the mesh.
 fn run(model: &str, planets: usize, all: &[&str], each: &[&str]) -> Outcome {
     let mut set: Vec<String> = all.iter().map(|text| text.to_string()).collect();
     for mesh in meshes(planets) {

@@ -63,7 +63,7 @@ fn time_reversal_leads_back_to_the_start() {
 #[test]
 fn a_mirrored_pair_gives_mirrored_bits() {
     draw::check(draw::pair(draw::damping()), |pair| {
-        // theta is compared to rounding only: its remainder counts from one side of the pitch.
+        // theta is compared only up to rounding errors, because its remainder is counted from the lower end of the pitch.
         let (a, b) = (pair.run(), mirrored(&pair).run());
         prop_assert_eq!(&a.times, &b.times);
         prop_assert_eq!(a.state.q_dot, -b.state.q_dot);

@@ -1,4 +1,4 @@
-//! Counts of instructions under callgrind. Unlike times, those of one program are the same in every run.
+//! Counts of instructions under callgrind. Unlike times, the counts of a program are the same in every run.
 
 use std::path::Path;
 use std::process::Command;

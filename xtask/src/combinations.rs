@@ -1,4 +1,4 @@
-//! `cargo xtask combinations`: random scenes over models, effects, numbers, methods and precisions, with what must hold of each.
+//! `cargo xtask combinations`: random scenes over models, effects, numbers, methods and precisions, with checks of what must hold for each.
 
 use crate::suite;
 

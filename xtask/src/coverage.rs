@@ -1,4 +1,4 @@
-//! `cargo xtask coverage`: what works with what, as the table tests/coverage.md.
+//! `cargo xtask coverage`: which effects of which models work with which commands, as the table tests/coverage.md.
 
 use crate::chore::root;
 use crate::suite;

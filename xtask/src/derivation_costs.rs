@@ -12,9 +12,9 @@ use crate::chore;
 const MODELS: [&str; 3] = ["gear_pair", "planar_planetary_5", "chain_128"];
 /// The program that derives them, an example of `gearsim-models`.
 const PROGRAM: &str = "scale";
-/// The table.
+/// The file with the table.
 const TABLE: &str = "tests/derivation-costs.md";
-/// Largest relative difference to a committed count: versions of the compiler and of the C library change the counts.
+/// Largest relative increase over a committed count: versions of the compiler and of the C library change the counts.
 const TOLERANCE: f64 = 0.05;
 
 /// Count the instructions of derivations with their proofs under callgrind; write them to tests/derivation-costs.md.
@@ -71,7 +71,7 @@ fn count(model: &str) -> anyhow::Result<f64> {
     Ok(count / 1e6)
 }
 
-/// The file of [`PROGRAM`]: cargo puts examples into a folder beside the programs, also where another target folder is set.
+/// The file of [`PROGRAM`]: cargo puts examples into a folder beside the programs, also if another target folder is set.
 fn program() -> anyhow::Result<std::path::PathBuf> {
     let itself = std::env::current_exe().context("cannot tell where this program is")?;
     Ok(itself.with_file_name("examples").join(PROGRAM).with_extension(std::env::consts::EXE_EXTENSION))

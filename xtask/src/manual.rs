@@ -46,7 +46,7 @@ impl Manual {
     /// Builds the program in the dev profile, and runs the chapters one after another, each in a fresh folder.
     ///
     /// # Errors
-    /// At the first chapter of which a command fails, or a plot, a text or a linked chapter is missing.
+    /// At the first chapter in which a command fails, or a plot, a text or a linked chapter is missing.
     pub fn run(&self) -> anyhow::Result<()> {
         let root = chore::root()?;
         let manual = root.join("gearsim/manual");
@@ -78,7 +78,8 @@ fn is_chapter(file: &Path) -> bool {
     file.extension().is_some_and(|end| end == "md") && file.file_stem().is_some_and(|stem| stem != "SUMMARY")
 }
 
-/// Builds the program that the chapters call, with interactive pages, in the profile of this program; it is then beside it.
+/// Builds the program that the chapters call, with interactive pages, in the profile of this program. It is then in the folder of this
+/// program.
 fn build(root: &Path) -> anyhow::Result<PathBuf> {
     let mut cargo = Command::new(env!("CARGO"));
     cargo.args(["build", "--quiet", "--locked", "--package", "gearsim", "--features", "html"]);

@@ -61,8 +61,8 @@ impl Tutorial {
                 Step::Change(change) => apply(&folder, &change)?,
             }
         }
-        // To compile Symbolica takes minutes, so the features of `cargo derive`, of `cargo test --workspace` and of this workspace must
-        // stay the same.
+        // Symbolica takes minutes to compile, so it must have the same features in `cargo derive`, in `cargo test --workspace` and in this
+        // workspace.
         let after = symbolicas(&target);
         ensure!(
             after <= before.max(1),

@@ -6,9 +6,9 @@
 //!
 //! # Grammar
 //!
-//! After `model`, the blocks may be in any order, each at most once (`jump` once for each law). Required are `coordinates`, `mass`,
-//! `force` and `jacobian`, and a `jump` for every law if `switching` says that laws step. Example: an oscillator whose spring
-//! k(x) steps, with a damper as an effect:
+//! After `model`, the blocks may be in any order, each at most once (`jump` once for each law). The blocks `coordinates`, `mass`, `force`
+//! and `jacobian` are required, and a `jump` for every law if `switching` says that laws step. Example: an oscillator whose spring k(x)
+//! steps, with a damper as an effect:
 //!
 //! ```text
 //! model oscillator "A mass on a stepping spring";
@@ -24,7 +24,7 @@
 //!     zeta "1" default 0.0, from 0.0 to included 1.0, "damping"; // `included`: the upper limit is admissible
 //! }
 //! laws {                              // declares k, its derivatives dk and ddk by the phase, and k_mid = (max + min)/2
-//!     k "N/m" phase x period 1.0, "stiffness";                   // `period 1.0 rolling`: whole pitches of x change nothing but the law
+//!     k "N/m" phase x period 1.0, "stiffness";                   // `period 1.0 rolling`: a move of x by whole pitches changes only k
 //!                                                                // `rolling unless(support)`: not in scenes with this effect
 //! // e "m" phase x period 1.0 with uneven, "error"; // `with`: zero without the effect; an offset of deflections; such laws come last
 //! // side "1" phase x period 1.0 with rubbing as side, "side"; // a factor of torques, of any sign; `as arm`: never negative
@@ -39,7 +39,7 @@
 //!     damping "viscous damper";       // also: excludes(a, b); `of NAME`: the effect NAME at one part
 //!     weight "a constant force of 1 N";
 //! }
-//! switching {                         // which effect makes laws switch, and which change how: `by_time` is that of a steady rotation
+//! switching {                         // which effect makes laws switch, which ones change how; `by_time`: at times of a steady rotation
 //!     steps => with_jump;             // at the boundaries of the phase, with the impulse; without this effect laws are constant
 //!     rigid => without_jump;          // speeds pass a boundary unchanged
 //! }

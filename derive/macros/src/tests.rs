@@ -117,7 +117,7 @@ fn ways_to_switch_that_contradict_each_other_are_refused() {
 
 /// If the effects of the sample are renamed, the code differs only in these names.
 #[test]
-fn no_effect_is_known_by_its_name() {
+fn renaming_effects_changes_only_names_in_the_code() {
     let renamed = |text: &str| {
         let names = [
             "stiffness_step",
@@ -225,7 +225,7 @@ fn the_number_of_effects_has_no_limit() {
     assert_eq!(code.matches("if met . e199 {").count(), 1, "{code}");
 }
 
-/// Code grows with the number of effects, not with that of their sets: each effect adds one block with its own term.
+/// Code grows with the number of effects, not with the number of their combinations: each effect adds one block with its own term.
 #[test]
 fn each_effect_adds_one_block() {
     let size = |count| expand(tokens(&with_effects(count))).to_string().len();
@@ -323,7 +323,7 @@ fn laws_are_absent_without_their_effect() {
     }
 }
 
-/// How the expanded sample, with `good` replaced by `bad`, says that a parameter may vary in time.
+/// How a parameter may vary in time by the expansion of the sample with `good` replaced by `bad`: the name of a variant of `model::Varies`.
 fn variation(parameter: &str, good: &str, bad: &str) -> String {
     let sample = sample();
     assert!(sample.contains(good), "{good}");
@@ -333,8 +333,8 @@ fn variation(parameter: &str, good: &str, bad: &str) -> String {
     after.chars().take_while(|c| c.is_alphabetic()).collect()
 }
 
-/// Forces must be linear in a parameter that varies. If guards, losses, outputs or forces of the state depend on it too, they must be linear,
-/// and the parameter must not be that of a constant torque, whose work is computed from the displacement.
+/// Forces must be linear in a parameter that varies. If guards, losses, outputs or state-dependent forces depend on it too, they must be
+/// linear in it. The parameter must then not occur in a constant torque, whose work is computed from the displacement.
 #[test]
 fn a_parameter_varies_if_forces_are_linear_in_it() {
     let as_it_is = |parameter| variation(parameter, "", "");

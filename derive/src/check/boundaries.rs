@@ -19,7 +19,7 @@ pub(super) fn boundaries(model: &Model) -> Result<(), Slip> {
     Ok(())
 }
 
-/// The mistake in statement `i` of [`Model::boundaries`]: the statement declares that `effect` makes laws switch in the way `how`. `None` if there
+/// The mistake in statement `i` of [`Model::boundaries`], which declares that `effect` makes laws switch in the way `how`. `None` if there
 /// is no mistake.
 fn why(model: &Model, i: usize, how: Boundary, effect: &str) -> Option<String> {
     let declared = |name: &str| model.effects.iter().find(|e| e.name == name);

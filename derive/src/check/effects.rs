@@ -41,7 +41,7 @@ fn without(value: &Atom, effects: &[String]) -> Atom {
     effects.iter().fold(value.clone(), |e, effect| set(&e, symbol(Kind::Marker, effect), &number(0)))
 }
 
-/// The effect, and the effects that need it, also through others: a scene with any of them has it.
+/// The effect and all effects that require it, directly or through others. A scene with any of them has the effect.
 fn needing(model: &Model, effect: &str) -> Vec<String> {
     let mut all = vec![effect.to_string()];
     let mut known = 0;
@@ -79,7 +79,7 @@ fn named(value: &Atom) -> BTreeSet<String> {
     symbols(value).into_iter().map(|(_, name)| name).collect()
 }
 
-/// All parts of the model but its constants and the functions that no effect makes zero.
+/// All parts of the model except its constants, and except the functions that belong to no effect.
 fn uses(model: &Model) -> Vec<Use<'_>> {
     let of = |place: &str, value: &Expr, with| {
         let value = value.atom();

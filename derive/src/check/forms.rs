@@ -1,4 +1,5 @@
-//! Checks that T is quadratic in the speeds, D a sum of squares, and that displacements and deflections are linear.
+//! Checks that T is quadratic in the speeds, that D is a sum of squares, and that deflections and the speeds along which torques work are
+//! linear.
 
 use symbolica::atom::{Atom, AtomCore, AtomView, Symbol};
 
@@ -46,8 +47,9 @@ pub(super) fn dissipative(model: &Model) -> Result<(), Slip> {
     Ok(())
 }
 
-/// The speed along which a torque works must be linear in the speeds, or it would have no generalised forces. A deflection must be a
-/// linear form without a constant term, less edges and transmission errors, or its rate would not be the same form of the speeds.
+/// The speed along which a torque works must be linear in the speeds: otherwise the torque has no generalised forces. A deflection without
+/// its edges, transmission errors and functions of positions must be a linear form without a constant term: only then is its rate the same
+/// form in the speeds.
 pub(super) fn linear(model: &Model) -> Result<(), Slip> {
     let moves = |e: &Atom| symbols(e).iter().any(|s| matches!(s.0, Kind::Coordinate | Kind::Deflection));
     let slopes = |e: &Atom| -> Vec<(Atom, Atom)> {
@@ -72,7 +74,7 @@ pub(super) fn linear(model: &Model) -> Result<(), Slip> {
         let edges = offsets.map(|s| (Kind::Edge, &s.name));
         let errors = model.laws.iter().filter(|law| law.role == Role::Offset).map(|law| (law.kind(), &law.name));
         let offsets: Vec<Symbol> = edges.chain(errors).map(|(kind, name)| symbol(kind, name)).collect();
-        // Functions of positions are no part of the form either; the factor of each must be constant in a mode.
+        // Functions of positions are not part of the form either; the factor of each must be constant in a mode.
         let functions: Vec<_> = symbols(&d.value.atom()).into_iter().filter(|s| s.0 == Kind::Function).collect();
         let factor = |(kind, name): &(Kind, String)| d.value.atom().derivative(symbol(*kind, name)).expand();
         let may_be_a_factor = |s: &(Kind, String)| matches!(s.0, Kind::Constant | Kind::Parameter | Kind::Switched);

@@ -35,8 +35,8 @@ pub(super) fn functions(model: &Model, e: AtomView, place: &str) -> Result<(), S
 /// All integers up to this one are exact in f64.
 const EXACT: u64 = 1 << 53;
 
-/// Every number must be rational and finite, its numerator and denominator exact in f64. After a division by zero, for example,
-/// it is not.
+/// Every number must be rational and finite, its numerator and denominator exact in f64. A division by zero, for example, gives a number
+/// that is not.
 pub(crate) fn numbers(model: &Model, e: AtomView, place: &str) -> Result<(), Slip> {
     match e {
         AtomView::Num(n) => match n.get_coeff_view() {

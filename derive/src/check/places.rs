@@ -68,7 +68,7 @@ impl Places<'_> {
         self.model.switches.iter().try_for_each(|switch| self.switch(switch))
     }
 
-    /// A named function is one of coordinates or of named deflections that transmission errors do not shift.
+    /// A named function depends on coordinates, or on named deflections without transmission errors.
     fn functions(&self) -> Result<(), Slip> {
         self.model.functions.iter().try_for_each(|function| {
             let place = format!("the function `{}`", function.name);
@@ -136,7 +136,8 @@ impl Places<'_> {
         if let Some(mode) = switch.modes.iter().find(|mode| mode.held).filter(|_| bends) {
             return slip("a mode that holds needs a deflection that is linear in the coordinates", &mode.name);
         }
-        // A hold begins at rest: no energy is lost there.
+        // The guard of an exit to a mode that holds must be the rate that is held, up to its sign. The hold then begins at rate zero, and
+        // no energy is lost.
         let into = |mode: &SwitchMode, exit: &Exit| !mode.held && switch.mode(&exit.to).is_some_and(|to| to.held);
         let mut held: BTreeMap<&str, Atom> = BTreeMap::new();
         for (mode, exit) in switch.exits().filter(|(mode, exit)| into(mode, exit)) {
@@ -231,7 +232,7 @@ impl Places<'_> {
             let later = |(kind, name): &(Kind, String)| {
                 *kind == Output && !self.model.outputs[..i].iter().any(|before| before.name == *name)
             };
-            // A term is in the equations with its effects or not at all: they are factors.
+            // An effect must be a factor of its term, so that the whole term is zero without the effect.
             let inside = output.terms().into_iter().find_map(|term| {
                 let stays = |effect: &String| !without(&term, effect).is_zero();
                 markers(&term).into_iter().find(stays)

@@ -40,7 +40,7 @@ fn sign(model: &Model, e: &Atom, strictly: bool) -> bool {
                 let arm = Role::Factor(Factor::Arm);
                 !strictly && model.laws.iter().any(|law| law.name == *name && law.role == arm)
             }
-            // W_ii > 0, since M is positive definite.
+            // The diagonal entries W_ii of M⁻¹ are > 0, because M is positive definite.
             [(Kind::Mobility, name)] => name[1..].split_once('_').is_some_and(|(i, j)| i == j),
             _ => false,
         },

@@ -21,7 +21,8 @@ pub(super) fn laws(model: &Model) -> Result<(), Slip> {
     Ok(())
 }
 
-/// Every default must be finite and in the range of its parameter. What a parameter must exceed is another one, which is positive.
+/// Every default must be finite and in the range of its parameter. A parameter with [`Range::Above`] has no default, and its lower bound is
+/// another parameter, which is positive.
 pub(super) fn defaults(model: &Model) -> Result<(), Slip> {
     for p in &model.parameters {
         let admissible = |x: f64| match p.range {

@@ -14,9 +14,9 @@ use crate::symbols::Sparse;
 type Unless = Option<Vec<String>>;
 
 impl Derivation<'_> {
-    /// Whether the phase of each law rolls. A phase rolls if it is a coordinate on which energies and torques depend only through laws. A
-    /// rotation by whole pitches then changes nothing, and the engine counts whole pitches separately. For example, a torsional support of
-    /// the rotor prevents rolling. If all parts of an effect prevent it, the effect itself is named.
+    /// For each law the effects that prevent its phase from rolling. A phase rolls if it is a coordinate on which energies and torques
+    /// depend only through laws. A rotation by whole pitches then changes nothing, and the engine counts whole pitches separately. For
+    /// example, a torsional support of the rotor prevents rolling. If all parts of an effect prevent it, the effect itself is named.
     pub(crate) fn rolling(&self) -> Vec<Unless> {
         let (m, s) = (self.model, &self.symbols);
         let gradients = |parts: &mut dyn Iterator<Item = Atom>| parts.flat_map(|e| s.by_coordinates(&e)).collect();
@@ -37,7 +37,8 @@ impl Derivation<'_> {
         self.symbols.q.iter().position(|q| *q == symbol(*kind, name))
     }
 
-    /// The effects by which energies or torques depend on coordinate `i`; `gradients` are the gradients of the energies and torques.
+    /// The effects with which energies or torques depend on coordinate `i`; `None` if they depend on it without any effect. `gradients` are
+    /// the gradients of the energies and torques.
     fn unless(&self, gradients: &[Sparse], i: usize) -> Unless {
         let m = self.model;
         let along = |gradient: &Sparse| {
@@ -46,7 +47,8 @@ impl Derivation<'_> {
         };
         let mut stopped: Vec<String> = vec![];
         for term in gradients.iter().map(along).flat_map(|sum| markers::terms(&sum)) {
-            // Of several effects that the term needs, the last one is named: the phase then does not roll with this one alone either.
+            // If the term needs several effects, only the last one is named. The phase then counts as not rolling with this effect alone,
+            // too.
             let marks = markers::markers(&term);
             stopped.push(m.effects.iter().rfind(|effect| marks.contains(&effect.name))?.name.clone());
         }

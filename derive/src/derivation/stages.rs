@@ -25,7 +25,7 @@ pub(crate) struct Formulas {
     pub jumps: Vec<Jump>,
 }
 
-/// [`derive`], with the formulas as `change` leaves them before they are proved.
+/// [`derive`], but `change` may modify the formulas before they are proved.
 pub(crate) fn derive_with(model: &Model, change: impl FnOnce(&mut Formulas)) -> Result<Derivation<'_>, Slip> {
     check::check(model)?;
     let symbols = Symbols::new(model);

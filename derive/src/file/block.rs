@@ -139,7 +139,7 @@ impl Block {
         });
     }
 
-    /// The name of the condition that all of `effects` are present; a new combination is kept, to be declared.
+    /// The name of the condition that all of `effects` are present; a new combination is stored, so that it is declared.
     fn condition(&mut self, effects: &[String]) -> String {
         match effects {
             [] => "_".into(),

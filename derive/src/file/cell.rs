@@ -11,7 +11,7 @@ pub(super) fn write(b: &mut Block, d: &Derivation) {
         for (what, entries) in [("stiffness", &cell.stiffness), ("damping", &cell.damping)] {
             b.braces(2, what, |b| {
                 for (row, column, entry) in entries {
-                    // Coordinates and deflections have the names of their speeds and rates too.
+                    // Entries of C belong to speeds and rates; they have the names of the coordinates and deflections.
                     let name = |place: Variable| d.name(place.position());
                     b.sum(3, &format!("{} {}", name(*row), name(*column)), &b.grouped(entry));
                 }

@@ -1,4 +1,4 @@
-//! What the block declares before its equations: the model, coordinates, parameters, laws, motions, effects, conditions.
+//! The declarations at the head of the block: the model, coordinates, parameters, laws, motions, effects, conditions.
 
 use super::block::Block;
 use crate::derivation::Derivation;
@@ -6,7 +6,7 @@ use crate::model::{Boundary, Effect, Factor, GearData, Law, Model, Parameter, Ra
 use crate::print::{Style, print};
 use crate::tree::Tree;
 
-/// Writes the declarations; `conditions` are those that the equations need besides the ones of every mesh.
+/// Writes the declarations. `conditions` are those that the equations need in addition to the conditions of laws.
 pub(super) fn write(b: &mut Block, d: &Derivation, conditions: &[(String, String)]) {
     let m = d.model;
     b.line(1, &format!("model {} {:?};", m.name, m.title));
@@ -30,7 +30,7 @@ pub(super) fn write(b: &mut Block, d: &Derivation, conditions: &[(String, String
     });
 }
 
-/// The effect with which laws switch in one way.
+/// Writes the effect with which laws switch in the way `how`, if there is one.
 fn switching(b: &mut Block, m: &Model, how: Boundary) {
     if let Some(effect) = m.switching(how) {
         b.line(2, &format!("{effect} => {};", how.word()));
@@ -79,7 +79,7 @@ fn law(b: &mut Block, law: &Law, rolling: Option<Vec<String>>) {
     b.line(2, &format!("{name} {unit:?} phase {phase} period {period:?}{rolling}{with}, {doc:?};"));
 }
 
-/// The role of a law, where the effect alone does not say it.
+/// The words for the role of a law. A stiffness and an offset need none.
 fn role(role: Role) -> &'static str {
     match role {
         Role::Factor(Factor::Side) => " as side",

@@ -3,8 +3,8 @@
 use super::block::Block;
 use crate::derivation::Derivation;
 
-/// Writes a block `jump` for each law. Its n is the unit vector of the phase, which is not written; G and M⁻¹n/G are not needed
-/// where V does not step.
+/// Writes a block `jump` for each law. n is the unit vector of the phase, and is not written. G and M⁻¹n/G are written only if they are
+/// known and V steps.
 pub(super) fn write(b: &mut Block, d: &Derivation) {
     let names = d.coordinates();
     for (law, jump) in d.model.laws.iter().zip(&d.jumps) {

@@ -10,7 +10,8 @@ use crate::model::Switch;
 use crate::print::{Style, print};
 use crate::tree::Tree;
 
-/// Writes the blocks `constants`, `deflections`, `functions`, `forces`, `partials` and `switches`, those that are not empty.
+/// Writes the blocks `constants`, `deflections`, `functions`, `rates`, `forces`, `partials` and `switches`, except those that would be
+/// empty.
 pub(super) fn write(b: &mut Block, d: &Derivation) {
     let (m, constants) = (d.model, &d.motion.constants);
     if !constants.is_empty() {
@@ -64,7 +65,7 @@ pub(super) fn write(b: &mut Block, d: &Derivation) {
     }
 }
 
-/// A force of an effect, or a partial derivative of one, with the terms by which another effect changes it.
+/// Writes a force of an effect, or a partial derivative of such a force, with the terms by which another effect changes it.
 fn with_effect(b: &mut Block, name: &str, effect: Option<&str>, value: &Atom) {
     let mut groups = b.not_expanded(&terms(value));
     let always = groups.iter_mut().filter(|group| group.effects.is_empty());
@@ -95,7 +96,7 @@ fn switch(b: &mut Block, switch: &Switch) {
     });
 }
 
-/// A linear form: the coefficient of each deflection, rate and reaction, and the constant as that of `one`.
+/// Writes a linear form: the coefficient of each deflection, rate and reaction, and the constant under the name `one`.
 fn linear(b: &mut Block, depth: usize, e: &Atom) {
     let e = e.expand();
     let mut rest = e.clone();

@@ -1,4 +1,4 @@
-//! Lines of bounded length: long ones are broken before an operator, outermost first.
+//! Lines of bounded length. A long line is broken before an operator, as far outside of parentheses as possible.
 
 /// Longest line of a generated file, in characters. A test holds every generated file to it.
 pub(crate) const WIDTH: usize = 140;
@@ -32,7 +32,7 @@ pub(crate) fn wrap(line: &str) -> String {
         let start = rest.len() - rest.trim_start().len();
         let Some((at, in_text)) = place(&rest, start) else { break };
         let (head, tail) = rest.split_at(at);
-        // In a string of Rust a backslash at the end of a line leaves out what is white before the next word.
+        // In a string of Rust, a backslash at the end of a line removes the line break and all white space before the next word.
         lines.push(if in_text { format!("{head} \\") } else { head.trim_end().to_string() });
         rest = format!("{indent}{}", tail.trim_start());
     }

@@ -1,16 +1,16 @@
 //! How laws switch where their phase reaches a boundary between two levels, and which effects decide it.
 //!
-//! A model declares this: `m.boundaries("steps", Boundary::WithJump)`. The derivation makes two conditions of it, and the file states both.
-//! Neither the derivation nor the engine then knows such an effect by name.
+//! A model declares this: `m.boundaries("steps", Boundary::WithJump)`. The derivation forms two conditions from these declarations, and the
+//! generated file states both. So neither the derivation nor the engine needs to know the name of such an effect.
 
 use super::Model;
 
 /// How laws switch in scenes with an effect.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Boundary {
-    /// Where their phase reaches a boundary, with the impulse that conserves energy. Without this effect they are constant.
+    /// Where the phase of a law reaches a boundary, with the impulse that conserves energy. Without this effect laws are constant.
     WithJump,
-    /// Where their phase reaches a boundary, without the impulse: speeds pass a step unchanged.
+    /// Where the phase of a law reaches a boundary, without the impulse: the speeds do not change at a step.
     WithoutJump,
     /// At the times of a steady rotation, whatever the phase is.
     ByTime,
@@ -45,7 +45,7 @@ impl Model {
         }
     }
 
-    /// The effect of a way to switch.
+    /// The effect with which laws switch in the way `how`.
     pub(crate) fn switching(&self, how: Boundary) -> Option<&str> {
         self.switching.iter().find(|(other, _)| *other == how).map(|(_, effect)| effect.as_str())
     }

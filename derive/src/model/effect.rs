@@ -45,7 +45,7 @@ impl Model {
         own
     }
 
-    /// The term `e` in scenes with the effect `name`, otherwise nothing: for a term of one effect that another one changes.
+    /// The term `e` in scenes with the effect `name`, and zero in others. Use it if the effect `name` changes a term of another effect.
     pub fn only_with(&self, name: &str, e: Expr) -> Expr {
         Expr::var(Kind::Marker, name) * e
     }

@@ -31,7 +31,8 @@ pub(crate) struct Derivative {
 }
 
 impl Function {
-    /// Derivatives of a function of one position: those of T in the Jacobian of the forces are of the third order.
+    /// Number of derivatives of a function of one position, the function itself included. The Jacobian of the forces needs the third
+    /// derivative of a function in T.
     const ORDERS: usize = 4;
 
     /// Whether it is one of several positions: V and D may contain it, T may not.
@@ -82,20 +83,21 @@ impl Function {
 }
 
 impl Model {
-    /// Names a smooth function of one position: the place of a piston as a function of the angle of its crank. `of` is a coordinate or
-    /// a named deflection without transmission errors, and `value` gives the function of it. T, V and the displacements of torques may
-    /// be written in the function and its `.dot()`. The equations are then written in the function and its derivatives, `name`, `dname`,
-    /// `ddname` and `dddname`, instead of being multiplied out. This is how a holonomic constraint is stated: solved for one quantity.
+    /// Names a smooth function of one position, for example the place of a piston as a function of the angle of its crank. The position
+    /// `of` is a coordinate or a named deflection without transmission errors; `value` computes the function from it. T, V and the
+    /// displacements of torques may be written in the function and its `.dot()`. The equations then contain the function and its
+    /// derivatives as `name`, `dname`, `ddname` and `dddname`; they are not multiplied out. A holonomic constraint is stated in this way:
+    /// solved for one quantity.
     pub fn function(&mut self, name: &str, of: Expr, value: impl FnOnce(Expr) -> Expr) -> Expr {
         let (name, of, value) = (name.into(), vec![of], value(of));
         self.declare_function(Function { name, of, value, gradient: vec![], with: None })
     }
 
-    /// Names a smooth function of several positions: how far a line of action turns as the centres of gears move. `of` are coordinates or
-    /// named deflections without transmission errors; `value` and `gradient` give the function of them and its derivatives by them, which
-    /// the derivation compares. Inside the closure of an effect: it is zero in scenes without the effect. V may be written in it, and so may
-    /// deflections: these then bend, which means that they are not linear in the coordinates. The equations are written in the function and
-    /// its derivatives `name_by_x`, `name_by_x_by_y`.
+    /// Names a smooth function of several positions, for example the angle by which a line of action turns as the centres of gears move.
+    /// The positions `of` are coordinates or named deflections without transmission errors. `value` and `gradient` compute from them the
+    /// function and its derivatives by them; the derivation proves that both agree. A function that is named inside the closure of an
+    /// effect is zero in scenes without the effect. V may be written in it, and so may deflections: these then bend, which means that they
+    /// are not linear in the coordinates. The equations are written in the function and its derivatives `name_by_x`, `name_by_x_by_y`.
     pub fn function_of<const N: usize>(
         &mut self,
         name: &str,

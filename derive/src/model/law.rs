@@ -1,7 +1,7 @@
 //! Laws: periodic functions of a phase, whose values a scene gives. A law has a role: stiffness, offset of deflections, factor of torques.
 //!
-//! The effect of a step follows from the role of the law. A stiffness and an offset are in V, so that their step takes or gives energy and
-//! the speeds jump. A factor is in no energy, so that the speeds do not jump. [`Model::boundaries`] declares how laws switch.
+//! The effect of a step follows from the role of the law. A stiffness and an offset are in V: their step takes or gives energy, and the
+//! speeds jump. A factor is in no energy: the speeds do not jump. [`Model::boundaries`] declares how laws switch.
 
 use super::Model;
 use crate::expr::{Expr, Kind};
@@ -51,7 +51,7 @@ pub struct Stiffness {
 }
 
 impl Law {
-    /// The kind of symbol that its value is.
+    /// The kind of the symbol of its value.
     pub fn kind(&self) -> Kind {
         match self.role {
             Role::Stiffness => Kind::Law,
@@ -72,8 +72,9 @@ impl Model {
         }
     }
 
-    /// Declares an offset e of deflections [their unit], of any sign: a law as a stiffness, in the effect whose closure is running. Subtract
-    /// it from a deflection, V = k (delta - e)^2/2. It is zero in scenes without the effect.
+    /// Declares an offset e of deflections [their unit], of any sign: a law with the arguments of [`Model::stiffness_law`]. It belongs to
+    /// the effect whose closure is running, and is zero in scenes without this effect. Subtract it from a deflection, so that V = k (delta
+    /// - e)^2/2.
     ///
     /// Dampers act on the rate of delta, not of delta - e: the rate of e is infinite at a step.
     pub fn offset_law(&mut self, name: &str, unit: &str, phase: Expr, period: f64, doc: &str) -> Expr {
@@ -82,9 +83,9 @@ impl Model {
         Expr::var(Kind::Error, name)
     }
 
-    /// Declares a factor of torques [unit]: a law as a stiffness, in the effect whose closure is running, without which it is zero. It may
-    /// only be a factor of torques in that effect, which may then depend on deflections and stiffnesses too. It is in no energy,
-    /// so that the speeds are continuous where it steps.
+    /// Declares a factor of torques [unit]: a law with the arguments of [`Model::stiffness_law`]. It belongs to the effect whose closure is
+    /// running, and is zero in scenes without this effect. Only torques of this effect may have it as a factor; they may then depend on
+    /// deflections and stiffnesses too. It is in no energy, so the speeds are continuous where it steps.
     pub fn factor_law(&mut self, name: &str, unit: &str, phase: Expr, period: f64, what: Factor, doc: &str) -> Expr {
         let with = self.innermost();
         self.law(name, unit, (phase, period), with, Role::Factor(what), doc);

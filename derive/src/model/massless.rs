@@ -1,8 +1,9 @@
-//! Coordinates without inertia: they are where their springs balance.
+//! Coordinates without inertia: their values follow from the balance of the forces of their springs.
 //!
 //! Where only springs with constant stiffness act on such a coordinate x, V is quadratic in it, and 0 = dV/dx gives x as a linear form of the other
 //! coordinates (static condensation: R. J. Guyan, AIAA J. 3(2), 1965). The coordinate is replaced by this form, so that the equations
-//! of motion do not have it. It becomes an output. Damping in proportion to the stiffness is balanced by the same form.
+//! of motion do not have it. It becomes an output. Dampers may act on the coordinate only if their forces balance at the same linear form,
+//! as those in proportion to the stiffness do.
 
 use std::collections::HashSet;
 
@@ -15,7 +16,8 @@ use crate::mobility::is_zero;
 /// A coordinate as a linear form of others: their names and factors.
 type Form = Vec<(String, Atom)>;
 
-/// Replaces each coordinate without inertia that its springs place. The derivation refuses those that are left, by [`why_not`].
+/// Replaces each coordinate without inertia whose value follows from its springs. The derivation refuses the others, with the reason that
+/// [`why_not`] gives.
 pub(super) fn eliminate(model: &mut Model) {
     let mut left = without_inertia(model);
     let next = |model: &Model, left: &[String]| {
@@ -49,10 +51,10 @@ pub(crate) fn why_not(model: &Model, name: &str) -> String {
     placed(model, name).err().unwrap_or_default()
 }
 
-/// Where springs place the coordinate `name`.
+/// The linear form of the other coordinates at which the springs of the coordinate `name` balance.
 ///
 /// # Errors
-/// What else determines it.
+/// The reason why there is no such form.
 fn placed(model: &Model, name: &str) -> Result<Form, String> {
     let (x, rate) = (symbol(Kind::Coordinate, name), symbol(Kind::Speed, &speed_name(name)));
     let has = |e: &Atom| e.contains_symbol(x) || e.contains_symbol(rate);
@@ -166,7 +168,9 @@ fn replace(model: &mut Model, name: &str, form: &Form) {
     model.outputs.push(Output { name: gone.name, unit: gone.unit, value: place, with: None, doc: gone.doc });
 }
 
-/// The factor as a constant of the model, `wanted` if it is new and the name is free; `gone` is the coordinate that is eliminated. One of the opposite sign has the same name, so that the two cancel exactly.
+/// The factor as a constant of the model; a number stays as it is. A factor that is known up to its sign is written in the known constant,
+/// so that equal factors cancel exactly. A new constant has the name `wanted`; if that is taken, the name of the eliminated coordinate,
+/// `gone`, is appended.
 fn constant(model: &mut Model, (named, gone): (&mut Form, &str), wanted: &str, factor: Atom) -> Atom {
     if symbols(&factor).is_empty() {
         return factor;
@@ -178,7 +182,7 @@ fn constant(model: &mut Model, (named, gone): (&mut Form, &str), wanted: &str, f
             }
         }
     }
-    // The same deflection may be replaced again, where another coordinate is eliminated.
+    // The same deflection may be rewritten again when another coordinate is eliminated.
     let taken = |name: &str| model.constants.iter().any(|constant| constant.0 == name);
     let mut new = wanted.to_string();
     while taken(&new) {

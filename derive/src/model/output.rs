@@ -43,13 +43,14 @@ impl Model {
         output
     }
 
-    /// The kinetic energy of all that was declared so far, as far as its inertia is constant: that of [`Model::rayleigh`].
+    /// The kinetic energy declared so far, without the terms that depend on coordinates: the terms that [`Model::rayleigh`] uses.
     pub fn kinetic_energy(&self) -> Expr {
         let constant = self.kinetic.iter().filter(|piece| !super::energies::depends_on_positions(piece));
         Expr::new(total(constant.map(|piece| piece.atom()).collect()))
     }
 
-    /// For outputs: the force of the springs along the named deflection `x`, dV/dx. It has all terms of the complete model.
+    /// For outputs: the force of the springs along the named deflection `x`, dV/dx. It contains the terms of the complete model, also those
+    /// that are declared later.
     pub fn spring(&self, x: Expr) -> Expr {
         of(Kind::Spring, x)
     }
@@ -65,7 +66,7 @@ impl Model {
     }
 
     /// For outputs: the force along the deflection `x` of a switch that its hold resists, zero in modes that do not hold. If several holds
-    /// prevent the same motion, the first has the reaction.
+    /// prevent the same motion, the whole reaction is assigned to the first.
     pub fn reaction(&self, x: Expr) -> Expr {
         match symbols(&x.atom()).as_slice() {
             [(Kind::Deflection, name)] => Expr::var(Kind::Known, &reaction_name(name)),

@@ -20,7 +20,7 @@ pub enum Range {
     Positive,
     /// Zero or greater.
     NotNegative,
-    /// Greater than another parameter, one that is positive.
+    /// Greater than another parameter, which must be positive.
     Above(Expr),
 }
 
@@ -35,7 +35,8 @@ impl Range {
     }
 }
 
-/// What a parameter of a gear is. Scenes check such parameters, and compare them with the teeth from which laws are computed.
+/// The quantity of a gear that a parameter gives. Scenes check such parameters, and compare them with the teeth from which laws are
+/// computed.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum GearData {
     /// A number of teeth, a whole number.

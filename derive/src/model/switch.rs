@@ -1,12 +1,12 @@
-//! Switches: modes between which a deflection changes the equations.
+//! Switches: a deflection has a finite number of modes, and the equations depend on the mode.
 
 use symbolica::atom::{Atom, AtomCore};
 
 use crate::expr::{Expr, Kind, number, set, symbol};
 use crate::model::{Deflection, Model};
 
-/// A switch: a deflection x, and a finite number of modes. In each mode the symbols of the switch are constant, and what ends it
-/// is the zero of a linear function of the state.
+/// A switch: a deflection x, and a finite number of modes. In each mode the symbols of the switch are constant. A mode ends at the zero of
+/// a guard, a linear function of the state.
 #[derive(Clone)]
 pub(crate) struct Switch {
     /// Name of the deflection x, from which the offset of the mode is subtracted.
@@ -48,14 +48,14 @@ pub(crate) struct SwitchMode {
     pub exits: Vec<Exit>,
 }
 
-/// What ends a mode.
+/// An exit of a mode: the guard that ends it, and the next mode.
 #[derive(Clone)]
 pub(crate) struct Exit {
     /// The mode beyond.
     pub to: String,
     /// The mode lasts while this is >= 0.
     pub guard: Expr,
-    /// Whether only a sudden change of the state can violate it: another exit comes first in every motion.
+    /// Whether only a sudden change of the state can violate the guard. In every continuous motion another exit comes first.
     pub sudden: bool,
 }
 
@@ -154,8 +154,8 @@ impl Switching<'_> {
 }
 
 impl Describing<'_> {
-    /// In this mode a rate stays zero, by a reaction that does no work: the guard of the modes that lead to it, x' or a sum of rates with friction
-    /// laws as factors. Friction laws may be factors in methods by steps only.
+    /// In this mode a reaction that does no work keeps a rate at zero. The rate is the guard of the modes that lead to this one: x', or a
+    /// sum of rates with friction laws as factors. Only methods by steps can have friction laws as factors.
     pub fn holds(self) -> Self {
         self.0.held = true;
         self
@@ -180,7 +180,8 @@ impl Describing<'_> {
         self
     }
 
-    /// As [`Describing::until`], for a guard that only a sudden change of the state can violate: in every motion another exit comes first.
+    /// As [`Describing::until`], for a guard that only a sudden change of the state can violate: in every continuous motion another exit
+    /// comes first.
     pub fn unless(self, to: &str, guard: Expr) -> Self {
         self.0.exits.push(Exit { to: to.into(), guard, sudden: true });
         self
@@ -196,18 +197,18 @@ impl Switch {
         Atom::var(symbol(Kind::Marker, &self.effect)) * self.loss.atom()
     }
 
-    /// An expression with the values of a mode.
+    /// An expression in which the symbols have their values in a mode.
     pub fn within(&self, mode: &SwitchMode, e: &Atom) -> Atom {
         let values = self.symbols.iter().zip(&mode.values).map(|(s, value)| (s, value.atom()));
         values.fold(e.clone(), |e, (s, value)| set(&e, symbol(s.kind, &s.name), &value))
     }
 
-    /// An expression with the neutral values.
+    /// An expression in which the symbols have their neutral values.
     pub fn neutral(&self, e: &Atom) -> Atom {
         self.symbols.iter().fold(e.clone(), |e, s| set(&e, symbol(s.kind, &s.name), &number(s.neutral)))
     }
 
-    /// The mode of a name.
+    /// The mode with a name.
     pub fn mode(&self, name: &str) -> Option<&SwitchMode> {
         self.modes.iter().find(|mode| mode.name == name)
     }

@@ -29,7 +29,8 @@ impl Torque {
         (self.value * self.along.unwrap_or_else(|| self.through.dot())).atom()
     }
 
-    /// Its power in parts that sum to it \[W\]: one, or one a term of its value if an effect changes that value.
+    /// Its power \[W\] as a list of parts. It is one part, or one part for each term of the value if an effect changes only some of these
+    /// terms.
     pub fn powers(&self) -> Vec<Atom> {
         let value = self.value.atom();
         if optional(&value).is_empty() {
@@ -53,11 +54,11 @@ impl Torque {
 }
 
 impl Model {
-    /// Adds an external torque (or force) of size `value` that works through the displacement `through`. The torque is constant or
-    /// depends on speeds; only with a friction law as a factor may it depend on deflections and stiffnesses too. A torque that is not
-    /// constant, or whose displacement is not linear in the coordinates, makes the cells nonlinear. If it is linear in the speed of `through`,
-    /// avoid this by writing it as a constant torque and a dissipation: T = c (n - omega) is the torque c n and D = c omega^2/2. Its power
-    /// is the output `power_NAME` \[W\].
+    /// Adds an external torque (or force) of size `value` that works through the displacement `through`. The torque is constant or depends
+    /// on speeds. It may depend on deflections and stiffnesses too only if a friction law is a factor of it. A torque that is not constant,
+    /// or whose displacement is not linear in the coordinates, makes the cells nonlinear. If the torque is linear in the speed of
+    /// `through`, avoid this by writing it as a constant torque and a dissipation: T = c (n - omega) is the torque c n and D = c omega^2/2.
+    /// The power of the torque is the output `power_NAME` \[W\].
     pub fn torque(&mut self, name: &str, value: Expr, through: Expr, doc: &str) {
         let value = self.marked(value);
         self.torques.push(Torque { name: name.into(), value, through, along: None, doc: doc.into() });
@@ -73,7 +74,7 @@ impl Model {
         self.power_output(name, doc);
     }
 
-    /// Declares the power of an external torque as an output. Their sum is the rate of the work in the energy account.
+    /// Declares the power of an external torque as an output. The sum of these powers is the rate of the work in the energy account.
     fn power_output(&mut self, name: &str, doc: &str) {
         let power = self.power(name);
         self.output(&format!("power_{name}"), "W", power, &format!("power of the {doc}: positive if it drives"));
@@ -87,7 +88,7 @@ impl Model {
         Expr::var(Kind::Force, name)
     }
 
-    /// The expression with named forces written out. In reverse order, since a force may depend on earlier ones.
+    /// The expression with named forces written out. They are replaced in reverse order, because a force may depend on earlier ones.
     pub(crate) fn written_out(&self, e: &Atom) -> Atom {
         let forces = self.forces.iter().rev();
         forces.fold(e.clone(), |e, force| set(&e, symbol(Kind::Force, &force.name), &force.value.atom()))

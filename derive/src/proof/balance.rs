@@ -47,7 +47,7 @@ fn switched_powers(model: &Model) -> impl Iterator<Item = Atom> {
     model.switches.iter().map(|switch| switch.lost() * deflection_rate(model, &switch.over))
 }
 
-/// The rate of a deflection as its damper feels it: without the rates of transmission errors.
+/// The rate of a deflection on which its damper acts: without the rates of transmission errors.
 pub(super) fn deflection_rate(model: &Model, name: &str) -> Atom {
     let deflection = model.deflections.iter().find(|d| d.name == name);
     deflection.map_or(number(0), |d| d.value.dot().atom())

@@ -1,4 +1,4 @@
-//! Every damper takes energy or none.
+//! Proves that no damper adds energy.
 
 use symbolica::atom::Atom;
 
@@ -21,8 +21,8 @@ pub(super) fn prove(p: &mut Proof) -> Result<(), Slip> {
     Ok(())
 }
 
-/// Whether the power of a term of D is never negative: by its form, or as a multiple of the term, whose form shows it (D is
-/// homogeneous in the speeds, of degree two as a rule).
+/// Checks that the power of a term of D is never negative. Either the form of the power shows this, or the power is a multiple of the term,
+/// and the form of the term shows it. (D is homogeneous in the speeds, usually of degree two.)
 fn takes(p: &Proof, what: &str, d: &Expr) -> Result<(), Slip> {
     const DEGREES: [i64; 3] = [2, 4, 6];
     let energy = all_present(&d.atom());

@@ -1,11 +1,11 @@
-//! Friction takes energy or none.
+//! Proves that friction never adds energy.
 //!
 //! The friction of a mesh has two torques: `roll` = -arm F through psi and `slide` = -side f F through tau, with F = c psi_dot, and with f
 //! between -1 and 1: the sign of the flank. Their power is -c psi_dot (arm psi_dot + side f tau_dot).
 //!
-//! A switch with modes that hold may change F. With it F is c in a mode that lasts while arm psi_dot + side f tau_dot >= 0, -c in one that lasts while
-//! it is <= 0, and zero in one that holds: the two torques together then always take energy or none. f is 1 in a mode that lasts while a
-//! guard of its sign is >= 0, and -1 in one with the opposite guard.
+//! A switch with modes that hold may change F. Let v = arm psi_dot + side f tau_dot. F is then >= 0 in a mode that lasts while v >= 0, <= 0
+//! in a mode that lasts while v <= 0, and zero in a mode that holds. So the power -F v of both torques together is never positive. f is 1
+//! in a mode with a guard of its sign, and -1 in a mode with the opposite guard.
 
 use symbolica::atom::{Atom, AtomCore};
 
@@ -60,7 +60,7 @@ pub(super) fn prove(p: &mut Proof) -> Result<(), Slip> {
              -{}: where flanks slide as rolling makes them",
             slide.name, roll.name, arm.name, side.name, side.name
         );
-        // -F psi_dot, which must never be negative for the power -F psi_dot (..)/psi_dot to have the sign said.
+        // F psi_dot, because `force` is -F. It must never be negative: then the power -F psi_dot (..)/psi_dot has the stated sign.
         let weight = smooth(p, &(-&force * psi.atom()));
         if !never_negative(p.model, &weight) {
             return Err(p.unproved(&what, &weight));
@@ -76,7 +76,7 @@ pub(super) fn prove(p: &mut Proof) -> Result<(), Slip> {
     Ok(())
 }
 
-/// A multiple of a force whose value is itself one of another force, in terms of that.
+/// The expression with each named force replaced by its value, if this value contains another named force.
 fn by_force(p: &Proof<'_>, e: &Atom) -> Atom {
     let is_multiple = |name: &str| {
         let force = p.model.forces.iter().find(|force| force.name == name)?;
@@ -107,8 +107,8 @@ fn changed_by<'a>(p: &Proof<'a>, e: &Atom) -> Option<&'a Switch> {
     })
 }
 
-/// The friction -F v, with v = `rolling` + f `sliding`, takes energy or none in every mode of `switch`: F v is a guard of the mode times a factor
-/// that is never negative, or F is zero. Another guard of the mode has the sign of the `flank` f, whose size is 1.
+/// Proves that the power -F v of the friction, with v = `rolling` + f `sliding`, is never positive in any mode of `switch`: F v is a guard
+/// of the mode times a factor that is never negative, or F is zero. Another guard of the mode gives the sign of the `flank` f, and |f| = 1.
 fn sticking(
     p: &mut Proof,
     switch: &Switch,

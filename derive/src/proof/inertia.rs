@@ -1,4 +1,4 @@
-//! M: T is its quadratic form, it is symmetric and positive definite, and M⁻¹ is its inverse where it is written.
+//! Proofs about M: it is symmetric and positive definite, T is its quadratic form, and M⁻¹, if it is written, is its inverse.
 
 use symbolica::atom::Atom;
 
@@ -49,8 +49,8 @@ pub(super) fn prove(p: &mut Proof) -> Result<(), Slip> {
     Ok(())
 }
 
-/// The centrifugal and gyroscopic forces in F are those of M, with Christoffel's symbols. The balance of power alone does not prove it:
-/// gyroscopic forces do no work.
+/// Proves that the centrifugal and gyroscopic forces in F follow from M with Christoffel's symbols. The balance of power alone does not
+/// prove this, because gyroscopic forces do no work.
 fn centrifugal(p: &mut Proof) -> Result<(), Slip> {
     if p.motion.inertia.is_none() {
         return Ok(());
@@ -72,8 +72,8 @@ fn centrifugal(p: &mut Proof) -> Result<(), Slip> {
     p.claim(what, rests)
 }
 
-/// Whether M is positive definite: by Sylvester's criterion, if every leading minor is a sum of products of positive
-/// quantities, else by T as a sum of squares.
+/// Decides whether M is positive definite, and returns the statement. It uses Sylvester's criterion if every leading minor is a sum of
+/// products of positive quantities, and otherwise T as a sum of squares.
 fn definiteness(model: &Model, s: &Symbols, mass: &[Vec<Atom>]) -> Result<String, Slip> {
     let n = mass.len();
     let minor = |k: usize| simplified(&determinant(&mass[..k].iter().map(|row| row[..k].to_vec()).collect::<Vec<_>>()));

@@ -81,8 +81,8 @@ fn kinetic(p: &Proof, law: &Law, jump: &Jump) -> Atom {
     total(gained.chain(equations).chain([normed, rule]).collect())
 }
 
-/// d G - M⁻¹n and G - n.M⁻¹n for d and G as written; nothing where they are not. Since M M⁻¹ = 1 is proved, M d = n/G follows from
-/// the first and n.d = 1 from both.
+/// d G - M⁻¹n and G - n.M⁻¹n for d and G as written; empty if they are not written. Since M M⁻¹ = 1 is proved, M d = n/G follows from the
+/// first and n.d = 1 from both.
 fn direction(p: &Proof, jump: &Jump) -> Vec<Atom> {
     let (Some(w), Some(g), Some(d)) = (&p.motion.mobility, &jump.compliance, &jump.direction) else { return vec![] };
     let dot = |row: &[Atom]| row.iter().zip(&jump.normal).fold(number(0), |sum, (w, n)| sum + w * n);

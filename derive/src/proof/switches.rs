@@ -1,4 +1,4 @@
-//! Switches: V does not step where a mode ends, so that there is no impulse; and the force of a switch takes energy or none.
+//! Proofs about switches. V does not step where a mode ends, so there is no impulse. The force of a switch never adds energy.
 
 use symbolica::atom::{Atom, AtomCore, Symbol};
 
@@ -24,7 +24,7 @@ pub(super) fn prove(p: &mut Proof) -> Result<(), Slip> {
 /// deflection at which the guard is zero.
 fn steps(model: &Model, switch: &Switch) -> Vec<Atom> {
     let over = symbol(Kind::Deflection, &switch.over);
-    // The deflection without what the mode adds.
+    // The deflection with all symbols of the switch set to zero.
     let x = symbol(Kind::Free, "x");
     let value = |name: &str| model.deflections.iter().find(|d| d.name == name).map_or(number(0), |d| d.value.atom());
     let zero = |e: &Atom| switch.symbols.iter().fold(e.clone(), |e, s| set(&e, symbol(s.kind, &s.name), &number(0)));
@@ -33,7 +33,7 @@ fn steps(model: &Model, switch: &Switch) -> Vec<Atom> {
     let plain = |mode: &SwitchMode, e: &Atom| {
         let offset = (switch.within(mode, &value(&switch.over)) - &base).expand();
         let mut e = set(e, over, &(Atom::var(x) + offset));
-        // Other deflections of the motion alone are x and what they differ from it by, or written out if that is shorter.
+        // Another deflection that depends only on the motion is written as x plus its difference from x, or written out if that is shorter.
         for (kind, name) in symbols(&e).into_iter().filter(|s| s.0 == Kind::Deflection) {
             let value = value(&name).expand();
             let apart = (&value - &base).expand();
@@ -62,8 +62,8 @@ fn steps(model: &Model, switch: &Switch) -> Vec<Atom> {
     energies.iter().flat_map(|energy| energy.0.exits.iter().map(move |exit| step(energy, exit))).collect()
 }
 
-/// The force f of a switch takes energy or none: f x' >= 0 in every mode in which f is not zero. Either f x' is a guard of the mode,
-/// which is >= 0 in it, times a factor that is never negative; or f is the force of a clipped damper.
+/// Proves that the force f of a switch never adds energy: f x' >= 0 in every mode in which f is not zero. Either f x' is a guard of the
+/// mode, which is >= 0 in it, times a factor that is never negative; or f is the force of a clipped damper.
 fn losses(p: &mut Proof, switch: &Switch) -> Result<(), Slip> {
     if switch.loss.atom().is_zero() {
         return Ok(());

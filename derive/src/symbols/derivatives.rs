@@ -8,7 +8,7 @@ use super::{Partials, Sparse, Symbols, Variable};
 use crate::expr::{derivative, number, set};
 
 impl Symbols {
-    /// Sums the derivatives by the symbols of `e`, each times the value of `parts` for its place.
+    /// The chain rule: sums the derivatives by the symbols of `e`, each times the derivatives of the symbol that `parts` gives.
     fn chain<'a, I: Ord + Copy + 'a>(
         &'a self,
         e: &Atom,
@@ -55,8 +55,8 @@ impl Symbols {
         })
     }
 
-    /// The derivatives by the coordinates and by the deflections, each while all others are held: with these of the deflections by the
-    /// coordinates they give the gradient. Laws are constant.
+    /// The derivatives by the coordinates and by the deflections, each with all others constant. Together with the derivatives of the
+    /// deflections by the coordinates they give the gradient. Laws are constant.
     pub fn by_positions(&self, e: &Atom) -> Partials {
         self.chain(e, |place| match place {
             Variable::Coordinate(_) | Variable::Deflection(_) => Some(Dependence::Itself(place)),
@@ -67,7 +67,7 @@ impl Symbols {
         })
     }
 
-    /// The derivatives by the speeds and by the rates of deflections, each while all others are held.
+    /// The derivatives by the speeds and by the rates of deflections, each with all others constant.
     pub fn by_motions(&self, e: &Atom) -> Partials {
         self.chain(e, |place| match place {
             Variable::Speed(_) | Variable::Rate(_) => Some(Dependence::Itself(place)),

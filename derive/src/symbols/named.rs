@@ -20,7 +20,7 @@ pub(crate) struct Linear {
     pub by_law: Sparse,
     /// The deflection, written in the coordinates.
     value: Atom,
-    /// The derivatives of its rate by positions: where it bends, its slopes depend on them.
+    /// The derivatives of its rate by positions. If the deflection bends, its slopes depend on the positions.
     pub(super) rate_by_positions: Partials,
     /// Whether it contains functions of positions. Its derivatives by the coordinates then depend on the coordinates.
     pub bends: bool,
@@ -54,7 +54,7 @@ impl Linear {
         }
     }
 
-    /// The same with the derivatives through the functions in its `value`; `s` has these.
+    /// The same deflection with the derivatives through the functions in its `value`; `s` has these functions.
     pub(super) fn bent(&self, value: &Atom, s: &Symbols) -> Linear {
         let functions = s.present(value).into_iter().filter_map(|(symbol, place)| match place {
             Variable::Function(f, which) => Some((value.derivative(symbol), &s.functions[f].by_coordinates[which])),
@@ -84,7 +84,7 @@ impl Linear {
     }
 }
 
-/// A named force, differentiated by name: its derivatives are written in its partial derivatives.
+/// A named force. Its derivatives are written in the names of its partial derivatives.
 pub(crate) struct Force {
     /// The partial derivatives: name and value.
     pub partials: Vec<(String, Atom)>,
@@ -96,7 +96,7 @@ pub(crate) struct Force {
 }
 
 impl Force {
-    /// The force, which may contain those before it: `s` has these.
+    /// The force. It may contain the forces declared before it, which `s` has.
     pub(super) fn new(force: &model::Force, s: &Symbols) -> Force {
         let value = force.value.atom();
         let (mut partials, mut linear) = (vec![], vec![]);
@@ -105,7 +105,7 @@ impl Force {
             linear.push(Atom::var(symbol(Kind::Partial, &partial)) * Atom::var(by));
             partials.push((partial, value.derivative(by)));
         }
-        // The sum of its symbols times its partial derivatives has its gradients.
+        // A linear form with the same gradients as the force: the sum of its symbols times its partial derivatives.
         let linear = total(linear);
         Force {
             partials,

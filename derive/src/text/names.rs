@@ -1,4 +1,4 @@
-//! What names stand for: constants, deflections, forces, and the symbols that the engine sets.
+//! The definitions of names: constants, deflections, forces, and the symbols that the engine sets.
 
 use symbolica::atom::Atom;
 
@@ -53,7 +53,7 @@ fn idle_texts(laws: &[Law]) -> Vec<String> {
     laws.chunk_by(|a, b| a.with == b.with).filter_map(of).collect()
 }
 
-/// The modes of a switch: the values of its symbols, and what ends each.
+/// The modes of a switch: the values of the symbols in each, and the guards that end it.
 fn switch_text(switch: &Switch) -> Vec<String> {
     let plain = |e: &Expr| print(&Tree::new(&all_present(&e.atom())), Style::Plain);
     let list = |values: &mut dyn Iterator<Item = String>| {
@@ -76,7 +76,7 @@ fn switch_text(switch: &Switch) -> Vec<String> {
     lines
 }
 
-/// The rate that a mode holds: the one whose zero ends the motion that follows the mode. `None` if nothing follows it.
+/// The rate that a mode holds: the guard that leads from the next mode without a hold back to a hold. `None` if there is none.
 fn held_rate(switch: &Switch, mode: &SwitchMode) -> Option<Expr> {
     let following =
         mode.exits.iter().filter_map(|exit| switch.modes.iter().find(|next| next.name == exit.to && !next.held));

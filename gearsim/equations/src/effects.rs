@@ -12,7 +12,10 @@ use crate::model::{Effect, Law, Model, Torque};
 pub struct Effects(FixedBitSet);
 
 impl Effects {
-    /// The effects of a model with these numbers. Panics if the model has no such effect.
+    /// The effects of a model with these numbers.
+    ///
+    /// # Panics
+    /// If the model has no such effect.
     pub fn numbered(model: &Model, numbers: impl IntoIterator<Item = usize>) -> Effects {
         numbers.into_iter().fold(Effects(FixedBitSet::with_capacity(model.effects.len())), Effects::with)
     }
@@ -39,7 +42,8 @@ impl Effects {
         self
     }
 
-    /// The numbers of the effects that `name` stands for: one effect, or the effects of that name at all parts.
+    /// The numbers of the effects that `name` stands for: the effect with this name, or this effect at all parts of the model. Empty if
+    /// there are none.
     pub fn numbers(name: &str, model: &Model) -> Vec<usize> {
         let all = model.effects.iter().enumerate().filter(|(_, effect)| effect.name == name || effect.of == Some(name));
         all.map(|(i, _)| i).collect()
@@ -61,23 +65,23 @@ impl Effects {
         self.0.ones().map(move |i| &model.effects[i])
     }
 
-    /// Whether the set has the effect `name`, or that of one of its parts.
+    /// Whether the set has the effect `name`, or this effect at one of the parts of the model.
     pub fn has(&self, name: &str, model: &Model) -> bool {
         self.of(model).any(|effect| effect.name == name || effect.of == Some(name))
     }
 
-    /// Whether a term that needs the effect `with` is active; a term without effect always is.
+    /// Whether a term that needs the effect `with` is active. A term that needs no effect is always active.
     pub fn activate(&self, with: Option<&str>, model: &Model) -> bool {
         with.is_none_or(|effect| self.has(effect, model))
     }
 
-    /// The external torques of a model that scenes with these effects have, by their numbers.
+    /// The numbers of the external torques that scenes with these effects have.
     pub fn torques(&self, model: &Model) -> Vec<usize> {
         let has = |torque: &Torque| torque.with.iter().all(|effect| self.has(effect, model));
         (0..model.torques.len()).filter(|&i| has(&model.torques[i])).collect()
     }
 
-    /// The names of the effects, in the model's order. If all parts have an effect, its name stands for them.
+    /// The names of the effects, in the model's order. If all parts have an effect, its common name replaces the names of the parts.
     pub fn names(&self, model: &Model) -> Vec<&'static str> {
         let absent = model.effects.iter().enumerate().filter(|(i, _)| !self.contains(*i));
         let not_all: HashSet<&str> = absent.filter_map(|(_, effect)| effect.of).collect();
@@ -85,7 +89,7 @@ impl Effects {
         self.of(model).map(name).collect::<IndexSet<_>>().into_iter().collect()
     }
 
-    /// Whether the phase of a law rolls in scenes with these effects: nothing else depends on its whole pitches.
+    /// Whether the phase of a law rolls in scenes with these effects: nothing else depends on the number of its whole pitches.
     pub fn rolls(&self, law: &Law, model: &Model) -> bool {
         law.rolling && !law.held.iter().any(|effect| self.has(effect, model))
     }
@@ -115,7 +119,8 @@ impl Effects {
         self.of(model).flat_map(of).collect::<Vec<_>>().join(", ")
     }
 
-    /// The set of the effects with these names, those of all parts for an effect of parts; `None` if the model lacks one of them.
+    /// The set of the effects with these names. A common name stands for the effect at all parts. `None` if the model lacks one of the
+    /// effects.
     pub fn from_names<'a>(names: impl IntoIterator<Item = &'a str>, model: &Model) -> Option<Effects> {
         let mut named = names.into_iter().map(|name| Effects::numbers(name, model));
         named.try_fold(Effects::none(model), |set, named| {

@@ -1,8 +1,9 @@
 //! The interface between a model and the engine. Its implementations are written by the `equations!` macro, never by hand.
 //!
-//! A model has n coordinates and L laws (stiffnesses, transmission errors, friction). For one set of effects it is given by T =
-//! q'ᵀM(q) q'/2, V(q; k), D(q, q') and Q. In most models M is constant ([`Equations::is_inertia_constant`]); linear cells have constant M.
-//! Terms of effects that the set does not contain are not executed.
+//! A model has n coordinates and L laws (stiffnesses, transmission errors, friction). For one set of effects it is given by the kinetic
+//! energy T = q'ᵀM(q) q'/2, the strain energy V(q; k), Rayleigh's dissipation function D(q, q') and the external forces Q. In most models M
+//! is constant ([`Equations::is_inertia_constant`]); linear cells have constant M. Terms of effects that the set does not contain are not
+//! executed.
 
 mod arrays;
 mod assembly;
@@ -28,8 +29,8 @@ use crate::vector::{Matrix, Vector};
 /// The equations of one model with one set of effects and given parameter values.
 ///
 /// `q` and `q_dot` are coordinates and speeds (n each). `k` holds the present value of each law [unit of the law] (L), followed
-/// by the values of the symbols of each switch. `dk` and `ddk` hold derivatives of the laws (L); what follows them is not read. All laws and
-/// symbols of the model have a place, also those of absent effects.
+/// by the values of the symbols of each switch. `dk` and `ddk` hold the first and second derivatives of the laws along their phases (L);
+/// further entries are not read. All laws and symbols of the model have a place in `k`, also those of absent effects.
 ///
 /// # Panics
 /// Each function panics if the length of a vector does not match the model.
@@ -58,12 +59,12 @@ pub trait Equations: Send + Sync {
     fn output(&self, i: usize, _q: &[f64], _q_dot: &[f64], _k: &[f64], _known: &Known) -> f64 {
         no_such("output", i)
     }
-    /// The values of the outputs `which` at a state, as by [`Equations::output`].
+    /// Writes the values of the outputs `which` at a state to `values`, as [`Equations::output`] returns them.
     fn write_outputs(&self, which: &[usize], q: &[f64], q_dot: &[f64], k: &[f64], known: &Known, values: &mut [f64]) {
         which.iter().zip(values).for_each(|(&i, value)| *value = self.output(i, q, q_dot, k, known));
     }
-    /// Net work of all external torques over the displacement `dq` \[J\]; only the parts that do not depend on the state. Torques
-    /// in balance cancel.
+    /// Net work of all external torques over the displacement `dq` \[J\]; only the parts that do not depend on the state. Balanced torques
+    /// cancel.
     fn work(&self, dq: &[f64]) -> f64;
 
     /// Writes the generalised forces F of M q'' = F \[SI\] to `force` (n), with the centrifugal and gyroscopic forces of an M that depends
@@ -79,14 +80,14 @@ pub trait Equations: Send + Sync {
     fn acceleration(&self, q: &[f64], q_dot: &[f64], k: &[f64], dk: &[f64]) -> Vector {
         &self.mobility(q) * &self.force(q, q_dot, k, dk)
     }
-    /// The forces that are linear while the values `k` do not change, with their dissipation; `None` if the model evaluates all forces
-    /// together faster. The other forces are those of [`Equations::add_other_forces`].
+    /// The forces that are linear while the values `k` do not change, with their dissipation. All other forces are those of
+    /// [`Equations::add_other_forces`]. `None` if it is faster to evaluate all forces of the model together.
     fn linear_forces(&self, _k: &[f64]) -> Option<LinearForces> {
         None
     }
-    /// Adds the forces beside [`Equations::linear_forces`], where there are any.
+    /// Adds to `force` the forces that [`Equations::linear_forces`] does not contain.
     fn add_other_forces(&self, _q: &[f64], _q_dot: &[f64], _k: &[f64], _dk: &[f64], _force: &mut [f64]) {}
-    /// The part of D beside [`Equations::linear_forces`] \[W\].
+    /// The part of D that [`Equations::linear_forces`] does not contain \[W\].
     fn other_dissipation(&self, _q: &[f64], _q_dot: &[f64], _k: &[f64]) -> f64 {
         0.0
     }
@@ -105,7 +106,7 @@ pub trait Equations: Send + Sync {
         Matrix::zeros(q.len(), q.len())
     }
     /// Inverse of the mass matrix M⁻¹ at the coordinates `q` (n x n). If inertias differ by a factor of 1e10, the entries of M have lost
-    /// ten digits of the smaller ones. Small models override this function with a closed form that loses none.
+    /// ten digits of the smaller inertias. Small models override this function with a closed form that loses no digits.
     fn mobility(&self, q: &[f64]) -> Matrix {
         mobility(&self.mass(q))
     }
@@ -138,8 +139,8 @@ pub trait Equations: Send + Sync {
     fn mode(&self, i: usize, _mode: usize) -> Option<Vec<f64>> {
         no_such("switch", i)
     }
-    /// What can end a mode of switch `i`; `k` has the values of this mode. Where deflections bend, the guards are those of their tangents
-    /// at `q`, which are exact there.
+    /// The exits of a mode of switch `i`; `k` has the values of this mode. If a deflection is a nonlinear function of the coordinates, its
+    /// guards are those of its tangent at `q`, which are exact at `q`.
     fn exits(&self, i: usize, _mode: usize, _q: &[f64], _k: &[f64]) -> Vec<Exit> {
         no_such("switch", i)
     }
@@ -151,7 +152,7 @@ pub trait Equations: Send + Sync {
     fn switched(&self, i: usize) -> usize {
         no_such("switch", i)
     }
-    /// A named deflection; if it bends, its tangent at `q`.
+    /// A named deflection; if it is a nonlinear function of the coordinates, its tangent at `q`.
     fn deflection(&self, i: usize, _q: &[f64], _k: &[f64]) -> Deflection {
         no_such("deflection", i)
     }

@@ -1,13 +1,14 @@
-//! Quantities for outputs that only the engine knows: the reactions of held deflections and the powers of the external torques.
+//! Quantities that outputs use and only the engine knows: the reactions of held deflections and the powers of the external torques.
 
 use smallvec::SmallVec;
 
-/// Reactions and powers. Those that are not requested are not computed and read as zero.
+/// Reactions and powers. A value that was not requested is not computed; it is returned as zero.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Known {
     /// For each switch of the model, the force along the deflection that its hold resists [N or N m].
     pub reactions: SmallVec<[f64; 4]>,
-    /// For each external torque of the model up to the last one that the scene has, its power \[W\]; zero for those that it does not have.
+    /// For each external torque of the model, up to the last one that the scene has: its power \[W\]; zero for a torque that the scene does
+    /// not have.
     pub powers: SmallVec<[f64; 4]>,
 }
 

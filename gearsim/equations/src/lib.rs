@@ -1,11 +1,11 @@
-//! What gearsim asks of the equations of a drivetrain model.
+//! The interface between gearsim and the equations of a drivetrain model.
 //!
 //! - [`model`]: the description of a model; [`Effects`]: a set of its effects;
-//! - [`interface`]: the trait of its equations, and what their functions take and return;
-//! - [`vector`], [`real`]: their numbers.
+//! - [`interface`]: the trait of its equations, and the types of their arguments and results;
+//! - [`vector`], [`real`]: the types of its vectors and numbers.
 //!
-//! Derived models need nothing else of gearsim. They are a crate of their own, `gearsim-generated`, so that they are compiled beside the
-//! engine, and not again when the engine changes.
+//! Derived models need nothing else from gearsim. They are in the separate crate `gearsim-generated`, so they are compiled in parallel with
+//! the engine, and not again when the engine changes.
 
 mod effects;
 pub mod interface;
@@ -20,13 +20,14 @@ pub use gearsim_macros::equations;
 pub use known::Known;
 pub use linear_forces::LinearForces;
 
-/// No part of the interface: what the code of `equations!` uses. In other crates it finds the same in `gearsim`.
+/// Not part of the public interface: the items that the code of `equations!` uses. In other crates this code uses the same items of
+/// `gearsim`.
 pub mod __private {
     pub use crate::effects::Effects;
     pub use crate::model;
     pub use crate::vector::{Matrix, Vector};
 
-    /// The trait of a model's equations, and what its functions take and return.
+    /// The trait of a model's equations, and the types of its arguments and results.
     pub mod equations {
         pub use crate::interface::{
             Affine, Deflection, Derived, Equations, ExactCells, Exit, Matrices, On, Switching, accelerated, add_force,

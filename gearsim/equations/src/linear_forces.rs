@@ -20,7 +20,7 @@ struct Row {
 }
 
 impl LinearForces {
-    /// From f (n), K and C (n x n).
+    /// The forces with the load f (n), the stiffness matrix K and the damping matrix C (n x n each).
     pub fn new(load: &[f64], stiffness: &Matrix, damping: &Matrix) -> LinearForces {
         let row = |i: usize| {
             let all = (0..load.len()).map(|j| (j, stiffness[(i, j)], damping[(i, j)]));

@@ -1,6 +1,7 @@
 //! Description of a derived model: names, units, parameters, laws, effects. Scenes and the command line use it.
 //!
-//! [`equations!`](crate::equations) generates a description and its equations from a file of derived equations; none is written by hand.
+//! [`equations!`](crate::equations) generates a description, with its equations, from a file of derived equations. No description is
+//! written by hand.
 
 /// Description of a drivetrain model: what a scene can set, and which effects it can activate.
 #[derive(Debug, Clone, Copy)]
@@ -17,19 +18,20 @@ pub struct Model {
     pub parameters: &'static [Parameter],
     /// Laws whose profiles a scene gives: first the mesh stiffnesses, then transmission errors, then friction laws.
     pub laws: &'static [Law],
-    /// Rigid motions by which a scene may state initial speeds: `speed = "300 rpm"`.
+    /// Rigid motions with which a scene may state initial speeds, e.g. `speed = "300 rpm"`.
     pub motions: &'static [RigidMotion],
     /// Effects that a scene may activate; bit `i` of an effect set is entry `i`.
     pub effects: &'static [Effect],
-    /// External torques, in the order of their columns of work. A run has the columns of those whose effects it has.
+    /// External torques, in the order of their columns of work. A run has a column for each torque whose effects it has.
     pub torques: &'static [Torque],
-    /// What a run can record besides the coordinates, in the order of their columns.
+    /// The quantities that a run can record besides the coordinates, in the order of their columns.
     pub outputs: &'static [Output],
     /// Switches. Vectors of law values have the values of their symbols, in this order, after the entries of the laws.
     pub switches: &'static [Switch],
     /// The terms that make cells nonlinear without any effect, with the energies they come from; empty if there are none.
     pub nonlinear: &'static str,
-    /// Terms that make cells nonlinear, each with its effects: (effects, term). The term is present only if all of these effects are active.
+    /// Terms that make cells nonlinear, each with its effects: (effects, term). The term is present only if all of these effects are
+    /// active.
     pub nonlinear_with: &'static [(&'static [&'static str], &'static str)],
     /// The derived equations as plain text, one group of terms per line.
     pub equations: &'static str,
@@ -37,11 +39,12 @@ pub struct Model {
     pub latex: &'static str,
     /// The elements of which a scene puts the model together; empty for a model whose equations are derived as a whole.
     pub elements: &'static [&'static Model],
-    /// The rotations of gears relative to carriers that a train has; empty for a model whose equations are derived as a whole.
+    /// The rotations of gears relative to carriers in a train; empty for a model whose equations are derived as a whole.
     pub relative: &'static [Relative],
 }
 
-/// The rotation of a gear of a planet set relative to the carrier, with which its teeth come to the planets.
+/// The rotation of a gear of a planet set relative to the carrier. Its speed gives the frequency at which a tooth of the gear meets the
+/// planets.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Relative {
     /// Name, e.g. `rotor_speed_sun - rotor_speed_c`.
@@ -52,19 +55,19 @@ pub struct Relative {
     pub gear: Option<&'static str>,
     /// The output that is the speed of the carrier; `None`: it is fixed to the ground.
     pub carrier: Option<&'static str>,
-    /// How often a tooth of it is in mesh in one turn relative to the carrier.
+    /// Number of times that a tooth of the gear is in mesh in one turn relative to the carrier.
     pub meets: u32,
 }
 
 impl Model {
-    /// Vector of law values with every switch as without its effect, so with every play in contact and its width 0: the values
+    /// The vector of law values without the effects of the switches, that is with every play closed and in contact. It has the values
     /// `laws`, padded with 0 to the number of laws, then the neutral values of each switch.
     pub fn in_contact(&self, laws: impl IntoIterator<Item = f64>) -> Vec<f64> {
         let laws = laws.into_iter().chain(std::iter::repeat(0.0)).take(self.laws.len());
         laws.chain(self.switches.iter().flat_map(|switch| switch.neutral.iter().copied())).collect()
     }
 
-    /// The effect with which laws switch in this way.
+    /// The effect with which laws switch in this way; `None` if the model has none.
     pub fn switching(&self, how: Switching) -> Option<&'static Effect> {
         self.effects.iter().find(|effect| effect.switching == Some(how))
     }
@@ -90,7 +93,7 @@ pub enum Start {
     At(f64),
     /// The static equilibrium of the coordinate.
     Static,
-    /// The static equilibrium; of several, the one that is found from this value [SI unit of the coordinate].
+    /// The static equilibrium. If there are several, the one that the search finds from this value [SI unit of the coordinate].
     Near(f64),
 }
 
@@ -120,7 +123,7 @@ pub struct Parameter {
     pub default: Option<f64>,
     /// The only effect that uses the parameter, if there is one. Scenes without this effect need not give it.
     pub with: Option<&'static str>,
-    /// What it is of a gear, if it is one of these.
+    /// Its role in the data of a gear, if it has one of these roles.
     pub gear_data: Option<GearData>,
     /// Whether it may vary in time.
     pub varies: Varies,
@@ -132,7 +135,7 @@ pub struct Parameter {
     pub doc: &'static str,
 }
 
-/// What a parameter of a gear is.
+/// The role of a parameter in the data of a gear.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum GearData {
     /// A number of teeth.
@@ -153,10 +156,11 @@ pub enum Varies {
     Never,
     /// Forces are linear in it, with factors that are the same in every state. Cells stay linear.
     AsLoad,
-    /// The factors depend on the state, as those of the demand on a motor whose torque falls with its speed. Only methods by steps can compute
-    /// the motion.
+    /// Forces are linear in it, with factors that depend on the state. Example: the demand on a motor whose torque falls with its speed.
+    /// Only numerical methods can compute the motion.
     WithState,
-    /// Guards or losses of switches depend on the parameter too, as on the capacity of a clutch. Only methods by steps can compute the motion.
+    /// Guards or losses of switches depend on the parameter too. Example: the capacity of a clutch. Only numerical methods can compute the
+    /// motion.
     WithGuards,
 }
 
@@ -166,7 +170,7 @@ impl Varies {
         self != Varies::Never
     }
 
-    /// Whether a cell in which it varies is not linear.
+    /// Whether cells are not linear if it varies, so that only numerical methods can compute the motion.
     pub fn by_steps(self) -> bool {
         matches!(self, Varies::WithState | Varies::WithGuards)
     }
@@ -195,7 +199,7 @@ impl Range {
 }
 
 impl Parameter {
-    /// The allowed values \[SI\], for reading: `(0, inf) and above r_p`.
+    /// The allowed values \[SI\] as text, e.g. `(0, inf) and above r_p`.
     pub fn allowed(&self) -> String {
         self.range.to_string() + &self.above.map_or(String::new(), |lesser| format!(" and above {lesser}"))
     }
@@ -209,8 +213,8 @@ impl std::fmt::Display for Range {
     }
 }
 
-/// A mesh stiffness, a transmission error or a friction law: a function of the mesh phase, periodic with one pitch; a transmission error
-/// may have a period of several pitches.
+/// A mesh stiffness, a transmission error or a friction law: a periodic function of the mesh phase. The period is one pitch; that of a
+/// transmission error may be several pitches.
 #[derive(Debug, Clone, Copy)]
 pub struct Law {
     /// Name, e.g. `k`.
@@ -224,7 +228,7 @@ pub struct Law {
     /// Whether nothing else depends on the number of whole pitches in the phase. The engine then subtracts whole pitches and counts
     /// them, so that large angles do not lose digits.
     pub rolling: bool,
-    /// Effects that stop the rolling, for example a torsional support of a part that rotates. Any one of them is enough.
+    /// Effects with which the phase does not roll, for example a torsional support of a rotating part. Each of them alone is sufficient.
     pub held: &'static [&'static str],
     /// The effect that activates it; without this effect it is zero. `None` for a stiffness, which is always active.
     pub with: Option<&'static str>,
@@ -242,9 +246,9 @@ pub enum Role {
     Stiffness,
     /// Transmission error, of any sign.
     Error,
-    /// sum s_i sgn(xi_i), of any sign: with it, the friction force does work over the sliding at the pitch point.
+    /// sum s_i sgn(xi_i), of any sign: the factor with which the friction force does work along the sliding at the pitch point.
     Side,
-    /// sum s_i |xi_i|, never negative: the lever arm with which the friction force does work over the rolling angle of the gears.
+    /// sum s_i |xi_i|, never negative: the lever arm with which the friction force does work along the rolling angle of the gears.
     Arm,
 }
 
@@ -260,7 +264,7 @@ impl Role {
     }
 }
 
-/// Modes of a deflection, between which the equations change: play, a clutch, dry friction.
+/// A deflection with several modes, each with other equations. Examples: play, a clutch, dry friction.
 #[derive(Debug, Clone, Copy)]
 pub struct Switch {
     /// Name of the deflection, e.g. `over`.
@@ -284,14 +288,14 @@ pub struct SwitchMode {
     pub name: &'static str,
     /// Whether its deflection is held by a reaction.
     pub held: bool,
-    /// Whether a static equilibrium may be in it.
+    /// Whether a static equilibrium may be in this mode.
     pub rests: bool,
     /// What is counted when a run enters it from a mode that does not count the same, e.g. "flanks met".
     pub counts: Option<&'static str>,
 }
 
 impl SwitchMode {
-    /// Whether its entry from the mode `before` counts.
+    /// Whether an entry from the mode `before` is counted.
     pub fn counts_after(&self, before: &SwitchMode) -> bool {
         !self.held && self.counts.is_some() && self.counts != before.counts
     }
@@ -313,9 +317,10 @@ pub struct RigidMotion {
 pub struct Effect {
     /// Name in a scene's `effects`.
     pub name: &'static str,
-    /// The effect of which it is the one of a part: `backlash` of `backlash_12`. Scenes that name it have all its parts.
+    /// If it is the effect at one part, the common name of these effects: `backlash` for `backlash_12`. A scene with the common name has
+    /// the effect at all parts.
     pub of: Option<&'static str>,
-    /// What it adds to the equations, or drops from them.
+    /// What it adds to the equations, or removes from them.
     pub doc: &'static str,
     /// Effects that must be active too.
     pub requires: &'static [&'static str],
@@ -349,14 +354,14 @@ pub struct Output {
     pub unit: &'static str,
     /// The effect without which it does not exist.
     pub with: Option<&'static str>,
-    /// Whether it contains what the engine alone knows: a reaction, or the power of a torque.
+    /// Whether it depends on a quantity that only the engine knows: a reaction, or the power of a torque.
     pub known: bool,
     /// What it is.
     pub doc: &'static str,
 }
 
 impl Output {
-    /// Whether it is a power that is lost: those of an account by cause.
+    /// Whether it is a dissipated power. The account of losses by cause has these outputs.
     pub fn is_loss(&self) -> bool {
         self.unit == "W" && !self.is_power()
     }
@@ -372,7 +377,7 @@ impl Output {
 pub struct Torque {
     /// Name, e.g. `drive`.
     pub name: &'static str,
-    /// The effects that each of its terms needs: without one of them the torque is absent.
+    /// The effects that all of its terms need. If one of them is missing, the torque is absent.
     pub with: &'static [&'static str],
     /// What it is.
     pub doc: &'static str,

@@ -87,7 +87,7 @@ real!(Double: DVector<Double>, |numbers| DVector::from_column_slice(numbers), |r
     row.iter_mut().zip(other).for_each(|(x, y)| *x += by * *y)
 });
 
-/// Numbers that can be compared.
+/// Numbers whose size can be compared, after rounding to f64.
 pub trait Sized64: Real {
     /// The number rounded to f64.
     fn rounded(self) -> f64;

@@ -1,7 +1,7 @@
-//! Vectors of a run: coordinates, speeds and modal coordinates. Their length is known once the scene is read.
+//! Vectors of a run: coordinates, speeds and modal coordinates. Their length is known when the scene has been read.
 //!
-//! Vectors of nalgebra with a dynamic length are on the heap. A run creates several at every event, so these are on the stack up
-//! to ten numbers.
+//! Vectors of nalgebra with a dynamic length are on the heap. A run creates several vectors at every event. So the vectors of this module
+//! are on the stack if they have at most ten numbers.
 //!
 //! Their operations are loops over an index. A zip of iterators contains functions of the standard library that the compiler does not
 //! inline across its units of code: a step of dop853 takes up to a fifth more instructions with them.
@@ -11,7 +11,7 @@ use std::ops::{Add, AddAssign, Deref, DerefMut, Mul, Neg, Sub, SubAssign};
 use nalgebra::{DMatrix, DVector};
 use smallvec::SmallVec;
 
-/// A matrix of a scene.
+/// A matrix whose size is known when the scene has been read.
 pub type Matrix = DMatrix<f64>;
 
 /// Largest length on the stack. It is sufficient for most drivetrains.
@@ -47,20 +47,20 @@ impl Vector {
         dot(self, other)
     }
 
-    /// The vector of `f` of each element.
+    /// The vector of the values of `f` for each element.
     #[inline]
     pub fn map(&self, mut f: impl FnMut(f64) -> f64) -> Vector {
         Vector::from_fn(self.len(), |i| f(self[i]))
     }
 
-    /// The vector of `f` of each pair of elements of this vector and another one.
+    /// The vector of the values of `f` for each pair of elements of this vector and `other` with the same index.
     #[inline]
     pub fn zip_map(&self, other: &[f64], mut f: impl FnMut(f64, f64) -> f64) -> Vector {
         let (a, b) = (&self[..], &other[..self.len()]);
         Vector::from_fn(a.len(), |i| f(a[i], b[i]))
     }
 
-    /// The products of the elements with the same index.
+    /// The products of the elements of this vector and `other` with the same index.
     #[inline]
     pub fn component_mul(&self, other: &[f64]) -> Vector {
         self.zip_map(other, |a, b| a * b)
@@ -90,13 +90,13 @@ impl Vector {
         self.combine(other, |a, b| a + by * b);
     }
 
-    /// Becomes `by` times itself, plus another vector.
+    /// Replaces this vector by `by` times itself plus another vector.
     #[inline]
     pub fn times_plus(&mut self, by: f64, other: &[f64]) {
         self.combine(other, |a, b| b + by * a);
     }
 
-    /// Replaces each element by `f` of it and of the element of another vector.
+    /// Replaces each element by `f` of this element and the element of `other` with the same index.
     #[inline]
     fn combine(&mut self, other: &[f64], f: impl Fn(f64, f64) -> f64) {
         let a = &mut self[..];
@@ -256,7 +256,7 @@ impl SubAssign<&Vector> for Vector {
 impl Mul<&Vector> for &Matrix {
     type Output = Vector;
 
-    /// Column by column, which suits vector instructions.
+    /// Computed column by column, so that the compiler can use vector instructions.
     #[inline]
     fn mul(self, x: &Vector) -> Vector {
         let (n, a) = (self.nrows(), self.as_slice());
@@ -268,7 +268,7 @@ impl Mul<&Vector> for &Matrix {
     }
 }
 
-/// The product of a transposed matrix and a vector.
+/// The product of the transpose of `a` and the vector `x`.
 #[inline]
 pub fn transposed(a: &Matrix, x: &[f64]) -> Vector {
     let (n, numbers) = (a.nrows(), a.as_slice());

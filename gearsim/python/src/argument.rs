@@ -1,5 +1,5 @@
-//! Arguments of functions: what each is, with an example. A value of another type is refused in the words of this table, since those
-//! of PyO3 name types of Rust.
+//! Arguments of functions: what each is, with an example. A value of another type is refused with the text of this table, because
+//! the messages of PyO3 name Rust types.
 //!
 //! Each function reads its arguments with `#[pyo3(from_py_with = argument::NAME)]`. `tests/test_arguments.py` finds arguments that are read in
 //! another way.
@@ -8,7 +8,7 @@ use pyo3::exceptions::{PyOverflowError, PyTypeError, PyValueError};
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyMapping};
 
-/// Reads the value of an argument.
+/// Makes a function for each argument, which reads its value and raises an error with the texts of the table.
 macro_rules! arguments {
     ($($function:ident $($name:literal)?: $allowed:literal, $example:literal;)*) => {$(
         pub fn $function<'a, 'py, T: FromPyObject<'a, 'py>>(value: &'a Bound<'py, PyAny>) -> PyResult<T> {
@@ -70,7 +70,7 @@ fn read<'a, 'py, T: FromPyObject<'a, 'py>>(
     value.extract().map_err(|error: T::Error| {
         let error: PyErr = error.into();
         let out_of_range = error.is_instance_of::<PyOverflowError>(py) || error.is_instance_of::<PyValueError>(py);
-        // Others, such as KeyboardInterrupt, come from code of the caller.
+        // Other errors, such as KeyboardInterrupt, come from the code of the caller and are returned unchanged.
         if !out_of_range && !error.is_instance_of::<PyTypeError>(py) {
             return error;
         }
@@ -88,7 +88,7 @@ fn shown(value: &Bound<'_, PyAny>) -> String {
     }
 }
 
-/// A function.
+/// A Python callable.
 pub struct Function(pub Py<PyAny>);
 
 impl<'a, 'py> FromPyObject<'a, 'py> for Function {
@@ -103,7 +103,7 @@ impl<'a, 'py> FromPyObject<'a, 'py> for Function {
     }
 }
 
-/// A dictionary, or another mapping as one.
+/// A dictionary. Any other mapping is copied into a dictionary.
 pub struct Mapping<'py>(pub Bound<'py, PyDict>);
 
 impl<'a, 'py> FromPyObject<'a, 'py> for Mapping<'py> {

@@ -28,7 +28,7 @@ pub struct Watch {
 struct Interrupted(PyErr);
 /// Payload of the unwinding that ends a thread whose result nobody waits for.
 struct Left;
-/// Stack of a thread of [`left`], that of a main thread [bytes].
+/// Stack size of a thread of [`left`] [bytes]: that of a main thread.
 const STACK: usize = 8 << 20;
 
 impl Watch {
@@ -78,8 +78,8 @@ pub fn detached<T: Send>(
     })
 }
 
-/// Calls `work` without Python's lock, on a thread of its own, for work with long steps: the eigenvalues of one large matrix take seconds.
-/// Ctrl-C ends the call at once; the thread ends when it next calls the function that `work` gets, and its result is dropped.
+/// Calls `work` without Python's lock on a separate thread. This is for work with long steps: the eigenvalues of one large matrix take
+/// seconds. Ctrl-C ends the call at once. The thread ends when `work` next calls its argument; the result of the thread is dropped.
 pub fn left<T: Send + 'static>(py: Python<'_>, work: impl FnOnce(&dyn Fn()) -> T + Send + 'static) -> PyResult<T> {
     let wanted = Arc::new(AtomicBool::new(true));
     let asked = Arc::clone(&wanted);

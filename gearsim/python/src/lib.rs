@@ -40,7 +40,7 @@ fn _check_arguments(
     #[pyo3(from_py_with = argument::threads_per_task)] threads_per_task: Option<NonZeroUsize>,
     #[pyo3(from_py_with = argument::progress)] progress: Option<Function>,
 ) {
-    // To read them is to check them.
+    // PyO3 has already checked the arguments: it read each with its function in `argument`.
     let _ = (scene, out, points_per_task, threads_per_task, progress);
 }
 

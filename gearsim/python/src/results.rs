@@ -104,7 +104,7 @@ impl Results {
     }
 }
 
-/// Number of points in all curves of a figure in a notebook, which keeps its text: 80 kB.
+/// Number of points in all curves of a figure in a notebook. The notebook stores the SVG text, about 80 kB with this number.
 const SHOWN: usize = 4000;
 
 /// Runs that are compared, by their names.
@@ -158,7 +158,7 @@ pub struct Figure {
 
 #[pymethods]
 impl Figure {
-    /// The figure as SVG; with about `points` points in all curves, if given: their extremes stay.
+    /// The figure as SVG. If `points` is given, all curves together have about this many points; their extremes are kept.
     #[pyo3(signature = (points=None))]
     fn svg(&self, #[pyo3(from_py_with = argument::points)] points: Option<usize>) -> PyResult<String> {
         let svg = match points {

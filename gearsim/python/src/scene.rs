@@ -33,7 +33,7 @@ pub struct Definition {
 }
 
 impl Scene {
-    /// The sweep over axes as for `--vary`.
+    /// The sweep over axes, each a text as for `--vary`. `None` if there are no axes.
     pub fn variation(&self, axes: &[String], definition: &Definition) -> Option<gearsim::Variation> {
         let mut axes = axes.iter();
         let first = self.inner.vary(axes.next()?);
@@ -120,7 +120,8 @@ impl Scene {
         Results::new(run.map_err(raised)?)
     }
 
-    /// The scene as text in TOML, with the values that were set; comments stay. `Scene.from_toml` reads it: both run to the same bytes.
+    /// The scene as text in TOML, with the values that were set; comments stay. `Scene.from_toml` reads it; the run of
+    /// that scene has the same numbers, bit for bit.
     fn to_toml(&self) -> PyResult<String> {
         self.inner.to_toml().map_err(raised)
     }
@@ -134,8 +135,9 @@ impl Scene {
         Ok(dict)
     }
 
-    /// Natural frequencies [Hz], damping factors and shapes at the mid stiffnesses, or at `levels` [SI]: a dict a mode. A shape has one number
-    /// for each of the `coordinates` of the scene. `strain_energy` and `kinetic_energy` are dicts too: the shares of stiffnesses and of inertias, by their names in the scene; no strain in a rigid motion.
+    /// Natural frequencies [Hz], damping factors and shapes at the mid stiffnesses, or at `levels` [SI]: one dict per mode. A shape has one
+    /// number for each of the `coordinates` of the scene. `strain_energy` and `kinetic_energy` are dicts too: the shares of the stiffnesses
+    /// and of the inertias, by their names in the scene. `strain_energy` is empty for a rigid motion.
     #[pyo3(signature = (levels=None))]
     fn modes<'py>(
         &self,
@@ -188,11 +190,11 @@ impl Scene {
         advice.map_err(raised)
     }
 
-    /// The response curve over an axis, upward and downward, of the recorded outputs from `start` [s] of each point on. The axis is a text
-    /// as for `--vary`, or a dict of its key and its values, rising: `{"start.speed": numpy.linspace(10.0, 90.0, 50)}`. For each output
-    /// the table has `_mean`, `_rms`, the root mean square about the mean, and `_peak_to_peak`. `hold` is the parameter that holds the
-    /// speed, or "nothing"; without it, if a speed is varied, the set point of a governor, else a torque. `progress` is called with the
-    /// number of finished points now and then.
+    /// The response curve of the recorded outputs over an axis, upward and downward. Each point is measured from its time `start` [s] on.
+    /// The axis is a text as for `--vary`, or a dict of its key and its rising values: `{"start.speed": numpy.linspace(10.0, 90.0, 50)}`.
+    /// For each output the table has `_mean`, `_rms`, the root mean square about the mean, and `_peak_to_peak`. `hold` is the parameter
+    /// that holds the speed, or "nothing". Without `hold`, a varied speed is held by the set point of a governor if there is one, else by
+    /// a torque. `progress` is called with the number of finished points now and then.
     #[pyo3(signature = (axis, start=None, progress=None, hold=None))]
     fn response(
         &self,

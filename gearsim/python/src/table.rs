@@ -41,7 +41,7 @@ impl Table {
         Ok(Table { batch: batch.map_err(|error| PyRuntimeError::new_err(error.to_string()))? })
     }
 
-    /// The table as gearsim has it.
+    /// A copy of the table as the type of gearsim.
     pub fn inner(&self) -> PyResult<gearsim::output::Table> {
         let mut table = gearsim::output::Table::default();
         for (field, array) in self.batch.schema().fields().iter().zip(self.batch.columns()) {
@@ -124,7 +124,7 @@ impl Table {
         py: Python<'py>,
         requested_schema: Option<Bound<'py, PyAny>>,
     ) -> PyResult<Bound<'py, PyCapsule>> {
-        // A request is best effort by the specification; the columns have one type each.
+        // By the specification a request for a schema need not be fulfilled. Each column has only one type, so the request is ignored.
         drop(requested_schema);
         let batches = RecordBatchIterator::new([Ok(self.batch.clone())], self.batch.schema());
         PyCapsule::new_with_value(py, FFI_ArrowArrayStream::new(Box::new(batches)), c"arrow_array_stream")

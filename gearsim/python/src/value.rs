@@ -13,7 +13,7 @@ pub fn flat(table: &Bound<'_, PyDict>, before: &str) -> PyResult<Vec<(String, Va
     for (key, value) in table.iter() {
         let key = format!("{before}{}", path(&key, before)?);
         match value.extract::<Mapping<'_>>() {
-            // A part without keys is a part: it says what it lacks.
+            // An empty nested dict is kept as an empty table: the message about it then names the keys that it lacks.
             Ok(Mapping(table)) if !table.is_empty() || before.is_empty() => {
                 values.extend(flat(&table, &format!("{key}."))?);
             }
@@ -26,7 +26,7 @@ pub fn flat(table: &Bound<'_, PyDict>, before: &str) -> PyResult<Vec<(String, Va
     Ok(values)
 }
 
-/// A key of a table, or several that are joined by dots. A key is written before `=` in the scene, which would end it.
+/// A key of a table, or several keys joined by dots. It must not contain `=`, because values are set by a text `KEY=VALUE`.
 fn path(key: &Bound<'_, PyAny>, before: &str) -> PyResult<String> {
     let path = name(key, before)?;
     if path.contains('=') || path.split('.').any(|part| part.trim().is_empty()) {
@@ -38,7 +38,7 @@ fn path(key: &Bound<'_, PyAny>, before: &str) -> PyResult<String> {
     Ok(path)
 }
 
-/// What has the keys after `before`.
+/// The table with the dotted path `before`, as messages name it.
 fn of_table(before: &str) -> String {
     let table = before.trim_end_matches('.');
     if table.is_empty() { "a scene".into() } else { format!("`{table}`") }

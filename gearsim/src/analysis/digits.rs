@@ -2,8 +2,9 @@
 //! the state.
 //!
 //! A second run, the companion run, starts from a state and parameters that differ by a few roundings. With a numerical method it has
-//! ten times the tolerance (a tenth, if ten times would be more than a scene may have), or twice the time step. It makes rounding errors of its own, and the motion amplifies them as it amplifies
-//! those of the run itself. The distance between the two runs is therefore an estimate of the error:
+//! ten times the tolerance, or twice the time step. (If ten times the tolerance is more than a scene may have, the companion has a tenth of
+//! the tolerance.) The companion has its own rounding errors, and the motion amplifies them as it amplifies those of the run. The distance
+//! between the two runs is therefore an estimate of the error:
 //!
 //! digits = -log10(10 d), where d is the largest difference of a coordinate or speed, in units of its size in the run. The unit of a
 //! coordinate that rotates continuously is one pitch ([`super::work_precision::error`]).
@@ -23,7 +24,7 @@ use crate::tolerance::{analysis, methods};
 /// Maximum number of samples at which the two runs are compared.
 const SAMPLES: usize = 512;
 
-/// The scene of the companion of `run`, a run of `scene`. `ends`: only its end state is needed.
+/// The scene of the companion of `run`, a run of `scene`. `ends` says that only its end state is needed.
 pub fn companion(scene: &Scene, run: &Outcome, ends: bool) -> Scene {
     let trajectory = &run.trajectory;
     let mut other = scene.clone();
@@ -38,15 +39,16 @@ pub fn companion(scene: &Scene, run: &Outcome, ends: bool) -> Scene {
         other.output.rate = scene.output.rate / (samples + 1).next_power_of_two() as f64;
     }
     other.t_end = trajectory.t.last().copied().filter(|t| *t > 0.0).unwrap_or(scene.t_end);
-    // The changes have alternating signs. Equal changes of all numbers could cancel, as a change of the unit of mass does.
+    // The changes have alternating signs. Equal relative changes of all numbers could have no effect, as a change of the unit of mass has
+    // none.
     let part = analysis::PERTURBATION * f64::EPSILON;
     let by = |i: usize| if i.is_multiple_of(2) { 1.0 + part } else { 1.0 - part };
     let sizes = error::sizes(trajectory);
     for (i, coordinate) in scene.model.coordinates.iter().enumerate() {
         let (Some(q), Some(v)) = (trajectory.q[i].first(), trajectory.q_dot[i].first()) else { return other };
-        // A phase may start on a boundary between cells. It is not moved, so that it stays on its side.
+        // A phase may start on a boundary between cells. It is not changed, so that it stays in its cell.
         let is_phase = scene.model.laws.iter().any(|law| law.phase == coordinate.name);
-        // A coordinate that stays at zero has no size to be a part of.
+        // A coordinate that stays at zero has the size zero and is not changed.
         let moved = Some(sizes.0[i] * (by(i) - 1.0)).filter(|moved| !is_phase && moved.is_normal()).unwrap_or(0.0);
         if !is_phase || scene.start.q[i].is_static() {
             other.start.q[i] = Start::At(q + moved);
@@ -55,7 +57,7 @@ pub fn companion(scene: &Scene, run: &Outcome, ends: bool) -> Scene {
     }
     for (i, parameter) in other.parameters.iter_mut().enumerate() {
         let varies = scene.time_histories.iter().any(|(which, _): &(usize, TimeHistory)| *which == i);
-        // Numbers of teeth stay whole numbers, and a parameter that varies in time starts at the value of its course.
+        // Numbers of teeth stay whole numbers, and a parameter that varies in time keeps the first value of its time history.
         if !varies && parameter.fract() != 0.0 {
             *parameter *= by(i);
         }
@@ -66,7 +68,8 @@ pub fn companion(scene: &Scene, run: &Outcome, ends: bool) -> Scene {
         *step *= 2.0;
     }
     let coarser = analysis::COMPANION_TOLERANCE * other.solver.tolerance;
-    // Beyond the largest tolerance that a scene may have, the companion is the more accurate of the two: the distance is the same.
+    // If this exceeds the largest tolerance that a scene may have, the companion is more accurate than the run. The distance still
+    // estimates the error of the less accurate one.
     other.solver.tolerance = match methods::ALLOWED.contains(&coarser) {
         true => coarser,
         false => other.solver.tolerance / analysis::COMPANION_TOLERANCE,

@@ -1,12 +1,13 @@
-//! Dynamic factors of meshes: the largest force of a run over the force without vibration, and beside it K_v of ISO 6336-1, method B.
+//! Dynamic factors of meshes: the largest force of a run over the force without vibration. For comparison: K_v of ISO 6336-1, method B.
 //!
-//! - Largest force: the largest magnitude of the recorded mesh force, over samples and both sides of events, from a time on: `output.from`, or
-//!   that of a sweep.
+//! - Largest force: the largest magnitude of the recorded mesh force over samples and both sides of events. Only rows from a given time on
+//!   count: `output.from`, or the time that a sweep gives.
 //! - Static force: the mesh force without vibration at the torques of the start. If they are not in balance, the gears speed up steadily.
 //! - K_v: ISO 6336-1, method B, for a scene that gives the teeth of the mesh. N is the mean mesh frequency from that time on over
-//!   sqrt(tr M⁻¹K_m)/2 pi, with K_m the part of K from the mesh at its mean stiffness, and with the gears' centres held: for two gears
-//!   sqrt(c_gamma b/m_red)/2 pi of the standard. F_t = F cos(alpha), K_A = 1. The base pitch deviation is the largest difference of
-//!   neighbouring pitch errors of the scene; profile deviation and tip relief are zero, and there is no allowance for running-in.
+//!   the natural frequency sqrt(tr M⁻¹K_m)/2 pi of the gears with their centres held. K_m is the part of K from the mesh at its mean
+//!   stiffness. For two gears this frequency is sqrt(c_gamma b/m_red)/2 pi of the standard. F_t = F cos(alpha), K_A = 1. The base pitch
+//!   deviation is the largest difference of neighbouring pitch errors of the scene. Profile deviation and tip relief are zero, and there is
+//!   no allowance for running-in.
 
 use nalgebra::DMatrix;
 
@@ -20,7 +21,7 @@ use crate::scene::Scene;
 use crate::tolerance::analysis::STATIC_LOAD;
 use crate::trajectory::Trajectory;
 
-/// The dynamic factors of a mesh. A value that does not exist has its reason.
+/// The dynamic factors of a mesh. If a value does not exist, the error says why.
 #[derive(Debug, Clone)]
 pub struct DynamicFactor {
     /// The stiffness law of the mesh.
@@ -110,7 +111,8 @@ fn natural_frequency(scene: &Scene, entry: &Entry, i: usize) -> Result<f64, Stri
     Ok((inverse * held(&(with.stiffness - without.stiffness))).trace().sqrt() / std::f64::consts::TAU)
 }
 
-/// The coordinates that turn a rotor, by the outputs that are rotational speeds; all if there are none. The others move centres.
+/// The coordinates that turn a rotor: those on which an output depends that is a rotational speed. If there are none, all coordinates. The
+/// other coordinates move the centres of gears.
 fn turning(scene: &Scene, system: &System) -> Vec<usize> {
     let (equations, model) = (system.equations(), scene.model);
     let n = model.coordinates.len();

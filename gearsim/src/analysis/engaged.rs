@@ -1,13 +1,14 @@
-//! The gears of each mesh of a run: their teeth, and how they turned, for drawings of them.
+//! The gears of each mesh of a run: their teeth and their rotation, for drawings.
 //!
-//! A pair of teeth at the distance X from the pitch point on the line of action has moved with the driving gear by r_b1 theta_1. The mesh
-//! stiffness says where the pairs are: with a falling step of it a pair leaves contact, at X = g_a, the end of the path of contact. So
+//! X is the position of a pair of teeth on the line of action, measured from the pitch point. It increases by r_b1 times the rotation of
+//! the driving gear. The mesh stiffness gives its value: where the stiffness falls by a step, a pair leaves contact at X = g_a, the end of
+//! the path of contact. So
 //!
 //! ```text
 //! X = r_b1 theta_1 + begin  (modulo p_b),    X of the phase s:  p_b (s - s_end)/period + g_a
 //! ```
 //!
-//! with s_end the phase of that step; of a stiffness from teeth it is the beginning of the first cell.
+//! with s_end the phase of that step. For a stiffness computed from teeth, s_end is the beginning of the first cell.
 
 use crate::engine::equations::Equations;
 use crate::gear::{Contact, Gears};
@@ -24,11 +25,11 @@ mod train;
 /// The data that the scene has of the teeth of a mesh.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum ToothData {
-    /// It has the teeth of the mesh.
+    /// The scene has the teeth of the mesh.
     Teeth,
-    /// It has numbers of teeth and a base radius; heights are those of standard teeth.
+    /// The scene has numbers of teeth and a base radius. The heights of the teeth are standard.
     BaseRadius,
-    /// It has numbers of teeth; lengths are in modules.
+    /// The scene has only numbers of teeth. Lengths are in modules.
     Numbers,
 }
 
@@ -41,17 +42,18 @@ pub struct Engaged<'a> {
     pub gears: Gears,
     /// The data that the scene has of their teeth.
     pub known: ToothData,
-    /// The output that is the speed of the driving gear; `None`: its rotation is that of the mesh phase, relative to the carrier.
+    /// The output that is the speed of the driving gear. If it is `None`, the rotation is computed from the mesh phase, relative to the
+    /// carrier.
     pub rotor: Option<&'static str>,
     /// Rotation of the driving gear in each row \[rad\].
     pub rotation: Vec<f64>,
-    /// The first gear's lead along the line of action in each row [length of `gears`]: the dynamic transmission error.
+    /// Lead of the driving gear along the line of action in each row [length of `gears`]: the dynamic transmission error.
     pub lead: Vec<f64>,
     /// Play along the line of action [length of `gears`]; `None` without the effect.
     pub play: Option<f64>,
     /// Whether the scene has a transmission error of the mesh.
     pub has_error: bool,
-    /// X of a pair of teeth less r_b1 theta_1 [length of `gears`].
+    /// X - r_b1 theta_1 of a pair of teeth, modulo the base pitch [length of `gears`].
     pub begin: f64,
     /// The force of the mesh, if it is recorded.
     pub force: Option<(&'static Output, &'a [f64])>,
@@ -65,8 +67,8 @@ struct Teeth {
     rotor: Option<usize>,
 }
 
-/// The meshes of a run whose numbers of teeth the scene states, in the order of their laws. If the teeth of a mesh cannot be drawn: its
-/// law, and the reason.
+/// The meshes of a run whose numbers of teeth the scene states, in the order of their laws. If the teeth of a mesh cannot be drawn, the
+/// error has its law and the reason.
 pub fn engaged<'a>(scene: &Scene, run: &'a Trajectory) -> Vec<Result<Engaged<'a>, (&'static Law, String)>> {
     let Some(equations) = known::of(scene).and_then(|entry| entry.equations(scene).ok()) else { return vec![] };
     let mut all = vec![];
@@ -97,7 +99,7 @@ fn teeth(scene: &Scene, i: usize) -> Option<Teeth> {
     }
     let (first, second) = (scene.teeth_of(&names[0])?.0, scene.teeth_of(&names[1])?.0);
     let radius = |gear: &str, z: f64| scene.parameter(&format!("r{gear}")).map(|r| r / z);
-    // The base radius per tooth is that of all gears that mesh.
+    // All gears that mesh with each other have the same base radius per tooth.
     let per_tooth = radius(&names[0], first).or_else(|| radius(&names[1], second)).or_else(|| {
         let sun = scene.teeth_of("_s")?.0;
         names.iter().any(|name| name == "_p").then(|| radius("_s", sun))?
@@ -105,8 +107,8 @@ fn teeth(scene: &Scene, i: usize) -> Option<Teeth> {
     Some(standard(scene, [first, second], names[1] == "_r", per_tooth, rotor))
 }
 
-/// Standard teeth with this base radius per tooth \[m\], at the pressure angle of the scene or at 20 deg; with lower tips, if they would
-/// not mesh otherwise.
+/// Standard teeth with the base radius `per_tooth` per tooth \[m\], at the pressure angle of the scene or at 20 deg. The tips are lower if
+/// the teeth would not mesh otherwise.
 fn standard(scene: &Scene, teeth: [f64; 2], internal: bool, per_tooth: Option<f64>, rotor: Option<usize>) -> Teeth {
     let angle = scene.pressure_angle().unwrap_or(20f64.to_radians());
     let (module, known) = match per_tooth.filter(|h| *h > 0.0) {
@@ -119,7 +121,7 @@ fn standard(scene: &Scene, teeth: [f64; 2], internal: bool, per_tooth: Option<f6
     Teeth { gears, known, rotor }
 }
 
-/// How the gears of a mesh turned.
+/// The rotation of the gears of a mesh. `None` if the model has no linear output that is the lead of the mesh.
 fn follow<'a>(
     scene: &Scene,
     run: &'a Trajectory,
@@ -133,7 +135,7 @@ fn follow<'a>(
     let part = law.name.strip_prefix('k')?;
     let dte = model.outputs.iter().position(|o| o.name == format!("dte{}", suffix(part)))?;
     let base = contact.base[0];
-    // The lead as a rotation of the driving gear is a length with its base radius.
+    // A lead in rad is a rotation of the driving gear. Its base radius converts it to a length.
     let length = if model.outputs[dte].unit == "rad" { base } else { 1.0 };
     let state: Vec<f64> = coefficients(scene, equations, dte, false)?;
     let lead: Vec<f64> = sum(&state, &run.q).map(|x| length * x).collect();
@@ -155,7 +157,7 @@ fn follow<'a>(
         .iter()
         .position(|p| p.name == format!("b{part}"))
         .filter(|&i| model.parameters[i].with.is_some_and(|effect| scene.effects.has(effect, model)));
-    // In gear_pair play is an angle phi, as the lead is: b_t = 2 r_b1/N1 b.
+    // In gear_pair the play b is a value of the coordinate phi [rad]. As a length it is b_t = 2 r_b1/N1 b.
     let play_length = match play.map(|i| model.parameters[i].unit) {
         Some("rad") => 2.0 * base / gears.teeth[0],
         _ => 1.0,
@@ -173,7 +175,7 @@ fn suffix(part: &str) -> String {
     if part.is_empty() { String::new() } else { format!("_{part}") }
 }
 
-/// The factors with which the coordinates, or with `rates` their speeds, add up to an output; `None` if it is not linear in them.
+/// The coefficients of an output that is a linear function of the coordinates, or with `rates` of their speeds; `None` if it is not linear.
 fn coefficients(scene: &Scene, equations: &dyn Equations, output: usize, rates: bool) -> Option<Vec<f64>> {
     let n = scene.model.coordinates.len();
     let k = scene.model.in_contact(scene.laws.iter().map(Profile::mid));
@@ -190,7 +192,7 @@ fn coefficients(scene: &Scene, equations: &dyn Equations, output: usize, rates: 
     (at(&zero) == 0.0 && size.is_finite() && (direct - added).abs() <= LINEAR * size).then_some(found)
 }
 
-/// An output is linear if it differs from the sum by at most this fraction of its terms: rounding.
+/// An output is linear if it differs from the sum of its terms by at most this fraction of their magnitudes: a rounding error.
 const LINEAR: f64 = 1e-12;
 
 /// The sum of the columns with these factors, row by row.

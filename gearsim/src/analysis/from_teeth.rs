@@ -1,4 +1,4 @@
-//! What follows from the teeth of a mesh stiffness: contact ratio, overlap ratio, and the levels of the law with their widths.
+//! The data of a mesh stiffness that follow from its teeth: contact ratio, overlap ratio, and the levels of the law with their widths.
 
 use crate::model::{Law, Role};
 use crate::profile::{Profile, Step};
@@ -37,11 +37,11 @@ pub fn of(scene: &Scene) -> Vec<FromTeeth<'_>> {
     from_teeth.collect()
 }
 
-/// Most levels that are named one by one.
+/// Maximum number of levels that are listed one by one.
 const MOST_LEVELS: usize = 6;
 
 impl FromTeeth<'_> {
-    /// In words; `short` writes numbers.
+    /// The data in words; `short` formats numbers.
     pub fn words(&self, short: impl Fn(f64) -> String) -> String {
         let FromTeeth { law, phase_unit, profile, .. } = self;
         let level = |step: &Step| format!("{} {} over {} {phase_unit}", short(step.value), law.unit, short(step.width));

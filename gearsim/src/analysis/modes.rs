@@ -4,7 +4,8 @@
 //! zeta = -Re lambda/|lambda|, damped frequency Im lambda/2 pi, mode shape phi, complex if damping couples the modes.
 //!
 //! About an equilibrium or a steady motion, C and K need not be symmetric (`general.rs`). Energies are those of the forces that have a
-//! potential. Where M and K change along the motion, the modes are those of one place (`over_a_turn`: of all places).
+//! potential. If M and K change along the motion, the modes are those at one position; `over_a_turn` computes the natural frequencies at
+//! all positions.
 //!
 //! - Share of a stiffness law in the strain energy: phi* (K(k) - K(k without the law)) phi/(phi* K phi), since K is linear in
 //!   the laws. Share of a spring: phi* K_s phi/(phi* K phi), see `springs.rs`.
@@ -101,7 +102,8 @@ pub(crate) fn combinations(courses: &[SteadyLaw]) -> Vec<Vec<f64>> {
     (0..count).map(levels).collect()
 }
 
-/// The modes of the cell with law values `k` \[SI\], and the shares of `parts` in their energies. `watch` is called many times meanwhile.
+/// The modes of the cell with law values `k` \[SI\], and the shares of `parts` in their energies. `watch` is called many times during the
+/// computation.
 ///
 /// # Errors
 /// Those of [`Modal::of`].
@@ -179,24 +181,24 @@ fn vibration(mode: &Mode, shape: DVector<Complex<f64>>, m: &Matrices, forms: &Fo
     }
 }
 
-/// Natural frequencies along a motion along which M or K change.
+/// Natural frequencies over a turn of a motion along which M or K change.
 #[derive(Debug, Clone)]
 pub(crate) struct OverATurn {
     /// How long a turn takes \[s\].
     pub time: f64,
-    /// Lowest and highest natural frequency of each mode over the places of a turn \[Hz\], by ascending frequency at each place.
+    /// Lowest and highest natural frequency of each mode over the positions of a turn \[Hz\], by ascending frequency at each position.
     pub natural: Vec<[f64; 2]>,
 }
 
-/// What is said of modes whose coefficients change along the motion.
+/// The note on modes whose coefficients change along the motion.
 pub(crate) const AT_A_PLACE: &str = "Coefficients change along the motion: these are the modes at this position of the cycle. They do not tell \
      whether the motion is stable; gearsim floquet does.";
 
-/// Number of places of a turn: the inertia of a crank has few harmonics.
+/// Number of positions in a turn at which modes are computed. The inertia of a crank has few harmonics.
 const PLACES: u32 = 72;
 
-/// The natural frequencies at the places of a turn with law values `k`, at the speeds of the start; `None` if the matrices do not change, or do
-/// not repeat.
+/// The natural frequencies at the positions of a turn with law values `k`, at the speeds of the start. `None` if the matrices do not change
+/// along the motion, or do not repeat.
 ///
 /// # Errors
 /// Those of [`of`].

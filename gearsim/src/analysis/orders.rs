@@ -8,8 +8,8 @@
 //! A_m = 2 |sum_n w_n x_n exp(-2 pi i m n/(4 N))| / sum_n w_n,    m > 0
 //! ```
 //!
-//! the peak amplitude of a line at that order. The orders are four times as close as independent lines would be: of a line between two
-//! of them 1 % of the amplitude is lost at most, instead of 15 %. Sources: K. R. Fyfe, E. D. S. Munck, Mech. Syst. Signal Process. 11 (1997) 187-205
+//! the peak amplitude of a line at that order. The orders are four times as close as independent lines would be: a line between two of them
+//! loses at most 1 % of its amplitude, instead of 15 %. Sources: K. R. Fyfe, E. D. S. Munck, Mech. Syst. Signal Process. 11 (1997) 187-205
 //! (computed order tracking); G. Heinzel, A. Rüdiger, R. Schilling (2002), Eq. (24) (window correction).
 
 mod cuts;
@@ -48,33 +48,34 @@ impl Orders {
         highest(&self.order, self.amplitude.iter().map(|a| a * a), share)
     }
 
-    /// The amplitude at `order`, between two orders of the spectrum interpolated; `None` beyond the last order. What is up to
-    /// [`BANDWIDTH`]/2 lines away contributes to it.
+    /// The amplitude at `order`, interpolated between the orders of the spectrum; `None` beyond the last order. Lines up to [`BANDWIDTH`]/2
+    /// lines away contribute to it.
     pub fn at(&self, order: f64) -> Option<f64> {
         let amplitude = interpolated(&self.amplitude, order * (self.revolutions * CLOSER) as f64)?;
         Some(amplitude.max(0.0))
     }
 
-    /// Whether the spectrum has a line of its own at `order`.
+    /// Whether the spectrum has a separate line at `order`.
     fn stands_out(&self, order: f64) -> bool {
         stands_out(&self.amplitude, order * (self.revolutions * CLOSER) as f64, CLOSER as f64, |x| PROMINENCE * x)
     }
 }
 
-/// Amplitude of a line over the median of the amplitudes about it, from which on it is no noise \[1\].
+/// A line counts as noise if its amplitude over the median of the amplitudes around it is at most this \[1\].
 pub(crate) const PROMINENCE: f64 = 3.0;
-/// Lines on either side of a line whose median is taken.
+/// Number of lines on either side of a line over which this median is taken.
 const ABOUT: f64 = 12.0;
 
-/// Whether a curve has a line of its own at a `place` between its points: it is higher there than the width of a `line` to either side, and
-/// than `least` of the median of the curve about it. A line is half as high at its width; the skirt of another one is higher on one side.
+/// Whether a curve has a separate line at a `place` between its points. The curve must be higher there than at the distance `line` on
+/// either side, and higher than `least` of the median of the curve around it. A line has half its height at this distance. On the skirt of
+/// another line, the curve is higher on one side.
 pub(crate) fn stands_out(y: &[f64], place: f64, line: f64, least: impl Fn(f64) -> f64) -> bool {
     let at = |place| interpolated(y, place);
     let higher = |than: Option<f64>| at(place).zip(than).is_some_and(|(here, there)| here > there);
     higher(at(place - line)) && higher(at(place + line)) && higher(median_about(y, place, ABOUT * line).map(least))
 }
 
-/// The median of the values of a curve up to `reach` points from a place; without the first one, which is the remainder of the mean.
+/// The median of the values of a curve up to `reach` points from a place. The first point is left out: it is the remainder of the mean.
 fn median_about(y: &[f64], place: f64, reach: f64) -> Option<f64> {
     let (first, end) = ((place - reach).max(1.0) as usize, ((place + reach) as usize + 1).min(y.len()));
     let mut about: Vec<f64> = y.get(first..end)?.iter().copied().filter(|y| !y.is_nan()).collect();
@@ -82,11 +83,11 @@ fn median_about(y: &[f64], place: f64, reach: f64) -> Option<f64> {
     about.get(about.len() / 2).copied()
 }
 
-/// Width of the band that the Hann window passes with less than 3 dB of loss \[lines, of which there are R in an order\]. F. J. Harris,
-/// Proc. IEEE 66 (1978) 51-83, Table 1.
+/// Width of the band that the Hann window passes with less than 3 dB of loss \[lines\]. An order has R lines. F. J. Harris, Proc. IEEE 66
+/// (1978) 51-83, Table 1.
 pub const BANDWIDTH: f64 = 1.44;
 
-/// The value of a curve with evenly spaced points at a `place` between two of them: of the parabola through the nearest three.
+/// The value at a `place` between two points of a curve with evenly spaced points: that of the parabola through the three nearest points.
 fn interpolated(y: &[f64], place: f64) -> Option<f64> {
     if y.len() < 3 || !(0.0..=(y.len() - 1) as f64).contains(&place) {
         return None;
@@ -97,7 +98,7 @@ fn interpolated(y: &[f64], place: f64) -> Option<f64> {
     Some(at + 0.5 * d * (after - before) + 0.5 * d * d * (after - 2.0 * at + before))
 }
 
-/// How many times as close as lines, which are 1/R apart, the orders are. Zeros after the samples interpolate the transform.
+/// Number of orders of a spectrum per line; lines are 1/R apart. Zeros appended to the samples interpolate the transform.
 pub(crate) const CLOSER: usize = 4;
 
 /// Evenly spaced samples of a run, with the angle of a shaft.
@@ -105,18 +106,18 @@ pub(crate) const CLOSER: usize = 4;
 pub struct Turning {
     /// The rows of the trajectory.
     pub rows: Vec<usize>,
-    /// Angle of the shaft at each, from the first \[revolutions\].
+    /// Angle of the shaft at each row, from the first row \[revolutions\].
     pub angle: Vec<f64>,
     /// The sampling rate \[Hz\].
     pub rate: f64,
 }
 
-/// Revolutions that a spectrum over orders needs to separate neighbouring ones: the main lobe of the Hann window is 4 lines wide.
+/// Revolutions that a spectrum over orders needs to separate neighbouring orders: the main lobe of the Hann window is 4 lines wide.
 const ENOUGH: f64 = 4.0;
 
-/// The shaft to whose turns orders refer. If `asked` names a recorded output, it is the shaft with this speed. Otherwise it is the first
-/// recorded rotor that makes at least four revolutions, of those that turn in a fixed ratio with a mesh if there is one: the speed of a motor
-/// behind a freewheel does not tell mesh orders. Else it is the rotor that makes the most revolutions.
+/// The shaft to which orders refer. If `asked` names a recorded output, it is the shaft with this speed. Otherwise it is the first recorded
+/// rotor that makes at least four revolutions and turns in a fixed ratio to a mesh: a motor behind a freewheel has no constant mesh orders.
+/// If there is none, it is the first rotor that makes at least four revolutions, or else the rotor that makes the most revolutions.
 pub fn reference_shaft(run: &Trajectory, asked: Option<&str>) -> Option<&'static Output> {
     if let Some(found) = run.outputs.iter().find(|(output, _)| asked == Some(output.name)) {
         return Some(found.0);
@@ -173,7 +174,7 @@ impl Turning {
         self.angle.last().map_or(0, |angle| angle.floor() as usize)
     }
 
-    /// The orders of all its spectra.
+    /// The orders of all spectra of these samples \[1\].
     ///
     /// # Errors
     /// [`SpectrumError::NoRevolution`] if there is less than one revolution, [`SpectrumError::TooShort`].
@@ -182,7 +183,7 @@ impl Turning {
         Ok((0..CLOSER * n / 2 + 1).map(|m| m as f64 / (CLOSER * self.revolutions()) as f64).collect())
     }
 
-    /// How many values at equal angles a spectrum is made of: no more than samples, since the interpolation adds no content.
+    /// Number of values at equal angles in a spectrum. It is at most the number of samples, since the interpolation adds no content.
     fn values(&self) -> Result<usize, SpectrumError> {
         let revolutions = self.revolutions();
         let n = (self.rows.len() as f64 * revolutions as f64 / self.angle[self.angle.len() - 1]) as usize / 2 * 2;
@@ -208,8 +209,8 @@ impl Turning {
     }
 }
 
-/// The integral of evenly spaced samples from the first on, exact for cubic polynomials but in the first and last interval, where it is
-/// for parabolas.
+/// The integral of evenly spaced samples from the first on. It is exact for cubic polynomials, in the first and last interval for
+/// parabolas.
 fn integral(x: &[f64], h: f64) -> Vec<f64> {
     let last = x.len() - 1;
     let mut sum = vec![0.0; x.len()];
@@ -251,7 +252,7 @@ fn amplitudes(x: &[f64]) -> Vec<f64> {
     let mut input: Vec<f64> = x.iter().zip(&window).map(|(x, w)| (x - mean) * w).collect();
     input.resize(CLOSER * n, 0.0);
     let mut output = fft.make_output_vec();
-    // It fails only on buffers of the wrong length; these were made for it.
+    // The transform fails only on buffers of the wrong length; these were made for it.
     let _ = fft.process(&mut input, &mut output);
     let scale = 2.0 / window.iter().sum::<f64>();
     output.iter().map(|c| scale * c.norm()).collect()

@@ -1,10 +1,10 @@
 //! Load spectra: rainflow counts and the load duration distribution of a recorded column.
 //!
 //! Rainflow counting by the three-point rule of ASTM E1049-85 (2017), section 5.4.4. The reversals of the column are read one after the
-//! other. With the range X of the last two and the range Y before it: while X >= Y, Y is counted as a cycle and its two points are removed.
-//! If Y contains the first remaining point, it is counted as half a cycle, and only this point is removed. In the end each remaining range
-//! is counted as half a cycle. The reversals are those of all rows, samples and both sides of events, so that a peak at an event is not
-//! missed.
+//! other. X is the range of the last two reversals, Y the range before it. While X >= Y, Y is counted as a cycle and its two points are
+//! removed. If Y contains the first remaining point, it is counted as half a cycle, and only this point is removed. In the end each
+//! remaining range is counted as half a cycle. The reversals are those of all rows, samples and both sides of events, so that a peak at an
+//! event is not missed.
 
 use crate::trajectory::Trajectory;
 
@@ -103,7 +103,7 @@ pub struct Class {
     pub high: f64,
     /// Cycles.
     pub count: f64,
-    /// Mean of the means of its cycles, weighed by their counts; NaN without cycles.
+    /// Mean of the means of its cycles, weighted by their counts; NaN without cycles.
     pub mean: f64,
     /// Cycles with a range above the lower limit.
     pub exceeded: f64,

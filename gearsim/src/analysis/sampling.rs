@@ -1,15 +1,16 @@
-//! Whether samples are close enough for what a run contains. Content above half the sampling rate is folded to lower frequencies: spectra, lines of
-//! mesh orders, sounds and load cycles then have frequencies and amplitudes that the motion does not have.
+//! Whether the samples of a run are close enough for its vibrations. Content above half the sampling rate is folded to lower frequencies.
+//! Spectra, lines of mesh orders, sounds and load cycles then have frequencies and amplitudes that the motion does not have.
 //!
-//! Speeds tell. Between two samples, h apart, a coordinate moves by the integral of its speed. By the trapezoidal rule a component of the
-//! coordinate with the angular frequency w and the amplitude A is missed by 2 A (sin x - x cos x), x = w h/2: by 0.04 A at sixteen samples a
-//! period, by 0.3 A at four, by 2 A at two, and by more below.
+//! The recorded speeds show it. Between two samples, h apart, a coordinate moves by the integral of its speed. The trapezoidal rule has an
+//! error there: for a component of the coordinate with the angular frequency w and the amplitude A it is at most 2 A (sin x - x cos x), x =
+//! w h/2. This is 0.04 A at eight samples a period, 0.3 A at four, 2 A at two, and more with fewer samples.
 
 use crate::analysis::spectrum::uniform_samples;
 use crate::tolerance::analysis::{FOLDED, STILL};
 use crate::trajectory::Trajectory;
 
-/// The coordinate whose samples from the time `from` \[s\] on are too far apart, and the rate \[Hz\] of the samples; `None` if there is none.
+/// The first coordinate whose samples from the time `from` \[s\] on are too far apart, and the rate \[Hz\] of the samples; `None` if there
+/// is no such coordinate.
 pub fn too_far_apart(run: &Trajectory, from: f64) -> Option<(&'static str, f64)> {
     let (mut rows, rate) = uniform_samples(run).ok()?;
     rows.retain(|&row| run.t[row] >= from);
@@ -21,14 +22,14 @@ pub fn too_far_apart(run: &Trajectory, from: f64) -> Option<(&'static str, f64)>
         });
         let missed: f64 = steps.map(|x| x * x).sum();
         let (varies, size) = about_a_line(rows.iter().map(|&row| (run.t[row], q[row])));
-        // A speed that does not vary leaves rounding errors alone.
+        // If the speed is constant, only rounding errors are left.
         varies > STILL * size && missed > FOLDED * FOLDED * varies
     };
     let found = (0..run.q.len()).find(missed)?;
     Some((run.model.coordinates[found].name, rate))
 }
 
-/// The sum of the squared distances of points from the line that fits them best, and that of their own squares.
+/// The sum of the squared distances of points from the line that fits them best, and the sum of their squared values.
 fn about_a_line(points: impl Iterator<Item = (f64, f64)> + Clone) -> (f64, f64) {
     let n = points.clone().count() as f64;
     let (t, x) = points.clone().fold((0.0, 0.0), |sum, (t, x)| (sum.0 + t / n, sum.1 + x / n));

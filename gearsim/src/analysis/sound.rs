@@ -28,7 +28,7 @@ const LONGEST: f64 = 600.0;
 pub struct Sound {
     /// Values from -1 to 1 at [`RATE`].
     pub values: Vec<f64>,
-    /// The value of the signal without its mean that would be 1, full scale [unit of the signal].
+    /// The deviation of the signal from its mean that corresponds to 1, full scale [unit of the signal].
     pub full_scale: f64,
     /// The mean that was subtracted [unit of the signal].
     pub mean: f64,
@@ -67,7 +67,7 @@ pub fn of(run: &Trajectory, column: &[f64], stretch: f64) -> Result<Sound, Sound
     }
     let mean = x.iter().sum::<f64>() / x.len() as f64;
     let x: Vec<f64> = x.iter().map(|x| x - mean).collect();
-    // Samples of the signal between two of the sound.
+    // Distance of two samples of the sound, in samples of the signal.
     let step = rate / (stretch * f64::from(RATE));
     let mut values = resampled(&x, step);
     let largest = values.iter().fold(0.0, |m: f64, x| m.max(x.abs()));
@@ -79,7 +79,7 @@ pub fn of(run: &Trajectory, column: &[f64], stretch: f64) -> Result<Sound, Sound
     Ok(Sound { values, full_scale, mean })
 }
 
-/// `x` at the places 0, `step`, .., without what is above half the lower rate. Beyond its ends it is zero.
+/// `x` at the places 0, `step`, .., without frequencies above half the lower rate. Beyond its ends `x` counts as zero.
 fn resampled(x: &[f64], step: f64) -> Vec<f64> {
     let s = (1.0 / step).min(1.0);
     let reach = ZEROS / s;
@@ -136,7 +136,7 @@ mod tests {
         let x: Vec<f64> = x.iter().map(|x| x - 7.0).collect();
         let step = 20.0 / 48.0;
         let found = resampled(&x, step);
-        // Away from the ends; the window lets pass 1e-4 of what is near half the rate, and this is far from it.
+        // Compare away from the ends. The window passes 1e-4 of the content near half the rate; the sine is far below it.
         let middle = 200..found.len() - 200;
         let error = middle.map(|i| (found[i] - 2.5 * (TAU * 0.05 * i as f64 * step).sin()).abs()).fold(0.0, f64::max);
         assert!(error < 2e-4, "{error}");

@@ -8,8 +8,8 @@
 //! unit^2/Hz: its integral over f is the mean square of the signal without its mean.
 //!
 //! The noise bandwidth is B = fs sum w²/(sum w)², 1.5 lines for the Hann window. The power P B in it is that of a sine at f_m with the root
-//! mean square sqrt(P B) and the peak amplitude sqrt(2 P B). A sine between two lines reads up to 15 % less; its power is that of the lines
-//! about it together ([`Spectrum::power`]).
+//! mean square sqrt(P B) and the peak amplitude sqrt(2 P B). A sine between two lines reads up to 15 % less; its power is the sum of the
+//! powers of the lines around it ([`Spectrum::power`]).
 //!
 //! Sources: P. D. Welch, IEEE Trans. Audio Electroacoust. 15 (1967) 70-73, doi:10.1109/TAU.1967.1161901;
 //! normalisation as in G. Heinzel, A. Rüdiger, R. Schilling, "Spectrum and spectral density estimation by the DFT",
@@ -93,7 +93,7 @@ pub enum SpectrumError {
     /// A shaft that turns too little for a spectrum over orders.
     #[error("the shaft makes {turned:.2} of a revolution, and orders need a whole one; let the run last longer")]
     NoRevolution {
-        /// What it turns \[revolutions\].
+        /// The revolutions that it makes \[1\].
         turned: f64,
     },
     /// Samples that are not evenly spaced.
@@ -119,7 +119,7 @@ pub enum SpectrumError {
 /// A signal of fewer samples is one segment: four segments would be too short to resolve anything.
 const SHORT: usize = 256;
 
-/// The longest even length of segments of which there are four; the whole of a signal with fewer than 256 samples.
+/// The longest even segment length that gives four segments; the whole length of a signal with fewer than 256 samples.
 pub fn segment_length(samples: usize) -> usize {
     // Four segments overlapping by half cover 2.5 of their length.
     if samples < SHORT { samples } else { samples * 2 / 5 / 2 * 2 }
@@ -156,7 +156,7 @@ pub fn welch(x: &[f64], rate: f64, segment: usize) -> Result<Spectrum, SpectrumE
         for ((v, x), w) in input.iter_mut().zip(part).zip(&window) {
             *v = (x - mean) * w;
         }
-        // This fails only on buffers of the wrong length; these were made for it.
+        // The transform fails only on buffers of the wrong length; these were made for it.
         if fft.process(&mut input, &mut output).is_err() {
             return Err(SpectrumError::BadSegment { segment, samples: x.len() });
         }
@@ -179,7 +179,7 @@ pub fn frequencies(rate: f64, segment: usize) -> Vec<f64> {
     (0..segment / 2 + 1).map(|m| m as f64 * rate / segment as f64).collect()
 }
 
-/// The place above which less than a fraction `share` of the power lies; 0 if there are none.
+/// The place above which less than a fraction `share` of the power lies; 0 if there are no places.
 pub(super) fn highest(places: &[f64], power: impl DoubleEndedIterator<Item = f64> + Clone, share: f64) -> f64 {
     let mut left = share * power.clone().sum::<f64>();
     let above = power.rev().take_while(|p| {

@@ -30,8 +30,8 @@ impl Statistics {
         Statistics::after(None, t, x, moments)
     }
 
-    /// The same from the time `begin` \[s\] on, which need not be that of a row. For a periodic column over whole periods mean and root mean
-    /// square are exact, if the samples resolve it. `None` if less than two rows are later.
+    /// The same from the time `begin` \[s\] on, which need not be that of a row. For a periodic column over whole periods, mean and root
+    /// mean square are exact if the samples resolve it. `None` if fewer than two rows are later.
     pub fn between(t: &[f64], x: &[f64], moments: &[Moment], begin: f64) -> Option<Statistics> {
         let first = t.partition_point(|&t| t <= begin);
         if first + 1 >= t.len() {

@@ -102,7 +102,7 @@ pub fn speeds(scene: &Scene, system: &System) -> Vec<f64> {
     speeds
 }
 
-/// Whether springs resist the rigid motions by which a scene states its speeds, as with a support to the ground. `k` are the law values.
+/// Whether springs act against the rigid motions at the speeds of the scene, e.g. a spring to the ground. `k` are the law values \[SI\].
 ///
 /// # Errors
 /// [`Refusal`] if the cell has no matrices.
@@ -127,8 +127,8 @@ pub fn courses(scene: &Scene, system: &System) -> Result<Vec<SteadyLaw>, Refusal
     Ok(all)
 }
 
-/// The laws that act on small disturbances: the stiffnesses, and about a steady motion those of friction too. Transmission errors are zero
-/// there.
+/// The laws that act on small disturbances: the stiffnesses and, if the equations are linearised about a steady motion, the laws of
+/// friction. Transmission errors are set to zero in that case.
 ///
 /// # Errors
 /// [`Refusal`] if the start of the scene cannot be determined.
@@ -143,7 +143,7 @@ pub fn acting(scene: &Scene, system: &System) -> Result<Vec<SteadyLaw>, Refusal>
     Ok(all)
 }
 
-/// All laws of a scene in steady rotation: the stiffnesses, then the transmission errors. The latter do not act on small disturbances.
+/// All laws of a scene in steady rotation, the stiffnesses first. Transmission errors do not act on small disturbances.
 ///
 /// # Errors
 /// [`Refusal`] if the start of the scene cannot be determined.

@@ -1,7 +1,8 @@
 //! The turn of a motion along which M and F change: the smallest shift of the turning coordinates after which the equations are the same.
 //!
-//! The coordinates move on together, as their speeds at the start are to one another. The shift is a whole number of pitches of all laws,
-//! or, where the phase has no law, a whole number or a whole part of 2 pi. It is found by comparing the equations at shifted places.
+//! The shifts of the coordinates have the ratios of their speeds at the start. A turn is a whole number of periods of every law that turns.
+//! If no law turns, the shift of the reference coordinate is a whole multiple or a whole part of 2 pi. The turn is found by comparing the
+//! equations at shifted places.
 
 use std::f64::consts::TAU;
 
@@ -15,9 +16,10 @@ use crate::tolerance::analysis::{FREQUENCY_RATIO, TURN_PITCHES};
 /// A turn.
 #[derive(Debug, Clone)]
 pub struct Turn {
-    /// Index of the coordinate by which it is counted: the phase of the first law that steps, else the first coordinate that turns.
+    /// Index of the coordinate by which it is counted: the phase of the first law that varies and turns, else the first coordinate that
+    /// turns.
     pub reference: usize,
-    /// How far every coordinate moves on (n) [SI].
+    /// Advance of every coordinate (n) \[SI\].
     pub shift: Vector,
     /// How long it takes at the speeds of the start \[s\].
     pub time: f64,
@@ -27,7 +29,7 @@ pub struct Turn {
 const PARTS: [f64; 6] = [12.0, 6.0, 4.0, 3.0, 2.0, 1.0];
 
 impl Turn {
-    /// The turn of the motion of a scene; `None` if nothing turns, or the equations are the same after no turn.
+    /// The turn of the motion of a scene; `None` if nothing turns, or if there is no turn after which the equations are the same.
     ///
     /// # Errors
     /// If the start of the scene cannot be determined.
@@ -61,7 +63,7 @@ impl Turn {
 
     /// Whether the equations are the same after the turn, from several places.
     fn returns(&self, system: &System, about: &Steady, laws: (&[f64], &[f64])) -> bool {
-        // Fractions of a turn at which symmetric equations have no zeros: at a zero the comparison would be one of rounding errors.
+        // Fractions of a turn at which symmetric equations have no zeros: at a zero only rounding errors would be compared.
         const PLACES: [f64; 3] = [0.137_035_999, 0.360_679_774, 0.618_033_988_7];
         PLACES.iter().all(|part| {
             let one = &about.q + &(&self.shift * *part);

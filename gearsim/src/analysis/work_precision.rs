@@ -38,8 +38,8 @@ pub struct WorkPrecision {
     pub curves: Vec<MeasuredFamily>,
 }
 
-/// Measures a scene, and the same under the cheaper equations of `scenes`. Each point is timed by at most `repetitions` runs. `say` gets
-/// the name of what is being run.
+/// Measures a scene, and the same scene under the cheaper equations of `scenes`. Each point is timed by at most `repetitions` runs. `say`
+/// gets the name of what is being run.
 ///
 /// # Errors
 /// Why the reference cannot be computed, in words.

@@ -22,7 +22,7 @@ use crate::scene::Scene;
 Prints the scene's dimensionless groups. Then estimates, for each of its effects, how far the
 recorded quantities would change without it: from the settled motion in steady rotation, which needs
 no run, or from a short run if that motion cannot be computed. Then runs the scene with and without
-each effect, and prints the true deviation, and the time saved, below the estimate.
+each effect, and prints the true deviation, and the change of the computing time, below the estimate.
 
 Writes advise.json if --out or --html is given.
 
@@ -57,7 +57,7 @@ impl Verb for Advise {
         self.printing.print(|| advice.json(&scene), text)?;
         match (advice.stopped, advice.refuted) {
             (Some(stop), _) => Err(Failure::StoppedAdvice { scene: scene.name, stop }),
-            // The deviations are those from a wrong result.
+            // The energy account of the scene does not close, so that the deviations refer to a wrong result.
             (None, Some(account)) => Err(Failure::RefutedAdvice { scene: scene.name, account }),
             (None, None) => Ok(()),
         }

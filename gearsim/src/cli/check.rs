@@ -48,11 +48,11 @@ struct Report<'a> {
     model: &'a str,
     effects: Vec<&'static str>,
     method: &'a str,
-    /// Why it is this method.
+    /// Why this method was chosen.
     why: &'a str,
     /// Coordinates at the start [SI].
     start: Named,
-    /// Their speeds [SI].
+    /// Speeds of the coordinates at the start [SI].
     start_speeds: Named,
     warnings: &'a [String],
 }

@@ -1,4 +1,4 @@
-//! What is evaluated of a run beside its statistics, as text: loads of meshes, lines, load spectra and sounds.
+//! Results of a run besides its statistics, as text: loads of meshes, lines, load spectra and sounds.
 
 use super::{number::short, report};
 use crate::analysis::orders::{Line, force, term};
@@ -71,7 +71,7 @@ fn played(stretch: f64) -> String {
 }
 
 #[test]
-fn the_speed_of_a_sound_is_told_with_what_it_does_to_frequencies() {
+fn the_playing_speed_of_a_sound_is_stated_with_the_change_of_frequencies() {
     assert_eq!(played(1.0), "played at its real speed and pitch");
     assert_eq!(played(4.0), "played 4 times slower than it happens, so that each frequency is divided by 4");
     assert_eq!(played(0.5), "played 2 times faster than it happens, so that each frequency is multiplied by 2");

@@ -32,7 +32,7 @@ pub(super) enum Failure {
     #[error("{run} stopped early: {stop}\n  the results until then are in {folder}", folder = folder.display())]
     Stopped { run: String, stop: Box<Stop>, folder: PathBuf },
     /// Advice is based on a run whose energy account does not close.
-    #[error("the advice is worth nothing, because the result of scene {scene} is wrong: {account}")]
+    #[error("the advice is not valid, because the result of scene {scene} is wrong: {account}")]
     RefutedAdvice { scene: String, account: Account },
     /// Advice is based on a run that stopped before its end.
     #[error("the advice is that of the beginning only, because the run of scene {scene} stopped early: {stop}")]

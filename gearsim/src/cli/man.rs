@@ -48,7 +48,7 @@ fn page(files: &mut OutputFolder, name: String, command: &clap::Command) -> Resu
     files.write(&format!("{name}.1"), |sink| Ok(render(&name, command, sink)?))
 }
 
-/// The page: its synopsis is the usage of the help, and what follows the options in the help keeps its lines.
+/// Renders the page. Its synopsis is the usage line of the help. The help text after the options becomes the section DETAILS.
 fn render(name: &str, command: &clap::Command, sink: &mut dyn Write) -> io::Result<()> {
     let man = Man::new(command.clone()).title(name);
     man.render_title(sink)?;
@@ -69,7 +69,7 @@ fn render(name: &str, command: &clap::Command, sink: &mut dyn Write) -> io::Resu
     Ok(())
 }
 
-/// A text for a page: indented lines, of tables and commands, stay as they are; others are filled to paragraphs.
+/// A text as roff. Indented lines, which are tables and commands, are kept; other lines are filled to paragraphs.
 fn details(text: &str) -> String {
     let mut page = String::new();
     let mut stays = false;
@@ -85,7 +85,7 @@ fn details(text: &str) -> String {
     page + if stays { ".fi\n" } else { "" }
 }
 
-/// A line without what roff takes for its own.
+/// A line in which the characters are escaped that roff would interpret.
 fn escaped(line: &str) -> String {
     let line = line.replace('\\', "\\e").replace('-', "\\-");
     if line.starts_with(['.', '\'']) { format!("\\&{line}") } else { line }

@@ -118,8 +118,8 @@ fn program() -> clap::Command {
     COMMANDS.iter().fold(program, |program, command| program.subcommand((command.describe)()))
 }
 
-/// Runs the program with the arguments of the process, and returns its exit code. It knows the models `own` besides those of gearsim: the
-/// command line of a crate with models of its own is
+/// Runs the program with the arguments of the process, and returns its exit code. The program knows the models `own` besides those of
+/// gearsim. The command line of a crate with its own models is
 ///
 /// ```ignore
 /// fn main() -> std::process::ExitCode {
@@ -130,12 +130,12 @@ pub fn run(own: &[Entry]) -> ExitCode {
     run_with(own, std::env::args_os())
 }
 
-/// The same with other arguments; the first is the name of the program.
+/// As [`run()`], with the given arguments; the first is the name of the program.
 pub fn run_with(own: &[Entry], arguments: impl IntoIterator<Item = impl Into<OsString> + Clone>) -> ExitCode {
     ExitCode::from(status(own, arguments))
 }
 
-/// The same; the exit code as a number.
+/// As [`run_with`]; returns the exit code as a number.
 pub fn status(own: &[Entry], arguments: impl IntoIterator<Item = impl Into<OsString> + Clone>) -> u8 {
     known::add(own);
     let result = program().try_get_matches_from(arguments).map_err(Failure::Usage).and_then(|matches| {

@@ -62,7 +62,7 @@ struct Report<'a> {
     model: &'a str,
     /// Names of the coordinates, in the order of `shape`.
     coordinates: Vec<&'a str>,
-    /// Their SI units: those of the amplitudes in `shape`.
+    /// SI units of the coordinates, which are those of the amplitudes in `shape`.
     units: Vec<&'a str>,
     /// Names of the laws, in the order of `levels` and `strain_energy`.
     laws: Vec<&'a str>,
@@ -83,7 +83,7 @@ struct Report<'a> {
     natural_frequencies_over_a_turn: Option<&'a [[f64; 2]]>,
     /// What the analysis leaves out because it is linear.
     left_out: Vec<&'static str>,
-    /// The steady motion about which forces are linearised that are not linear.
+    /// The steady motion about which nonlinear forces are linearised.
     #[serde(skip_serializing_if = "Option::is_none")]
     linearised: Option<Linearised<'a>>,
     /// Names of the other files in the same folder.
@@ -108,7 +108,7 @@ struct ModeReport {
     damped_frequency: f64,
     /// Damping factor zeta; `null` for a rigid motion.
     damping_factor: Option<f64>,
-    /// Rate at which a disturbance grows [1/s]; left out where none does.
+    /// Rate at which a disturbance grows [1/s]; left out if no disturbance grows.
     #[serde(skip_serializing_if = "Option::is_none")]
     growth_rate: Option<f64>,
     /// Mode shape: real and imaginary part for each coordinate.

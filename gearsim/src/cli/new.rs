@@ -57,7 +57,7 @@ const FILES: &[(&str, &str)] = &[
     ("tests/by_hand.rs", include_str!("new/template/tests/by_hand.rs")),
 ];
 
-/// Names that cannot be those of a crate beside its parts, or that Rust reserves.
+/// Names that the new crate cannot have: other crates in it, or Rust, use them.
 const TAKEN: &[&str] = &["energies", "gearsim", "test", "core", "std", "alloc", "proc-macro"];
 
 /// Words of Rust, which cannot be names of modules (The Rust Reference, "Keywords").
@@ -79,7 +79,7 @@ impl Verb for New {
         let snake = name.replace('-', "_");
         let camel: String = name.split('-').map(capital).collect();
         let profiles = profiles(&gearsim);
-        // TOML strings and Rust paths take the slash on all systems.
+        // A slash is valid in TOML strings and Rust paths on all systems.
         let gearsim = gearsim.display().to_string().replace('\\', "/");
         let failed = |source| OutputError::Write { path: self.crate_folder.clone(), source };
         // The crate appears when all its files are whole.
@@ -152,7 +152,7 @@ fn name(folder: &Path) -> Result<String, Failure> {
     })
 }
 
-/// The profiles of the checkout, by which dependencies compile in a third of the time, and tests do not take minutes.
+/// The cargo profiles of the checkout. With them dependencies compile in a third of the time, and tests do not take minutes.
 fn profiles(gearsim: &Path) -> String {
     let manifest = std::fs::read_to_string(gearsim.join("Cargo.toml")).unwrap_or_default();
     let profiles = manifest.lines().skip_while(|line| !line.starts_with("[profile"));

@@ -5,7 +5,7 @@ use clap::Args;
 use super::failure::Failure;
 use super::terminal;
 
-/// The option that all commands have. `models`, `scene` and `completions` print with it too: their text is what they are asked for.
+/// The option that all commands have. `models`, `scene` and `completions` print with it too, because the text is their result.
 #[derive(Args)]
 pub(super) struct Quiet {
     /// Print no report and no progress; warnings and errors remain

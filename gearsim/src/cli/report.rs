@@ -35,7 +35,7 @@ pub(super) fn scene(scene: &Scene, width: usize) -> String {
     text + &torques(scene, width)
 }
 
-/// The torques on the bodies, where they are not parameters themselves: a model may have a torque per tooth.
+/// The torques on bodies that are products of parameters, such as a torque per tooth times a number of teeth.
 fn torques(scene: &Scene, width: usize) -> String {
     if !scene.effects.names(scene.model).contains(&"torques") {
         return String::new();
@@ -86,7 +86,7 @@ const MOST_OUTPUTS: usize = 12;
 fn outputs(summary: &Summary, width: usize) -> String {
     let short = number::short;
     let mut text = String::new();
-    // What is zero throughout belongs to an effect that the scene does not have.
+    // An output that is zero throughout belongs to an effect that the scene does not have.
     let mut moving: Vec<_> = summary.outputs.iter().filter(|(_, o)| o.min.0 != 0.0 || o.max.0 != 0.0).collect();
     moving.sort_by_key(|(name, o)| (o.unit == "W", !is_first(name)));
     for (name, Observed { unit, min, max, mean, .. }) in moving.iter().take(MOST_OUTPUTS) {
@@ -131,7 +131,7 @@ pub(super) struct Linearised<'a> {
     speeds: BTreeMap<&'static str, f64>,
     /// Forces, torques and powers of the model's outputs there [SI].
     forces: BTreeMap<&'static str, f64>,
-    /// Why the motion meets both flanks of a mesh, while friction is that of one.
+    /// Why the motion meets both flanks of a mesh, although the linearised friction is that of one flank.
     #[serde(skip_serializing_if = "Option::is_none")]
     both_flanks: Option<&'a str>,
 }
@@ -155,7 +155,7 @@ fn about(motion: LinearisedAbout) -> &'static str {
     }
 }
 
-/// The same in words; empty if everything is linear.
+/// The linearised terms and their steady motion in words; empty if all terms are linear.
 pub(super) fn linearised(scene: &Scene, steady: Option<&Steady>, width: usize) -> String {
     let Some(Steady { motion, q, q_dot, terms, outputs, both_flanks, .. }) = steady else { return String::new() };
     let places = scene.model.coordinates.iter().zip(q.iter()).filter(|_| *motion != LinearisedAbout::Steady);
@@ -264,7 +264,7 @@ pub(super) fn per_event(summary: &Summary) -> Option<String> {
     (events > 0).then(|| number::time(summary.cpu_seconds.0 / events as f64))
 }
 
-/// A name, and the text after it, broken at blanks.
+/// A name and the text `content` beside it, broken at blanks.
 pub(super) fn line(name: &str, content: &str, width: usize) -> String {
     let broken = terminal::wrap(content, width.saturating_sub(INDENT).max(1));
     let mut text = String::new();

@@ -81,7 +81,7 @@ const VERSION: u32 = 2;
 #[derive(Serialize)]
 struct Report<'a> {
     scene: &'a str,
-    /// The varied key, and its SI unit.
+    /// The varied key.
     key: &'a str,
     unit: &'a str,
     /// The rows of `response.csv`.
@@ -156,8 +156,8 @@ impl ResponseCommand {
     }
 }
 
-/// What holds the speed, what was measured, the largest value of each output on each way, and where it is: names, and what is said of
-/// each.
+/// What holds the speed, what was measured, and the largest value of each output on each way with its place on the axis. Each is a name
+/// and a text.
 fn facts(response: &ResponseCurve, measure: Measure) -> Vec<(String, String)> {
     let mut facts = vec![("speed".into(), response.holding.clone()), ("measured".into(), measured(response))];
     let words = measure.name.replace('_', " ");

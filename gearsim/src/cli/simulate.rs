@@ -38,8 +38,8 @@ impl Source {
         self.out.is_some()
     }
 
-    /// The folder for the results, `out/<scene><suffix>` if none is given. It is not created yet, but a folder that cannot be written
-    /// to is an error now, not after a long run.
+    /// The folder for the results, `out/<scene><suffix>` if none is given. It is not created yet. A folder that cannot be
+    /// written to is an error here, before a long run.
     pub(super) fn folder(&self, scene: &Scene, suffix: &str) -> Result<PathBuf, Failure> {
         let default = || Path::new("out").join(format!("{}{suffix}", scene.name));
         let folder = self.out.clone().unwrap_or_else(default);

@@ -1,5 +1,5 @@
 //! The terminal: its width, its colours, and output to it. A closed pipe is not an error; any other failure to write is one, which ends
-//! the program with exit code 1 ([`failed`]). Control characters from scenes are shown, not sent.
+//! the program with exit code 1 ([`failed`]). Control characters from scenes are printed as visible text.
 
 use std::io::{self, ErrorKind, IsTerminal, Write};
 use std::sync::Mutex;
@@ -47,7 +47,7 @@ pub(super) fn failed() -> Option<String> {
     FAILED.lock().ok().and_then(|failed| failed.clone())
 }
 
-/// Writes a message to stderr, with a line end. Control characters are sent: it may have colours.
+/// Writes a message to stderr, with a line end. Control characters are written unchanged, because the message may have colours.
 pub(super) fn print_err(text: &str) {
     let _ = writeln!(io::stderr().lock(), "{}", text.trim_end());
 }

@@ -1,22 +1,22 @@
-//! Events that come ever faster, which end a run.
+//! Events at ever shorter intervals, which end a run.
 
 use crate::engine::error::Stop;
 use crate::engine::hybrid::Hybrid;
 use crate::tolerance::events::{CASCADE_EVENTS, CASCADE_SPAN};
 
-/// A sequence of events that follow one another in almost no time.
+/// A sequence of events that follow one another without progress in time.
 #[derive(Debug, Clone, Default)]
 pub struct Cascade {
     /// When it began \[s\].
     since: f64,
-    /// Events since then.
+    /// Number of events since then.
     events: u64,
 }
 
 impl Cascade {
-    /// Ends a run whose events come ever faster; `rate` bounds the rates of the motion \[1/s\]. A damper of 1e37 times the
-    /// critical damping has rates so high that a time below the resolution of `f64` is long for the motion. Events so close to one another are
-    /// a cascade too.
+    /// Ends a run after `CASCADE_EVENTS` events without progress in time. `rate` is an upper bound of the rates of the motion \[1/s\]. Time
+    /// has progressed if the sequence is longer than `CASCADE_SPAN` / `rate`, and longer than the resolution of `f64`. The second condition
+    /// is needed for very high rates, e.g. with 1e37 times the critical damping.
     ///
     /// # Errors
     /// [`Stop::Cascade`].

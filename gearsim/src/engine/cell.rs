@@ -1,8 +1,8 @@
 //! A linear cell: M q'' + C q' + K q = f with constant matrices, decomposed into modes once.
 //!
-//! With the mass-normalised mode shapes X ([`modal`](crate::engine::modal)), q = q_0 + X dxi, and each modal coordinate xi_i
-//! moves as a [`Mode`]. Rigid-body modes are exact: K does not contribute to them. If damping couples the modes, q = q_0 + X dxi
-//! + Y dxi' ([`coupling`](crate::engine::coupling)).
+//! With the mass-normalised mode shapes X ([`modal`](crate::engine::modal)), q = q_0 + X dxi, where dxi are the changes of the modal
+//! coordinates. Each modal coordinate xi_i moves as a [`Mode`]. Rigid-body modes are exact: K does not contribute to them. If damping
+//! couples the modes, q = q_0 + X dxi + Y dxi' ([`coupling`](crate::engine::coupling)).
 
 use nalgebra::DMatrix;
 
@@ -62,8 +62,8 @@ impl Cell {
         Ok(Self::from_modal(&modal, &modal.shapes, &modal.momentum, &modal.springs))
     }
 
-    /// The cell in which the speeds along `normals` (n, one per column) are held at zero, and its equations for time-dependent
-    /// loads.
+    /// The cell in which the speeds along `normals` (one column of n numbers per held motion) are zero, and the same cell for loads that
+    /// vary in time.
     ///
     /// # Errors
     /// Those of [`Modal::of`].
@@ -108,7 +108,7 @@ impl Cell {
         .coupled_by(modal.coupled.as_ref())
     }
 
-    /// The cell in the modes that damping leaves independent, instead of the modes of the undamped system.
+    /// The cell in the damped modes, if damping couples the undamped ones; otherwise the cell unchanged.
     fn coupled_by(self, coupled: Option<&Coupled>) -> Self {
         let Some(coupled) = coupled else { return self };
         let ([speed, speed_by_force], [force_by_speed, force]) = (&coupled.speed, &coupled.force);
@@ -131,8 +131,8 @@ impl Cell {
         }
     }
 
-    /// The same cell of `equations` with these matrices. The momentum of the first `motions` rigid motions is corrected with
-    /// double-double precision.
+    /// The same cell, which corrects the momentum of the first `motions` rigid motions of `equations` ([`Conserved`]). `matrices` are those
+    /// of the cell.
     pub fn conserving(mut self, equations: &dyn Equations, matrices: &Matrices, motions: usize) -> Self {
         let of_cell = [&matrices.mass, &matrices.damping, &matrices.stiffness];
         let motions = (0..motions).map(|i| equations.motion(i));
@@ -152,9 +152,10 @@ impl Cell {
         Flight { cell: self, speed, force }
     }
 
-    /// The same motion with known generalised forces `f` at `q`, without those of speeds (n). They give the forces on the vibrations. Where
-    /// flanks just touch, `f` is exactly zero, because the deflection beyond the edge is a single difference. The load and the spring
-    /// forces of the modes cancel only to rounding errors, which would separate the flanks.
+    /// The same motion from the known generalised forces `f` (n) at `q`, without forces that depend on speeds. The forces on the vibrations
+    /// are computed from `f` instead of from the load and `q`. Where flanks just touch, `f` is exactly zero, because the deflection beyond
+    /// the edge is a single difference. The load and the spring forces of the modes cancel only to rounding errors, which would separate
+    /// the flanks.
     pub fn flight_under(&self, q: &Vector, q_dot: &Vector, f: &Vector) -> Flight<'_> {
         let mut flight = self.flight(q, q_dot);
         let (speed, force) = match &self.coupling {
@@ -173,7 +174,7 @@ impl Cell {
         flight
     }
 
-    /// The same motion with the generalised forces `f` in addition to the load (n).
+    /// The same motion with the generalised forces `f` (n) in addition to the load.
     #[cold]
     pub fn pushed(&self, flight: Flight<'_>, f: &Vector) -> Flight<'_> {
         let [speed, force] = match &self.coupling {
@@ -191,8 +192,8 @@ impl Cell {
         Flight { cell: self, speed: speed - &loaded.speed, force: force - &loaded.force }
     }
 
-    /// The factors by which the function c.q + d.q' depends on the displacements of the modes, and on their speeds if it does (N
-    /// each).
+    /// The slopes of the function c.q + d.q' with respect to the modal displacements (one per mode), and with respect to the modal speeds
+    /// if it depends on them.
     pub fn follow(&self, c: &Vector, d: Option<&Vector>) -> (Vector, Option<Vector>) {
         match (&self.coupling, d) {
             (None, d) => (transposed(&self.shapes, c), d.map(|d| transposed(&self.shapes, d))),
@@ -210,15 +211,15 @@ impl Cell {
         }
     }
 
-    /// The factors n.X by which the phase n.q depends on the displacements of the modes (N).
+    /// The slopes n.X of the phase n.q with respect to the modal displacements (one per mode).
     pub fn participation(&self, normal: &Vector) -> Vector {
         transposed(&self.shapes, normal)
     }
 }
 
-/// A basis of the motions along which all `normals` (n, one per column) vanish, one motion per column, and the coordinates whose speeds are the
-/// components. Each normal is solved for the coordinate with its largest coefficient (Gauss and Jordan). A coordinate that is held by itself is
-/// then at rest exactly.
+/// A basis Z of the motions that the holds leave free, one motion per column, and the coordinates whose speeds are the components in this
+/// basis. `normals` has one column of n numbers per hold; its product with each column of Z is zero. Each normal is solved for the
+/// coordinate with its largest coefficient (Gauss-Jordan elimination). A coordinate that is held alone is then exactly at rest.
 pub(crate) fn remaining<R: Sized64>(normals: &DMatrix<R>) -> (DMatrix<R>, Vec<usize>) {
     let n = normals.nrows();
     let mut rows: Vec<Vec<R>> = (0..normals.ncols()).map(|c| normals.column(c).iter().copied().collect()).collect();

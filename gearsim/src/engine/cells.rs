@@ -1,5 +1,5 @@
-//! The cells of a scene. A cell is one combination of a level of each law and a mode of each switch. Its vibration modes are computed once: all
-//! in advance, or, if there are many combinations, when a run first enters the cell.
+//! The cells of a scene. A cell is one combination of a level of each law and a mode of each switch. The vibration modes of a cell are
+//! computed once. If there are few combinations, this is done for all cells in advance; otherwise when a run first enters the cell.
 
 mod number;
 
@@ -114,7 +114,7 @@ impl Prepared {
     /// A cell with the laws' participation and the exits of the switches.
     pub fn new(cell: Cell, equations: &dyn Equations, (laws, switches, k): Stand<'_>) -> Self {
         let (participation, on_speed) = laws.iter().map(|l| cell.follow(&l.surface.normal, None)).unzip();
-        // The deflections of linear cells do not bend.
+        // In linear cells the deflections are linear in q, so the guards are the same at every q.
         let guards = Guards::of(equations, switches, &Vector::zeros(equations.coordinates()), k);
         let watch = |exit: &Exit| Watch::new(&cell, [exit.guard.on_q.clone(), exit.guard.on_speed.clone()]);
         let exits = guards.exits.iter().map(|exits| exits.iter().map(watch).collect()).collect();
@@ -139,8 +139,8 @@ fn stand(laws: &mut [LawState], switches: &mut [Switch], mut index: usize) {
     switches.iter_mut().for_each(|switch| switch.mode = digit(switch.modes()));
 }
 
-/// Writes the law values at the coordinates `q` and the time `t` \[s\] into `k`: those of the laws, of the switches, and of the parameters that
-/// vary.
+/// Writes the law values at the coordinates `q` and the time `t` \[s\] into `k`: those of the laws, of the switches, and of the parameters
+/// that vary.
 #[inline]
 pub fn write(
     (laws, switches, forcing): (&[LawState], &[Switch], Option<&Forcing>),

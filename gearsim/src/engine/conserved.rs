@@ -14,9 +14,9 @@ use crate::tolerance::modes::NO_FORCE;
 /// A rigid motion in a cell, and the error of its momentum.
 #[derive(Debug, Clone)]
 pub struct Conserved {
-    /// The motion z (N).
+    /// The motion z (n).
     pub motion: Vector,
-    /// z.M X / (z.M z) for the vibrations; 0 for rigid modes (N).
+    /// z.M X / (z.M z) for the vibrations; 0 for rigid modes (n).
     pub on_gained: Vector,
     /// The same for the shapes Y that multiply the modes' speeds, if damping couples the modes.
     pub on_further: Option<Vector>,

@@ -1,21 +1,22 @@
-//! Holds: motions that a reaction prevents. A phase is held at a step that it cannot pass, once its bounces are negligible; a switch
-//! may hold its deflection (dry friction at rest, a locked clutch).
+//! Holds: motions that a reaction prevents. A phase is held at a step that it cannot pass, once its bounces are negligible. A switch may
+//! hold its deflection (dry friction at rest, a locked clutch).
 //!
 //! **Phases.** Each reflection keeps the normal speed, damping reduces it, and the bounces become ever shorter. Once the energy of the
-//! normal motion E = v²/(2 G) is below `HOLD_ENERGY` of all energy and a bounce is short, the phase is held where it is:
-//! n.q' = 0, with the reaction R. E is neglected at each hold; the sum is in the account. The hold ends when
-//! - R pulls, by `RELEASE` of the forces that it consists of: the phase leaves the step it came from;
-//! - the step vanishes, dV = 0: the phase slips through without loss; with play, that is also where the flanks beyond it separate;
-//! - a step of another stiffness gives an impulse: what is held is released, and bounces or leaves.
+//! normal motion E = v²/(2 G) is below the part `HOLD_ENERGY` of the total energy and a bounce is short, the phase is held where it is:
+//! n.q' = 0, with the reaction R. E is neglected at each hold. The sum of the neglected energies is in the energy account. The hold ends
+//! when
+//! - R pulls by more than the part `RELEASE` of the forces that it consists of: the phase moves away from the step;
+//! - the step vanishes, dV = 0: the phase slips through without loss (with play, the flanks separate in the cell beyond at the same place);
+//! - a step of another stiffness gives an impulse: all held motions are released, and bounce or leave.
 //!
-//! **Deflections.** A switch enters a mode that holds where the rate of its deflection is zero. Its guards are linear in the reaction, and
-//! the hold ends at the zero of one. Friction and clutches transmit bounded forces, so they transmit no impulse: the deflection slips after
-//! an impulse, and sticks again later.
+//! **Deflections.** A switch enters a mode that holds where the rate of its deflection is zero. The guards of this mode are linear in the
+//! reaction, and the hold ends at the zero of a guard. Friction and clutches transmit bounded forces, so they transmit no impulse: the
+//! deflection slips after an impulse, and sticks again later.
 //!
 //! With the outward normals n of the held phases and the gradients of the held deflections as columns of N, the remaining motion has the
-//! mobility P = M⁻¹ - M⁻¹N (NᵀM⁻¹N)⁻¹ NᵀM⁻¹, and the reactions to the generalised forces F are R = (NᵀM⁻¹N)⁻¹ NᵀM⁻¹ F. N is constant. Where
-//! M depends on the coordinates, so do P and the factors of F in R; both are then computed where they are needed ([`held`]). The same is done
-//! where a switch holds a rate in which friction laws are factors; N then changes with the motion ([`Turned`]).
+//! mobility P = M⁻¹ - M⁻¹N (NᵀM⁻¹N)⁻¹ NᵀM⁻¹, and the reactions to the generalised forces F are R = (NᵀM⁻¹N)⁻¹ NᵀM⁻¹ F. N is constant. If M
+//! depends on the coordinates, P and the factors of F in R do too, and are computed where they are needed ([`held`]). The same is done if a
+//! switch holds a rate in which friction laws are factors: N then changes with the motion ([`Turned`]).
 
 use nalgebra::{DMatrix, DVector};
 
@@ -53,33 +54,33 @@ pub enum Ending {
 /// Phases held at steps, and deflections held by switches.
 #[derive(Debug, Clone)]
 pub struct Contact {
-    /// The laws held, and at which side of their cell.
+    /// The held laws, each with the side of its cell at which it is held.
     pub laws: Vec<(usize, Side)>,
     /// The switches that hold their deflections, and the column of N that is the gradient of each.
     pub switches: Vec<(usize, usize)>,
-    /// N, the outward normals of the laws, then the gradients of the deflections (n, one a column).
+    /// N: the outward normals of the laws, then the gradients of the deflections (one column of n numbers each).
     pub normals: DMatrix<f64>,
-    /// P, the remaining mobility (n x n), where the hold began.
+    /// P, the mobility of the remaining motion (n x n), at the place where the hold began.
     pub mobility: Matrix,
     /// The functions that can end the holds.
     pub watches: Vec<Watch>,
     /// Those of `switches` whose held rates have friction laws as factors, which vary while the phase moves.
     turning: Vec<(usize, usize)>,
-    /// The switches that nothing can move: their own hold, or the holds of others, keep the rate that decides whether they are held.
+    /// The switches that cannot move. Their own hold or other holds keep the rate constant that decides whether they hold.
     pub locked: Vec<usize>,
 }
 
-/// Held motions whose gradients vary: Nᵀq' = 0 gives Nᵀq'' = -N'ᵀq'. With the force c = N (NᵀM⁻¹N)⁻¹ N'ᵀq' the reactions are those to F + c, and
-/// q'' = P F - M⁻¹ c.
+/// Held motions whose gradients vary: Nᵀq' = 0 gives Nᵀq'' = -N'ᵀq'. With the force c = N (NᵀM⁻¹N)⁻¹ N'ᵀq' the reactions are those to
+/// F + c, and q'' = P F - M⁻¹ c.
 pub struct Turned {
-    /// N (n, one a column).
+    /// N (one column of n numbers per hold).
     pub normals: DMatrix<f64>,
     /// c (n).
     pub force: Vector,
 }
 
 impl Turned {
-    /// The speeds without the errors of the held ones; `mobility` is M⁻¹.
+    /// `q_dot` without the numerical errors of the held speeds; `mobility` is M⁻¹.
     pub fn still(&self, mobility: &Matrix, q_dot: &Vector) -> Vector {
         let held = self.normals.transpose() * DVector::from(q_dot);
         q_dot - &(mobility * &centripetal(mobility, &self.normals, &held))
@@ -95,9 +96,9 @@ pub fn presses(law: &LawState, side: Side, state: &State, acceleration: &Vector,
 }
 
 impl Contact {
-    /// Holds the phases of `laws` whose reactions press. Holds the deflections of switches in modes that hold, if the mode admits the
-    /// reaction; other switches go on to the modes beyond. `None` if nothing is held. Sets the held speeds to zero and returns the energy
-    /// that this neglects \[J\].
+    /// Holds the phases of `laws` whose reactions press, and the deflections of switches in modes that hold. A switch whose mode does not
+    /// admit the reaction goes on to the next mode. Sets the held speeds to zero. Returns the holds, `None` if nothing is held, and the
+    /// neglected energy \[J\].
     ///
     /// # Errors
     /// If the mass matrix is not positive definite.
@@ -110,8 +111,9 @@ impl Contact {
             let watches = holds.watches(now);
             let State { q, q_dot, .. } = &now.state;
             let force = now.force() + &holds.centripetal(now);
-            // A deflection at rest stays held at the bound of its reaction: nothing moves it yet. With no load at all, reaction and bound are both
-            // zero, and a switch that left its hold here would enter it again at once. One that moves does not begin to stick.
+            // A deflection at rest stays held if its reaction is exactly at its bound, because nothing moves it yet. Example: without load,
+            // reaction and bound are both zero; a switch that left its hold here would enter it again at once. A deflection that moves does
+            // not begin to stick at the bound.
             let rests = |switch: usize| now.switches[switch].is_at_rest(now.equations, (q, q_dot), &now.k);
             let pulls = |watch: &&Watch| {
                 let left = watch.form.value(q, q_dot, || force.clone());
@@ -135,7 +137,8 @@ impl Contact {
         }
     }
 
-    /// N at a state and the force c, where friction laws are factors of held rates; otherwise `None`. `k_dot` gives the rates of the law values `k`.
+    /// N and the force c at a state, if friction laws are factors of held rates; otherwise `None`. `k_dot` gives the rates of the law
+    /// values `k`.
     pub fn turned(
         &self,
         (equations, switches): (&dyn Equations, &[Switch]),

@@ -22,15 +22,16 @@ pub struct Coupling {
     loading: [Matrix; 2],
     /// The dissipated energy.
     loss: loss::Loss,
-    /// X1, X2 and G in the undamped modes (n x n each, n <= N modes).
+    /// X1, X2 and G in the undamped modes (m x m each, for m modes).
     modal: [Matrix; 3],
     /// Condition number of the modes [1]: a mode can be this much larger than the motion.
     pub condition: f64,
 }
 
 impl Coupling {
-    /// The coupling from the modes of a cell, Y, and three sets of matrices: forces from q', speeds from f and from -q, and both
-    /// from further forces.
+    /// The coupling of a cell with the modes `coupled` and the shapes Y. `force` gives forces on the modes from q'. `speed` has the speeds
+    /// of the modes from the load, and the matrix that gives them from -q. `loading` gives speeds of the modes and forces on them from
+    /// additional generalised forces.
     pub fn new(
         coupled: &Coupled,
         shapes: Matrix,

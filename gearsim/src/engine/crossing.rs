@@ -99,7 +99,7 @@ impl Search<'_> {
         self.first_near(&mut Delay::default(), point, cost)
     }
 
-    /// The same search, started at the time at which the last passage suggests the crossing. Stores the delay of this passage in
+    /// The same search, started at the time that the last passage predicts for the crossing. Stores the delay of this passage in
     /// `lateness`.
     ///
     /// # Errors
@@ -199,7 +199,7 @@ impl Search<'_> {
                 self.go(point, if inside { t + dt } else { 0.5 * (low + high) }, cost);
             }
         }
-        // With a rounding error of the rate the root may lie before the start.
+        // If the rate has a rounding error, the root may lie before the start.
         if point.t < 0.0 {
             self.go(point, 0.0, cost);
         }

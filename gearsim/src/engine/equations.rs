@@ -38,14 +38,14 @@ impl Source for Functions {
 /// A model for the engine: its description, and the source of its equations.
 #[derive(Clone, Copy)]
 pub struct DerivedModel {
-    /// The description of the model; of a train without its parts, which the description of a scene has.
+    /// The description of the model. For a train it does not contain the parts; these are in the description of the scene.
     pub model: &'static Model,
     /// The source of its equations.
     pub source: &'static dyn Source,
 }
 
 impl DerivedModel {
-    /// The functions of model `D`.
+    /// The model `D` with its derived functions.
     pub const fn of<D: Derived>() -> DerivedModel {
         DerivedModel { model: &D::MODEL, source: const { &Functions::of::<D>() } }
     }

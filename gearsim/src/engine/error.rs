@@ -33,7 +33,7 @@ pub enum Refusal {
     )]
     Defective { condition: f64 },
     #[error(
-        "the modes of a cell are not found: a part of {missed:.0e} of a motion is in none of them. Change a damping or an inertia by a factor of 1 + 1e-6, or choose a method by steps, such as run.method = \"dop853\""
+        "the computed modes of a cell do not represent every motion: a part of {missed:.0e} of one is missing. Change a damping or an inertia by a factor of 1 + 1e-6, or choose a method by steps, such as run.method = \"dop853\""
     )]
     ModesMissed { missed: f64 },
     #[error(
@@ -95,7 +95,7 @@ pub enum Stop {
         at(*t)
     )]
     Rows { t: f64, rows: usize },
-    #[error("at t = {} s the time that the run may take is over", at(*t))]
+    #[error("at t = {} s the run had used the computing time that it is allowed", at(*t))]
     Time { t: f64 },
     #[error(
         "at t = {} s the run has reached the limit of {steps} steps ({state}, cell {cell}): raise run.tolerance or run.step, or end the run earlier",

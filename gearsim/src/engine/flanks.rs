@@ -1,6 +1,6 @@
 //! Whether a steady motion meets both flanks of a mesh. Friction of the flanks is proportional to the absolute value of the mesh force,
-//! which has a kink where the force is zero: linearised friction is that of one flank. The derivatives of the forces show the kink, so this
-//! module needs to know nothing about meshes.
+//! which has a kink where the force is zero. Linearised friction is therefore valid for one flank only. The derivatives of the forces show
+//! the kink, so this module does not depend on the model of a mesh.
 
 use crate::engine::equations::Equations;
 use crate::engine::vector::{Matrix, Vector};

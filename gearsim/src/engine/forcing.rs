@@ -4,8 +4,8 @@
 //! ([`Forcing::load`]). While one is linear in time or harmonic, the motion is computed in windows of a power series ([`window`]). A
 //! breakpoint of a time history is an event: the present piece is part of the state, as the cell of a stiffness is.
 //!
-//! Where B_p depends on the state, or guards depend on p, only methods by steps compute the motion. The equations then are those of
-//! [`varying`](crate::engine::equations), which read from the law values how far each such parameter has moved.
+//! Where B_p depends on the state, or guards depend on p, only methods by steps compute the motion. The equations are then those of
+//! [`varying`](crate::engine::equations). They read from the law values how far each such parameter has changed.
 
 use std::sync::Arc;
 
@@ -29,9 +29,9 @@ pub struct Forcing {
     drives: Arc<[Drive]>,
     /// Number of the drives whose factors are constant. Those of [`varying_by_steps`] follow, in their order.
     loads: usize,
-    /// Whether guards or losses of switches depend on one of them.
+    /// Whether guards or losses of switches depend on one of these parameters.
     moves_guards: bool,
-    /// The piece of its time history in which each parameter is. State: never computed from the time.
+    /// The piece of its time history in which each parameter is. It is part of the state and never computed from the time.
     pieces: SmallVec<[usize; 4]>,
     /// Number of external torques of the scene.
     torques: usize,
@@ -47,9 +47,9 @@ struct Drive {
     at_start: f64,
     /// Its largest change, p_1 - p_0.
     largest: f64,
-    /// B_p: generalised forces per unit of the parameter (N); zero if they depend on the state.
+    /// B_p: generalised forces per unit of the parameter (n); zero if they depend on the state.
     load: Vector,
-    /// Power of each torque of the scene per unit of the parameter: its factors of the speeds (N each).
+    /// Power of each torque of the scene per unit of the parameter, as factors of the speeds (n each).
     power: Vec<Vector>,
 }
 
@@ -132,7 +132,7 @@ impl Forcing {
         self.moves_guards
     }
 
-    /// Writes how far each parameter of [`varying_by_steps`] has moved, as a share of its largest change, to the end of the law values `k`,
+    /// Writes the change of each parameter of [`varying_by_steps`], as a share of its largest change, to the end of the law values `k`,
     /// which has a place for each.
     pub fn write_shares(&self, t: f64, k: &mut [f64]) {
         let at = k.len() - (self.drives.len() - self.loads);
@@ -161,7 +161,7 @@ impl Forcing {
         self.drives.iter().map(|d| d.parameter)
     }
 
-    /// The generalised forces beyond those of the start at the time `t` \[s\] (N).
+    /// The generalised forces beyond those of the start at the time `t` \[s\] (n).
     pub fn load(&self, t: f64) -> Vector {
         let n = self.drives.first().map_or(0, |drive| drive.load.len());
         self.changes(t).fold(Vector::zeros(n), |mut sum, (d, change)| {
@@ -179,7 +179,7 @@ impl Forcing {
         power
     }
 
-    /// Power series of T_p(t) - T_p(0) about the clock's time, in parts of `width` \[s\].
+    /// Power series of T_p(t) - T_p(0) about the clock's time. The variable is the time since then, divided by `width` \[s\].
     fn series(&self, clock: &Clock, width: f64) -> Vec<[f64; TERMS]> {
         self.in_pieces().map(|(d, piece)| d.series(piece, clock, width)).collect()
     }

@@ -40,14 +40,14 @@ pub struct Counts {
     pub impacts: u64,
     /// Times that a clutch or dry friction locked.
     pub sticks: u64,
-    /// Steps met together whose order changes the speeds: the result is one of several.
+    /// Steps met together whose order changes the speeds. The computed motion is then one of several possible ones.
     pub ambiguous: u64,
-    /// What the searches for crossings cost.
+    /// The cost of the searches for crossings.
     pub cost: Cost,
 }
 
 impl Counts {
-    /// Steps of a stiffness met: passed, or turned back from.
+    /// Steps of a stiffness that were met: transmissions and reflections.
     pub fn events(&self) -> u64 {
         self.cell_changes + self.reflections
     }
@@ -74,16 +74,16 @@ pub struct Hybrid<'a> {
     pub k: Vec<f64>,
     /// Phases that are held at steps, and deflections that switches hold.
     pub contact: Option<Box<Contact>>,
-    /// Torques that vary in time, if any does.
+    /// Torques that vary in time, if there are any.
     pub forcing: Option<Box<Forcing>>,
-    /// The external torques of the scene, by their numbers.
+    /// Indices of the external torques of the scene.
     pub torques: Arc<[usize]>,
     /// The last changes of the modes of switches.
     pub rattle: Rattle,
 
     /// Energy that damping has taken so far \[J\].
     pub dissipated: f64,
-    /// Energy of bounces that were not followed to their ends, so far \[J\].
+    /// Energy neglected so far at the start of holds \[J\].
     pub ignored: f64,
     /// Work of the varying part of each of `torques` so far \[J\]; empty if all are constant.
     pub work: Vec<f64>,
@@ -146,7 +146,7 @@ impl Hybrid<'_> {
         }
     }
 
-    /// M⁻¹ at the present coordinates; P if phases are held (N x N).
+    /// M⁻¹ at the present coordinates; P if phases are held (n x n).
     pub fn mobility(&self) -> Matrix {
         let free = || self.equations.mobility(&self.state.q);
         match &self.contact {
@@ -166,13 +166,13 @@ impl Hybrid<'_> {
         Cow::Owned(k)
     }
 
-    /// Whether laws and guards change at events only: every law is constant within its cells, no deflection bends, and no guard depends on a
-    /// parameter that varies.
+    /// Whether laws and guards change at events only: every law is constant within its cells, no deflection bends, and no guard depends on
+    /// a parameter that varies.
     pub fn steps_only(&self) -> bool {
         self.laws.iter().all(|law| law.pitch.steps_only()) && !self.guards_move()
     }
 
-    /// Whether the factors of guards change within a mode otherwise than by laws.
+    /// Whether the factors of guards change within a mode for other reasons than laws.
     fn guards_move(&self) -> bool {
         self.equations.bends() || self.forcing.as_ref().is_some_and(|forcing| forcing.moves_guards())
     }
@@ -190,7 +190,7 @@ impl Hybrid<'_> {
         changes && self.laws[law].next_switch().is_none() && !self.holds(law)
     }
 
-    /// Generalised forces of the torques that vary, beyond those of the start (N).
+    /// Generalised forces of the torques that vary, beyond those of the start (n).
     #[cold]
     pub fn further_load(&self) -> Vector {
         let none = || Vector::zeros(self.state.q.len());
@@ -206,7 +206,8 @@ impl Hybrid<'_> {
         rates
     }
 
-    /// The derivatives of the law values by their phases, at the coordinates `q` and the time `t` \[s\], in the places of the values.
+    /// The derivatives of the law values by their phases, at the coordinates `q` and the time `t` \[s\]: one for each law value; 0 for
+    /// values that are not of laws.
     pub fn slopes(&self, q: &[f64], t: f64) -> Vec<f64> {
         let mut slopes = vec![0.0; self.k.len()];
         for (slope, law) in slopes.iter_mut().zip(&self.laws) {
@@ -215,7 +216,7 @@ impl Hybrid<'_> {
         slopes
     }
 
-    /// All generalised forces (N).
+    /// All generalised forces (n).
     pub fn force(&self) -> Vector {
         let State { q, q_dot, .. } = &self.state;
         let mut force = self.equations.force(q, q_dot, &self.k, &self.slopes(q, self.clock.now()));
@@ -225,7 +226,7 @@ impl Hybrid<'_> {
         force
     }
 
-    /// The generalised forces of a linear cell at the present coordinates, without those of speeds and of torques that vary (N).
+    /// The generalised forces of a linear cell at the present coordinates, without those of speeds and of torques that vary (n).
     pub fn force_at_rest(&self) -> Vector {
         let n = self.state.q.len();
         self.equations.force(&self.state.q, &Vector::zeros(n), &self.k, &vec![0.0; self.k.len()])
@@ -272,7 +273,7 @@ impl Hybrid<'_> {
         Err(Stop::NotFinite { t: self.clock.now(), state: self.state.describe(), cell: self.cell() })
     }
 
-    /// Why a search without an answer ends the run.
+    /// The error with which a search without a result ends the run.
     #[cold]
     pub fn lost(&self, lost: SearchError) -> Stop {
         let (t, state, cell) = (self.clock.now(), self.state.describe(), self.cell());

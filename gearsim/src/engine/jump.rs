@@ -1,10 +1,9 @@
 //! The change of the speeds at a step of a stiffness: Eqs. (9) and (11) of Oh, Grosh & Barber (2005), in any number of
 //! coordinates.
 //!
-//! With the normal speed v = n.q', the compliance G = n.M⁻¹n and the step of the potential energy dV at the same q: v+² = v² - 2
-//! G dV. If v+² >= 0, the motion is transmitted with q'+ = q' + (M⁻¹n/G)(v+ - v); otherwise it is reflected with v+ = -v. This
-//! one number decides; zero counts as transmission. Steps of several laws at the same place of the same phase are one step, with
-//! the sum of their dV.
+//! With the normal speed v = n.q', the compliance G = n.M⁻¹n and the step of the potential energy dV at the same q: v+² = v² - 2 G dV. If
+//! v+² >= 0, the motion is transmitted with q'+ = q' + (M⁻¹n/G)(v+ - v); otherwise it is reflected with v+ = -v. Only v+² decides; zero
+//! counts as transmission. Steps of several laws at the same place of the same phase are one step, with the sum of their dV.
 
 use crate::engine::crossing::Side;
 use crate::engine::equations::Equations;
@@ -23,11 +22,11 @@ pub enum Passage {
 /// last event.
 #[derive(Debug, Clone)]
 pub struct Surface {
-    /// Gradient n of the phase (N).
+    /// Gradient n of the phase (n).
     pub normal: Vector,
     /// G = n.M⁻¹n.
     pub compliance: f64,
-    /// M⁻¹n / G (N).
+    /// M⁻¹n / G (n).
     pub direction: Vector,
 }
 
@@ -41,7 +40,7 @@ impl Surface {
         }
     }
 
-    /// The change of the speeds (N) at a step of the potential energy by `dv` [J] on the way to `side`.
+    /// The change of the speeds (n) at a step of the potential energy by `dv` [J] on the way to `side`.
     #[inline]
     pub fn jump(&self, q_dot: &Vector, side: Side, dv: f64) -> (Passage, Vector) {
         let v = self.normal.dot(q_dot);
@@ -57,7 +56,7 @@ impl Surface {
         (Passage::Transmitted, &self.direction * gained)
     }
 
-    /// Applies this change to the speeds.
+    /// Applies the change of [`Surface::jump`] to the speeds.
     pub fn pass(&self, q_dot: &mut Vector, side: Side, dv: f64) -> Passage {
         let (passage, gained) = self.jump(q_dot, side, dv);
         *q_dot += &gained;

@@ -1,7 +1,7 @@
 //! The reactions R of held deflections and the powers of the external torques, for outputs.
 //!
 //! With the gradients N of the held motions, R = (NᵀM⁻¹N)⁻¹ NᵀM⁻¹ F, see [`contact`](crate::engine::contact). The power of a torque has
-//! three parts: that of its value at the start, that which depends on the state, and that which varies in time.
+//! three parts: the part of its value at the start, the part that depends on the state, and the part that varies in time.
 
 use smallvec::SmallVec;
 

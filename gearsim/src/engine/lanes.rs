@@ -109,7 +109,7 @@ impl<const N: usize, const L: usize> Lanes<N, L> {
         self.jump(cells, &flight, &target, &points, Located { sure, t, evaluations, common })
     }
 
-    /// The cell of each lane: that of all, or gathered from the tables.
+    /// The cell of each lane: the `common` cell of all lanes, or, if there is none, gathered from the tables.
     #[inline(always)]
     fn cells<'a>(&'a self, common: Option<usize>, gathered: &'a mut Option<Cells<N, L>>) -> &'a Cells<N, L> {
         match common {
@@ -121,7 +121,7 @@ impl<const N: usize, const L: usize> Lanes<N, L> {
     /// Stores the events of an attempt in the lanes in which they are plain.
     #[inline(always)]
     pub fn take(&mut self, attempt: &Attempt<N, L>) {
-        // All events are plain almost always. The branch lets the next flight start without waiting for the mask.
+        // Almost always the events of all lanes are plain. The branch lets the next flight start without waiting for the mask.
         let all = Mask::of(|_| true);
         let predicted = attempt.sure.without(attempt.found);
         if attempt.sure.is_all() && predicted.is_all() {

@@ -29,11 +29,11 @@ pub struct LawState {
     pub phase: usize,
     /// Whether it is a transmission error.
     pub is_error: bool,
-    /// Whether this law counts the whole turns of its coordinate. Exactly one law per coordinate does.
+    /// Whether this law counts the whole turns of its coordinate. At most one law per coordinate does.
     turns: bool,
     /// Length of one turn of the coordinate; 0 if turns are not counted.
     turn: f64,
-    /// The phase that depends on time alone, k(Omega0 t).
+    /// The phase as a function of time alone, for k(Omega0 t); `None` if the phase is a coordinate.
     frozen: Option<Frozen>,
 
     /// Index of its cell in the pitch. It is part of the state and never computed from the phase.
@@ -117,8 +117,8 @@ impl LawState {
         Ok(laws)
     }
 
-    /// Freezes the phase at the coordinates `q` (n, with whole turns) if the scene freezes phases: from there it moves in proportion to the time,
-    /// with its speed among `q_dot`.
+    /// Freezes the phase at the coordinates `q` (n, with whole turns) if the scene freezes phases. From there it moves with the constant
+    /// speed that it has in `q_dot`.
     pub fn freeze(&mut self, q: &[f64], q_dot: &[f64]) {
         if self.switching == Switching::ByTime {
             let speed = q_dot[self.phase];
@@ -249,7 +249,7 @@ impl LawState {
     }
 }
 
-/// Length of one turn of each coordinate (N); 0 if turns are not counted.
+/// Length of one turn of each coordinate (n); 0 if turns are not counted.
 pub fn turn_lengths(n: usize, laws: &[LawState]) -> Vector {
     Vector::from_fn(n, |i| laws.iter().find(|law| law.phase == i).map_or(0.0, LawState::turn))
 }
@@ -269,7 +269,7 @@ pub fn enter(laws: &mut [LawState], law: usize, side: Side, state: &mut State) {
     laws.iter_mut().for_each(|law| law.follow(phase, turns));
 }
 
-/// The change dV of the potential energy at this step [J].
+/// The change dV of the potential energy at the step that `law` meets at `side` [J].
 #[inline]
 pub fn barrier(
     equations: &dyn Equations,
@@ -289,8 +289,8 @@ pub fn barrier(
         return equations.potential(q, &beyond(equations, (laws, switches, k), law, side, state))
             - equations.potential(q, k);
     }
-    // Apply the steps one after the other: a stiffness and a transmission error that step together change V by more than the sum
-    // of their own steps.
+    // Apply the steps one after the other. If a stiffness and a transmission error step together, the change of V is not the sum of their
+    // separate steps.
     let (mut k, mut dv) = (k.to_vec(), 0.0);
     for i in met(laws, law, side, state) {
         let step = laws[i].step(side);

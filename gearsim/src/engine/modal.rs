@@ -151,7 +151,8 @@ fn couples(damping: &DMatrix<f64>) -> bool {
 }
 
 /// The modal damping that the rounding errors of a rigid shape x can cause. Since K x = 0, the error of a coordinate is limited by its
-/// stiffness: with d_i² on the diagonal of K, each d_i x_i is wrong by roundings of the largest of them. Stiff coordinates have small errors.
+/// stiffness: with d_i² on the diagonal of K, each d_i x_i has the rounding error of the largest of them. Stiff coordinates have small
+/// errors.
 fn by_rounding(x: &DVector<f64>, m: &Matrices) -> f64 {
     let (eps, d) = (x.len() as f64 * f64::EPSILON, m.stiffness.diagonal().map(|k| k.max(0.0).sqrt()));
     let largest = d.component_mul(x).amax();
@@ -159,7 +160,8 @@ fn by_rounding(x: &DVector<f64>, m: &Matrices) -> f64 {
     (m.damping.abs() * &error).dot(&error)
 }
 
-/// The modal damping without its rounding errors, exactly symmetric. `own` is what the errors of its shape give each mode.
+/// The modal damping without its rounding errors, exactly symmetric. `own` is the damping of each mode that the errors of its shape can
+/// cause.
 ///
 /// The rounding errors of C, transformed with X, are known for each entry: `rounding`. The rounding errors of X mix the shapes. A
 /// mode on which no damper acts gets a part eps of the most strongly damped shape; this gives it a damping of eps² and couplings
@@ -173,7 +175,7 @@ fn significant(omega2: &[f64], damping: &DMatrix<f64>, rounding: &DMatrix<f64>, 
         n as f64 * f64::EPSILON * (0..n).filter(|j| *j != i).filter(same).map(|j| damping[(j, j)]).fold(0.0, f64::max)
     };
     let is_rounding = |i: usize| damping[(i, i)] <= rounding[(i, i)].max(mixed).max(turned(i)).max(own[i]);
-    // The strongest damper acts on shape i, by its error, and on shape j.
+    // The strongest damper acts on shape i because of the error of this shape, and on shape j.
     let between = |i: usize, j: usize| (mixed * damping[(i, i)].max(damping[(j, j)])).sqrt();
     DMatrix::from_fn(n, n, |i, j| {
         let mean = 0.5 * (damping[(i, j)] + damping[(j, i)]);

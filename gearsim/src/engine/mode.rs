@@ -42,7 +42,7 @@ enum Kind {
     Undamped { w: f64 },
     /// 0 < sigma < omega, w² = omega² - sigma².
     Under { w: f64, per_w: f64 },
-    /// d = omega² - sigma² is within rounding errors of zero, so its root has no digits.
+    /// d = omega² - sigma² is so small that its square root has few correct digits. The motion is expanded in d.
     Critical { d: f64 },
     /// sigma > omega: decay rates slow = sigma - kappa (may be 0), fast = sigma + kappa.
     Over { kappa: f64, slow: f64, fast: f64 },
@@ -118,7 +118,7 @@ impl Mode {
         -2.0 * self.sigma * y_dot - self.omega2 * y
     }
 
-    /// For the speed, the acceleration and their next two derivatives: the sum of the absolute values of their terms.
+    /// For the speed, the acceleration, the jerk and the snap: the sum of the absolute values of the terms of each.
     pub fn sizes(&self, (v, a): (f64, f64)) -> [f64; 4] {
         let (v, a) = (v.abs(), a.abs() + 4.0 * self.sigma * v.abs());
         let jerk = 2.0 * self.sigma * a + self.omega2 * v;
@@ -168,7 +168,7 @@ impl Mode {
                 }
                 self.by_increments(0.5 * ((-slow * t).exp_m1() + (-fast * t).exp_m1()), s1, 0.0)
             }
-            // Only where `t` is not a number; nor is the response then.
+            // Reached only if `t` is NaN. The response is then NaN too.
             Kind::Rigid | Kind::Undamped { .. } | Kind::Under { .. } => self.by_series(t),
         }
     }

@@ -1,8 +1,8 @@
-//! What the hybrid loop asks of a solver: the motion between two events.
+//! The interface between the hybrid loop and a solver: the motion between two events.
 //!
-//! There are three kinds of motion: a flight in closed form through a linear cell ([`linear`](crate::engine::linear)), a window
-//! of a power series where torques vary in time, and a step of a numerical method with its dense output
-//! ([`steps`](crate::methods::steps)). The loop ([`simulate`](crate::engine::simulate)) is the same for all.
+//! There are three kinds of motion: a flight in closed form through a linear cell, a window of a power series where torques vary in time
+//! ([`exact`](crate::engine::exact) has both), and a step of a numerical method with its dense output ([`steps`](crate::methods::steps)).
+//! The loop ([`simulate`](crate::engine::simulate)) is the same for all.
 
 use xprec::Df64;
 
@@ -14,18 +14,18 @@ use crate::engine::hybrid::Hybrid;
 use crate::engine::jump::Passage;
 use crate::engine::record::State;
 
-/// A way to find the motion in a mode.
+/// A method that computes the motion in a mode.
 pub trait Solver {
-    /// Takes note of the mode of `now`: its laws, switches, held phases and torques. Sets the guards of its switches.
+    /// Prepares the solver for the mode of `now`: its laws, switches, holds and torques. Sets the guards of the switches of `now`.
     ///
     /// # Errors
-    /// Where the equations of the mode cannot be solved.
+    /// If the equations of the mode cannot be solved.
     fn enter(&mut self, now: &mut Hybrid<'_>) -> Result<(), Refusal>;
 
     /// The motion from the state of `now`, for at most the time `horizon` \[s\].
     ///
     /// # Errors
-    /// Where there is none.
+    /// If the motion cannot be computed.
     fn solve<'s>(&'s mut self, now: &'s Hybrid<'_>, horizon: f64) -> Result<Box<dyn Motion + 's>, Stop>;
 
     /// A bound on the rates of the motion in the present mode \[1/s\].
@@ -36,7 +36,7 @@ pub trait Solver {
         now.jump(law, side)
     }
 
-    /// Whether events are located. If not, they are taken after the step in which they happened.
+    /// Whether events are located. If not, they are handled after the step in which they happened.
     fn locates(&self) -> bool {
         true
     }
@@ -54,13 +54,13 @@ pub trait Solver {
 
 /// The motion from one state of a run, in one mode.
 pub trait Motion {
-    /// For how long it is known \[s\].
+    /// Length of time over which the motion is known \[s\]; may be infinite.
     fn length(&self) -> f64;
 
     /// The first time \[s\] before `until` at which `guard` is met, and at which side.
     ///
     /// # Errors
-    /// Where the search does not end, or leaves the range of numbers.
+    /// If the search does not end, or a number overflows.
     fn first(&mut self, guard: Guard, until: f64, cost: &mut Cost) -> Result<Option<(f64, Side)>, SearchError>;
 
     /// The state after the time `t` \[s\], which is at most its length.
@@ -77,7 +77,7 @@ pub enum Guard {
     Phase(usize),
     /// The guard of an exit of a switch: the switch, and which of the exits.
     Exit(usize, usize),
-    /// A function that ends a hold: which ending of the contact.
+    /// A function that ends a hold: its index in [`Contact::watches`](crate::engine::contact::Contact::watches).
     Hold(usize),
 }
 

@@ -9,8 +9,8 @@ use crate::engine::record::State;
 use crate::engine::vector::Vector;
 use crate::tolerance::events::ORDER;
 
-/// Whether `law` meets its boundary together with a law of another phase, and the order of the two steps changes the speeds. The motion
-/// beyond is then one of several.
+/// Whether `law` meets its boundary together with a law of another phase, and the order of the two steps changes the speeds. The computed
+/// motion is then one of several possible ones.
 pub fn matters(
     equations: &dyn Equations,
     (laws, switches, k): Stand<'_>,

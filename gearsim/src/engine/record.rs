@@ -19,15 +19,15 @@ pub type Turns = SmallVec<[i64; 10]>;
 /// A state in the form of the engine: remainders of the angles, and counts of whole pitches.
 #[derive(Debug, Clone)]
 pub struct State {
-    /// Coordinates, less whole pitches (N).
+    /// Coordinates without their whole pitches (n).
     pub q: Vector,
-    /// Speeds (N).
+    /// Speeds (n).
     pub q_dot: Vector,
-    /// Whole pitches of each coordinate (N).
+    /// Whole pitches of each coordinate (n).
     pub turns: Turns,
-    /// Sum of the rounding errors of the speeds since they were set (N), see [`State::gain`].
+    /// Sum of the rounding errors of the speeds since they were set (n), see [`State::gain`].
     pub lost: Vector,
-    /// The low parts of the coordinates in double-double precision (N); empty in plain precision.
+    /// The low parts of the coordinates in double-double precision (n); empty in plain precision.
     pub low: Vector,
 }
 
@@ -66,7 +66,7 @@ impl State {
         state
     }
 
-    /// Adds `dv` to the speeds (N), and keeps their rounding errors (Knuth's two-sum). The speed of a rolling coordinate is large compared
+    /// Adds `dv` to the speeds (n), and keeps their rounding errors (Knuth's two-sum). The speed of a rolling coordinate is large compared
     /// with its change at an event. Without the correction the rounding errors add up, and the angles drift.
     #[inline]
     pub fn gain(&mut self, dv: &Vector) {
@@ -78,7 +78,7 @@ impl State {
         }
     }
 
-    /// Whether all of it is finite.
+    /// Whether all coordinates and speeds are finite.
     #[inline]
     pub fn is_finite(&self) -> bool {
         // If a value is not finite, neither is the sum. If only the sum overflows, the values are tested one by one.
@@ -98,7 +98,7 @@ impl State {
     }
 }
 
-/// The account and the columns of a run.
+/// The recorded columns of a run, with its energy account.
 pub struct Recorder<'a> {
     equations: &'a dyn Equations,
     /// The outputs that are recorded, by their numbers.
@@ -109,15 +109,15 @@ pub struct Recorder<'a> {
     start: State,
     /// T + V at the start \[J\].
     pub energy_at_start: f64,
-    /// Work of each torque of the scene beyond that of a constant one \[J\] in the next row; empty where all are constant.
+    /// Work of the varying part of each torque of the scene, for the next row \[J\]; empty if all torques are constant.
     pub beyond: Vec<f64>,
     /// The rows.
     pub trajectory: Trajectory,
     /// Rows that may be recorded.
     pub most_rows: u64,
-    /// When the run stops, finished or not.
+    /// When the run is stopped, finished or not; `None` if there is no limit.
     pub until: Option<Instant>,
-    /// How many times the run was allowed to go on.
+    /// Number of calls of [`Recorder::allow`].
     turns: u32,
 }
 
@@ -168,8 +168,8 @@ impl<'a> Recorder<'a> {
         self.trajectory.t.last().copied().unwrap_or(0.0)
     }
 
-    /// Adds a row of the run `now` in a `state` of its present mode with the law values `k`; `lost` is the energy that damping has
-    /// dissipated so far, and the energy neglected in contacts \[J\].
+    /// Adds a row of the run `now` in a `state` of its present mode with the law values `k`; `dissipated` is the energy that damping has
+    /// taken so far, and `ignored` the energy neglected in contacts \[J\].
     pub fn row(
         &mut self,
         now: &Hybrid<'_>,

@@ -1,9 +1,9 @@
 //! The first root of a polynomial in (0, 1], guaranteed, from its Bernstein coefficients.
 //!
-//! On an interval a polynomial lies between its smallest and largest Bernstein coefficient, and it has at most as many roots as
-//! the coefficients change sign (Farouki & Rajan, CAGD 4(3), 1987). If all have one sign, there is no root. With one change of
-//! sign there is one root, which is bracketed. Otherwise the interval is bisected (de Casteljau), and the left half is searched
-//! first. Double roots are handled in the same way. A touch that does not pass zero by more than the tolerance is a graze: it is
+//! On an interval a polynomial lies between its smallest and largest Bernstein coefficient, and it has at most as many roots as the
+//! coefficients change sign (Farouki & Rajan, CAGD 4(3), 1987). If all coefficients have one sign, there is no root. With one change of
+//! sign there is one root, and the interval is its bracket. Otherwise the interval is bisected (de Casteljau), and the left half is
+//! searched first. Double roots are handled in the same way. A touch that does not pass zero by more than the tolerance is a graze: it is
 //! counted, but it is not a root.
 
 use crate::tolerance::events::{DENSE_FAR, DENSE_NOISE, ROOT_ERROR, ROOT_HALVINGS};
@@ -44,7 +44,7 @@ pub fn first_known_to(coefficients: &[f64], tolerance: f64, slack: f64) -> Found
     found.steps += beyond.steps;
     let turned: Vec<f64> = coefficients.iter().map(|c| -c).collect();
     found.root = match (beyond.root, first(&turned, tolerance).root) {
-        // The root after its return: there it is negative by more than its error.
+        // The root after the polynomial has become positive again. Beyond this root it is negative by more than its error.
         (Some(x), Some(back)) if back < x => Some(x),
         (Some(_), _) => Some(0.0),
         (None, _) => (evaluate(coefficients, 1.0) < 0.0).then_some(0.0),
@@ -54,7 +54,7 @@ pub fn first_known_to(coefficients: &[f64], tolerance: f64, slack: f64) -> Found
 
 /// The same for a polynomial of at most `MOST` coefficients.
 pub fn first_of<const MOST: usize>(coefficients: &[f64], tolerance: f64) -> Found {
-    // Most polynomials stay far from zero: p(x) >= c_0 - sum |c_j|, and so is each Bernstein coefficient.
+    // Most polynomials stay far from zero: c_0 - sum |c_j| is a lower bound of p(x) and of each Bernstein coefficient.
     let first = coefficients[0];
     if coefficients.iter().skip(1).fold(0.0, |sum, c| sum + c.abs()) < DENSE_FAR * first {
         return Found { root: None, steps: 1, grazes: 0 };
@@ -228,17 +228,17 @@ mod tests {
 
     #[test]
     fn roots_at_the_ends_of_the_interval() {
-        // It leaves the boundary inwards: no root, or its return.
+        // The polynomial leaves the boundary inwards: there is no root, or it is at the return.
         assert_eq!(first(&[0.0, 1.0, 0.0], 1e-15).root, None);
         assert!((first(&[0.0, 1.0, -2.0], 1e-15).root.unwrap() - 0.5).abs() < 1e-15);
-        // It leaves the boundary outwards: a root at 0. If its slope is 0, the next derivative decides.
+        // The polynomial leaves the boundary outwards: a root at 0. If the slope is 0, the next derivative decides.
         assert_eq!(first(&[0.0, -1.0, 9.0], 1e-15).root, Some(0.0));
         assert_eq!(first(&[0.0, 0.0, -1.0], 1e-15).root, Some(0.0));
         assert_eq!(first(&[0.0, 0.0, 1.0], 1e-15).root, None);
         assert_eq!(first(&[0.0, 0.0, 0.0], 1e-15).root, None);
         // A root at the end of the step: the next step begins with it.
         assert_eq!(first(&[1.0, -1.0], 1e-15).root, None);
-        // It starts outside by a rounding error, and returns.
+        // The polynomial starts outside by a rounding error, and returns.
         assert_eq!(first(&[-1e-16, 1.0], 1e-15).root, None);
         // All values are within rounding errors: only the end decides.
         assert_eq!(first(&[0.0, -3e-15, 3e-15, 0.0], 1e-15).root, None);
@@ -254,13 +254,13 @@ mod tests {
         let c = [0.0, 0.0, -1e-3, 1.0];
         assert_eq!(first(&c, 1e-15).root, Some(0.0));
         assert_eq!((known_to(1e-9, &c), known_to(1e-11, &c)), (None, Some(0.0)));
-        // With such a dip at the start it becomes positive and has a root at x = 1/2; or it stays negative.
+        // A polynomial with such a dip at the start becomes positive and has a root at x = 1/2. Another one stays negative.
         let twice = [0.0, 0.0, -1e-3 * 0.5, 0.5 + 1e-3, -1.0];
         assert!((first_known_to(&twice, 1e-15, 1e-9).root.unwrap() - 0.5).abs() < 1e-7);
         assert_eq!(known_to(1e-3, &[0.0, 0.0, -1e-4]), Some(0.0));
     }
 
-    /// Random polynomials of all degrees against a scan. If the scan finds a change of sign, the root is not later than it.
+    /// Random polynomials of all degrees against a scan. If the scan finds a negative value, the root is not later.
     #[test]
     fn random_polynomials_against_a_scan() {
         let mut seed = 1u64;

@@ -10,9 +10,9 @@ use crate::tolerance::events;
 pub struct Signal<'a> {
     /// The flight.
     pub flight: &'a Flight<'a>,
-    /// c: the contribution of the displacement of each mode (N).
+    /// c: the contribution of the displacement of each mode (one per mode).
     pub on_moved: &'a [f64],
-    /// d: the contribution of the speed of each mode (N); `None` if there is none.
+    /// d: the contribution of the speed of each mode (one per mode); `None` if there is none.
     pub on_speed: Option<&'a [f64]>,
 }
 

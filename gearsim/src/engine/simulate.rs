@@ -1,5 +1,5 @@
-//! The hybrid loop: solve, locate, propagate, record, jump. These are the six steps of Oh, Grosh & Barber (2005), for any number
-//! of coordinates, stiffnesses and levels a pitch, both directions of rotation, and any [`Solver`].
+//! The hybrid loop: solve, locate, propagate, record, jump. These are the six steps of Oh, Grosh & Barber (2005), for any number of
+//! coordinates, of stiffnesses and of levels per pitch, both directions of rotation, and any [`Solver`].
 
 use crate::engine::cascade::Cascade;
 use crate::engine::cells::Cells;
@@ -32,11 +32,11 @@ pub use recording::Recording;
 pub struct Simulation<'a> {
     /// The state: continuous, discrete, and the energy account.
     pub now: Hybrid<'a>,
-    /// How the motion between two events is found.
+    /// The solver for the motion between two events.
     solver: Box<dyn Solver + 'a>,
     /// Whether the solver has entered the present mode. The kernel of plain events does not need the solver.
     entered: bool,
-    /// The events that come ever faster.
+    /// The detection of events at ever shorter intervals.
     cascade: Cascade,
     /// The kernel of plain events, once it was asked for; `None` where no event is plain.
     kernel: Option<Option<Box<dyn Alone>>>,
@@ -46,7 +46,7 @@ impl<'a> Simulation<'a> {
     /// Prepares a scene with constant torques for the exact solver: its cells, its start.
     ///
     /// # Errors
-    /// Where the numbers do not make a system that can be simulated.
+    /// If the scene cannot be simulated.
     pub fn new(equations: &'a dyn Equations, scene: &Scene) -> Result<Self, Refusal> {
         match scene.varying() {
             Some(torques) => Err(Refusal::Varying { torques }),
@@ -72,7 +72,7 @@ impl<'a> Simulation<'a> {
     /// Begins a run in the state `now`, by a solver.
     ///
     /// # Errors
-    /// Where the solver cannot solve the first mode.
+    /// If the solver cannot solve the first mode.
     pub fn with(mut now: Hybrid<'a>, mut solver: Box<dyn Solver + 'a>) -> Result<Self, Refusal> {
         if now.is_stuck() {
             now.hold(vec![])?;
@@ -90,8 +90,8 @@ impl<'a> Simulation<'a> {
         Ok(self)
     }
 
-    /// Runs to the end. `recorder` notes samples at a rate \[1/s\] and, if told to, the limits at every event; `watch`
-    /// is told the time after events, not after each of those that pass in some microseconds.
+    /// Runs to the end. `recorder` comes with the sampling rate \[1/s\], and whether it records the limits at every event. `watch` is
+    /// called with the time \[s\] after events. Many plain events that are passed together are followed by one call.
     ///
     /// # Errors
     /// If the run cannot continue. `recorder` has the rows up to that time.
@@ -110,7 +110,7 @@ impl<'a> Simulation<'a> {
         Ok(())
     }
 
-    /// Goes on to the next event, past many if they are plain and not recorded. Returns whether the run is over.
+    /// Goes on to the next event. Passes many events if they are plain and not recorded. Returns whether the run is over.
     #[inline]
     fn go_on(&mut self, recording: &mut Option<Recording<'_, '_>>) -> Result<bool, Stop> {
         if self.is_plain() && self.pass_all_plain(recording) {
@@ -143,7 +143,7 @@ impl<'a> Simulation<'a> {
         // Solve: the motion in this mode.
         let horizon = locate::horizon(now);
         let mut motion = self.solver.solve(now, horizon.0)?;
-        // Locate: how it ends.
+        // Locate: when and how the motion ends.
         let (t, end) = locate::first(now, &mut *motion, horizon, &mut cost)?;
         // Propagate: the state at t.
         let (t, reached) = motion.arrive(t, end, &mut cost);
@@ -161,7 +161,7 @@ impl<'a> Simulation<'a> {
         self.finish(end, recording)
     }
 
-    /// What happens at the end of a motion. Returns whether the run is over.
+    /// Handles the end of a motion. Returns whether the run is over.
     #[inline]
     fn finish(&mut self, end: End, recording: &mut Option<Recording<'_, '_>>) -> Result<bool, Stop> {
         match end {
@@ -186,7 +186,7 @@ impl<'a> Simulation<'a> {
         }
     }
 
-    /// Puts its only law into the cell that the kernel has reached.
+    /// Sets the cell of the only law to the one that the kernel has reached.
     #[inline]
     pub(crate) fn stand_in(&mut self, cell: usize) {
         self.now.laws[0].cell = cell;
@@ -228,7 +228,7 @@ impl<'a> Simulation<'a> {
         self.solver.cells()
     }
 
-    /// What a method by steps did.
+    /// Step counts of a method by steps.
     pub fn effort(&self) -> Effort {
         self.solver.effort()
     }
@@ -242,7 +242,7 @@ impl<'a> Simulation<'a> {
         matches!(&laws[..], [law] if rolls(law)) && switches.is_empty() && contact.is_none() && forcing.is_none()
     }
 
-    /// Length of one turn of each coordinate (N): the pitch, where it rolls.
+    /// Length of one turn of each coordinate (n): the pitch if the coordinate rolls, otherwise 0.
     pub fn turn_lengths(&self) -> Vector {
         law::turn_lengths(self.now.state.q.len(), &self.now.laws)
     }

@@ -1,4 +1,4 @@
-//! The state at t = 0 from the start that a scene states.
+//! The state at t = 0, from the section `[start]` of a scene.
 
 mod equilibrium;
 mod rigid;
@@ -23,7 +23,7 @@ pub struct Initial {
 }
 
 impl Initial {
-    /// The coordinates, with their whole turns (N).
+    /// The coordinates, with their whole turns (n).
     pub fn absolute(&self) -> Vector {
         self.state.unwrapped(&law::turn_lengths(self.state.q.len(), &self.laws))
     }
@@ -36,7 +36,7 @@ impl Initial {
     }
 }
 
-/// The speeds q' of the rigid motions by which a scene states its start (n) [SI].
+/// The speeds q' that the rigid motions in the section `[start]` of a scene give (n) [SI].
 pub fn rigid_speeds(equations: &dyn Equations, scene: &Scene) -> Vector {
     let mut q_dot = Vector::zeros(equations.coordinates());
     for (i, size) in scene.start.motions.iter().enumerate() {
@@ -45,7 +45,7 @@ pub fn rigid_speeds(equations: &dyn Equations, scene: &Scene) -> Vector {
     q_dot
 }
 
-/// What a scene states of its start.
+/// The content of the section `[start]` of a scene.
 struct Stated {
     /// The stated coordinates (n). For a coordinate in static equilibrium: the value at which the search for it begins.
     guess: Vector,
@@ -68,7 +68,7 @@ impl Stated {
         Stated { guess, q_dot, free: (0..n).filter(|&i| scene.start.q[i].is_static()).collect() }
     }
 
-    /// The problem of the equilibrium, and the one found from the guess. The switches get their modes there.
+    /// The equilibrium problem, and the equilibrium found from the guess. Sets the modes that the switches have there.
     fn settle<'a>(
         &'a self,
         equations: &'a dyn Equations,
@@ -89,7 +89,7 @@ fn taken<'a>(first: &'a Settled, found: &'a [Settled]) -> &'a Settled {
 }
 
 /// Describes the static equilibria of a scene other than the one at which it starts. `None` if the search finds none, or if the start is
-/// not static. The search solves for an equilibrium from many guesses: much more work than the start.
+/// not static. The search solves for an equilibrium from many guesses, so it takes much longer than [`begin`].
 ///
 /// # Errors
 /// Those of [`begin`].
@@ -106,10 +106,10 @@ pub fn other_equilibria(equations: &dyn Equations, scene: &Scene) -> Result<Opti
 
 /// The state at the start.
 ///
-/// The speeds are those given, otherwise those of the rigid motions ([`rigid_speeds`]). Coordinates with the value `static` are where the
-/// generalised forces on them vanish, less those that accelerate rigid motions; the other coordinates and the speeds have the given values, and each law is in the cell of
-/// its phase. Switches are in the modes that this state admits: flanks are in contact where the forces press them together. If there are several equilibria, it is
-/// the one found from the stated value, or from zero.
+/// The speeds are those given, otherwise those of the rigid motions ([`rigid_speeds`]). Coordinates with the value `static` are in
+/// equilibrium: the generalised forces on them, without the part that accelerates rigid motions, are zero. The other coordinates have the
+/// given values. Each law is in the cell of its phase. Switches are in the modes that this state admits: flanks are in contact where the
+/// forces press them together. If there are several equilibria, the start is the one found from the stated value, or from zero.
 ///
 /// # Errors
 /// If the forces do not determine the equilibrium, or a phase is too large.
@@ -141,8 +141,9 @@ pub fn begin(equations: &dyn Equations, scene: &Scene) -> Result<Initial, Refusa
     Ok(Initial { state, laws, switches })
 }
 
-/// Finds the modes of the switches at an equilibrium. `settle` gives the equilibrium for given modes. A switch whose deflection moves at the
-/// speeds `q_dot` slides; another one whose guards are violated there, or whose hold would have to resist more than it can, is tried in its next mode.
+/// Finds the modes of the switches at an equilibrium. `settle` gives the equilibrium for given modes. A switch whose deflection moves at
+/// the speeds `q_dot` slides. Another switch is tried in its next mode if its guards are violated at the equilibrium, or if the force that
+/// its hold must resist is too large.
 fn in_modes(
     equations: &dyn Equations,
     scene: &Scene,
@@ -158,7 +159,7 @@ fn in_modes(
         switch.mode = slides.or_else(|| switch.rests().next()).unwrap_or(0);
     }
     let most: usize = switches.iter().map(|switch| switch.rests().count() + switch.modes()).sum();
-    // After all modes the last result is used.
+    // If no combination satisfies all guards, the last result is used.
     for _ in 0..most {
         let settled = settle(switches)?;
         let [mut k, ..] = courses(scene, &settled.state, &settled.laws);
@@ -189,7 +190,7 @@ fn in_modes(
     settle(switches)
 }
 
-/// The mode in which a switch that can hold its rate slides at the speeds `q_dot`; `None` if it does not.
+/// The mode in which a switch that can hold its rate slides at the speeds `q_dot`; `None` if it does not slide.
 fn sliding(switch: &Switch, equations: &dyn Equations, (q, q_dot): (&[f64], &[f64]), k: &[f64]) -> Option<usize> {
     (0..switch.modes()).find(|mode| {
         let (there, k) = switch.in_mode(*mode, k);
@@ -198,8 +199,8 @@ fn sliding(switch: &Switch, equations: &dyn Equations, (q, q_dot): (&[f64], &[f6
     })
 }
 
-/// Whether the coordinates `q` with the speeds `q_dot` admit a mode of a switch: every guard of the coordinates alone is positive or about
-/// to be. If `resting`, it may be zero.
+/// Whether the coordinates `q` with the speeds `q_dot` admit a mode of a switch: every guard that depends on the coordinates only is
+/// positive, or zero and increasing. If `resting`, zero is sufficient.
 fn is_at(
     switch: &Switch,
     equations: &dyn Equations,

@@ -1,11 +1,11 @@
-//! Switches: modes of a deflection, each a linear cell, until a linear function of the state becomes zero. Play, a clipped damper, a
-//! clutch and dry friction are such switches. The modes and their guards are derived ([`Equations::mode`], [`Equations::exits`]);
-//! nothing here knows what they mean.
+//! Switches: modes of a deflection, each a linear cell, until a linear function of the state becomes zero. Play, a clipped damper, a clutch
+//! and dry friction are such switches. The modes and their guards are derived ([`Equations::mode`], [`Equations::exits`]). This module does
+//! not depend on their meaning.
 //!
-//! A mode lasts while the guard of each of its exits is >= 0. Where one becomes zero, the mode beyond it follows. Then its own guards
-//! are compared with the state: a mode whose guard is already violated is left at once ([`settle`]). Energies do not step at an exit
-//! (this is proved by the derivation), so there is no impulse. A step of a transmission error may violate a guard, and V steps with
-//! the mode: an impulse as any other ([`law::barrier`](crate::engine::law::barrier)).
+//! A mode lasts while the guard of each of its exits is >= 0. Where a guard becomes zero, the mode beyond this exit follows. The guards of
+//! the new mode are then compared with the state: if one is already violated, this mode is left at once ([`settle`]). Energies do not step
+//! at an exit (this is proved by the derivation), so there is no impulse. A step of a transmission error may violate a guard, and V then
+//! steps with the mode. This is an impulse like any other ([`law::barrier`](crate::engine::law::barrier)).
 //!
 //! A deflection may bend: it is not linear in the coordinates, e.g. along a line of action that turns with the centres. Its guards are then
 //! those of its tangent at a place, which are exact there. Methods by steps follow them along the motion.
@@ -26,13 +26,13 @@ use crate::tolerance::events::{AT_REST, SAME_GUARD};
 pub struct Switch {
     /// Its index in the model.
     pub index: usize,
-    /// Where its values begin among the law values.
+    /// Index of the first of its values among the law values.
     at: usize,
     /// Gradient of its deflection (n).
     pub normal: Vector,
     /// Whether laws shift its deflection.
     shifted: bool,
-    /// The mode. State: not computed from the deflection.
+    /// The present mode. It is part of the state and not computed from the deflection.
     pub mode: usize,
     /// The modes, and the values of its symbols in each.
     modes: Arc<(&'static [SwitchMode], Vec<Vec<f64>>)>,
@@ -76,7 +76,7 @@ impl Switch {
         all
     }
 
-    /// Where its values begin among the law values.
+    /// Index of the first of its values among the law values.
     pub fn place(&self) -> usize {
         self.at
     }
@@ -96,7 +96,7 @@ impl Switch {
         self.since
     }
 
-    /// Whether an exit to `mode` counts.
+    /// Whether an entry into `mode` from the present mode counts as an impact.
     pub fn counts(&self, mode: usize) -> bool {
         self.modes.0[mode].counts_after(self.here())
     }
@@ -109,7 +109,7 @@ impl Switch {
         is_impact
     }
 
-    /// What each mode counts, and how often it was entered by an impact.
+    /// For each mode that counts its entries: what it counts, and how often it was entered by an impact.
     pub fn impacts(&self) -> impl Iterator<Item = (&'static str, u64)> {
         self.modes.0.iter().zip(&self.impacts).filter_map(|(mode, impacts)| Some((mode.counts?, *impacts)))
     }
@@ -149,7 +149,7 @@ impl Switch {
         (other, k)
     }
 
-    /// Writes the values of its symbols to where they belong among the law values `k`.
+    /// Writes the values of its symbols to their places in the law values `k`.
     pub fn write(&self, k: &mut [f64]) {
         let values = &self.modes.1[self.mode];
         k[self.at..self.at + values.len()].copy_from_slice(values);
@@ -166,23 +166,24 @@ impl Switch {
         equations.exits(self.index, self.mode, q, k)
     }
 
-    /// The gradient of what its present mode holds, at the coordinates `q` and the law values `k`: of the rate whose zero begins the hold. It is
-    /// that of the deflection, or of another rate in which friction laws are factors. Its direction is that of the motion which begins
-    /// when the reaction exceeds its bound.
+    /// The gradient of the rate that its present mode holds, at the coordinates `q` and the law values `k`. A hold begins at a zero of this
+    /// rate. It is the rate of the deflection, or another rate with friction laws as factors. The gradient has the direction of the motion
+    /// that begins when the reaction exceeds its bound.
     pub fn held(&self, equations: &dyn Equations, q: &[f64], k: &[f64]) -> Vector {
         let prevented = self.exits(equations, q, k).into_iter().find(|exit| exit.guard.on_reaction < 0.0);
         let back = prevented.and_then(|exit| self.before_hold(exit.beyond, equations, q, k));
         back.unwrap_or_else(|| self.normal.clone())
     }
 
-    /// The gradient of the rate whose zero leads from `mode` to a mode that holds; `None` where no exit does.
+    /// The gradient of the rate whose zero leads from `mode` to a mode that holds; `None` if no exit does.
     pub fn before_hold(&self, mode: usize, equations: &dyn Equations, q: &[f64], k: &[f64]) -> Option<Vector> {
         let exits = equations.exits(self.index, mode, q, k);
         let exit = exits.into_iter().find(|exit| self.modes.0[exit.beyond].held)?;
         Some(exit.guard.on_speed)
     }
 
-    /// The gradient of the rate that its present mode holds, or whose zero leads to a mode that holds; of its deflection where there is none.
+    /// The gradient of the rate that its present mode holds, or whose zero leads to a mode that holds; of its deflection if there is no
+    /// such rate.
     pub fn gradient(&self, equations: &dyn Equations, q: &[f64], k: &[f64]) -> Vector {
         if self.here().held {
             return self.held(equations, q, k);
@@ -191,8 +192,8 @@ impl Switch {
         rate.unwrap_or_else(|| self.normal.clone())
     }
 
-    /// How fast the factors of the held rate change along the motion `q`, `q_dot`, times the speeds: N'ᵀq'. `k_dot` are the rates of the law values,
-    /// in which a rate is linear.
+    /// How fast the factors of the held rate change along the motion `q`, `q_dot`, times the speeds: N'ᵀq'. `k_dot` are the rates of the
+    /// law values, in which a rate is linear.
     pub fn drift(&self, equations: &dyn Equations, (q, q_dot): (&[f64], &[f64]), k_dot: &[f64]) -> f64 {
         let none = vec![0.0; k_dot.len()];
         self.held(equations, q, k_dot).dot(q_dot) - self.held(equations, q, &none).dot(q_dot)
@@ -203,7 +204,7 @@ impl Switch {
         (self.held(equations, q, k) - &self.held(equations, q, &vec![0.0; k.len()])).amax() > 0.0
     }
 
-    /// Whether what it holds is at rest, up to the rounding errors of the speeds.
+    /// Whether the rate that it holds is zero, up to the rounding errors of the speeds.
     pub fn is_at_rest(&self, equations: &dyn Equations, (q, q_dot): (&[f64], &[f64]), k: &[f64]) -> bool {
         let normal = self.held(equations, q, k);
         normal.dot(q_dot).abs() <= rest(equations, (q, q_dot), &normal)
@@ -268,8 +269,8 @@ impl Guards {
     }
 }
 
-/// The exits that a motion can take: no other exit comes before them; of equal exits only the first is taken. Exits by a reaction are
-/// watched with the hold.
+/// The exits that a motion can take before any other exit. If the guards of several exits are multiples of one another, only the first is
+/// used. Exits by a reaction are watched with the hold.
 fn watched(exits: Vec<Exit>) -> SmallVec<[Exit; 2]> {
     let mut watched: SmallVec<[Exit; 2]> = SmallVec::new();
     for exit in exits.into_iter().filter(|exit| !exit.sudden && exit.guard.on_reaction == 0.0) {
@@ -280,7 +281,7 @@ fn watched(exits: Vec<Exit>) -> SmallVec<[Exit; 2]> {
     watched
 }
 
-/// The factor by which one guard is a multiple of another, if it is one.
+/// The factor by which one guard is a multiple of another; `None` if it is not a multiple.
 fn ratio(guard: &Affine, of: &Affine) -> Option<f64> {
     let parts = |guard: &Affine| {
         let errors = guard.errors.iter().map(|(_, unit)| *unit);
@@ -312,7 +313,7 @@ pub fn settle(
             None => exit.guard.value(q, q_dot, k) < -equations::rounding(&exit.guard, k),
         };
         let exit = match switch.here().held {
-            // The reaction is not known before the hold begins. A motion along what is held ends the hold.
+            // The reaction is not known before the hold begins. If the rate to be held is not zero, the hold ends at once.
             true if crossed.is_some() || switch.is_at_rest(equations, (q, q_dot), k) => {
                 exits.iter().find(|exit| exit.guard.on_reaction == 0.0 && violated(exit))
             }
@@ -332,8 +333,8 @@ pub fn settle(
     switch.mode != before
 }
 
-/// Whether another mode of a switch admits a state: its guards are positive there, or about to be. `at_edge`: a mode that does not hold also
-/// admits a state at which guards of its coordinates are zero and stay so, e.g. gears that roll without load.
+/// Whether another mode of a switch admits a state: its guards are positive there, or zero and increasing. If `at_edge`, a mode that does
+/// not hold also admits a state at which guards that depend on the coordinates only are zero, e.g. gears that roll without load.
 fn admits(
     switch: &Switch,
     equations: &dyn Equations,

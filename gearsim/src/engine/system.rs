@@ -16,8 +16,8 @@ use crate::scene::Scene;
 pub use about::{LinearisedAbout, Steady, are_same};
 
 /// The equations of a scene. `k` holds the present value of each law; if it holds only the stiffnesses, which come first, the other laws
-/// are zero, or at their means about a steady motion. Switches are as without their effects: flanks with play are in contact, and the
-/// deflection is measured from the edge.
+/// are zero, or at their means about a steady motion. Switches have no effect: flanks with play are in contact, and the deflection is
+/// measured from the edge.
 pub struct System {
     equations: Box<dyn Equations>,
     model: &'static Model,
@@ -37,7 +37,7 @@ impl System {
         Self::linear_part(derived, scene)
     }
 
-    /// The linear part of the equations of a scene, without the terms that are not.
+    /// The linear part of the equations of a scene. Nonlinear terms are ignored.
     ///
     /// # Errors
     /// If the effects contradict one another.

@@ -1,9 +1,9 @@
 //! The equations of a train, put together from those of its parts.
 //!
-//! A part is an element with a few coordinates x = R q, where q are the coordinates of the train. All that the derivation has proved of
-//! the element holds along these: T, V and D are sums, so that F = sum of Rᵀ f, K = sum of Rᵀ k R, and the gradient of a deflection is Rᵀ n.
-//! An element may have several coordinates, laws, switches, torques and outputs; their numbers in the train are in its
-//! [`Part`](crate::train::Part). This module contains no equation of an element.
+//! A part is an element with a few coordinates x = R q, where q are the coordinates of the train. All properties that the derivation has
+//! proved for the element hold in the coordinates x. T, V and D of the train are sums, so that F = sum of Rᵀ f, K = sum of Rᵀ k R, and the
+//! gradient of a deflection is Rᵀ n. An element may have several coordinates, laws, switches, torques and outputs; their numbers in the
+//! train are in its [`Part`](crate::train::Part). This module contains no equation of an element.
 
 mod exact;
 mod geometry;
@@ -77,9 +77,9 @@ struct Assembly {
     laws: Vec<[usize; 2]>,
     switches: Vec<[usize; 2]>,
     deflections: Vec<[usize; 2]>,
-    /// For each torque the same, and its work per displacement, without what varies.
+    /// For each torque the same, and its work per displacement, without the part that varies.
     torques: Vec<([usize; 2], Sparse)>,
-    /// The sum of these works: where torques are in balance, they cancel before they are multiplied.
+    /// The sum of the works of all torques. Torques in balance thus cancel before they are multiplied by a displacement.
     work: Sparse,
     outputs: Vec<Observed>,
     mass: Matrix,

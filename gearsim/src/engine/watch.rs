@@ -11,13 +11,13 @@ use crate::tolerance::events::GRAZE_DEPTH;
 /// The function, by its slopes.
 #[derive(Debug, Clone)]
 pub struct Watch {
-    /// Along the coordinates (N).
+    /// Along the coordinates (n).
     on_q: Vector,
-    /// Along the speeds (N).
+    /// Along the speeds (n).
     on_speed: Vector,
-    /// Along the generalised forces of torques that vary (N).
+    /// Along the generalised forces of torques that vary (n).
     on_load: Vector,
-    /// Along the displacements of the modes of a cell, and along the speeds that they gain (N each).
+    /// Along the displacements of the modes of a cell, and along the changes of their speeds (one per mode).
     modal: (Vector, Option<Vector>),
 }
 
@@ -35,11 +35,11 @@ impl Watch {
         Watch { on_q, on_speed, on_load, modal }
     }
 
-    /// Whether the function, which has `value` at the start of the flight, becomes zero before the horizon; `point` is then moved there. On
-    /// entry `point` must be at the start.
+    /// The side on which the function, which has `value` at the start of the flight, becomes zero before the horizon; `None` if it does
+    /// not. `point` is moved to the zero. On entry `point` must be at the start.
     ///
     /// # Errors
-    /// Where the search does not end, or leaves the range of numbers.
+    /// If the search does not end, or a number overflows.
     pub fn first_zero(
         &self,
         value: f64,
@@ -54,7 +54,7 @@ impl Watch {
         search.first(point, cost)
     }
 
-    /// The same over a window: the fraction of it at which the function becomes zero.
+    /// The same over a window. Returns the fraction of the window at which the function becomes zero.
     pub fn first_zero_in(&self, value: f64, window: &Window<'_>, cost: &mut Cost) -> Option<f64> {
         let course = window.course(&self.on_q, &self.on_speed, &self.on_load);
         let sign = if value >= 0.0 { 1.0 } else { -1.0 };

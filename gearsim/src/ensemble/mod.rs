@@ -1,11 +1,11 @@
 //! Ensembles: many simulations of one model side by side, eight on a processor core, one per lane.
 //!
-//! If the next event of a simulation is plain (the phase is proved to be monotone, and it passes the step before the end of the
-//! run), the kernel takes it in a lane. The general loop takes any other event of this simulation, which then returns to its
-//! lane. The events are those of a single run, with the same guarantee; the states differ from it by rounding errors only. The
-//! result of a simulation does not depend on the other lanes, to the last bit.
+//! If the next event of a simulation is plain, as defined in [`lanes`](crate::engine::lanes), the kernel handles it in a lane. The general
+//! loop handles every other event; afterwards the simulation returns to its lane. The events are those of a single run, with the same
+//! guarantee; the states differ from it by rounding errors only. The result of a simulation does not depend on the other lanes, to the last
+//! bit.
 //!
-//! A processor without the vector instructions that the kernel is compiled for takes each event by the general loop.
+//! On a processor without the vector instructions for which the kernel is compiled, the general loop handles each event.
 
 #[cfg(test)]
 mod tests;
@@ -18,13 +18,13 @@ use crate::engine::lanes::pack::Mask;
 use crate::engine::lanes::{LARGEST, Lanes};
 use crate::engine::simulate::Simulation;
 
-/// Number of simulations side by side on a processor core: the width of its vectors.
+/// Number of simulations side by side on a processor core: as many as its vectors have numbers.
 const LANES: usize = 8;
 
 /// Runs simulations to their ends, without recording.
 ///
 /// # Errors
-/// For each simulation, why it stopped early.
+/// For each simulation that stopped early: the reason.
 pub fn run(simulations: &mut [Simulation<'_>]) -> Vec<Result<(), Stop>> {
     let kinds: Vec<_> = simulations.iter().map(Kind::of).collect();
     let mut results = vec![Ok(()); simulations.len()];
@@ -99,9 +99,9 @@ impl Ensemble<'_, '_> {
         }
     }
 
-    /// Advances a simulation by the general loop to the beginning of a pitch, where it can join the others, or to the end of its
-    /// run, or at least until its next event may be plain. Returns whether the run continues. This is also done without other
-    /// simulations: the path and the bits of a simulation must not depend on the others.
+    /// Advances a simulation by the general loop until its next event may be plain and its phase is at the beginning of a pitch, where it
+    /// can join the others. After as many events as a pitch has cells it need not be at the beginning of a pitch. Returns whether the run
+    /// continues. This is also done without other simulations: the result of a simulation must not depend on the others, to the last bit.
     fn ready(&mut self, which: usize) -> bool {
         let mut events_left = self.simulations[which].now.laws[0].pitch.cells();
         loop {
@@ -122,7 +122,7 @@ impl Ensemble<'_, '_> {
         self.is_over(which, step)
     }
 
-    /// Whether the run of a simulation has ended with a step: at its end time, or with an error, which is stored.
+    /// Whether the run of a simulation has ended with this step: at its end time, or with an error. The error is stored.
     fn is_over(&mut self, which: usize, step: Result<bool, Stop>) -> bool {
         step.unwrap_or_else(|stop| {
             self.results[which] = Err(stop);
@@ -147,7 +147,7 @@ impl<const N: usize, const L: usize> NullaryFnOnce for Advance<'_, N, L> {
     fn call(self) -> (Mask<L>, Mask<L>) {
         let Advance { lanes, mut active, mut waiting } = self;
         if L == 1 {
-            // A single lane does not wait for others. Its mask is known to the compiler, which leaves out the selections by masks.
+            // A single lane does not wait for others. Its mask is constant, so the compiler omits the selections by masks.
             let all = Mask::of(|_| true);
             while lanes.pass(all).is_all() {}
             return (all, Mask::of(|_| false));

@@ -33,7 +33,8 @@ fn simulations(scenes: &[Prepared]) -> Vec<Simulation<'_>> {
     scenes.iter().map(|(scene, e)| Simulation::new(&**e, scene).unwrap()).collect()
 }
 
-/// Runs scenes both ways. The events are the same, and the states differ by at most `tolerance`, relative to their sizes.
+/// Runs scenes one by one and as an ensemble. The events must be the same, and the states may differ by at most `tolerance`, relative to
+/// their sizes.
 fn check(scenes: &[Prepared], tolerance: f64) {
     let (mut alone, mut together) = (simulations(scenes), simulations(scenes));
     let ended: Vec<_> = alone.iter_mut().map(|s| s.run(None, &mut |_| {})).collect();
@@ -69,7 +70,7 @@ fn lanes_have_the_events_of_the_general_loop() {
 }
 
 #[test]
-fn simulations_that_fit_no_lane_are_run_too() {
+fn simulations_without_a_lane_are_run_by_the_general_loop() {
     let effects = |effects: &str| prepare(&[format!("effects=[{effects}]"), "start.speed=900 rpm".into()]);
     let overdamped = prepare(&["parameters.zeta=3".into()]);
     let scenes = [

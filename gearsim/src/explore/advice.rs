@@ -34,7 +34,7 @@ struct Row {
     deviations: Option<[String; 6]>,
     /// A further remark.
     note: String,
-    /// Time saved: -30 %.
+    /// Change of the processor time without the effect: -30 %.
     time: String,
 }
 

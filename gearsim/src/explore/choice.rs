@@ -27,21 +27,22 @@ pub(super) struct Choice {
     /// The identifiers of the sections that a person sees: the answer to `run` has these sections, the answer to `rest` the others. If
     /// empty, the answer to `run` has all sections.
     pub seen: Vec<String>,
-    /// What a person sees of the plots over time: in the answer to `run` they have this alone, and that to `rest` has all sections.
+    /// The part of the plots that a person sees. If it is stated, the answer to `run` has only this part, and the answer to `rest` has all
+    /// sections.
     pub view: Option<View>,
     /// If true, the answer to `run` comes after the end of the run. If false, the answer to a long run has its beginning.
     pub whole: bool,
-    /// A number of the choice, in the identifiers of the arrays of its plots.
+    /// Number of the choice. It is used in the identifiers of the arrays of its plots.
     pub number: u32,
 }
 
-/// The keys of `[run]` for the solver; `None` if they are not to be stated.
+/// The keys of `[run]` for the solver. `None` removes a key from the text.
 #[derive(Debug, Clone, Default, Deserialize)]
 #[serde(deny_unknown_fields, default)]
 pub(super) struct SolverChoice {
     /// Name of the method.
     pub method: Option<String>,
-    /// Tolerance of a method by steps.
+    /// Tolerance of a method with adaptive steps.
     pub tolerance: Option<f64>,
     /// Step \[s\] of a method with fixed steps.
     pub step: Option<f64>,
@@ -98,10 +99,11 @@ impl SolverChoice {
     }
 }
 
-/// Adds the parameters and laws that the effects of the text need and that neither it nor the model states, with values of usual size.
+/// Adds the parameters and laws that the effects of the text need and that neither the text nor the model gives. They get values of usual
+/// size.
 fn complete(scene: &Scene, text: &mut Text) {
     let model = scene.model;
-    // The parts of a train are tables of their own: an effect needs no other keys.
+    // The parts of a train have their own tables, so that an effect needs no other keys.
     let names = text.names("effects");
     let Some(effects) = Effects::from_names(names.iter().map(String::as_str), model) else { return };
     if scene.train.is_some() {
@@ -119,7 +121,7 @@ fn complete(scene: &Scene, text: &mut Text) {
         if text.at(&["laws", law.name]).is_some() {
             continue;
         }
-        // The friction of a mesh whose teeth are given follows from them.
+        // If the teeth of a mesh are given, its friction follows from the teeth.
         let teeth = model.laws.iter().find(|other| {
             other.role == Role::Stiffness
                 && other.phase == law.phase
@@ -135,7 +137,7 @@ fn complete(scene: &Scene, text: &mut Text) {
     }
 }
 
-/// A number with a unit \[SI\].
+/// A number in the unit `unit`, converted to SI; unchanged if the unit is not known.
 pub(super) fn si(number: f64, unit: &str) -> f64 {
     Quantity::parse(&format!("{number:e} {unit}")).map_or(number, |quantity| quantity.value)
 }

@@ -66,7 +66,7 @@ pub(super) fn offered(scene: &Scene, text: &Text) -> Vec<Leaf> {
         unit: if unit == "1" { String::new() } else { unit.into() },
         whole: false,
     };
-    // A train has the parameters of its tables, and no table of parameters.
+    // The parameters of a train are in the tables of its parts; a train has no table `parameters`.
     let parameters = scene.model.parameters.iter().filter(|p| scene.train.is_none() && active(p.with));
     let parameters = parameters.filter_map(|p| Some(leaf("parameters", p.name, p.default?, p.unit)));
     let motions = scene
@@ -78,7 +78,7 @@ pub(super) fn offered(scene: &Scene, text: &Text) -> Vec<Leaf> {
     all.filter(|leaf| text.at(&leaf.path.iter().map(String::as_str).collect::<Vec<_>>()).is_none()).collect()
 }
 
-/// The sliders of a text; `first` has the numbers from which their ranges begin.
+/// The sliders of a text; `first` has the numbers, by key, that determine their ranges.
 pub(super) fn controls(scene: &Scene, text: &Text, first: &HashMap<String, f64>) -> Vec<Control> {
     let stated = text.leaves().into_iter().filter(|leaf| match leaf.path[0].as_str() {
         // The solver has its own fields, and keys of `[output]` are no parameters.
@@ -146,8 +146,8 @@ fn doc(scene: &Scene, path: &[String]) -> &'static str {
     found.unwrap_or_default()
 }
 
-/// The ends of a slider that begins at `from`: a quarter and four times of it; for 0, a usual size to both sides. They lie within the range
-/// of the parameter.
+/// The ends of a slider whose number is `from` at first: a quarter of it and four times it; if it is negative, four times it to both sides;
+/// if it is 0, a usual size to both sides. They are limited to the range of the parameter.
 fn range(scene: &Scene, leaf: &Leaf, from: f64, parameter: Option<&Parameter>) -> (f64, f64) {
     let (low, high) = match from {
         0.0 => {

@@ -10,7 +10,7 @@ pub(super) enum Route {
     Page,
     /// A run.
     Run,
-    /// The sections of a run that the first answer did not have whole.
+    /// The sections of a run that the first answer did not contain completely.
     Rest,
     /// Cost and error of a run.
     Judge,
@@ -39,12 +39,12 @@ pub(super) type Refused = (u16, &'static str);
 /// Finds the target of a request. `port` and `token` are those of this server.
 ///
 /// # Errors
-/// The refusal. Its text tells nothing to a page that does not know the token.
+/// The refusal. Its text reveals nothing to a page that does not know the token.
 pub(super) fn route(head: &Head<'_>, token: &str, port: u16) -> Result<Route, Refused> {
-    // A page of another site may reach 127.0.0.1 by a name of its own; then the host is that name.
+    // A page of another site may let its own host name resolve to 127.0.0.1 (DNS rebinding). The header `Host` then has that name.
     let hosts = [format!("127.0.0.1:{port}"), format!("localhost:{port}")];
     if !matches!(head.host[..], [host] if hosts.iter().any(|known| known == host)) {
-        return Err((403, "another host"));
+        return Err((403, "unknown host"));
     }
     let own =
         |origin: &&str| origin.strip_prefix("http://").is_some_and(|host| hosts.iter().any(|known| known == host));
@@ -65,9 +65,9 @@ pub(super) fn route(head: &Head<'_>, token: &str, port: u16) -> Result<Route, Re
         _ => return Err((404, "no such page")),
     };
     if head.method != if route == Route::Page { "GET" } else { "POST" } {
-        return Err((405, "another method"));
+        return Err((405, "method not allowed"));
     }
-    // Pages of other origins cannot send this type without being asked first, which is refused.
+    // Before a page of another origin sends this content type, its browser asks with an `OPTIONS` request, which is refused.
     if route != Route::Page && head.content_type[..] != ["application/json"] {
         return Err((415, "the body must be JSON"));
     }

@@ -20,7 +20,7 @@ use crate::trajectory::Moment;
 /// The judgement, in words.
 #[derive(Serialize)]
 pub(super) struct Judgement {
-    /// Processor time: the smallest of three runs where they are short.
+    /// Processor time. For short runs it is the smallest of three.
     time: String,
     /// This time over the time of exact cells.
     ratio: String,
@@ -30,7 +30,7 @@ pub(super) struct Judgement {
     against: String,
     /// Digits left.
     digits: String,
-    /// Time \[s\] from which on none is left.
+    /// Time \[s\] from which on no digit is left.
     none_from: Option<f64>,
 }
 

@@ -42,7 +42,7 @@ pub struct Explorer {
     scene: Scene,
     /// Its text with the values set on the command line.
     text: Text,
-    /// The numbers that it states, by key: ranges of sliders begin there.
+    /// The numbers in this text, by key. They determine the ranges of the sliders.
     first: HashMap<String, f64>,
     /// The last run and its text.
     last: Mutex<Option<(String, Arc<Results>)>>,
@@ -77,5 +77,5 @@ impl Explorer {
     }
 }
 
-/// What messages call the text of the page's scene.
+/// The name of the text of the page's scene in messages.
 const SOURCE: &str = "the scene of the page";

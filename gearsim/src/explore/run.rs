@@ -36,7 +36,7 @@ pub(super) struct Answer {
     beginning: Option<Beginning>,
 }
 
-/// The beginning of a run: those of the visible sections whose plots are over time.
+/// The beginning of a run, with the visible sections that have plots over time.
 #[derive(Serialize)]
 struct Beginning {
     /// Time to be simulated, and time simulated so far \[s\].
@@ -54,7 +54,7 @@ enum AnswerPart {
 /// A mistake.
 #[derive(Debug, Serialize)]
 pub(super) struct Wrong {
-    /// Key of the value that is wrong; empty if it is no single one.
+    /// Key of the value that is wrong; empty if the mistake does not belong to a single value.
     key: String,
     message: String,
     help: String,
@@ -69,7 +69,7 @@ struct Shown {
     why: String,
     /// Processor time, in words.
     time: String,
-    /// The same [s].
+    /// Processor time [s].
     seconds: f64,
     /// Energy unaccounted for at the end, in words, and its share of the largest part of the account.
     unaccounted: String,
@@ -86,7 +86,7 @@ struct Shown {
 /// The second answer to a choice: what is not visible, and what takes time to compute.
 #[derive(Serialize)]
 pub(super) struct Rest {
-    /// The sections of its page that were not seen, or not whole.
+    /// The sections of the page that the first answer did not contain, or not completely.
     #[serde(flatten)]
     page: page::Parts,
     /// A description of the static equilibria other than the one at which the run starts.
@@ -114,7 +114,7 @@ impl Explorer {
         Some(self.answer(&edited, mistakes, part))
     }
 
-    /// What the first answer did not have of the run with a choice; `None` if `go_on` ended it, or if there is no such run.
+    /// The part of the run with a choice that the first answer did not contain. `None` if `go_on` ended it, or if there is no such run.
     pub(super) fn rest(&self, choice: &Choice, go_on: &dyn Fn() -> bool) -> Option<Rest> {
         let text = self.edited(choice).to_string();
         let results = self.ran(&text, self.read(&text).ok()?, None, go_on)?.ok()?;
@@ -159,8 +159,8 @@ impl Explorer {
         }
     }
 
-    /// Runs `scene`; `text` is the text of this scene. If the last run had the same text, its result is returned. A new run is stopped when it has
-    /// taken `most_time`.
+    /// Runs `scene`; `text` is the text of this scene. If the last run had the same text, its result is returned. A new run is stopped when
+    /// it has taken `most_time`.
     pub(super) fn ran(
         &self,
         text: &str,

@@ -93,7 +93,7 @@ impl Service {
                 continue;
             }
             let service = self.clone();
-            // A request that is dropped, here without a thread or below by a panic, gets the status 500 from the server.
+            // If a request is dropped, because no thread starts or because of a panic, the server answers it with the status 500.
             let answer = move || {
                 let _one = Answering(&service.answering);
                 service.answer(request);
@@ -144,17 +144,17 @@ impl Service {
                 }
             }
             Route::Rest => {
-                // It ends with the run of which it is a part.
+                // A newer run ends this request.
                 let ticket = ticket(&self.runs, 0, RUN);
                 ended_or(&ticket, explorer.rest(choice, &|| ticket.is_newest() && Instant::now() < ticket.until))
             }
             Route::Judge => {
-                // It ends with the run that it judges.
+                // A newer run ends the judgement.
                 let ticket = ticket(&self.runs, 0, JUDGE);
                 ended_or(&ticket, explorer.judge(choice, &|| ticket.goes_on()))
             }
             Route::Advise => {
-                // It ends with the run of which it tells, so that the next one has the processor.
+                // A newer run ends the advice, so that this run has the processor for itself.
                 let (run, ticket) = (ticket(&self.runs, 0, ADVISE), ticket(&self.advices, 1, ADVISE));
                 ended_or(&ticket, explorer.advise(choice, &|| run.is_newest() && ticket.goes_on()))
             }
@@ -162,12 +162,12 @@ impl Service {
                 Ok(text) => Ok(Content { bytes: text.into_bytes(), kind: "application/toml", policy: nothing() }),
                 Err(_) => Err((409, "the scene has mistakes")),
             },
-            Route::Page => Err((405, "another method")),
+            Route::Page => Err((405, "method not allowed")),
         }
     }
 }
 
-/// A ticket with the newest number after `step` more.
+/// Increases the newest number by `step`, and returns a ticket with the result as its number. The ticket is valid for `seconds` \[s\].
 fn ticket(newest: &AtomicU64, step: u64, seconds: u64) -> Ticket<'_> {
     let number = newest.fetch_add(step, Ordering::Relaxed) + step;
     Ticket { newest, number, until: Instant::now() + Duration::from_secs(seconds), calls: Cell::new(0) }

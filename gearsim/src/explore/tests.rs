@@ -125,7 +125,7 @@ fn a_long_run_first_shows_its_beginning() {
 
 /// With a view the first answer has only the curves that are seen, in few rows; `rest` has all.
 #[test]
-fn what_is_seen_comes_in_few_rows() {
+fn visible_curves_are_sent_in_few_rows() {
     let explorer = explorer("oh2005/energy_300rpm");
     let seen = ["Torques", "Torques: amplitudes of orders", "Torques: power spectral density"];
     let view = json!({ "range": [0.01, 0.02], "parts": 50, "curves": seen.map(|title| [title, "mesh_torque"]) });
@@ -136,7 +136,7 @@ fn what_is_seen_comes_in_few_rows() {
     let rest = serde_json::to_value(explorer.rest(&choice(value), &|| true).unwrap()).unwrap();
     let (_, results) = explorer.last.lock().unwrap().clone().unwrap();
     let rows = results.outcome.trajectory.len();
-    // Of each plot its title, and of each curve its name and its numbers of times and values.
+    // The title of each plot, and the name and the numbers of times and values of each of its curves.
     let curves = |page: &Value, group: &str| -> Vec<(String, String, [u64; 2])> {
         let html = page["html"].as_str().unwrap();
         let plots = html.split("<figure class=\"plot\">").skip(1).map(|plot| {
@@ -205,7 +205,7 @@ fn a_saved_scene_has_the_bytes_of_the_page_and_keeps_its_comments() {
 }
 
 #[test]
-fn mistakes_name_their_controls_and_leave_the_controls() {
+fn mistakes_name_their_controls_and_all_controls_stay() {
     let explorer = explorer("oh2005/energy_300rpm");
     let of = |value: Value| wrong(&answer(&explorer, value));
     assert_eq!(of(json!({ "values": { "parameters.zeta": -1 } })), ["parameters.zeta"]);
@@ -214,12 +214,12 @@ fn mistakes_name_their_controls_and_leave_the_controls() {
     assert_eq!(of(json!({ "solver": { "method": "rk4", "step": 1.0 } })), ["run.step"]);
     assert_eq!(of(json!({ "solver": { "method": "rk5" } })), ["run.method"]);
     assert!(explorer.saved(&choice(json!({ "values": { "parameters.zeta": -1 } }))).is_err());
-    // A key that is no control changes nothing.
+    // A key without a control changes nothing.
     let same = json!({ "values": { "output.most_rows": 1, "model": 3, "parameters.nothing": 3 } });
     assert_eq!(explorer.saved(&choice(same)).unwrap(), &*explorer.scene.text);
 }
 
-/// Every effect of every model with a scene can be ticked: what it needs is there with values of usual size.
+/// Every effect of these models can be ticked: the values that it needs are added with usual sizes.
 #[test]
 fn effects_bring_the_values_that_they_need() {
     for name in ["oh2005/energy_300rpm", "gear_pair_teeth", "two_stage", "planetary_3", "chain_5"] {

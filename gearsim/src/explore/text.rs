@@ -34,7 +34,7 @@ impl Text {
                 Value::Integer(x) => (*x.value() as f64, "", true),
                 Value::Float(x) => (*x.value(), "", false),
                 Value::String(text) => match quantity::split(text.value()) {
-                    // A number alone is a name: trains call rotors `1` and `2`.
+                    // A text that is only a number is a name: trains call rotors `1` and `2`.
                     Ok((number, unit)) if !unit.is_empty() => (number, unit, false),
                     _ => return,
                 },
@@ -69,7 +69,7 @@ impl Text {
         }
     }
 
-    /// Takes a key out of a table.
+    /// Removes a key from a table.
     pub fn remove(&mut self, table: &str, key: &str) {
         if let Some(table) = self.0.get_mut(table).and_then(Item::as_table_like_mut) {
             table.remove(key);
@@ -100,7 +100,7 @@ pub(super) fn key_at(text: &str, offset: usize) -> Option<String> {
     found
 }
 
-/// Calls `see` for each value below `item`; first for those that contain others.
+/// Calls `see` for each value below `item`. It is called for a value before it is called for the values in it.
 fn visit(item: &Item, path: &mut Vec<String>, see: &mut dyn FnMut(&[String], &Value)) {
     match item {
         Item::None => {}

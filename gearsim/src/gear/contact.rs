@@ -41,7 +41,7 @@ pub struct Contact {
     pub transverse_angle: f64,
     /// Base pitch, in the transverse plane \[m\].
     pub base_pitch: f64,
-    /// Overlap ratio; 0 of spur gears.
+    /// Overlap ratio; 0 for spur gears.
     pub overlap: f64,
     /// Length of the path of contact before the pitch point \[m\].
     pub approach: f64,
@@ -58,7 +58,7 @@ impl Gears {
         let ([z1, z2], m, alpha) = (self.teeth, self.module, self.pressure_angle);
         let sign = if self.internal { -1.0 } else { 1.0 };
         if self.internal && z2 <= z1 {
-            let what = format!("a ring of {z2} teeth has no room for a gear of {z1}");
+            let what = format!("a ring of {z2} teeth is too small for a gear of {z1} teeth");
             return Err(GearError::new(what, "the second gear is the ring: give it more teeth"));
         }
         let (transverse_module, transverse_angle) = self.transverse();
@@ -70,8 +70,10 @@ impl Gears {
                 let shift = self.profile_shift[1] + sign * self.profile_shift[0];
                 let inv = involute(transverse_angle) + 2.0 * alpha.tan() * shift / (z2 + sign * z1);
                 inverse(inv).ok_or_else(|| {
-                    let what =
-                        format!("with the profile shifts {:?} the gears have no pressure angle", self.profile_shift);
+                    let what = format!(
+                        "with the profile shifts {:?} the gears have no working pressure angle",
+                        self.profile_shift
+                    );
                     GearError::new(what, "increase their sum; with a ring, the second minus the first")
                 })?
             }
@@ -160,7 +162,7 @@ impl Contact {
         (self.approach + self.recess) / self.base_pitch
     }
 
-    /// The smallest number of pairs in contact, and the fraction of a pitch in which one more is in contact.
+    /// The smallest number of pairs in contact, and the fraction of a pitch during which one more pair is in contact.
     pub fn pairs(&self) -> (usize, f64) {
         let ratio = self.ratio();
         (ratio.floor() as usize, ratio.fract())

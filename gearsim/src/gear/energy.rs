@@ -42,8 +42,8 @@ pub struct ToothPair {
 }
 
 impl ToothPair {
-    /// The tooth pair of two external gears. Of helical gears it is that of the spur gears with their transverse section: a slice of their
-    /// face, with the stiffness of the whole face width.
+    /// The tooth pair of two external gears. For helical gears it is the tooth pair of spur gears with the same transverse section and the
+    /// whole face width: a slice of the face, scaled to the face width.
     ///
     /// # Errors
     /// If the gears do not mesh, the second one is a ring, or teeth or gear bodies are outside the range of the formulas.
@@ -58,7 +58,7 @@ impl ToothPair {
         let begins = [contact.radii(-contact.approach)[0], contact.radii(contact.recess)[1]];
         let tooth = |i: usize| -> Result<_, GearError> {
             let tooth = Tooth::of(gears, &contact, i)?;
-            // Up to a thousandth of a module of the fillet is accepted: `compliances` then uses the end of the flank.
+            // Contact on the fillet is accepted up to a thousandth of a module: `compliances` then uses the end of the flank.
             if begins[i] < tooth.form - FILLET_CONTACT * gears.module {
                 let what = format!("contact on gear {} would extend into its fillet", i + 1);
                 return Err(GearError::new(

@@ -10,8 +10,8 @@
 //! - S = 2 r_f theta_f: thickness of the tooth at the root circle;
 //! - L, M, P, Q = A/theta_f² + B h² + C h/theta_f + D/theta_f + E h + F with h = r_f/r_bore.
 //!
-//! The fit is for 1.4 <= h <= 7 and 0.01 <= theta_f <= 0.12. We extrapolate to theta_f = 0.2 (15 teeth): theta_f occurs in denominators
-//! only, so its terms become small.
+//! The fit is for 1.4 <= h <= 7 and 0.01 <= theta_f <= 0.12. We extrapolate to theta_f = 0.2 (15 teeth): theta_f occurs only in
+//! denominators, so the terms with theta_f become small.
 
 use super::pair::GearError;
 

@@ -6,14 +6,14 @@
 //! side = sum s_i sgn(xi_i),    arm = sum s_i |xi_i|
 //! ```
 //!
-//! The shares are equal, or proportional to the stiffnesses of the pairs. Helical gears touch along lines across the face: a pair and a
-//! slice of the face together have a share, as [`super::mesh_stiffness`] has slices, equal per length of contact line or proportional to the
-//! stiffness; both laws become continuous. Within a ring the rolling speed is the difference of the speeds of the gears, and the laws are the
-//! same sums over its path of contact. The flanks of gears on parallel axes slide in the transverse plane. The force normal to a
-//! helical flank is the force in that plane over cos(beta_b), by which both laws are divided.
+//! The shares are equal, or proportional to the stiffnesses of the pairs. Helical gears touch along lines across the face. Each pair has a
+//! share in each slice of the face ([`super::mesh_stiffness`]): equal per length of contact line, or proportional to the stiffness. Both
+//! laws then become continuous. In a ring the rolling speed is the difference of the speeds of the gears. The laws are the same sums over
+//! its path of contact. The flanks of gears on parallel axes slide in the transverse plane. The force normal to a helical flank is the
+//! force in that plane divided by cos(beta_b). Therefore both laws are divided by cos(beta_b).
 //!
-//! The cells of these laws of spur gears are bit-identical to those of the stiffness, with one more boundary where a pair passes the pitch
-//! point: there the side steps, and the arm has a kink.
+//! For spur gears, the boundaries of the cells are bit-identical to those of the stiffness. There is one more boundary where a pair passes
+//! the pitch point: there the side steps, and the arm has a kink.
 
 use super::contact::Contact;
 use super::energy::ToothPair;
@@ -35,7 +35,7 @@ pub enum FrictionLaw {
 /// for [`StiffnessMethod::Iso6336`], proportional to the stiffnesses of the pairs for [`StiffnessMethod::Energy`].
 ///
 /// # Errors
-/// If the gears do not mesh, or are outside the range of the method: that of energy needs external teeth.
+/// If the gears do not mesh, or are outside the range of the method: the method "energy" needs external teeth.
 pub fn friction(
     gears: &Gears,
     method: StiffnessMethod,
@@ -119,8 +119,8 @@ impl Pairs {
         pairs().map(each).sum()
     }
 
-    /// The sum over the pairs of a part of their weights, times their sides or their distances from the pitch point, when one of them is at
-    /// `x` [m]. `None`: the sum of the weights.
+    /// The sum over the pairs of a part when one of them is at `x` [m]: of their weights times their sides or their distances from the
+    /// pitch point. For `None`, the sum of their weights.
     fn weighted(&self, what: Option<FrictionLaw>, part: &CellPart, x: f64) -> f64 {
         let pitch = self.contact.base_pitch;
         let middle = 0.5 * (part.begin + part.end);
@@ -231,7 +231,7 @@ mod tests {
     }
 
     /// Both laws of helical gears are sums over 4,000 slices of the face, with shares in proportion to the weights of pairs and slices, and
-    /// continuous. A helix angle that goes to zero gives the laws of spur gears.
+    /// continuous. For a helix angle near zero they are the laws of spur gears.
     #[test]
     fn laws_of_helical_gears_are_sums_over_slices() {
         let gears = crate::gear::pair::iso_6336_30();
@@ -268,9 +268,10 @@ mod tests {
         }
     }
 
-    /// The mean arm of spur gears, also with a ring, against the loss factor of a mesh whose pairs have equal shares, with 1 < eps < 2:
-    /// H_V = pi (1/z_1 +- 1/z_2) (1 - eps + eps_f^2 + eps_a^2), with - for a ring (H. Ohlendorf, thesis, TH Munich, 1958; G. Niemann, H. Winter,
-    /// Maschinenelemente II). It is the mean arm over the base radius, times the rolling speed over that of the first gear.
+    /// The mean arm of spur gears, also with a ring, against the loss factor of a mesh whose pairs have equal shares, for 1 < eps < 2: H_V
+    /// = pi (1/z_1 +- 1/z_2) (1 - eps + eps_f^2 + eps_a^2), with - for a ring (H. Ohlendorf, thesis, TH Munich, 1958; G. Niemann, H.
+    /// Winter, Maschinenelemente II). It is the mean arm divided by the base radius, times the rolling speed divided by the speed of the
+    /// first gear.
     #[test]
     fn the_mean_arm_gives_the_loss_factor_of_a_mesh() {
         let ring = Gears {

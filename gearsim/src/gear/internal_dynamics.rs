@@ -1,7 +1,7 @@
 //! Internal dynamic factor K_v by ISO 6336-1:2006, method B (clause 6.5).
 //!
-//! With the resonance ratio N, the mesh frequency over the natural frequency of the gear pair on its mean mesh stiffness, and the line
-//! load w = F_t K_A/b; eps is the total contact ratio, transverse and overlap:
+//! N is the resonance ratio: the mesh frequency divided by the natural frequency of the gear pair with its mean mesh stiffness. The line
+//! load is w = F_t K_A/b. eps is the total contact ratio: the sum of the transverse contact ratio and the overlap ratio.
 //!
 //! ```text
 //! B_p = c' f_pb,eff/w        B_f = c' f_falpha,eff/w        B_k = |1 - c' C_a/w|
@@ -24,12 +24,12 @@
 
 use std::f64::consts::PI;
 
-/// Line load from which on the main resonance begins at 0.85 [N/m].
+/// Line load [N/m] at and above which the main resonance begins at N = 0.85.
 const FULL_LOAD: f64 = 100e3;
-/// End of the main resonance, and begin of the supercritical range.
+/// N at the end of the main resonance, and at the beginning of the supercritical range.
 const RESONANCE: [f64; 2] = [1.15, 1.5];
 
-/// What the factor depends on.
+/// The quantities on which the factor K_v depends.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct InternalDynamics {
     /// Resonance ratio N \[1\].

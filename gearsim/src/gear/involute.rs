@@ -2,7 +2,7 @@
 
 /// tan(alpha) - alpha, of an angle [rad] in [0, pi/2).
 pub fn involute(alpha: f64) -> f64 {
-    // For small angles the difference loses digits by cancellation; three terms of the series do not.
+    // For small angles the difference loses digits by cancellation. Three terms of the series lose none.
     if alpha.abs() < 0.01 {
         let a2 = alpha * alpha;
         return alpha * a2 / 3.0 * (1.0 + a2 * (2.0 / 5.0 + a2 * (17.0 / 105.0)));

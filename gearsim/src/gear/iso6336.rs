@@ -17,8 +17,8 @@
 //! Range of the formula: x1 >= x2, -0.5 <= x1 + x2 <= 2, eps >= 1.2, line loads up to 1600 N/mm. Within it the standard states an
 //! accuracy of +5 % and -8 %. We add the limits eps < 2.5 and 14.5 to 25 degrees of pressure angle. Gears outside this range are refused.
 //!
-//! n pairs in contact have the stiffness c' (0.75 n + 0.25). These levels have the mean c_gamma at every contact ratio. Of helical gears
-//! eps is the transverse contact ratio, and stiffnesses are those along the line of action in the transverse plane.
+//! n pairs in contact have the stiffness c' (0.75 n + 0.25). These levels have the mean c_gamma at every contact ratio. For helical gears,
+//! eps is the transverse contact ratio, and stiffnesses are along the line of action in the transverse plane.
 
 use super::pair::{GearError, Gears};
 use crate::tolerance::scene::PRESSURE_ANGLE;
@@ -31,7 +31,7 @@ const CORRECTION: f64 = 0.8;
 const STEEL: f64 = 206e9;
 /// One N/(mm um) [Pa].
 const PER_WIDTH: f64 = 1e9;
-/// Line loads [N/m]: below the first, c' decreases; the second is the limit of the formula.
+/// Line loads [N/m]. Below the first, c' decreases. The second is the largest one for which the formula is valid.
 pub const LINE_LOADS: [f64; 2] = [100e3, 1600e3];
 
 /// The stiffnesses of a gear pair, per face width [Pa].
@@ -76,7 +76,8 @@ impl Iso6336 {
     }
 }
 
-/// Number of teeth of the spur gear whose teeth have the form of those of gear `i` in the normal section.
+/// Virtual number of teeth z_n of gear `i`: that of the spur gear whose teeth have the same form as those of gear `i` in the normal
+/// section.
 fn virtual_teeth(gears: &Gears, i: usize) -> f64 {
     let at_base = (gears.helix_angle.sin() * gears.pressure_angle.cos()).asin();
     gears.teeth[i] / (at_base.cos().powi(2) * gears.helix_angle.cos())
@@ -147,8 +148,8 @@ mod tests {
         assert_eq!(Iso6336::of(&pair, Some(100e3)), Ok(iso));
     }
 
-    /// Example 1 of ISO/TR 6336-30 (2017): z_n = 18.905 and 114.543, c' = 12.37047, c_gamma_alpha = 17.46485 N/(mm um). Its table has rounded
-    /// intermediate values: c' is 7e-4 larger than with exact ones.
+    /// Example 1 of ISO/TR 6336-30 (2017): z_n = 18.905 and 114.543, c' = 12.37047, c_gamma_alpha = 17.46485 N/(mm um). Its table has
+    /// rounded intermediate values, so its c' is 7e-4 (relative) larger than with exact ones.
     #[test]
     fn stiffness_of_the_helical_gears_of_iso_6336_30() {
         let gears = crate::gear::pair::iso_6336_30();
@@ -162,7 +163,7 @@ mod tests {
 
     /// The mean of the levels is c_gamma, with one or two pairs and with two or three pairs in contact.
     #[test]
-    fn levels_have_the_mean_of_the_standard() {
+    fn the_mean_of_the_levels_is_c_gamma() {
         for addendum in [0.85, 1.0, 1.3] {
             let pair = Gears { addendum: [addendum; 2], dedendum: [1.5; 2], ..gears(40.0, 60.0) };
             let (iso, (pairs, more)) = (Iso6336::of(&pair, None).unwrap(), pair.contact().unwrap().pairs());

@@ -4,11 +4,12 @@
 //! increases as the first gear drives. The first cell of the law is the one with the fewest pairs. It begins where a pair ends
 //! contact, at the phase 2 pi g_a/p_b.
 //!
-//! Helical gears touch along lines that are inclined across the face: the section at the distance x from the middle of the face is a spur
-//! gear whose phase is ahead by eps_beta x/b pitches. The stiffness is the mean over the sections, so that its steps become ramps of
-//! eps_beta pitches; it is constant if eps_beta is a whole number, or eps_alpha with levels. The phase 0 is that of the middle of the face.
-//! With the method "energy" a section has the teeth of the transverse section, and the slices are independent of one another: the
-//! stiffness of teeth across slices is neglected, as in the sum of slices of Wan et al. (2015), Mech. Mach. Theory 84.
+//! Helical gears touch along lines that are inclined across the face. The section at the distance x from the middle of the face is a spur
+//! gear whose phase is ahead by eps_beta x/b pitches. The stiffness is the mean over the sections, so its steps become ramps of the width
+//! of eps_beta pitches. It is constant if eps_beta is a whole number; with levels, also if eps_alpha is a whole number. The phase is 0 when
+//! a pair touches at the pitch point in the middle of the face. With the method "energy", the sections have the teeth of the transverse
+//! section, and they are independent: the elastic coupling of neighbouring slices is neglected, as in the sum of slices of Wan et al.
+//! (2015), Mech. Mach. Theory 84.
 
 use super::contact::Contact;
 use super::energy::ToothPair;
@@ -54,8 +55,8 @@ pub fn stiffness(
     of_section(gears, method, shape, period, scale).map(|(law, window)| law.averaged(window))
 }
 
-/// The law of which [`stiffness`] is the mean over a window, and the width of this window [unit of the phase]: along the face of helical gears
-/// each transverse section has this law at a phase of its own. The window of spur gears is zero.
+/// The law of one transverse section, and the width of the window [unit of the phase] over which [`stiffness`] averages this law. The
+/// sections along the face of helical gears have this law at different phases. For spur gears the width is zero.
 ///
 /// # Errors
 /// If the gears do not mesh or are outside the range of the method, or for curves of spur gears with [`StiffnessMethod::Iso6336`].
@@ -116,7 +117,7 @@ impl ContactInterval {
     }
 }
 
-/// The cells of a pitch, from the point where a pair ends contact.
+/// The cells of a pitch. The first one begins where a pair ends contact.
 pub(super) fn cells(contact: &Contact) -> Vec<ContactInterval> {
     let ((pairs, more), pitch) = (contact.pairs(), contact.base_pitch);
     let (begin, middle) = (contact.recess, contact.recess + (1.0 - more) * pitch);
@@ -127,7 +128,7 @@ pub(super) fn cells(contact: &Contact) -> Vec<ContactInterval> {
     }
 }
 
-/// Sets the origin of a law whose first cell begins at the end of contact, so that the phase 0 is at the pitch point.
+/// Sets the origin of a law so that the phase is 0 at the pitch point. The first cell of the law must begin where a pair ends contact.
 pub(super) fn from_pitch_point(stiffness: Profile, contact: &Contact, period: f64) -> Profile {
     stiffness.with_origin((contact.recess / contact.base_pitch).fract() * period)
 }
@@ -183,8 +184,9 @@ mod tests {
         Gears::standard([24.0, 96.0], 6.35e-3, 20f64.to_radians(), 7e-3)
     }
 
-    /// The gears of Oh, Grosh & Barber (2005). The widths agree with the paper. The ratio of the levels, 1.944 in the paper, does not: two
-    /// tooth pairs, which touch nearer to tips and roots, are less than twice as stiff as one, both here and in the standard (1.75).
+    /// The gears of Oh, Grosh & Barber (2005). The widths agree with the paper. The ratio of the levels does not: it is 1.944 in the paper,
+    /// but 1.744 here and 1.75 in ISO 6336-1. When two tooth pairs are in contact, they touch nearer to tips and roots, so together they
+    /// are less than twice as stiff as one pair.
     #[test]
     fn levels_and_widths_of_the_gears_of_oh_2005() {
         let law = stiffness(&gears(), StiffnessMethod::Energy, CellShape::Levels, TAU, 1.0).unwrap();
@@ -238,8 +240,8 @@ mod tests {
         assert!((high / low - 1.0).abs() < 1e-12);
     }
 
-    /// By the method "energy" the stiffness of helical gears is the mean of that of 4,000 slices, each with the teeth of the transverse
-    /// section and its own phase. As the helix angle goes to zero it is that of spur gears; with a whole overlap ratio it is constant.
+    /// With the method "energy", the stiffness of helical gears is the mean over 4,000 slices, each with the teeth of the transverse
+    /// section and its own phase. For a helix angle near zero it is the stiffness of spur gears. With a whole overlap ratio it is constant.
     #[test]
     fn helical_stiffness_by_energy_is_the_mean_of_slices() {
         let gears = crate::gear::pair::iso_6336_30();

@@ -11,7 +11,7 @@ pub struct Gears {
     pub module: f64,
     /// Pressure angle of the basic rack, in the normal section \[rad\].
     pub pressure_angle: f64,
-    /// Helix angle at the reference cylinder, 0 of spur gears \[rad\].
+    /// Helix angle at the reference cylinder, 0 for spur gears \[rad\].
     pub helix_angle: f64,
     /// Addendum \[modules\], without the profile shift.
     pub addendum: [f64; 2],
@@ -87,7 +87,8 @@ impl Gears {
         (self.module / cos, (self.pressure_angle.tan() / cos).atan())
     }
 
-    /// The spur gears whose section is the transverse section of these: the same circles and path of contact, heights in transverse modules.
+    /// Spur gears with the transverse section of these gears: the same circles and the same path of contact. Their heights are given in
+    /// transverse modules.
     pub fn transverse_section(&self) -> Gears {
         let ((module, pressure_angle), cos) = (self.transverse(), self.helix_angle.cos());
         Gears {
@@ -108,7 +109,8 @@ impl Gears {
         (self.helix_angle.tan() * angle.cos()).atan()
     }
 
-    /// Base radius per tooth, m_t cos(alpha_t)/2 \[m\]: the length along the line of action per radian of the pitch angle, over the teeth.
+    /// Base radius divided by the number of teeth, m_t cos(alpha_t)/2 \[m\]. It is the length along the line of action per radian of a
+    /// phase with the period 2 pi.
     pub fn base_radius_per_tooth(&self) -> f64 {
         let (module, angle) = self.transverse();
         module * angle.cos() / 2.0

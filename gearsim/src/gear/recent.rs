@@ -1,5 +1,5 @@
-//! The laws that were computed last. The strain energy of teeth takes some 10 ms; sweeps, and a person who moves the slider of another number,
-//! ask for the same teeth again.
+//! A cache of the laws that were computed last. To compute the strain energy of teeth takes some 10 ms. Sweeps, and pages whose user
+//! changes another number, request the law of the same teeth again.
 
 use std::sync::{Mutex, PoisonError};
 
@@ -8,10 +8,10 @@ use super::mesh_stiffness::{self, CellShape, StiffnessMethod};
 use super::pair::{GearError, Gears};
 use crate::profile::Profile;
 
-/// Laws that are kept.
+/// Largest number of laws in the cache.
 const MOST: usize = 16;
 
-/// What is asked for.
+/// The arguments of a law.
 #[derive(Debug, Clone, PartialEq)]
 struct Asked {
     gears: Gears,
@@ -47,7 +47,7 @@ pub fn stiffness(
 /// for [`StiffnessMethod::Iso6336`], proportional to the stiffnesses of the pairs for [`StiffnessMethod::Energy`].
 ///
 /// # Errors
-/// If the gears do not mesh or are outside the range of the method, or if one has internal teeth.
+/// If the gears do not mesh, or are outside the range of the method: the method "energy" needs external teeth.
 pub fn friction(
     gears: &Gears,
     method: StiffnessMethod,
@@ -58,7 +58,7 @@ pub fn friction(
     known(Asked { gears: gears.clone(), method, law: AskedLaw::Friction(what), period, scale })
 }
 
-/// The law: one of the last ones, or computed.
+/// The law, from the cache if it is there, otherwise computed.
 fn known(asked: Asked) -> Result<Profile, GearError> {
     let recent = || RECENT.lock().unwrap_or_else(PoisonError::into_inner);
     if let Some((_, profile)) = recent().iter().find(|(other, _)| *other == asked) {
@@ -76,7 +76,7 @@ fn known(asked: Asked) -> Result<Profile, GearError> {
 }
 
 #[test]
-fn other_teeth_have_another_law_and_the_same_teeth_the_same() {
+fn the_cache_returns_the_law_of_the_requested_teeth() {
     let gears = |module: f64| Gears::standard([24.0, 96.0], module, 20f64.to_radians(), 7e-3);
     let of = |module| stiffness(&gears(module), StiffnessMethod::Energy, CellShape::Levels, 1.0, 1.0).unwrap();
     let (first, other) = (of(2e-3), of(2.5e-3));

@@ -99,7 +99,7 @@ impl Tooth {
         self.fillet(0.0).1
     }
 
-    /// `n` points of the fillet, from the root circle on, without the one where the flank begins: radius [m] and half angle [rad].
+    /// `n` points of the fillet, beginning at the root circle, without the point where the flank begins: radius [m] and half angle [rad].
     pub(super) fn fillet_points(&self, n: usize) -> impl Iterator<Item = (f64, f64)> + '_ {
         (0..n).map(move |i| self.fillet(self.join * i as f64 / n as f64))
     }

@@ -56,7 +56,7 @@ impl Estimate {
 }
 
 impl Verdict {
-    /// The time saved without the effect: `-30 %`.
+    /// The change of the computing time without the effect: `-30 %`.
     pub(crate) fn time_in_words(&self) -> String {
         if self.time.is_finite() { format!("{:+.0} %", 100.0 * (self.time - 1.0)) } else { "-".into() }
     }
@@ -79,7 +79,7 @@ pub struct Advice {
     pub groups: Result<Groups, String>,
     /// Why there is no settled motion, so that the estimates come from short runs.
     pub no_orbit: Option<String>,
-    /// What each candidate comes to.
+    /// The result for each candidate.
     pub verdicts: Vec<Verdict>,
     /// Processor time of the scene \[s\].
     pub seconds: f64,
@@ -87,7 +87,7 @@ pub struct Advice {
     pub bands: Bands,
     /// Why its run stopped early, if it did.
     pub stopped: Option<String>,
-    /// Its energy account, where that refutes it.
+    /// The energy account of its run, if the account does not close.
     pub refuted: Option<Account>,
     /// Number of reflections in its run.
     pub reflections: u64,
@@ -96,7 +96,7 @@ pub struct Advice {
 }
 
 impl Advice {
-    /// Why the advice is worth nothing: the run of the scene stopped early, or its energy account does not close.
+    /// Why the advice is not valid: the run of the scene stopped early, or its energy account does not close.
     pub(crate) fn wrong(&self) -> Option<String> {
         self.stopped.clone().or_else(|| self.refuted.map(|account| account.to_string()))
     }
@@ -107,7 +107,7 @@ impl Advice {
         self.verdicts.iter().map(|v| (v.candidate.without.as_str(), each(v).0, each(v).1)).collect()
     }
 
-    /// The deviation of the speed of candidate `i`: by the settled motion, and by the full runs.
+    /// The relative deviation of the speed of candidate `i`: by the settled motion, and by the full runs. `None` if one of them is missing.
     pub fn speeds(&self, i: usize) -> Option<(f64, f64)> {
         match (&self.verdicts[i].estimate, &self.verdicts[i].truth) {
             (Estimate::Settled(estimate), Ok(truth)) => Some((estimate.speed, truth.speed)),
@@ -118,7 +118,7 @@ impl Advice {
 
 impl Scene {
     /// Which effects the scene needs: the deviation without each is estimated, then measured by runs with and without it. Effects that
-    /// drop terms are left out of the scene first; to have them is among the candidates.
+    /// drop terms are removed from the scene first. To add one of them is also a candidate.
     ///
     /// # Errors
     /// If the scene has no effects, or cannot be run.
@@ -126,7 +126,7 @@ impl Scene {
         self.advise_watched(&|_| {})
     }
 
-    /// The same; each of its runs calls `watch` with the time reached \[s\].
+    /// As [`Scene::advise`]; each of its runs calls `watch` with the time reached \[s\].
     ///
     /// # Errors
     /// As [`Scene::advise`].

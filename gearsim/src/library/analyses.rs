@@ -8,16 +8,17 @@ use crate::scene::Scene;
 
 impl Scene {
     /// Natural frequencies, damping, mode shapes and shares of energy of the cell of the mid stiffnesses, (max + min)/2 of each law.
+    /// Nonlinear terms are linearised about the equilibrium, or about the steady motion at the speeds of the start. If inertias change
+    /// along the motion, they are linearised about the position of the start.
     ///
     /// # Errors
-    /// If a mass matrix is not positive definite, or there is no equilibrium. What is not linear is linearised about the equilibrium, or about
-    /// the steady motion at the speeds of the start; where inertias change along the motion, about the place of the start.
+    /// If a mass matrix is not positive definite, or there is no equilibrium.
     pub fn modes(&self) -> Result<CellModes, Error> {
         let levels = self.mid_stiffnesses();
         self.modes_at(&levels)
     }
 
-    /// The same of the cell with the stiffnesses `levels` \[SI\], in the order of the model's laws.
+    /// As [`Scene::modes`], for the cell with the stiffnesses `levels` \[SI\], in the order of the model's laws.
     ///
     /// # Errors
     /// As [`Scene::modes`].
@@ -25,7 +26,7 @@ impl Scene {
         self.modes_watched(levels, &|| {})
     }
 
-    /// The same; `watch` is called many times meanwhile. It ends the analysis by unwinding.
+    /// As [`Scene::modes_at`]. `watch` is called many times during the analysis, and can end it by unwinding.
     ///
     /// # Errors
     /// As [`Scene::modes`].
@@ -41,7 +42,7 @@ impl Scene {
         modes::of(&system, levels, &parts, watch).map_err(|refusal| self.refused(refusal))
     }
 
-    /// Stability of the steady rotation at the speeds of the start, by Floquet multipliers. Where inertias change along the motion, it is that
+    /// Stability of the steady rotation at the speeds of the start, by Floquet multipliers. If inertias change along the motion: stability
     /// of the motion that repeats after a turn.
     ///
     /// # Errors
@@ -50,7 +51,7 @@ impl Scene {
         self.floquet_watched(&|| {})
     }
 
-    /// The same; `watch` is called many times meanwhile. It ends the analysis by unwinding.
+    /// As [`Scene::floquet`]. `watch` is called many times during the analysis, and can end it by unwinding.
     ///
     /// # Errors
     /// As [`Scene::floquet`].
@@ -63,7 +64,7 @@ impl Scene {
     }
 
     /// Accelerations at a state [SI/s^2], in the order of the coordinates: to check a model against equations written by hand. `laws` are
-    /// the values of the model's laws \[SI\]; laws that are left out are 0. Switches are as without their effects: every play is closed.
+    /// the values of the model's laws \[SI\]; laws that are left out are 0. Every switch is as without its effect: every play is closed.
     ///
     /// # Errors
     /// If the effects of the scene contradict one another, or a length does not match the model.
@@ -105,7 +106,8 @@ mod tests {
         Scene::from_toml("row", &text).unwrap()
     }
 
-    /// The modes of many rotors: those of a large matrix are found in another way than those of a small one. Shares of energies add up to 1.
+    /// The modes of many rotors. The eigenvalues of a large matrix are found by another method than those of a small one. Shares of
+    /// energies add up to 1.
     #[test]
     fn many_rotors_have_coupled_modes() {
         let cell = row(40).modes().unwrap();
@@ -118,7 +120,7 @@ mod tests {
         }
     }
 
-    /// It is watched during all of its parts, at least once for each parameter and each mode, and ends when it is asked.
+    /// All parts of the analysis call `watch`, at least once for each parameter and each mode. The analysis ends when `watch` unwinds.
     #[test]
     fn modes_can_be_ended() {
         let scene = row(12);

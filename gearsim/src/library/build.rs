@@ -24,8 +24,8 @@ impl Scene {
         Ok(Scene::parse(name, name, text, &[], &known::descriptions())?)
     }
 
-    /// The same with values set on top of the text, each as `KEY=VALUE`. A scene travels to another process as its name, text and
-    /// overrides.
+    /// As [`Scene::from_toml`], with values set on top of the text, each as `KEY=VALUE`. A scene is sent to another process as its name,
+    /// text and overrides.
     ///
     /// # Errors
     /// As [`Scene::load`].
@@ -33,8 +33,9 @@ impl Scene {
         Ok(Template::parse(name, name, text, &[])?.edited(overrides).scene(&[], &known::descriptions())?)
     }
 
-    /// The text of the scene in TOML, with the values that were set on top of it. Comments and layout stay. The scene that
-    /// [`Scene::from_toml`] reads from it runs to the same bytes. Values that a program wrote into the fields of the scene are not in it.
+    /// The text of the scene in TOML, with the values that were set on top of it. Comments and layout stay. [`Scene::from_toml`]
+    /// reads this text; the run of that scene has the same numbers, bit for bit. Values that a program wrote into the fields of the scene
+    /// are not in the text.
     ///
     /// ```
     /// use gearsim::Scene;
@@ -195,7 +196,7 @@ mod tests {
         assert_same(&scene.build().unwrap());
     }
 
-    /// A value that is set in a part of a train leaves the part in its place among the others, on which the coordinates depend.
+    /// Setting a value in a part of a train does not change the order of the parts, on which the coordinates depend.
     #[test]
     fn parts_of_a_train_keep_their_order() {
         let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../models/scenes/train_branches.toml");
@@ -244,7 +245,7 @@ mod tests {
         assert_eq!(scene.with_all(more).unwrap().parameter("T_l"), Some(2.0));
     }
 
-    /// Arrays of tables, and tables within a line, into which keys are set that they lack.
+    /// New keys are set in arrays of tables and in inline tables.
     #[test]
     fn keys_are_added_within_arrays_of_tables() {
         let text = "model = \"gear_pair\"\n\n[[laws.k.steps]]\nvalue = 1\n\n[[laws.k.steps]]\nvalue = 2\n\n[laws]\ne = { steps = [{ value = 1 }] }\n";

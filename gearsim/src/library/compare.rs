@@ -33,7 +33,7 @@ impl Scene {
 }
 
 impl Comparison {
-    /// Runs scenes, each with its name. As they go, they call `watch` with the time that the present run has reached \[s\].
+    /// Runs scenes, each with its name. `watch` is called during the runs with the time that the present run has reached \[s\].
     ///
     /// # Errors
     /// Those of the runs.
@@ -59,7 +59,7 @@ impl Comparison {
 mod tests {
     use super::*;
 
-    /// The sets differ by their effects, which their texts have too.
+    /// The sets differ by their effects. The text of each scene has these effects too.
     #[test]
     fn a_scene_is_compared_under_three_sets_of_equations() {
         let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../models/scenes/oh2005/energy_300rpm.toml");

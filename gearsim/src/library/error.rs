@@ -47,7 +47,7 @@ pub enum Error {
     },
 }
 
-/// As its text, so that a `main` that returns it prints what a person can read.
+/// The same text as `Display`, so that a `main` that returns this error prints a readable message.
 impl fmt::Debug for Error {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "{self}")

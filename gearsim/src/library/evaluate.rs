@@ -1,4 +1,4 @@
-//! What is evaluated of a run beside its statistics, as files: lines, load spectra and sounds.
+//! Results of a run besides its statistics, as files: lines, load spectra and sounds.
 
 use crate::analysis::{rainflow, sampling, sound};
 use crate::output::lines::Lines;

@@ -117,8 +117,8 @@ pub(crate) fn summary(scene: &Scene, outcome: &Outcome, files: Vec<String>) -> S
     summary
 }
 
-/// The summary of a run without what is evaluated of its rows: statistics of outputs, dynamic factors and load spectra, which take as long
-/// as a short run.
+/// The summary of a run without statistics of outputs, dynamic factors and load spectra. Computing these from the rows takes as long as a
+/// short run.
 pub(crate) fn brief(scene: &Scene, outcome: &Outcome) -> Summary {
     let (run, counts) = (&outcome.trajectory, &outcome.counts);
     let none = Number(f64::NAN);

@@ -14,7 +14,7 @@ use crate::sweep::manifest::Layout;
 use crate::sweep::row::{self, Row};
 use crate::sweep::{Design, Manifest, Request, Sweep};
 
-/// A checked sweep. The result of a point depends on its number alone, so that the parts of any division make the same table.
+/// A checked sweep. The result of a point depends on its number alone, so that the table does not depend on the division into parts.
 pub struct Job {
     sweep: Sweep,
     manifest: Manifest,
@@ -47,8 +47,8 @@ impl Job {
         &self.manifest.vary
     }
 
-    /// Runs some points on `threads` threads, or on all cores. `watch` is told how many are finished, and ends the part by `Break`; the
-    /// rows are then fewer.
+    /// Runs some points on `threads` threads, or on all cores. `watch` gets the number of finished points. If it returns `Break`,
+    /// no further points are run, and the result has only the rows of the finished ones.
     ///
     /// # Errors
     /// If there are no such points, or threads cannot be started.
@@ -183,8 +183,8 @@ impl Gathering {
         Ok(self.folder.keep(&rows.0)?)
     }
 
-    /// Writes rows that [`Job::pack`] has packed, perhaps on another machine. They are not unpacked: of short runs that would take a
-    /// twentieth of the time of the run.
+    /// Writes rows that [`Job::pack`] has packed, perhaps on another machine. The rows are not unpacked, because for short runs
+    /// this would take a twentieth of the time of the run.
     ///
     /// # Errors
     /// If the bytes are damaged, are those of another sweep, or cannot be written.

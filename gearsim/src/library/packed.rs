@@ -1,7 +1,7 @@
 //! The file of a part of a sweep on its way from the process that ran its points to the one that gathers them.
 //!
-//! Before the file are the SHA-256 of all that follows it, the SHA-256 of the manifest of the sweep, and the number of the first point (8
-//! bytes, the lowest first). So the gathering process checks a part without reading the rows.
+//! The bytes are, in this order: the SHA-256 of all bytes after it, the SHA-256 of the manifest of the sweep, the number of the first
+//! point (8 bytes, the lowest first), and the file. So the gathering process checks a part without reading the rows.
 
 use sha2::{Digest, Sha256};
 
@@ -31,7 +31,8 @@ pub(super) fn pack(manifest: &Manifest, first: usize, file: &[u8]) -> Result<Vec
 /// # Errors
 /// If they are damaged, or those of another sweep.
 pub(super) fn unpack<'a>(manifest: &Manifest, bytes: &'a [u8]) -> Result<(usize, &'a [u8]), Error> {
-    let damaged = || Error::impossible("these rows are damaged: their checksum is another", "run their points again");
+    let damaged =
+        || Error::impossible("these rows are damaged: their checksum does not match", "run their points again");
     let (sum, rest) = bytes.split_at_checked(DIGEST).ok_or_else(damaged)?;
     if Sha256::digest(rest)[..] != *sum {
         return Err(damaged());

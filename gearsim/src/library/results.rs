@@ -40,13 +40,13 @@ impl Scene {
     /// Runs the scene to its end.
     ///
     /// # Errors
-    /// If it cannot be run. A run that stops early, or whose energy account does not close, has results:
-    /// [`Results::check`] tells.
+    /// If it cannot be run. A run that stops early, or whose energy account does not close, is not an error here:
+    /// [`Results::check`] returns one.
     pub fn run(&self) -> Result<Results, Error> {
         self.run_watched(&mut |_| {})
     }
 
-    /// The same; as it goes, it calls `watch` with the time reached \[s\].
+    /// As [`Scene::run`]; `watch` is called during the run with the time reached \[s\].
     ///
     /// # Errors
     /// As [`Scene::run`].
@@ -70,12 +70,12 @@ impl Scene {
     }
 }
 
-/// What a run of a scene came to.
+/// A run of a scene with its results.
 #[derive(Debug, Clone)]
 pub struct Results {
     /// The scene that was run.
     pub scene: Scene,
-    /// What came of it.
+    /// The recorded rows, counts, energy account and end of the run.
     pub outcome: Outcome,
 }
 
@@ -110,7 +110,7 @@ impl Results {
 
     /// The recorded columns with their units. The files `trajectory.parquet` and `trajectory.csv` have the same columns.
     pub fn table(&self) -> Table {
-        // The columns of a run have one entry a row.
+        // The columns of a run have the same length, so that this cannot fail.
         Table::of_trajectory(self.trajectory()).unwrap_or_default()
     }
 
@@ -138,7 +138,7 @@ impl Results {
         Ok((plot::find(name)?.draw)(&[self.drawn()])?)
     }
 
-    /// The run as plots take it.
+    /// The run in the form that plots need.
     pub(crate) fn drawn(&self) -> plot::Run<'_> {
         plot::Run::of(&self.scene, &self.outcome)
     }
@@ -200,7 +200,7 @@ impl Results {
         Ok(folder.files().iter().map(|name| folder.path().join(name)).collect())
     }
 
-    /// Writes the trajectory, the plots and what is evaluated of it. `warn` is told of what cannot be made.
+    /// Writes the trajectory, the plots, the lines, the load spectra and the sounds. `warn` gets a message for each that cannot be made.
     pub(crate) fn write_to(
         &self,
         folder: &mut OutputFolder,

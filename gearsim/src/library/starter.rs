@@ -25,9 +25,9 @@ const USUAL: &[(&str, &str)] = &[
     ("1", "0.05"),
 ];
 
-/// Values for parameters with a unit whose description has these words, before those of the unit alone.
+/// Unit of a parameter, words of its description, and a value of usual size. These entries come before those of [`USUAL`].
 const BY_WORDS: &[(&str, &str, &str)] = &[
-    // Three, four, five or six equally spaced planets fit between them.
+    // Three, four, five or six equally spaced planets fit between this sun and this ring.
     ("1", "number of teeth of the sun", "30"),
     ("1", "number of teeth of the ring", "90"),
     ("1", "number of teeth", "25"),

@@ -24,7 +24,7 @@ impl Value {
         format!("{key}={}", self.written(key, model))
     }
 
-    /// Whether it has numbers, and the model does not know the unit of `key`.
+    /// Whether the value may have numbers, but the model does not know the unit of `key`.
     pub(super) fn is_strange(&self, key: &str, model: &Model) -> bool {
         !matches!(self, Value::Flag(_) | Value::Text(_)) && unit_of(key, model).is_none()
     }
@@ -33,7 +33,7 @@ impl Value {
     fn written(&self, key: &str, model: Option<&Model>) -> String {
         match self {
             Value::Text(text) => text.clone(),
-            // Units cannot make it finite: the message says that it is not.
+            // A number that is not finite has no unit here, so that the error message says that it is not finite.
             Value::Number(number) if !number.is_finite() => number.to_string().to_lowercase(),
             Value::Number(number) => match model.and_then(|model| unit_of(key, model)) {
                 Some(unit) if !["", "1"].contains(&unit.as_str()) => format!("{number:?} {unit}"),
@@ -63,7 +63,7 @@ impl Value {
         }
     }
 
-    /// The same as a value of the list of an axis. Commas and colons that belong to the value are put in quotes.
+    /// The value as an entry of the list of an axis. A text with commas or colons is put in quotes.
     pub(super) fn listed(&self, key: &str, model: &Model) -> String {
         let text = self.written(key, Some(model));
         let is_bare = !text.trim_start().starts_with(['[', '{', '"', '\'']);

@@ -11,8 +11,8 @@ use crate::sweep::{Design, Request, Sweep};
 
 impl Scene {
     /// Begins a sweep over an axis, written as for the option `--vary`: `start.speed=100 rpm:6000 rpm:200`,
-    /// `parameters.zeta=0.02,0.05`, `parameters.T0=uniform:1 N*m:9 N*m`. The axis wins over a value of its key that was set in code
-    /// ([`Scene::with`]).
+    /// `parameters.zeta=0.02,0.05`, `parameters.T0=uniform:1 N*m:9 N*m`. The values of the axis replace a value of the same key that was
+    /// set in code ([`Scene::with`]).
     pub fn vary(&self, axis: &str) -> Variation {
         let request = Request {
             vary: vec![axis.into()],
@@ -86,8 +86,8 @@ impl Variation {
         self
     }
 
-    /// Runs the points on all cores: a table with one row a point. Its numbers do not depend on the number of cores. A point that
-    /// cannot be run has a row that says why, in the columns `status` and `reason`.
+    /// Runs the points on all cores, and returns a table with one row per point. Its numbers do not depend on the number of cores. A
+    /// point that cannot be run has a row that says why, in the columns `status` and `reason`.
     ///
     /// # Errors
     /// All mistakes in the axes and the request. No point has run then.
@@ -114,7 +114,7 @@ impl Variation {
         self.response_watched(&mut |_| {})
     }
 
-    /// The same; `watch` is called many times with the number of finished points.
+    /// As [`Variation::response`]; `watch` is called many times with the number of finished points.
     ///
     /// # Errors
     /// As [`Variation::response`].
@@ -138,7 +138,7 @@ mod tests {
         scene.build().unwrap()
     }
 
-    /// The values of an axis win over one that was set in code: the points are those of scenes in which they are set.
+    /// The values of an axis replace a value that was set in code. The result of each point is that of a scene with the value of the axis.
     #[test]
     fn an_axis_wins_over_a_value_that_was_set() {
         let scene = struck().with("parameters.k1", "12 kN*m/rad").unwrap();

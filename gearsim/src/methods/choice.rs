@@ -60,7 +60,7 @@ fn vary(names: &[&str]) -> String {
     format!("{} {}", list(names), if names.len() == 1 { "varies" } else { "vary" })
 }
 
-/// A numerical method and its settings; `None` for the exact method, which is not a numerical one.
+/// The numerical method of a choice, and its settings. `None` for the exact method.
 pub fn numerical(choice: &Choice, scene: &Scene) -> Option<(Box<dyn Method>, Settings)> {
     let method: Box<dyn Method> = match choice.method {
         Name::Exact => return None,

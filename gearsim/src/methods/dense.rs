@@ -32,12 +32,12 @@ impl Dense {
         self.coefficients.push(c.lost);
     }
 
-    /// y_0 + x (F_0 + (1 - x) (F_1 + x (F_2 + (1 - x) (F_3 + ...)))), the form used by Hairer, Norsett & Wanner. The F follow one another in
-    /// `f`: q, q' and the energy lost of each.
+    /// y_0 + x (F_0 + (1 - x) (F_1 + x (F_2 + (1 - x) (F_3 + ...)))), the form used by Hairer, Norsett & Wanner. `f` contains the F one
+    /// after another, each as q, q' and the energy lost.
     pub fn nested(start: &Flow, f: &[f64]) -> Self {
         let (n, width) = (start.q.len(), 2 * start.q.len() + 1);
         let count = f.len() / width;
-        // The polynomial is c[low] to c[high]. The coefficients beyond it are zero.
+        // The coefficients of the polynomial are c[low] to c[high]. All others are zero.
         let mut c = vec![0.0; f.len() + width];
         let mut low = count.div_ceil(2);
         let mut high = low;
@@ -96,7 +96,8 @@ impl Dense {
         gap
     }
 
-    /// Coefficients of a linear function of the state, with slopes along coordinates and speeds, that begins with `value`.
+    /// Coefficients of a linear function of the state with these slopes along the coordinates and the speeds. Its value at x = 0 is
+    /// `value`.
     pub fn from(&self, value: f64, [on_q, on_speed]: [&Vector; 2]) -> Polynomial {
         let n = self.n;
         let mut from: Polynomial = self.powers().map(|c| on_q.dot(&c[..n]) + on_speed.dot(&c[n..2 * n])).collect();

@@ -143,8 +143,8 @@ const FIFTH: &[(usize, f64)] = &[
     (11, -0.022355307863886294),
 ];
 
-/// Weights of the error estimate of order 3: the weights of the method, minus those of the method of order 3 on stages 0, 8 and
-/// 11.
+/// Weights of the error estimate of order 3: the weights of the method, minus those of the embedded method of order 3, which uses stages 0,
+/// 8 and 11.
 const THIRD: &[(usize, f64)] = &[
     (0, -0.18980075407240762),
     (5, 4.450312892752409),

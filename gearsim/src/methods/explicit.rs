@@ -1,7 +1,7 @@
 //! Explicit Runge-Kutta methods, given by their tableaux.
 //!
-//! k_i = f(t + c_i h, y + h sum_j a_ij k_j). The argument of stage `last` is the state at the end of the step, so that its k is
-//! the first k of the next step.
+//! k_i = f(t + c_i h, y + h sum_j a_ij k_j). The argument of stage `last` is the state at the end of the step. The k of this stage is
+//! therefore the first k of the next step.
 
 use super::dense::Dense;
 use super::field::Field;
@@ -53,7 +53,7 @@ pub enum ErrorEstimate {
 pub enum Interpolant {
     /// For each k, factors of the powers x to x⁴.
     Powers(&'static [(usize, [f64; 4])]),
-    /// Three parts from both ends of the step, and four parts from all k: [`Dense::nested`].
+    /// The form of [`Dense::nested`]: three parts from the states and rates at both ends of the step, and four parts from all k.
     Nested(&'static [Row; 4]),
 }
 
@@ -69,7 +69,7 @@ pub struct Explicit {
     sum: Vec<f64>,
 }
 
-/// So many numbers of a sum stay in registers while the stages are added.
+/// Length of the blocks in which stages are added: the sum of a block stays in registers.
 const BLOCK: usize = 4;
 
 impl Explicit {
@@ -113,7 +113,7 @@ impl Explicit {
         end.lost = start.lost + self.sum[2 * n] * h;
     }
 
-    /// Length of a stage.
+    /// Number of entries of a stage in `k`, with its zeros at the end.
     fn width(&self) -> usize {
         (2 * self.n + 1).next_multiple_of(BLOCK)
     }
@@ -206,7 +206,7 @@ impl Method for Explicit {
                 let width = 2 * self.n + 1;
                 let mut parts = vec![0.0; 7 * width];
                 let (first, last) = parts.split_at_mut(3 * width);
-                // From both ends: the rise, and its deviations from the slopes at the ends.
+                // From both ends: the increment of y, and its differences from the slopes at the ends.
                 // By index: iterators over whole states took up to 6 % more instructions in a step.
                 let ends = |i: usize| match i.checked_sub(self.n) {
                     None => (trial.end.q[i] - start.q[i], self.k[i], trial.rate.q[i]),

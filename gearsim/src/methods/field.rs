@@ -1,8 +1,8 @@
 //! The right-hand side that methods integrate, smooth within a mode: q'' = P F(q, q', k(s), dk/ds, t), and the power that damping
 //! dissipates.
 //!
-//! P = M⁻¹, or the mobility of the remaining motions if phases are held. Where M depends on q, so does P. The modes of switches do not
-//! change within a step: a step may go beyond the end of its mode, and the forces continue smoothly there.
+//! P = M⁻¹. If phases or deflections are held, P is the mobility of the remaining motion ([`contact`]). Where M depends on q, so does P.
+//! The modes of switches do not change within a step: a step may go beyond the end of its mode, and the forces continue smoothly there.
 
 use std::sync::Arc;
 
@@ -28,17 +28,17 @@ pub struct Field<'a> {
     switches: Vec<Switch>,
     guards: Arc<Guards>,
     forcing: Option<Box<Forcing>>,
-    /// The functions that end holds.
+    /// The functions whose zeros end held contacts.
     holds: Vec<Watch>,
     /// P (N x N); `None` where M depends on q.
     mobility: Option<Matrix>,
-    /// The torques that depend on the state: which of the scene each is, and which of the model.
+    /// The torques that depend on the state: for each, its index among the torques of the scene, and its index in the model.
     of_state: Vec<(usize, usize)>,
     /// The linear forces of the present mode, if the model puts them together from parts.
     linear: Option<LinearForces>,
-    /// Gradients of the motions that are held (N, one a column).
+    /// Gradients of the held motions (N, one per column).
     held: Option<DMatrix<f64>>,
-    /// The holds of rates in which friction laws are factors.
+    /// The contact, if friction laws are factors in its held rates: the gradients then change with the motion.
     turning: Option<Box<Contact>>,
     /// Time at which the present step begins \[s\].
     pub begins: f64,
@@ -46,7 +46,7 @@ pub struct Field<'a> {
     pub evaluations: u64,
     /// Whether laws and guards change at events only ([`Hybrid::steps_only`]).
     steps_only: bool,
-    /// Where it was last evaluated: the law values, and their first and second derivatives by the phase.
+    /// At the state of the last evaluation: the law values, and their first and second derivatives by the phase.
     k: Vec<f64>,
     dk: Vec<f64>,
     ddk: Vec<f64>,
@@ -79,7 +79,7 @@ impl<'a> Field<'a> {
         field
     }
 
-    /// Goes on to the mode of `now`.
+    /// Changes to the mode of `now`.
     pub fn enter(&mut self, now: &Hybrid<'_>) {
         self.laws.clone_from(&now.laws);
         self.switches.clone_from(&now.switches);
@@ -109,7 +109,7 @@ impl<'a> Field<'a> {
         Flow { q: y.v.clone(), v, lost: self.loss(y) }
     }
 
-    /// The holds of rates in which friction laws are factors, at `y`, where the field was last evaluated.
+    /// N and the force c at `y`, if friction laws are factors in held rates ([`Turned`]). The field must have been evaluated at `y`.
     #[inline]
     fn turned(&self, y: &Flow) -> Option<Turned> {
         let contact = self.turning.as_ref()?;
@@ -149,13 +149,13 @@ impl<'a> Field<'a> {
         force
     }
 
-    /// The power that dampers take at `y`, the time `t` after the step began \[W\]. The forces of switches are not included.
+    /// The power that dampers dissipate at `y`, the time `t` after the step began \[W\]. The forces of switches are not included.
     pub fn lost(&mut self, t: f64, y: &Flow) -> f64 {
         self.set(t, y);
         self.loss(y)
     }
 
-    /// The same where the field was last evaluated.
+    /// [`Field::lost`] at `y`. The field must have been evaluated there.
     #[inline]
     fn loss(&self, y: &Flow) -> f64 {
         let dissipation = match &self.linear {
@@ -165,13 +165,14 @@ impl<'a> Field<'a> {
         2.0 * dissipation
     }
 
-    /// The power that the forces of switches take at `y` \[W\]. The field must have been evaluated there. If these forces do not change within a
-    /// mode, the loss is computed from the displacement instead ([`Hybrid::lost_by_switches`]).
+    /// The power that the forces of switches dissipate at `y` \[W\]. The field must have been evaluated there. If these forces do not
+    /// change within a mode, the loss is computed from the displacement instead ([`Hybrid::lost_by_switches`]).
     pub fn lost_by_switches(&self, y: &Flow) -> f64 {
         Guards::of(self.equations, &self.switches, &y.q, &self.k).power(&y.q, &y.v, &self.k)
     }
 
-    /// Writes the power of the varying part of each of the scene's torques at `y`, the time `t` after the step began \[W\] (n_torques).
+    /// Writes to `power` the power of the varying part of each torque of the scene at `y`, the time `t` after the step began \[W\]
+    /// (n_torques).
     pub fn write_power(&mut self, t: f64, y: &Flow, power: &mut [f64]) {
         self.set(t, y);
         power.fill(0.0);
@@ -184,7 +185,7 @@ impl<'a> Field<'a> {
         }
     }
 
-    /// Values of laws and switches, and slopes of the laws, where the field was last evaluated.
+    /// Values of laws and switches, and slopes of the laws along their phases, at the state of the last evaluation.
     pub fn laws_at(&self) -> (&[f64], &[f64]) {
         (&self.k, &self.dk)
     }
@@ -196,20 +197,22 @@ impl<'a> Field<'a> {
         if let Some(mobility) = &self.mobility {
             return accelerated(mobility, [by_q, by_v]);
         }
-        // M q'' = F + N R with constant N and Nᵀq'' = 0: so M dq'' = dF - dM q'' + N dR with Nᵀdq'' = 0, and dq'' = P (dF - dM q'').
+        // M q'' = F + N R with constant N and Nᵀq'' = 0. The differential is M dq'' = dF - dM q'' + N dR with Nᵀdq'' = 0.
+        // Therefore dq'' = P (dF - dM q'').
         let mobility = self.mobility_at(&y.q);
         let acceleration = &mobility * &self.force(t, y);
         by_q -= self.equations.inertia(&y.q, &acceleration);
         accelerated(&mobility, [by_q, by_v])
     }
 
-    /// The value of `guard` at `side` and at `y`, the time `t` after the step began; positive before it is met.
+    /// The value of `guard` for `side` at `y`, the time `t` after the step began. It is positive before the guard is met.
     pub fn left(&mut self, guard: Guard, side: Side, t: f64, y: &Flow) -> f64 {
         match guard {
             Guard::Phase(i) => side.sign() * (self.laws[i].boundary(side) - y.q[self.laws[i].phase]),
             Guard::Exit(i, which) => {
                 self.set(t, y);
-                // With curved laws, the factors of a guard change within the mode; with bent deflections its tangent turns.
+                // With curved laws, the factors of a guard change within the mode. With nonlinear deflections, the guard is that of the
+                // tangent at `y`.
                 let guards = match self.steps_only {
                     true => self.guards.clone(),
                     false => Arc::new(Guards::of(self.equations, &self.switches, &y.q, &self.k)),

@@ -35,14 +35,14 @@ impl Flow {
         sum
     }
 
-    /// Whether all of it is finite.
+    /// Whether all its numbers are finite.
     #[inline]
     pub fn is_finite(&self) -> bool {
         self.q.iter().chain(self.v.iter()).all(|x| x.is_finite()) && self.lost.is_finite()
     }
 }
 
-/// The unit of the error of each component; never zero.
+/// The size by which the error of each component is divided; never zero.
 #[derive(Debug, Clone)]
 pub struct Scale {
     /// Scale of each coordinate (N).

@@ -1,13 +1,12 @@
 //! Numerical integration of cells that have no closed form; also for comparison with the exact engine.
 //!
-//! A method advances y' = f(t, y), which is smooth in a cell, by one step. It gives an estimate of the error and a polynomial for
-//! the motion within the step. The trait `Method` is implemented once per file. The other files are common to all methods:
-//! `field` (the right-hand side), `control` (the step length), `steps` (the solver that the hybrid loop of
-//! [`crate::engine`] calls), and `choice` (the method that runs a scene, and the
-//! reason).
+//! A method advances y' = f(t, y) by one step. In a cell, f is smooth. The method gives an estimate of the error and a polynomial for the
+//! motion within the step (dense output). The trait `Method` is implemented once per file. The other files are common to all methods:
+//! `field` (the right-hand side), `control` (the step length), `steps` (the solver that the hybrid loop of [`crate::engine`] calls), and
+//! `choice` (the method that runs a scene, and the reason).
 //!
-//! The tableaux are written here instead of using a library, because the search for events needs the coefficients of the dense
-//! output. With them it rules out roots between samples, and the method itself can step exactly to a boundary.
+//! The tableaux are written here instead of using a library, because the search for events needs the coefficients of the dense output. From
+//! these coefficients the search proves that there is no root between samples. The method can also step exactly to a boundary.
 
 pub mod choice;
 pub mod control;
@@ -32,14 +31,14 @@ pub trait Method {
     /// Its name in scenes.
     fn name(&self) -> &'static str;
 
-    /// By its own estimate, the error of a step of length h is proportional to h^(1/exponent).
+    /// The exponent of the step control: the error estimate of a step of length h is proportional to h^(1/exponent).
     fn exponent(&self) -> f64;
 
-    /// Stability limit of h |lambda|; above it stability, not accuracy, limits the step.
+    /// Stability limit of h |lambda|. Above it, stability limits the step, not accuracy.
     fn stability(&self) -> f64;
 
-    /// Tries a step of length `h` \[s\] from `start`, where the derivative is `rate`. `scale` is the allowed error of each
-    /// component. `None` if the equations of the step cannot be solved.
+    /// Tries a step of length `h` \[s\] from the state `start` with the derivative `rate`. `scale` is the allowed error of each component.
+    /// `None` if the equations of the step cannot be solved.
     fn attempt(&mut self, field: &mut Field<'_>, start: &Flow, rate: &Flow, h: f64, scale: &Scale) -> Option<Trial>;
 
     /// The motion within the last step that `attempt` tried.
@@ -53,7 +52,7 @@ pub struct Trial {
     pub end: Flow,
     /// The derivative at its end.
     pub rate: Flow,
-    /// Its estimated error, relative to the allowed one.
+    /// Its estimated error, relative to the allowed error.
     pub error: f64,
     /// h |lambda|, estimated from two stages; 0 if not estimated.
     pub stiffness: f64,

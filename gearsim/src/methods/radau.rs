@@ -1,9 +1,9 @@
 //! Radau IIA of order 5: an implicit method for stiff cells.
 //!
 //! Collocation at c = (4 -+ sqrt 6)/10 and 1: Z_i = h sum_j a_ij f(y + Z_j). It is solved by a simplified Newton method in the
-//! coordinates W = T⁻¹Z, in which A⁻¹ is block diagonal. This gives one real and one complex system of N equations, because the
-//! rates of the coordinates are the speeds. The error estimate is the embedded formula of order 3. Source: Hairer & Wanner,
-//! Solving Ordinary Differential Equations II (1996), IV.8; the entries of T are those of their code `radau5`.
+//! coordinates W = T⁻¹Z, in which A⁻¹ is block diagonal. This gives one real and one complex linear system. Each has N equations: the N
+//! equations q' = v are eliminated. The error estimate is the embedded formula of order 3. Source: Hairer & Wanner, Solving Ordinary
+//! Differential Equations II (1996), IV.8; the entries of T are those of their code `radau5`.
 
 use nalgebra::{Complex, ComplexField, DMatrix, DVector, Dyn, LU};
 
@@ -33,13 +33,13 @@ const MOST_NEWTON: u32 = 8;
 pub struct Radau {
     /// Allowed error of Newton's method, relative to the allowed error of a step.
     newton: f64,
-    /// Rounding errors of the state, relative to the same.
+    /// Rounding errors of the state, relative to the allowed error of a step.
     rounding: f64,
     /// The displacements Z of the stages.
     z: [Flow; 3],
 }
 
-/// One of the two systems, gamma I - J, with the rates of the coordinates eliminated.
+/// One of the two linear systems with the matrix gamma I - J, reduced to N equations.
 struct System<T: ComplexField> {
     gamma: T,
     by_q: Matrix,
@@ -48,8 +48,8 @@ struct System<T: ComplexField> {
 }
 
 impl<T: ComplexField<RealField = f64> + Copy> System<T> {
-    /// (gamma² I - gamma J_v - J_q) x_q = r_v + gamma r_q - J_v r_q and (gamma² I - gamma J_v - J_q) x_v = gamma r_v + J_q r_q. The
-    /// speeds x_v = gamma x_q - r_q have an equation of their own, because this difference has no digits left in a very short step.
+    /// (gamma² I - gamma J_v - J_q) x_q = r_v + gamma r_q - J_v r_q and (gamma² I - gamma J_v - J_q) x_v = gamma r_v + J_q r_q. The speeds
+    /// x_v are solved for separately: in a very short step the difference x_v = gamma x_q - r_q would lose all digits.
     fn new(gamma: T, [by_q, by_v]: &[Matrix; 2]) -> Self {
         let lift = |x: f64| T::from_real(x);
         let n = by_q.nrows();
@@ -133,7 +133,7 @@ impl Radau {
                 w[i].add(1.0, &dw[i]);
             }
             z = std::array::from_fn(|i| Self::combine(&T[i], &w));
-            // Rounding errors of the state neither converge nor diverge.
+            // Below the rounding errors of the state, the corrections neither converge nor diverge.
             let known = size <= self.rounding;
             let Some(before) = before.replace(size) else { if known { break } else { continue } };
             let rate = size / before;
@@ -145,7 +145,7 @@ impl Radau {
                 return None;
             }
         }
-        // The dissipated energy, by the quadrature of the collocation: Z = h A f.
+        // The dissipated energy at the stages, by the same collocation formula: Z = h A f.
         let lost: [f64; 3] = std::array::from_fn(|i| field.lost(nodes[i] * h, &start.plus(1.0, &z[i])));
         for (z, row) in z.iter_mut().zip(weights()) {
             z.lost = h * (0..3).map(|j| row[j] * lost[j]).sum::<f64>();
@@ -187,8 +187,7 @@ impl Method for Radau {
         let end = start.plus(1.0, &self.z[2]);
         let at_end = field.rate(h, &end);
 
-        // Error estimate: (mu/h I - J)⁻¹ (f_0 + E Z/h). If it exceeds the limit because of a stiff component, it is filtered once
-        // more.
+        // Error estimate: (mu/h I - J)⁻¹ (f_0 + E Z/h). A stiff component can make it exceed the limit; then it is filtered once more.
         let s = 6f64.sqrt();
         let e = Self::combine(&[(-13.0 - 7.0 * s) / 3.0, (-13.0 + 7.0 * s) / 3.0, -1.0 / 3.0], &self.z);
         let filtered = |r: &Flow| {

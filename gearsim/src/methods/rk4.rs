@@ -1,4 +1,4 @@
-//! RK4: the classical Runge-Kutta method of order 4, with steps of fixed length, and cubic Hermite interpolation between them.
+//! RK4: the classical Runge-Kutta method of order 4, with steps of fixed length, and cubic Hermite interpolation within a step.
 //!
 //! Kutta (1901), Z. Math. Phys. 46. The method has no error estimate; the scene states the step length.
 

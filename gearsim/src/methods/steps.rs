@@ -1,7 +1,8 @@
 //! The solver by steps: a numerical method, the control of its steps, and its dense output.
 //!
-//! A step is as long as its error allows. Its dense output shows with certainty which guard it meets first ([`crate::engine::root`]). The
-//! step is then repeated so that it ends at the guard: states at events have the accuracy of steps, not that of the interpolation.
+//! A step is as long as its error allows. The roots of the guards along its dense output are found with certainty
+//! ([`crate::engine::root`]); the first one is the event. The step is then repeated so that it ends at this event. States at events
+//! therefore have the accuracy of a step, not that of the dense output.
 
 use std::sync::Arc;
 
@@ -27,7 +28,7 @@ mod work;
 
 use motion::Step;
 
-/// Where events are taken.
+/// Where events are handled.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Events {
     /// Where they happen.
@@ -41,11 +42,11 @@ pub enum Events {
 pub struct Settings {
     /// How long steps are.
     pub steps: Steps,
-    /// Where events are taken.
+    /// Where events are handled.
     pub events: Events,
     /// Whether an explicit method may be replaced by an implicit one where stability limits its steps.
     pub give_way: bool,
-    /// Steps after which a run is given up.
+    /// Largest number of steps of a run, including rejected ones.
     pub most_steps: u64,
 }
 
@@ -59,9 +60,9 @@ pub struct BySteps<'a> {
     fastest: f64,
     /// The energy from which the scale of the speeds follows \[J\].
     energy: f64,
-    /// The rate at the end of the last step, and where that was; `None` in a new mode.
+    /// State and rate at the end of the last step; `None` in a new mode.
     last: Option<(Flow, Flow)>,
-    /// Steps limited by stability, one after another.
+    /// Number of consecutive steps limited by stability.
     stiff: u32,
     effort: Effort,
 }
@@ -73,7 +74,8 @@ impl<'a> BySteps<'a> {
         let y = Flow { q: now.state.q.clone(), v: now.state.q_dot.clone(), lost: 0.0 };
         let mut field = Field::new(now);
         let rate = field.rate(0.0, &y);
-        // The scale of the speeds: those that the energy at the start allows, or that the forces soon cause.
+        // The scale of each speed: the larger of the speed that the energy at the start allows, and the speed that the forces cause in the
+        // time 1/`fastest`.
         let energy = equations.kinetic(&y.q, &y.v) + equations.potential(&y.q, &now.k);
         let [by_q, by_v] = field.jacobian(0.0, &y);
         let sum = |a: &Matrix| a.row_iter().map(|row| row.iter().map(|x| x.abs()).sum()).fold(0.0, f64::max);
@@ -86,8 +88,8 @@ impl<'a> BySteps<'a> {
         BySteps { field, method, settings, control, fastest, energy, last: Some((y, rate)), stiff: 0, effort }
     }
 
-    /// Updates the scale of the speeds from the energy at `y` once it has grown much. A train that torques start from rest has at first
-    /// only the energy of rounding errors.
+    /// Updates the scale of the speeds from the kinetic energy at `y`, if it has grown by the factor [`ENERGY_GROWN`]. The reason: at
+    /// first, a train that torques start from rest has only the energy of rounding errors.
     fn follow_energy(&mut self, y: &Flow) {
         let kinetic = self.field.equations.kinetic(&y.q, &y.v);
         if kinetic > ENERGY_GROWN * self.energy && kinetic.is_finite() {
@@ -96,7 +98,11 @@ impl<'a> BySteps<'a> {
         }
     }
 
-    /// A step from `y`, where the rate is `rate`, of at most `horizon` \[s\], whose error is small enough: its length and its end.
+    /// Tries steps of at most `horizon` \[s\] from the state `y` with the rate `rate`, until the error of one is accepted. Returns its
+    /// length \[s\] and its trial.
+    ///
+    /// # Errors
+    /// [`Stop::Steps`] if the run has used all its steps; [`Stop::Step`] if no step is accepted.
     fn attempt(&mut self, now: &Hybrid<'_>, y: &Flow, rate: &Flow, horizon: f64) -> Result<(f64, Trial), Stop> {
         let exponent = self.method.exponent();
         if horizon <= 0.0 {
@@ -127,7 +133,7 @@ impl<'a> BySteps<'a> {
         Err(Stop::Step { t, h, method, state: now.state.describe(), cell: now.cell() })
     }
 
-    /// Replaces the method by an implicit one once stability, step after step, limits it.
+    /// Replaces the method by the implicit one after [`STIFF_STEPS`] consecutive steps that stability limits.
     fn watch_stiffness(&mut self, t: f64, stiffness: f64) {
         let Steps::Adaptive(tolerance) = self.settings.steps else { return };
         if !self.settings.give_way || self.effort.replaced.is_some() {
@@ -157,7 +163,8 @@ impl Solver for BySteps<'_> {
     fn solve<'s>(&'s mut self, now: &'s Hybrid<'_>, horizon: f64) -> Result<Box<dyn Motion + 's>, Stop> {
         let y = Flow { q: now.state.q.clone(), v: now.state.q_dot.clone(), lost: 0.0 };
         self.field.begins = now.clock.now();
-        // While motions are held, no error limits the step, but the reaction follows torques that vary.
+        // While contacts are held, the error of the motion may allow long steps. But the reaction follows the torques that vary, and its
+        // guards are interpolated within a step. So the step is limited here.
         let swings = now.contact.as_ref().and(now.forcing.as_ref()).map_or(0.0, |forcing| Forcing::fastest(forcing));
         let horizon = if swings > 0.0 { horizon.min(HELD_STEP / swings) } else { horizon };
         let rate = match self.last.take() {

@@ -64,8 +64,8 @@ fn try_run(overrides: &[&str]) -> Result<Outcome, Refusal> {
     entry.run(&scene, &mut |_| {})
 }
 
-/// The largest difference between the rows of two trajectories. Each column is scaled by its largest value, or by a millionth of
-/// the largest speed if that is more: a coordinate at rest has rounding errors only.
+/// The largest difference between the rows of two trajectories. Each column is scaled by its largest value, or by a millionth of the
+/// largest speed if this is larger, because a coordinate at rest has only rounding errors.
 pub(crate) fn difference(a: &Trajectory, b: &Trajectory) -> f64 {
     assert_eq!(a.moment, b.moment);
     let largest = b.q_dot.iter().flatten().fold(0.0f64, |m, x| m.max(x.abs()));
@@ -111,8 +111,8 @@ fn fixed(equations: &dyn Equations, scene: &Scene, method: Box<dyn Method>, h: f
     recorder.trajectory
 }
 
-/// In steps of fixed length, through a dozen steps of the stiffness, the states at events and at the end converge to the exact
-/// ones with the order of the method. A larger error of the event location would show as a lower order.
+/// With steps of fixed length, and a dozen steps of the stiffness in the run, the states at events and at the end converge to the exact
+/// ones with the order of the method. If the error of the event location were larger, the observed order would be lower.
 #[test]
 fn methods_have_their_orders_across_jumps() {
     let exact = run(&["output.rate=\"50 Hz\""]).trajectory;
@@ -152,8 +152,8 @@ fn dense_output_has_its_order() {
     }
 }
 
-/// Adaptive methods: the error is below a hundred tolerances, with a dozen events and two hundred oscillations, and the events
-/// are the same.
+/// Adaptive methods in a run with a dozen events and two hundred oscillations: the error is below a hundred tolerances, and the events are
+/// those of the exact run.
 #[test]
 fn adaptive_methods_meet_their_tolerance() {
     let exact = run(&[]);
@@ -170,7 +170,7 @@ fn adaptive_methods_meet_their_tolerance() {
     }
 }
 
-/// Backwards, without damping, with simplified equations, and with a reflection: the events are those of the exact engine.
+/// The events are those of the exact engine: in a backward rotation, without damping, with simplified equations, and with a reflection.
 #[test]
 fn events_are_those_of_the_exact_engine() {
     let cases: &[&[&str]] = &[
@@ -181,7 +181,7 @@ fn events_are_those_of_the_exact_engine() {
         &["effects=[\"torques\"]"],
         &["start.speed=\"60 rpm\"", "parameters.T0=\"40 N*m\""],
         &["start.speed=0", "start.theta=\"1.7 rad\"", "start.phi=\"0.02 rad\""],
-        // One rounding error before a step; exactly on it.
+        // A start one rounding error before a step, and a start exactly on it.
         &["start.theta=\"1.7299999999999998 rad\""],
         &["start.theta=\"1.73 rad\""],
     ];
@@ -207,7 +207,7 @@ fn events_are_those_of_the_exact_engine() {
 }
 
 /// theta oscillates once towards a boundary, theta_0 + (M1/M2) phi_0 (cos wt - 1), and reverses 10^-k beyond it or before it.
-/// Every method passes the boundary in the first case only. Samples would show the difference in neither case.
+/// Every method passes the boundary in the first case only. Values at samples alone would not show in which case the boundary is passed.
 #[test]
 fn a_crossing_shallower_than_a_step_is_found() {
     let (i1, i2): (f64, f64) = (2890e-6 / 576.0, 740200e-6 / 9216.0);
@@ -243,14 +243,14 @@ fn a_grid_without_events_has_order_one() {
         let step = format!("run.step=\"{h:?} s\"");
         (end(&run(&["run.method=\"rk4_grid\"", &step])) - exact).abs() / exact
     };
-    // The place of an event within a step is nearly random: average over eight neighbouring grids.
+    // The position of an event within a step is nearly random. So average over eight neighbouring step lengths.
     let mean = |h: f64| (0..8).map(|i| error(h * (1.0 + 0.01 * f64::from(i)))).sum::<f64>() / 8.0;
     let slope = (mean(4e-5) / mean(1e-6)).log2() / 40f64.log2();
     assert!((slope - 1.0).abs() < 0.35, "slope {slope}");
 }
 
 #[test]
-fn errors_name_their_cause() {
+fn the_step_limit_stops_a_run_and_overflow_is_refused() {
     let scene = scene(&["run.method=\"dop853\"", "run.tolerance=1e-12"]);
     let equations: Box<dyn Equations> = DerivedModel::of::<GearPair>().equations(&scene).unwrap();
     let settings = Settings { steps: Steps::Adaptive(1e-12), events: Events::Located, give_way: false, most_steps: 20 };

@@ -1,4 +1,4 @@
-//! A checksum of the content of a table: SHA-256 of the names, units and SHA-256 of all columns.
+//! A checksum of the content of a table. Each column has a SHA-256 of its name, unit and values; the checksum is the SHA-256 of these.
 //!
 //! It does not depend on how the rows are cut into groups or pages, or on the compression, and it finds any change of a number.
 

@@ -1,11 +1,12 @@
-//! Whether JSON is as its schema says, for tests.
+//! Checks JSON against its schema, for tests.
 
 use serde_json::Value;
 
-/// Whether `value` is as `schema` says; the keywords of JSON Schema that our schemas use.
+/// Checks `value` against `schema`. Only the keywords of JSON Schema that our schemas use are known. `path` is the place of `value` in
+/// messages.
 ///
 /// # Errors
-/// What is not, and where.
+/// The first part of `value` that does not conform, with its path.
 pub fn conforms(value: &Value, schema: &Value, path: &str) -> Result<(), String> {
     let of = |name: &str| match (name, value) {
         ("object", Value::Object(_)) | ("array", Value::Array(_)) | ("string", Value::String(_)) => true,

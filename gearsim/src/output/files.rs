@@ -88,7 +88,7 @@ impl OutputFolder {
     fn keep_partial(&mut self, error: OutputError) -> OutputError {
         let to = self.path.join(PARTIAL);
         let Some(staging) = self.staging.take() else { return error };
-        // Those that took their places before the error are in the folder itself.
+        // Files that were moved to their places before the error are in the folder itself.
         let is_staged = |name: &&String| staging.path().join(name).exists();
         let files: Vec<_> = self.files().iter().filter(is_staged).cloned().collect();
         let replaced = !to.exists() || std::fs::remove_dir_all(&to).is_ok();
@@ -101,7 +101,7 @@ impl OutputFolder {
 
 /// Removes from the folder at `path` what interrupted commands and failed writes left.
 fn clear(path: &Path) -> Result<(), OutputError> {
-    // A process that replaces a result has a temporary file for a moment.
+    // The lock waits for a process that is replacing a result: its temporary file must not be removed.
     let _folder = lock(path, true);
     WholeFiles::create(path)?.clear_leftovers();
     let _ = std::fs::remove_dir_all(path.join(PARTIAL));

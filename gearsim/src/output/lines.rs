@@ -1,5 +1,5 @@
-//! The table of lines, `lines.csv`: amplitudes of the recorded forces and transmission errors at mesh orders and at those of their sidebands that
-//! are lines of their own.
+//! The table of lines, `lines.csv`: amplitudes of the recorded forces and transmission errors at mesh orders, and at those of their
+//! sidebands that stand out in the spectrum.
 
 use std::borrow::Cow;
 
@@ -14,7 +14,7 @@ use crate::trajectory::Trajectory;
 /// Units of the outputs in the table: forces, torques, transmission errors and twists.
 const UNITS: [&str; 4] = ["N", "m", "N*m", "rad"];
 
-/// Orders that differ by less than this are the same [relative]: they are means over a run, in which shafts twist.
+/// Orders with a smaller relative difference count as the same: they are means over a run, in which shafts twist.
 const SAME: f64 = 1e-4;
 
 /// The lines of a run.
@@ -24,13 +24,13 @@ pub struct Lines {
     pub shaft: &'static Output,
     /// The lines.
     pub lines: Vec<Line>,
-    /// The meshes whose speeds vary, so that their lines have no one frequency.
+    /// The meshes whose speeds vary. Their lines have no fixed frequency.
     pub varying: Vec<&'static str>,
     /// The outputs in the table.
     pub outputs: Vec<&'static Output>,
     /// Peak amplitudes (lines, outputs) [units of the outputs].
     pub amplitudes: Vec<Vec<f64>>,
-    /// Whether an output has a line (outputs, lines): a sideband is listed only where it is one.
+    /// Whether an output has a line (outputs, lines). It has a sideband only if that stands out in its spectrum.
     pub has: Vec<Vec<bool>>,
 }
 
@@ -74,7 +74,7 @@ impl Lines {
                 words.iter_mut().zip(texts).for_each(|(column, text)| column.push(text));
                 let level = 20.0 * (amplitude / value).log10();
                 let (harmonic, sideband) = (line.harmonic as f64, f64::from(line.sideband));
-                // The frequency at the mean speed is none of a line that moves with the speed.
+                // A line that moves with the speed has no fixed frequency.
                 let frequency = if self.varying.contains(&line.mesh) { f64::NAN } else { line.frequency };
                 let row = [harmonic, sideband, line.order, frequency, amplitude, level];
                 numbers.iter_mut().zip(row).for_each(|(column, number)| column.push(number));
@@ -97,8 +97,8 @@ impl Lines {
         Ok(table)
     }
 
-    /// The largest lines of an output, the largest first: each with its peak amplitude [unit of the output]. Of lines at the same order
-    /// only one, a multiple of a mesh order if there is one.
+    /// The largest lines of an output, the largest first: each with its peak amplitude [unit of the output]. Only one of several
+    /// lines at the same order is kept, a multiple of a mesh order if there is one.
     pub fn largest(&self, output: &Output, most: usize) -> Vec<(Line, f64)> {
         let Some(o) = self.outputs.iter().position(|known| known.name == output.name) else { return vec![] };
         let mut all: Vec<_> = self.of_output(o).map(|(line, amplitude)| (*line, amplitude)).collect();

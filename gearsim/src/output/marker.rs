@@ -9,7 +9,7 @@ use super::{OutputError, WholeFiles, fault};
 /// Name of the file.
 pub const MARKER: &str = "INCOMPLETE";
 
-/// Says with `text` that the folder at `path` is incomplete, unless it says so already.
+/// Marks the folder at `path` as incomplete, with `text`, unless it has a marker already.
 ///
 /// Errors: [`OutputError::CreateFolder`], [`OutputError::Write`].
 pub(crate) fn mark(path: &Path, text: &str) -> Result<(), OutputError> {
@@ -33,7 +33,7 @@ pub(super) fn read(path: &Path) -> Option<String> {
 ///
 /// Errors: [`OutputError::CreateFolder`], [`OutputError::Write`].
 pub(super) fn write(path: &Path, text: &str) -> Result<(), OutputError> {
-    // What this writer leaves when it is interrupted is cleared with other leftovers.
+    // If this write is interrupted, its temporary file is removed with other leftovers.
     WholeFiles::create(path)?.write_bytes(MARKER, text.as_bytes())
 }
 

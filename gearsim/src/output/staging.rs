@@ -9,7 +9,7 @@ use tempfile::{Builder, TempDir};
 use super::fault;
 use super::whole::TEMPORARY;
 
-/// A temporary folder; removed with all in it when dropped. A lock tells other processes that it is not left over.
+/// A temporary folder; removed with all in it when dropped. It is locked, so that other processes do not remove it as a leftover.
 #[derive(Debug)]
 pub(crate) struct Staging {
     folder: TempDir,

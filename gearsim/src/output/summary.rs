@@ -107,7 +107,7 @@ pub struct Energy {
     pub residual: Number,
     /// T + V - W at the start.
     pub at_start: Number,
-    /// The largest part of the account in any row; the scale to judge the residual by.
+    /// The largest part of the account in any row. The residual is judged relative to it.
     pub largest: Number,
 }
 
@@ -145,7 +145,7 @@ pub struct Counts {
     pub root_steps: u64,
     /// Number of grazes: a phase touched a step without passing it.
     pub grazes: u64,
-    /// Number of times that a phase was held at a step that it had not the energy to pass.
+    /// Number of times that a phase was held at a step because its energy was too small to pass.
     pub holds: u64,
     /// Number of impacts of all kinds. An impact is a contact of flanks or stops that had been apart.
     pub impacts: u64,

@@ -1,8 +1,8 @@
 //! Puts the staged files of a result in the place of an earlier one.
 //!
-//! A result is a set of files and its index, a JSON file that names the others: `summary.json` of a run. Of every earlier result with
-//! the same index, or with a file of the same name, all files are removed, its index first. Then the new files are renamed, their
-//! index last. While this lasts, the folder has the file [`MARKER`]. It says that the folder is incomplete, and lists the files.
+//! A result is a set of files and its index, a JSON file that names the others: `summary.json` of a run. Every earlier result with
+//! the same index, or with a file of the same name, is removed: first its index, then its other files. Then the new files are renamed,
+//! their index last. Meanwhile the folder has the file [`MARKER`]. It says that the folder is incomplete, and lists the files.
 
 use std::collections::BTreeSet;
 use std::fs;
@@ -20,7 +20,7 @@ const SAYS: &str = "\
 gearsim was interrupted while it replaced the results in this folder.
 Every file is whole, but some may be missing. The same command run again replaces them:
 ";
-/// The page of a result, which says itself to which: [`belongs`].
+/// The page of a result. The page itself names the index file of that result: [`belongs`].
 pub const PAGE: &str = "page.html";
 /// The index files of all commands that list their files.
 const INDEXES: [&str; 4] = ["summary.json", "compare.json", "modes.json", "floquet.json"];
@@ -37,7 +37,7 @@ pub(super) fn swap(folder: &Path, staging: &Path, new: &[String], index: &str) -
         }
     }
     let old = earlier(folder, new, index);
-    // The index is first here, so that it is removed first.
+    // `old` begins with the index files, so that they are removed first.
     let listed: BTreeSet<&str> = old.iter().chain(new).map(String::as_str).collect();
     let list: String = listed.iter().map(|name| format!("{name}\n")).collect();
     // Results of another kind in the same folder may be incomplete too.

@@ -53,7 +53,7 @@ impl Table {
         &self.columns
     }
 
-    /// The columns, in order, for who needs the table no longer.
+    /// Takes the columns out of the table, in order.
     pub fn into_columns(self) -> Vec<Column> {
         self.columns
     }

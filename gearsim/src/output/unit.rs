@@ -35,7 +35,8 @@ pub(crate) fn in_words(x: f64, unit: &str) -> String {
     if unit == "1" { text } else { format!("{text} {unit}") }
 }
 
-/// The same of a coordinate or its speed. Angles stay in rad: most are rotations, and their speeds are not those of rotors.
+/// As [`in_words`], for a coordinate or its speed. Angles stay in rad and their speeds in rad/s: most are rotations, and their speeds are
+/// not those of rotors.
 pub(crate) fn coordinate_in_words(x: f64, unit: &str) -> String {
     if unit.starts_with("rad") { format!("{} {unit}", short(x)) } else { in_words(x, unit) }
 }

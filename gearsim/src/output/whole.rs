@@ -13,7 +13,7 @@ pub type Sink<'a> = &'a mut (dyn Write + Send);
 /// Beginning of the names of temporary files and folders.
 pub(super) const TEMPORARY: &str = ".gearsim-";
 
-/// A folder and the files written to it so far. Each appears under its name at once, beside what is there.
+/// A folder and the files written to it so far. Each file appears under its name as soon as it is complete. Other files stay.
 #[derive(Debug)]
 pub struct WholeFiles {
     path: PathBuf,
@@ -67,7 +67,7 @@ impl WholeFiles {
         staging::clear(&self.path);
         for entry in std::fs::read_dir(&self.path).into_iter().flatten().flatten() {
             if entry.file_name().to_string_lossy().starts_with(TEMPORARY) {
-                // Of a folder this fails.
+                // This fails for a folder, which `staging::clear` has already handled.
                 let _ = std::fs::remove_file(entry.path());
             }
         }

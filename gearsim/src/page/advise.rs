@@ -5,11 +5,11 @@ use super::shared::{self, Made, figure, table};
 use crate::output::{OutputError, Table};
 use crate::plot::Figure;
 
-/// What an advice comes to.
+/// The results of an advice.
 pub struct Advice<'a> {
-    /// What it concludes: names and texts.
+    /// The conclusions: names and texts.
     pub conclusions: &'a [(String, String)],
-    /// How far each candidate deviates; `None` without a candidate that has a deviation.
+    /// The deviation of each candidate; `None` if no candidate has one.
     pub drawn: Option<&'a Figure>,
     /// The deviations of each candidate, estimated and from runs.
     pub deviations: &'a Table,

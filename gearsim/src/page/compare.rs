@@ -40,7 +40,7 @@ pub fn page(made: &Made<'_>, runs: &[Run<'_>], summaries: &[Summary]) -> Result<
     Ok(page)
 }
 
-/// One row a quantity, one column a run.
+/// One row per quantity, one column per run.
 fn rows(runs: &[Run<'_>], summaries: &[Summary]) -> Vec<Vec<TableCell>> {
     let mut rows = vec![];
     let mut add = |name: &str, unit: &str, values: Vec<f64>| {

@@ -16,9 +16,9 @@ pub const BLOCK: usize = 1024;
 /// How finely a column is stored.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Counts {
-    /// To 1/131,000 of the range of each block, in 16 bits: curves on a screen and values with five digits.
+    /// 16 bits, with a rounding error of 1/131,000 of the range of each block: for curves on a screen and values with five digits.
     Short,
-    /// To 1/8.6e9 of the range of each block, in 32 bits: times and frequencies.
+    /// 32 bits, with a rounding error of 1/8.6e9 of the range of each block: for times and frequencies.
     Long,
 }
 
@@ -45,7 +45,7 @@ pub fn encode(id: String, values: &[f64], counts: Counts) -> (Column, String) {
         let finite = || block.iter().copied().filter(|x| x.is_finite());
         let (low, high) = finite().fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), x| (low.min(x), high.max(x)));
         let offset = if low.is_finite() { low } else { 0.0 };
-        // Divided first: the difference of the largest numbers is not finite.
+        // Divide before the subtraction: the difference of the largest numbers would overflow.
         let scale = if high > low { high / most - low / most } else { 0.0 };
         bytes.extend(offset.to_le_bytes().into_iter().chain(scale.to_le_bytes()));
         for x in block {

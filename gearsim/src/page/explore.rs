@@ -8,7 +8,8 @@ use super::{document, script};
 /// Its layout, after that of all pages.
 const STYLE: &str = include_str!("assets/explore.css");
 
-/// Writes the page of a scene called `name`. Returns its Content-Security-Policy: its own scripts, and requests to where it comes from.
+/// Writes the page of a scene called `name`. Returns its Content-Security-Policy, which allows only its own scripts and requests to its own
+/// server.
 ///
 /// # Errors
 /// Those of `sink`.

@@ -50,7 +50,8 @@ fn plane(html: &mut Html, floquet: &Floquet) {
     });
 }
 
-/// The page of the stability of a scene; `words` are its results in words, `chart` its chart and the table of that. Errors: none.
+/// The page of the stability of a scene; `words` are its results in words, `chart` is its chart with the table of the chart's points.
+/// Errors: none.
 pub fn page(
     made: &Made<'_>,
     words: &str,

@@ -15,7 +15,7 @@ pub struct Html {
     text: String,
     /// The embedded arrays: identifier and base64.
     arrays: Vec<(String, String)>,
-    /// What the identifiers of its arrays begin with.
+    /// Prefix of the identifiers of its arrays.
     name: String,
 }
 
@@ -34,7 +34,7 @@ impl Html {
         Html { name, ..Html::default() }
     }
 
-    /// Empty content that continues the numbers of the arrays of `before`.
+    /// Empty content that takes the arrays of `before`, so that their numbering continues.
     pub(super) fn continuing(before: &mut Html) -> Self {
         Html { text: String::new(), arrays: std::mem::take(&mut before.arrays), name: before.name.clone() }
     }
@@ -63,7 +63,7 @@ impl Html {
         &self.arrays
     }
 
-    /// The embedded arrays, to keep.
+    /// The embedded arrays, taken out of the content.
     pub(super) fn into_arrays(self) -> Vec<(String, String)> {
         self.arrays
     }
@@ -128,7 +128,7 @@ impl Html {
         let _ = writeln!(self.text, "<div data-later=\"{}\"></div>", escape(caption));
     }
 
-    /// Embeds a column, and returns its name for plots. Equal columns are embedded once.
+    /// Embeds a column, and returns the reference to it that plots need. Equal columns are embedded once.
     pub fn embed(&mut self, values: &[f64], counts: Counts) -> Column {
         let (mut column, base64) = data::encode(format!("{}array-{}", self.name, self.arrays.len()), values, counts);
         match self.arrays.iter().find(|(_, known)| *known == base64) {
@@ -179,7 +179,7 @@ impl TableCell {
         match self {
             TableCell::Text(text) => format!("<td>{}</td>", escape(text)),
             TableCell::Number(x) if x.is_nan() => "<td class=\"number\" data-value=\"NaN\">-</td>".into(),
-            // The sum makes -0 a 0.
+            // Adding 0 turns -0 into 0.
             TableCell::Number(x) => {
                 format!("<td class=\"number\" data-value=\"{x:e}\">{}</td>", short(x + 0.0))
             }
@@ -187,7 +187,7 @@ impl TableCell {
     }
 }
 
-/// `text`, escaped, with what stands in `_{...}` as an index.
+/// `text`, escaped, with the content of `_{...}` as a subscript.
 fn symbols(text: &str) -> String {
     let escaped = escape(text);
     let mut parts = escaped.split("_{");
@@ -201,8 +201,8 @@ fn symbols(text: &str) -> String {
     html
 }
 
-/// `text` with the characters that HTML gives a meaning, in elements and in attributes, as character references. Control characters
-/// other than tabs and line ends are shown as in Rust's literals.
+/// `text` with the special characters of HTML, in elements and in attributes, as character references. Control characters other than tabs
+/// and line ends are shown as in Rust's literals.
 pub fn escape(text: &str) -> String {
     let mut escaped = String::with_capacity(text.len());
     for c in text.chars() {

@@ -2,10 +2,10 @@
 //!
 //! A [`Page`] has sections of text, tables and plots. The numbers of its plots are embedded as base64 typed arrays ([`data`]). The plots
 //! are drawn by plotly.js, which the crate `plotly` brings, and by the scripts in `assets` ([`script`]). [`run`] makes the page of a run,
-//! [`explore`] the page that shows run after run. The page of another command has a file of its own; [`shared`] has what they have in
-//! common.
+//! [`explore`] the page of `gearsim explore`, which shows many runs in turn. The page of any other command has its own file. [`shared`] has
+//! the parts that several pages have in common.
 //!
-//! Whatever a scene says stays text: [`html`] escapes it in HTML, [`data::json`] in scripts. A Content-Security-Policy allows only the
+//! Any text of a scene stays text: [`html`] escapes it in HTML, [`data::json`] in scripts. A Content-Security-Policy allows only the
 //! scripts of this module, by their hashes, and no network.
 
 pub mod advise;
@@ -54,12 +54,12 @@ impl Page {
         Page { title: title.into(), subtitle: subtitle.into(), index: None, contents: vec![], body: Html::default() }
     }
 
-    /// The page with identifiers of arrays that begin with `name`, for a part of a page that has others.
+    /// Sets the prefix of the identifiers of the page's arrays to `name`. A part of a page needs other identifiers than the other parts.
     pub fn named(self, name: String) -> Self {
         Page { body: Html::named(name), ..self }
     }
 
-    /// The page of the result with this index file, with which it is replaced.
+    /// Marks the page as part of the result with this index file, so that it is replaced together with this result.
     pub fn of(self, index: &'static str) -> Self {
         Page { index: Some(index), ..self }
     }
@@ -98,7 +98,8 @@ impl Page {
         })
     }
 
-    /// What a page that is open already needs to show this one: its sections are those `of` the whole in this `order`.
+    /// The parts with which a page that is already open shows this one. `order` has the identifiers of all sections from top to bottom,
+    /// `of` those of the sections of this page.
     fn parts(self, order: Vec<&'static str>, of: Vec<&'static str>) -> Parts {
         let html = self.body.text().to_owned();
         Parts { order, of, html, arrays: self.body.into_arrays().into_iter().collect() }
@@ -110,7 +111,7 @@ impl Page {
 pub struct Parts {
     /// The identifiers of all sections, from top to bottom.
     order: Vec<&'static str>,
-    /// Those of these. One that is not in `html` is empty.
+    /// The identifiers of these sections. A section that is not in `html` is empty.
     of: Vec<&'static str>,
     /// The sections.
     html: String,

@@ -1,9 +1,9 @@
-//! Counts in few bits. Neighbours of a smooth curve differ little, and these differences even less.
+//! Packs counts into few bits. Neighbouring counts of a smooth curve differ little, and neighbouring differences even less.
 //!
-//! Counts are packed in groups of [`GROUP`]. A group is a byte, with the order of the differences in its two highest bits and the bits of an
-//! entry in the others, and then the entries: of order 0 the counts, of order 1 c\[i\] - c\[i-1\], of order 2 c\[i\] - 2 c\[i-1\] + c\[i-2\], where
-//! the counts before the first one are 0. Differences d are stored as 2 d, or as -2 d - 1 where they are negative. The lowest bits come
-//! first; the last byte of a group is filled with zeros. `assets/data.js` has the inverse.
+//! Counts are packed in groups of [`GROUP`]. A group begins with a byte: its two highest bits hold the order of the differences, the others
+//! the number of bits of an entry. The entries follow: for order 0 the counts c\[i\], for order 1 c\[i\] - c\[i-1\], for order 2 c\[i\] - 2
+//! c\[i-1\] + c\[i-2\]. The counts before the first one are 0. A difference d is stored as 2 d, or as -2 d - 1 if it is negative. The
+//! lowest bits come first; the last byte of a group is filled with zeros. `assets/data.js` has the inverse.
 
 /// Counts in a group.
 pub const GROUP: usize = 64;
@@ -34,7 +34,7 @@ pub fn pack(counts: &[u32], bytes: &mut Vec<u8>) {
     }
 }
 
-/// A difference without a sign.
+/// A difference d as a number without a sign: 2 d, or -2 d - 1 if it is negative.
 fn unsigned(difference: i64) -> u64 {
     (difference << 1 ^ difference >> 63) as u64
 }
@@ -97,7 +97,7 @@ mod tests {
         for counts in [vec![0], vec![u32::MAX], vec![0, u32::MAX, 0, 1, u32::MAX - 1], (0..200).collect::<Vec<_>>()] {
             bits(&counts);
         }
-        // Lengths about those of a group; jumps over all bits, which only order 0 takes.
+        // Lengths near multiples of a group. The differences of random counts need more bits than the counts: only order 0 can store them.
         for length in [1, 63, 64, 65, 127, 128, 129] {
             let mut x = 1_u32;
             let random = |_| {

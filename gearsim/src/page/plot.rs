@@ -1,4 +1,4 @@
-//! What a plot shows, for the script that draws it.
+//! The content of a plot, for the script that draws it.
 
 use serde::Serialize;
 
@@ -35,7 +35,8 @@ pub struct Axis {
     pub label: String,
     /// Its unit; empty for a plain number.
     pub unit: String,
-    /// The unit that the page shows at first, one of those into which it converts `unit`. `None`: the one that suits the size of the numbers.
+    /// The unit that the page shows at first: one of the units into which it can convert `unit`. `None`: the unit that suits the size of
+    /// the numbers.
     pub usual: Option<&'static str>,
     /// Whether the axis is logarithmic.
     pub log: bool,
@@ -65,16 +66,17 @@ pub struct PageCurve {
     pub y: Column,
     /// Whether it is drawn at first.
     pub shown: bool,
-    /// How it looks; `None`: as its place among the curves says.
+    /// Its style; `None`: the default style for its position among the curves.
     pub style: Option<Style>,
-    /// The curve that it is drawn with; it has no check box of its own. A curve without a name that has no such curve is always drawn.
+    /// The index of the curve with which it is shown and hidden: it has no check box of its own. A curve without a name and without such an
+    /// index is always drawn.
     pub with: Option<usize>,
     /// Text at its last point.
     pub note: Option<Note>,
 }
 
 impl PageCurve {
-    /// A curve that looks as its place among the curves says.
+    /// A curve with the default style for its position among the curves.
     pub fn new(name: impl Into<String>, doc: impl Into<String>, x: Column, y: Column, shown: bool) -> Self {
         PageCurve { name: name.into(), doc: doc.into(), x, y, shown, style: None, with: None, note: None }
     }

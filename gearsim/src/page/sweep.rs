@@ -23,7 +23,7 @@ pub struct Sweep<'a> {
     pub words: &'a str,
     /// The tables of its answers, by the names of their files.
     pub answers: &'a [(&'static str, Table)],
-    /// One row a point.
+    /// One row per point.
     pub points: &'a Table,
     /// Names of the other files.
     pub files: &'a [String],

@@ -9,15 +9,17 @@ use crate::output::number::short;
 use crate::scene::Scene;
 use crate::tolerance::analysis::NEAR_RESONANCE;
 
-/// Harmonics of each mesh frequency that are drawn at least; higher ones where they are near a mode at the scene's speed.
+/// Number of harmonics of each mesh frequency that are always drawn. Higher harmonics are drawn if they are near a mode at the scene's
+/// speed.
 const HARMONICS: usize = 4;
 /// Two lines of frequencies closer than this are one [relative].
 const SAME: f64 = 1e-6;
 /// Natural frequencies closer than this share of the height of the diagram have one name.
 const CLOSE: f64 = 0.031;
-/// Width and height of the diagram with the orders, which stand beyond the ends of their lines, relative to those without.
+/// Width and height of the diagram, relative to the largest abscissa and ordinate of its lines. The numbers of orders stand beyond the ends
+/// of the lines.
 const NOTES: (f64, f64) = (1.1, 1.08);
-/// Most orders with a number each; of more, only the first of each mesh has one.
+/// Maximum number of orders that all have a number. If there are more, only the first order of each mesh has one.
 const MOST_NOTES: usize = 24;
 /// Place of the numbers of modes along the abscissa.
 const NAMES: f64 = 0.05;
@@ -56,7 +58,7 @@ pub fn draw(scene: &Scene, courses: &[SteadyLaw], cell: &CellModes) -> Result<Fi
         Some((motion, speed)) => (motion.doc.to_owned(), "rpm", speed.abs() * 30.0 / std::f64::consts::PI),
         None => (format!("mesh frequency of {first}"), "Hz", meshes[0].1),
     };
-    // Every mode is in the diagram, and each line of a mesh up to the lowest one.
+    // The diagram contains every mode, and each first mesh order up to the lowest mode, but at most four times the speed.
     let reach = meshes.iter().map(|(_, f, _)| lowest / f).fold(0.0, f64::max).min(4.0);
     let longest = now * reach.max(1.5);
     let top = 1.06 * highest.max(meshes.iter().map(|(_, f, _)| *f).fold(0.0, f64::max));
@@ -80,7 +82,7 @@ pub fn draw(scene: &Scene, courses: &[SteadyLaw], cell: &CellModes) -> Result<Fi
                 String::new()
             };
             let mut line = Series::new(n, label, x, y);
-            // Natural frequencies alone are black.
+            // Only natural frequencies are black.
             line.style.colour = COLOURS[n % COLOURS.len()];
             line.style = Style { dashes: &[], width: if harmonic == 1 { 1.5 } else { 0.9 }, ..line.style };
             let place = if top / slope < longest { NotePlace::Above } else { NotePlace::After };
@@ -107,7 +109,8 @@ fn words(harmonics: &BTreeSet<usize>) -> String {
     format!("1 to {HARMONICS}{}", higher.collect::<String>())
 }
 
-/// The crossings near the speed `now` of the scene: where the harmonics that are near a mode there meet it.
+/// Marks for `meetings`, the harmonics near a mode at the scene's speed `now`: each at the speed at which the harmonic has the frequency of
+/// the mode.
 fn crossings(meetings: &[Meeting], cell: &CellModes, now: f64) -> Option<Series> {
     let mut places: Vec<(f64, f64)> = meetings.iter().map(|m| (now / m.ratio, cell.modes[m.mode].damped)).collect();
     places.sort_by(|a, b| a.0.total_cmp(&b.0));
@@ -166,7 +169,7 @@ fn modes_drawn(modes: &[(usize, f64)], longest: f64, top: f64) -> Vec<Series> {
     series.into_iter().chain(names).collect()
 }
 
-/// Each harmonic that the text lists has its line, and its crossing a mark; of `wind_turbine` some are higher than the fourth.
+/// Each listed harmonic has its line, and its crossing has a mark. Some of the harmonics of `wind_turbine` are higher than the fourth.
 #[test]
 fn the_harmonics_that_are_listed_are_drawn_and_their_crossings_marked() {
     let path = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../models/scenes/wind_turbine.toml");

@@ -50,7 +50,7 @@ pub(super) fn draw(figure: &Figure) -> Picture {
     body.finish(&figure.title, y + 24.0)
 }
 
-/// In how many rows the names below an axis stand, so that neighbours do not cover each other.
+/// Number of rows for the names below an axis, so that neighbours do not cover each other.
 fn name_rows(x: &Ruler) -> usize {
     let ticks = if x.is_named() { x.ticks() } else { vec![] };
     let widest = ticks.iter().map(|(_, name)| SMALL * ems(name) + 8.0).fold(0.0, f64::max);
@@ -126,7 +126,7 @@ fn frame(out: &mut Drawing, panel: &Panel, (x, shaded): (&Ruler, Option<f64>), l
     }
     path(out, &grid, "stroke=\"#e4e4e4\" stroke-width=\"0.8\"");
 
-    // A nested picture clips without a name, which could clash where several figures stand on one page.
+    // A nested `svg` element clips its content without an identifier. Identifiers could clash if several figures are on one page.
     let _ = writeln!(
         out,
         "<svg x=\"{LEFT}\" y=\"{top:.1}\" width=\"{FRAME}\" height=\"{height}\" \
@@ -206,7 +206,7 @@ fn curve(out: &mut Drawing, points: &[(f64, f64)], series: &Series) {
     points.iter().filter(seen).for_each(|p| marker(out, *p, series));
 }
 
-/// Draws what stands at a point.
+/// Draws the marker of a point.
 fn marker(out: &mut Drawing, (x, y): (f64, f64), series: &Series) {
     let colour = series.style.colour;
     let fill = format!("fill=\"{colour}\"");

@@ -6,11 +6,11 @@ use crate::analysis::orders::{Mesh, SHAFT, meshes, reference_shaft};
 use crate::model::Output;
 use crate::output::number::short;
 
-/// Points of a curve: each is the largest line of several.
+/// Number of points of a curve. Each is the largest of several lines.
 const POINTS: usize = 500;
 /// Height of the highest line, in parts of the axis.
 const HEIGHT: f64 = 0.2;
-/// The speed varies if it does so by this share of its largest value.
+/// The speed counts as varying if its range is more than this share of its largest value.
 const VARIES: f64 = 0.05;
 /// Amplitudes below this share of the largest do not extend the axis of frequencies or orders.
 const CONTENT: f64 = 0.02;
@@ -30,9 +30,9 @@ pub(super) struct RunPart {
 /// Multiples of a mesh order that have a line.
 const HARMONICS: usize = 3;
 
-/// What a cascade shows: a signal over the speed of a shaft, with the orders of the meshes.
+/// The subject of a cascade: a signal over the speed of a shaft, with the orders of the meshes.
 pub(super) struct Subject {
-    /// The shaft to whose turns orders refer.
+    /// The shaft to which orders refer.
     pub shaft: &'static Output,
     /// Name of the signal, and its SI unit.
     pub signal: (&'static str, &'static str),
@@ -41,8 +41,8 @@ pub(super) struct Subject {
 }
 
 impl Subject {
-    /// The subject of the plot `plot` of a run. The signal is the first one of which the scene asks spectra. If it asks for none, it is the
-    /// force of a mesh, or else another output.
+    /// The subject of the plot `plot` of a run. The signal is the first one for which the scene asks spectra. If it asks for none, it is
+    /// the force of a mesh, or else another output.
     pub fn of(plot: &'static str, run: &Run<'_>) -> Result<Subject, PlotError> {
         let nothing = |why: &str| PlotError::Nothing { plot, why: why.into() };
         let (asked, run) = (&run.asked.spectrum, run.trajectory);
@@ -59,14 +59,14 @@ impl Subject {
     }
 }
 
-/// The place up to which parts whose highest line is `peak` have something to show.
+/// The highest frequency or order at which a part has an amplitude above `CONTENT` times `peak`, the highest line of the parts.
 pub(super) fn content(parts: &[RunPart], peak: f64) -> f64 {
     let last = |part: &RunPart| part.amplitude.iter().rposition(|a| *a > CONTENT * peak).map_or(0.0, |i| part.place[i]);
     parts.iter().map(last).fold(0.0, f64::max)
 }
 
-/// Lines of the mesh `orders` and their multiples over the speeds from the lowest to the highest \[rpm\]. `place` is where an order is at a
-/// speed \[rpm\].
+/// Lines of the mesh `orders` and their multiples over the speeds from the lowest to the highest \[rpm\]. `place` gives the abscissa of an
+/// order at a speed \[rpm\].
 pub(super) fn lines(orders: &[(&str, f64)], range: (f64, f64), place: fn(f64, f64) -> f64) -> Vec<Series> {
     let of_mesh = |(m, (mesh, order)): (usize, &(&str, f64))| {
         let each = |harmonic: usize| {

@@ -1,6 +1,6 @@
 //! A figure: stacked panels of curves over a common x axis, as SVG or PNG.
 //!
-//! This is all that plots know of drawing. `canvas` lays it out; only `picture` knows the rasteriser.
+//! Plots use only the types of this file. `canvas` lays out a figure; only `picture` uses the rasteriser.
 
 use super::picture::Picture;
 use super::{PlotError, canvas};
@@ -37,7 +37,7 @@ impl Panel {
     }
 }
 
-/// Names curves of the same name in the legend of the first of `panels` that has them, of those that are `common` to them.
+/// Names each `common` curve only in the legend of the first of `panels` that has a curve of this name.
 pub(super) fn name_once(panels: &mut [Panel], common: impl Fn(&Series) -> bool) {
     let mut named: Vec<String> = vec![];
     for panel in panels {
@@ -194,7 +194,7 @@ impl Style {
 
     /// The `index`-th of a series of line styles that differ in colour and in dashes. Colour-blind readers can distinguish the colours.
     ///
-    /// Colours: M. Okabe, K. Ito, "Color universal design" (2008), the dark ones; a brown and a dark blue after them.
+    /// Colours: M. Okabe, K. Ito, "Color universal design" (2008), the dark ones, with a brown and a dark blue added.
     pub fn nth(index: usize) -> Self {
         const COLOURS: [&str; 7] = ["#0072b2", "#d55e00", "#000000", "#009e73", "#cc79a7", "#57330f", "#200080"];
         const DASHES: [&[f64]; 5] = [&[], &[7.0, 3.0], &[1.8, 4.0], &[8.0, 2.5, 1.8, 2.5], &[12.0, 4.0]];

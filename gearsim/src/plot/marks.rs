@@ -1,5 +1,5 @@
-//! Marks of the mesh lines in spectra: a vertical line at each multiple of a mesh frequency, a symbol at each sideband that is a line of its
-//! own, as in the table of lines.
+//! Marks of the mesh lines in spectra: a vertical line at each multiple of a mesh frequency, and a symbol at each sideband that is a
+//! separate line, as in the table of lines.
 
 use super::{Marker, Note, Series, Style};
 use crate::analysis::orders::{APART, Mesh, PROMINENCE, Rotor, in_lobe, stands_out, term};
@@ -20,11 +20,11 @@ const SYMBOLS: [(&str, Marker); 4] = [
 
 /// The curve of a spectrum on which sidebands are marked.
 pub(super) struct MarkedCurve<'a> {
-    /// It.
+    /// The curve.
     pub series: &'a Series,
-    /// Its points in the width of a line.
+    /// Number of its points in the width of a line.
     pub closer: usize,
-    /// How high a line must be if the median about it has some height.
+    /// The least height of a line, from the median of the curve around it.
     pub least: &'a dyn Fn(f64) -> f64,
 }
 
@@ -85,7 +85,7 @@ fn distances(rotor: &Rotor) -> String {
     }
 }
 
-/// The largest value of a curve within a line of the place `at`.
+/// The largest value of a curve at the point nearest to the place `at`, and at the two points beside it.
 fn value(curve: &Series, at: f64) -> f64 {
     let near = (at.round() as usize).saturating_sub(1)..(at.round() as usize + 2).min(curve.y.len());
     curve.y.get(near).map_or(f64::NAN, |y| y.iter().copied().fold(f64::NEG_INFINITY, f64::max))

@@ -75,7 +75,7 @@ pub(crate) enum Drawn {
 }
 
 impl Drawn {
-    /// It as a picture. Errors: [`PlotError::Ragged`].
+    /// The plot as a picture. Errors: [`PlotError::Ragged`].
     pub fn picture(&self) -> Result<Picture, PlotError> {
         match self {
             Drawn::Curves(figure) => figure.picture(),
@@ -189,8 +189,8 @@ pub enum PlotError {
     },
 }
 
-/// The names of the plots of `runs`. Where they are the default ones and the speed of a mesh varies, order cuts stand for the spectrum over
-/// frequency, in which its lines are smeared, if the run has enough revolutions for them.
+/// The names of the plots of `runs`. Order cuts replace the spectrum over frequency if the plots are the default ones, the speed of a mesh
+/// varies and the run has enough revolutions: in a spectrum over frequency the mesh lines would be smeared.
 pub(crate) fn chosen(runs: &[Run<'_>]) -> Vec<String> {
     let Some(first) = runs.first() else { return vec![] };
     let mut plots = first.asked.plots.clone();

@@ -15,7 +15,7 @@ const STEM: f64 = 9.0;
 /// Springs and inertias with a smaller share of the energy in each of the modes are left out.
 const LEAST: f64 = 0.01;
 
-/// The mode shapes of a cell of `scene`. Modes have the numbers that they have in `cell`.
+/// The mode shapes of a cell of `scene`. Modes have the same numbers as in `cell`.
 ///
 /// # Errors
 /// [`PlotError::Nothing`] if no mode vibrates.
@@ -73,7 +73,7 @@ pub fn draw(scene: &Scene, cell: &CellModes, parts: &Parts) -> Result<Figure, Pl
     })
 }
 
-/// Share in the strain energy of the law `i`, or of a spring after the laws.
+/// Share of the part `i` in the strain energy. The parts are the laws, then the springs.
 fn strain(mode: &Vibration, i: usize) -> f64 {
     mode.strain.iter().chain(&mode.springs).nth(i).copied().unwrap_or(0.0)
 }

@@ -1,5 +1,5 @@
-//! The motion: every coordinate and its speed against time, in units that suit their size. Only the speed of a coordinate that rotates
-//! continuously.
+//! The motion: every coordinate and its speed against time, in units that suit their size. If a coordinate rotates continuously, only its
+//! speed is drawn.
 
 use super::figure::largest;
 use super::{

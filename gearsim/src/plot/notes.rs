@@ -27,10 +27,10 @@ pub(super) fn draw(
     };
     for ((x, y), series) in placed(NotePlace::Before) {
         let width = SMALL * ems(&series.note.text);
-        // Below what ends at the top, to the left of what ends at the right, and within the frame.
+        // Above and to the left of the last point, but moved down or to the right as far as the frame requires.
         let at = ((x.min(right) - 5.0).max(left + 4.0 + width), (y - 4.0).max(top + 13.0));
         let (x, y) = (at.0 - width - 2.0, at.1 - SMALL + 1.0);
-        // Over the curves that cross it.
+        // A white ground covers the curves that cross the note.
         let ground = format!("M{x:.1} {y:.1}h{:.1}v{SMALL}h-{:.1}Z", width + 4.0, width + 4.0);
         path(out, &ground, "style=\"fill:white\" opacity=\"0.85\"");
         note(out, at, Anchor::End, series);
@@ -58,7 +58,7 @@ fn note(out: &mut Drawing, at: (f64, f64), anchor: Anchor, series: &Series) {
     out.text(at, anchor, SMALL, &format!("fill=\"{}\"", series.style.colour), &series.note.text);
 }
 
-/// Places at least `gap` apart, in rising order as `wanted`, near these, and from `low` to `high` if they fit there.
+/// Places at least `gap` apart, near the `wanted` ones, which are in ascending order, and between `low` and `high` if they fit there.
 fn apart(wanted: &[f64], gap: f64, (low, high): (f64, f64)) -> Vec<f64> {
     let mut places: Vec<f64> = vec![];
     for at in wanted {
@@ -76,7 +76,7 @@ fn apart(wanted: &[f64], gap: f64, (low, high): (f64, f64)) -> Vec<f64> {
 #[test]
 fn notes_are_apart_and_near_their_curves() {
     assert_eq!(apart(&[1.0, 10.0, 11.0, 12.0], 3.0, (0.0, 20.0)), [1.0, 10.0, 13.0, 16.0]);
-    // At the end of the frame they give way to the other side.
+    // At the end of the frame they are moved to the other side.
     assert_eq!(apart(&[10.0, 18.0, 19.0], 3.0, (0.0, 19.0)), [10.0, 16.0, 19.0]);
     assert_eq!(apart(&[-5.0, -5.0], 3.0, (0.0, 20.0)), [0.0, 3.0]);
 }

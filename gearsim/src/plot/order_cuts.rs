@@ -78,7 +78,8 @@ fn curves(
     let orders: Vec<f64> = wanted.iter().map(|(_, order)| *order).collect();
     let cuts = cuts(turning, column, &orders, WINDOW).map_err(of(run, output.name))?;
     if cuts.len() < LEAST {
-        let why = format!("the run has {} revolutions of {}, and needs ten", turning.revolutions(), shaft.name);
+        let (turns, points) = (turning.revolutions(), cuts.len());
+        let why = format!("{turns} revolutions of {} give {points} points of a curve, which needs {LEAST}", shaft.name);
         return Err(PlotError::Nothing { plot: PLOT.name, why });
     }
     let (_, to_rpm) = engineering(SHAFT);

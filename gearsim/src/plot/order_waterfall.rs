@@ -1,5 +1,5 @@
-//! Waterfall of a run-up over orders: order spectra of windows of whole revolutions, each drawn at the speed of the first shaft there. Orders
-//! are vertical, natural frequencies are hyperbolas. At constant speed the windows are drawn at their times.
+//! Waterfall of a run-up over orders: order spectra of windows of whole revolutions, each drawn at the speed of the first shaft in that
+//! window. Orders are vertical, natural frequencies are hyperbolas. At constant speed the windows are drawn at their times.
 
 use super::cascade::{RunPart, Subject, content, lines, panel};
 use super::orders::{of, turnings};
@@ -11,7 +11,7 @@ use crate::analysis::orders::{Window, windows};
 /// The entry in [`super::PLOTS`].
 pub const PLOT: Plot = Plot { name: "order_waterfall", draw };
 
-/// Revolutions in a window: orders a quarter apart are separate lines, of which the Hann window's lobe takes four.
+/// Revolutions in a window. Lines are then a quarter of an order apart; the main lobe of the Hann window is four lines wide.
 const WINDOW: usize = 4;
 /// Revolutions from one window to the next.
 const APART: f64 = 2.0;

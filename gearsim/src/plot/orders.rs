@@ -103,7 +103,8 @@ mod tests {
     use super::*;
     use crate::plot::tests::{geared, run};
 
-    /// The axis reaches beyond the line at 12 times the mesh order, which has most of the power; without it to 4.5 times.
+    /// The axis reaches beyond the line at 12 times the mesh order if this line has most of the power, otherwise to 4.5 times the mesh
+    /// order.
     #[test]
     fn the_axis_reaches_as_far_as_the_content() {
         for (multiple, amplitude, end) in [(12.0, 2.0, 12.0 * 23.0 * 1.1), (12.0, 0.01, 4.5 * 23.0)] {
@@ -113,8 +114,8 @@ mod tests {
         }
     }
 
-    /// Of a rotor that makes 20 turns only the sideband that is a line of its own is marked: not places where there is nothing, and not the
-    /// skirt of a larger line beside a place.
+    /// Only sidebands that are separate lines are marked, here for a rotor that makes 20 revolutions. A place without a line is not marked,
+    /// and neither is the skirt of a larger line beside a place.
     #[test]
     fn only_sidebands_that_are_lines_are_marked() {
         let lines = [(1.0, 1.0), (1.0 + 1.0 / 23.0, 0.1), (2.0 - 1.0 / 23.0 + 0.0022, 0.5)];
@@ -126,7 +127,7 @@ mod tests {
         assert!(!marked.iter().any(|x| (x - 45.0).abs() < 1e-6), "{marked:?}");
     }
 
-    /// Noise has lines that are higher than their neighbours; only one that stands out of it is marked.
+    /// Noise has lines that are higher than their neighbours. Only a line that is clearly higher than the noise is marked.
     #[test]
     fn lines_of_the_noise_are_not_marked() {
         let mut recorded = geared(&[(1.0, 1.0), (1.0 + 1.0 / 23.0, 0.01)]);

@@ -22,9 +22,9 @@ const UNITS: [(&str, &str, &str, f64); 7] = [
     ("W", "loss", "W", 1.0),
     ("W", POWER, "W", 1.0),
 ];
-/// What is drawn apart from the losses, which it would hide: the power through parts and of torques.
+/// The power through parts and of torques. It is drawn in its own panel, because it would hide the losses.
 const POWER: &str = "power";
-/// Most curves in a panel; the others would hide them.
+/// Maximum number of curves in a panel. More would hide each other.
 const MOST: usize = 6;
 
 /// The unit that engineers use for the SI unit `unit`, and the factor to it.
@@ -51,8 +51,8 @@ pub(super) fn scale(series: &mut [Series], unit: &'static str) -> &'static str {
     shown
 }
 
-/// The recorded outputs with the SI unit `unit`: those of meshes first, of planets those of the first one,
-/// components of forces last.
+/// The recorded outputs with the SI unit `unit`. Those of meshes come first. Within these and within the others, components of forces come
+/// last, and before them the outputs of all planets but the first.
 pub(super) fn of_unit(run: &Trajectory, unit: &str) -> Vec<&'static Output> {
     let mut all: Vec<&'static Output> = run.outputs.iter().map(|(output, _)| *output).collect();
     all.retain(|output| output.unit == unit);
@@ -66,7 +66,8 @@ pub fn is_first(output: &str) -> bool {
     output.starts_with("mesh") && !output.starts_with("mesh_deflection")
 }
 
-/// Whether an output is not zero throughout. One that is belongs to an effect that the scene does not have, or to a damper without damping.
+/// Whether an output is ever different from zero. An output that is always zero belongs to an effect that the scene does not have, or to a
+/// damper without damping.
 fn acts(run: &Run<'_>, output: &Output) -> bool {
     run.trajectory.output(output.name).is_some_and(|column| column.iter().any(|x| *x != 0.0))
 }
@@ -104,7 +105,7 @@ fn of_one(run: &Run<'_>) -> (Vec<Panel>, usize) {
         };
         let mut series: Vec<Series> = apart.iter().take(MOST).enumerate().map(curve).collect();
         let shown = scale(&mut series, unit);
-        // Angles, such as twists, only where no length tells as much.
+        // Angles, such as twists, are drawn only if no output is a length, which would show the same.
         let told = unit == "rad" && run.trajectory.outputs.iter().any(|(output, _)| output.unit == "m");
         if !series.is_empty() && !told {
             panels.push(Panel { y: Axis::linear(quantity, shown), series });

@@ -9,8 +9,8 @@ const A_COLUMN: usize = 6;
 const COLUMNS: usize = 20;
 
 impl Figure {
-    /// The same with about `points` points in all curves: of each column along x the ends, the extremes and the largest jump. A figure
-    /// with fewer points is unchanged.
+    /// The same figure with about `points` points in all curves together. Each curve keeps the ends, the extremes and the largest jump in
+    /// each column along x. A figure with fewer points is unchanged.
     pub fn reduced(&self, points: usize) -> Figure {
         let mut figure = self.clone();
         let series = || self.panels.iter().flat_map(|panel| &panel.series);
@@ -40,7 +40,7 @@ fn reduce(series: &mut Series, column: impl Fn(f64) -> f64) {
             y.push(f64::NAN);
             continue;
         }
-        // The points that are kept are found again by their order: x itself, not its column, is drawn.
+        // The kept points are found again by their order, because x itself is drawn, not its place in columns.
         let placed: Vec<(f64, f64)> = piece.iter().map(|&(x, y)| (column(x), y)).collect();
         let mut from = 0;
         for (at, value) in decimate(&placed) {

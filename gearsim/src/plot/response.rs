@@ -6,7 +6,7 @@ use super::{Axis, Figure, Marker, Panel, Series};
 use crate::sweep::response::{Measure, ResponseCurve, ResponsePoint, measure};
 use crate::sweep::row::Status;
 
-/// The figure of a response; `measured` is what is drawn of the outputs that have it.
+/// The figure of a response; `measured` is the measure that is drawn, for the outputs that have it.
 pub fn figure(scene: &str, response: &ResponseCurve, measured: Measure) -> Figure {
     let (unit, scale) = response.shown_unit();
     let is_sparse = response.points.len() <= MARKED;

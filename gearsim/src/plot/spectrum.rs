@@ -1,7 +1,8 @@
 //! Spectra of outputs and coordinates: power spectral density, peak or rms amplitude, or levels of them in dB.
 //!
-//! What is drawn is the scene's choice (`[output] spectrum`). The axis is in Hz and reaches as far as the content of the spectra and the
-//! first mesh lines; or in units of the damped natural frequency wd, as in Oh, Grosh and Barber (2005), Fig. 4. The density is always per Hz.
+//! The scene chooses what is drawn (`[output] spectrum`). The axis is in Hz and reaches as far as the content of the spectra and the first
+//! mesh lines. Alternatively it is in units of the damped natural frequency wd, as in Oh, Grosh and Barber (2005), Fig. 4. The density is
+//! always per Hz.
 
 mod scale;
 
@@ -66,11 +67,11 @@ fn draw(runs: &[Run<'_>]) -> Result<Figure, PlotError> {
         let least = |median| shown.prominent(median);
         let curve = MarkedCurve { series: &series[0], closer: 1, least: &least };
         let marks = marks(&steady, (units[0], end, HARMONICS), range, curve);
-        // Behind the curves.
+        // Lines are drawn behind the curves, symbols in front of them.
         let (lines, symbols): (Vec<_>, Vec<_>) = marks.into_iter().partition(|mark| mark.style.width > 0.0);
         panels.push(Panel { y, series: lines.into_iter().chain(series).chain(symbols).collect() });
     }
-    // All but the signal itself are in all panels.
+    // All curves except the signal itself are in all panels.
     name_once(&mut panels, |series| runs.len() > 1 || series.style.width < 1.0);
     let averaged = if segments == 1 { "one segment".into() } else { format!("mean of {segments} segments") };
     let subtitle = format!("{}; {}, Hann window, {averaged}", scene_names(runs), scale::words(&first.asked.spectrum));
@@ -93,7 +94,7 @@ fn signals(runs: &[Run<'_>]) -> Vec<&'static str> {
     outputs.filter(has).chain(elastic.filter(has)).take(MOST).collect()
 }
 
-/// The frequency axis, and the frequency that is 1 on it, of each run \[Hz\].
+/// The frequency axis, and for each run the frequency that is 1 on it \[Hz\].
 fn abscissa<'a>(
     runs: &[Run<'_>],
     meshes: &[Mesh],

@@ -31,7 +31,8 @@ pub(super) fn run<'a>(label: &'a str, trajectory: &'a Trajectory) -> Run<'a> {
     Run { label, trajectory, reference_frequency: Some(REFERENCE), scene: "two_steps", asked: &ASKED, none_from: None }
 }
 
-/// A mesh of 23 teeth on a rotor that makes 20 turns, whose transmission error has lines: each a multiple of the mesh order, and its amplitude.
+/// A mesh of 23 teeth on a rotor that makes 20 turns. Its transmission error has `lines`, each with its multiple of the mesh order and its
+/// amplitude.
 pub(super) fn geared(lines: &[(f64, f64)]) -> Trajectory {
     static LAWS: [Law; 1] = [Law {
         name: "k",
@@ -97,7 +98,7 @@ fn frequencies_are_in_hertz_unless_the_scene_asks_for_the_natural_one() {
     }
 }
 
-/// What is zero throughout is not drawn: it belongs to an effect that the scene does not have.
+/// An output that is always zero is not drawn: it belongs to an effect that the scene does not have.
 #[test]
 fn outputs_that_are_zero_throughout_are_not_drawn() {
     let mut recorded = oscillator(100);
@@ -298,7 +299,7 @@ fn sweep_of(vary: &[&str], samples: Option<usize>) -> Manifest {
     Manifest::new(&Sweep::load(&scene, crate::known::MODELS, &request).unwrap(), &request, None)
 }
 
-/// The same mesh while its speed rises to the threefold.
+/// The same mesh while its speed rises to three times the first value.
 fn run_up() -> Trajectory {
     let mut up = geared(&[(1.0, 1.0)]);
     up.q[0] = up.t.iter().map(|t| TAU * 230.0 * t * (0.5 + 0.25 * t)).collect();

@@ -7,7 +7,7 @@ use ttf_parser::{Face, GlyphId, OutlineBuilder};
 
 /// Attribute of bold text.
 pub(super) const BOLD: &str = "font-weight=\"bold\"";
-/// Size of an index, and how far it is below the line.
+/// Size of a subscript, and its distance below the line [SVG units].
 const INDEX: (f64, f64) = (10.0, 3.0);
 
 /// Which point of a text is at the given place.
@@ -33,7 +33,7 @@ pub(super) fn element(at: (f64, f64), anchor: Anchor, size: f64, attributes: &st
     )
 }
 
-/// `words` as an SVG path, where [`element`] has them.
+/// `words` as an SVG path, at the place where [`element`] puts them.
 pub(super) fn outlines(at: (f64, f64), anchor: Anchor, size: f64, attributes: &str, words: &str) -> String {
     static REGULAR: LazyLock<Face<'_>> = LazyLock::new(|| parse(dejavu::sans::regular()));
     static BOLD_FACE: LazyLock<Face<'_>> = LazyLock::new(|| parse(dejavu::sans::bold()));
@@ -66,12 +66,12 @@ pub(super) fn outlines(at: (f64, f64), anchor: Anchor, size: f64, attributes: &s
     format!("<path d=\"{d}\" {attributes}/>\n")
 }
 
-/// A font of the program itself.
+/// A font that is part of the program.
 fn parse(font: &'static [u8]) -> Face<'static> {
     Face::parse(font, 0).expect("the fonts of the crate `dejavu` are whole")
 }
 
-/// By how much `right` is nearer to or farther from `left` than its advance says, in units of the font.
+/// The kerning of two glyphs: the change of their distance, in units of the font.
 fn kerning(face: &Face<'_>, left: GlyphId, right: GlyphId) -> f64 {
     let tables = face.tables().kern.into_iter().flat_map(|kern| kern.subtables);
     tables.filter(|table| table.horizontal).find_map(|table| table.glyphs_kerning(left, right)).map_or(0.0, f64::from)
@@ -142,7 +142,7 @@ fn runs(mut words: &str) -> Vec<(&str, bool)> {
     runs
 }
 
-/// `ω_{d}` with its index set low; everything else as it is.
+/// `words` as SVG content, in which the subscript of e.g. `ω_{d}` is low and small.
 fn markup(words: &str) -> String {
     let (size, below) = INDEX;
     let mut out = String::new();
@@ -152,7 +152,7 @@ fn markup(words: &str) -> String {
             let _ = write!(out, "<tspan dy=\"{below}\" font-size=\"{size}\">{}</tspan>", escape(run));
             is_low = true;
         } else if let Some(first) = run.chars().next().filter(|_| is_low) {
-            // SVG keeps a shift for all that follows: take it back.
+            // In SVG a shift also applies to all text that follows: undo it.
             let _ = write!(out, "<tspan dy=\"-{below}\">{}</tspan>", escape(&first.to_string()));
             out += &escape(&run[first.len_utf8()..]);
             is_low = false;

@@ -4,7 +4,7 @@
 use super::figure::{Axis, Figure, Marker, Panel, Series};
 use crate::analysis::work_precision::{Errors, MeasuredSetting, WorkPrecision};
 
-/// A relative error above this says nothing more.
+/// A relative error above this has no meaning.
 const LOST: f64 = 10.0;
 /// Settings without a measured error are drawn at LOST * FAILED; larger errors are capped there.
 const FAILED: f64 = 10.0;

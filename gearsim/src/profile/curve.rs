@@ -1,4 +1,4 @@
-//! A law within one cell, where it is not constant.
+//! The curve of a law within one cell, if the law is not constant there.
 
 use std::f64::consts::TAU;
 
@@ -63,8 +63,8 @@ impl Curve {
 
     /// Smallest and largest value for 0 <= x <= `width`.
     pub fn extremes(&self, width: f64) -> (f64, f64) {
-        // The grid has 64 intervals per wave, so that an interval has at most one extremum of any practical curve. Newton's
-        // method on dk/dx = 0 locates it to rounding error.
+        // The grid has 64 intervals per wave, so that an interval has at most one extremum of any practical curve. Newton's method on dk/dx
+        // = 0 finds it to rounding error.
         let grid = (64.0 * self.highest_order().max(1.0)) as usize;
         let place = |i: usize| width * i as f64 / grid as f64;
         let mut values = vec![self.at(0.0)[0], self.at(width)[0]];

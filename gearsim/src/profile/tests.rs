@@ -4,7 +4,7 @@ use std::f64::consts::TAU;
 
 use super::*;
 
-/// k, dk/ds and d²k/ds² at a phase within the period.
+/// k, dk/ds and d²k/ds² at the phase `s` within the period.
 fn at(stiffness: &Profile, s: f64) -> [f64; 3] {
     let mut begin = 0.0;
     for (curve, step) in stiffness.curves.iter().zip(&stiffness.steps) {

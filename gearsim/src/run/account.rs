@@ -1,4 +1,4 @@
-//! The energy account of a run: T + V - W + dissipated energy keeps its value of the start, or the result is wrong.
+//! The energy account of a run: if T + V - W + dissipated energy does not keep its value of the start, the result is wrong.
 
 use std::fmt;
 
@@ -20,7 +20,7 @@ pub struct Account {
     pub largest: f64,
     /// Allowed ratio of the residual to `largest`.
     pub allowed: f64,
-    /// Energy of rounding errors \[J\]: a train at rest has no other energy.
+    /// Bound on the energy of rounding errors \[J\]. A train at rest has only such energy.
     pub rounding: f64,
 }
 
@@ -57,9 +57,10 @@ impl fmt::Display for Account {
     }
 }
 
-/// The energy of rounding errors at the end of a run, at the law values `k` \[J\]. It has two parts. The strain energy is that of the
-/// coordinates: each is a sum of n modal coordinates, and these are sums of n coordinates. The kinetic energy is that of the forces, over the
-/// time of the run: where friction or a clutch holds a train under load, they cancel to rounding errors.
+/// The energy of rounding errors at the end of a run, at the law values `k` \[J\]. It has two parts. The first is the strain energy of the
+/// rounding errors of the coordinates: each coordinate is a sum of n modal coordinates, and each of these a sum of n coordinates. The
+/// second is the kinetic energy that the rounding errors of the forces cause during the run: the forces on a loaded train that friction or
+/// a clutch holds cancel to rounding errors.
 pub fn rounding(now: &Hybrid<'_>, k: &[f64]) -> f64 {
     let n = now.state.q.len();
     let part = methods::REST_ROUNDING * n as f64;
@@ -73,8 +74,8 @@ pub fn rounding(now: &Hybrid<'_>, k: &[f64]) -> f64 {
     energy(&now.equations.stiffness(k), &places) + energy(&now.equations.mobility(&now.state.q), &impulses)
 }
 
-/// Whether the account must close. It need not if the scene leaves out the jump terms or moves a phase by time, because these equations do
-/// not conserve energy.
+/// Whether the account must close. It need not close if the scene omits the jump terms or prescribes a phase as a function of time, because
+/// such equations do not conserve energy.
 pub fn closes(laws: &[LawState]) -> bool {
     laws.iter().all(|law| matches!(law.switching, Switching::WithJump | Switching::Never))
 }

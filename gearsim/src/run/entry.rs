@@ -29,21 +29,21 @@ impl Entry {
         Entry { model, derived: DerivedModel { model, source: elements } }
     }
 
-    /// The entry with the description of a scene's model: that of a train has its parts.
+    /// This entry with the description of a scene's model. For a train this description contains its parts.
     pub(crate) fn described(self, model: &'static Model) -> Entry {
         Entry { model, ..self }
     }
 
-    /// Runs a scene, telling the model time \[s\] to `watch` as it goes.
+    /// Runs a scene. `watch` gets the model time \[s\] as the run proceeds.
     ///
     /// # Errors
-    /// Where the scene cannot be run.
+    /// If the scene cannot be run.
     pub fn run(&self, scene: &Scene, watch: &mut dyn FnMut(f64)) -> Result<Outcome, Refusal> {
         let equations = self.equations(scene)?;
         Ok(Prepared::new(&self.derived, scene, &*equations)?.run(watch))
     }
 
-    /// How a scene would be run, and from where; it is not run.
+    /// The method and the initial state with which a scene would be run. The scene is not run.
     ///
     /// # Errors
     /// Those of [`Entry::run`].
@@ -62,11 +62,11 @@ impl Entry {
         start::other_equilibria(&*self.equations(scene)?, scene)
     }
 
-    /// Runs scenes side by side; of those with linear cells and constant torques, the start and the end are recorded
-    /// and nothing between.
+    /// Runs scenes side by side. If a scene has linear cells, constant torques and plain precision, only its start and its end are
+    /// recorded.
     ///
     /// # Errors
-    /// For each, those of [`Entry::run`].
+    /// For each scene, those of [`Entry::run`].
     pub fn ends(&self, scenes: &[Scene]) -> Vec<Result<Outcome, Refusal>> {
         let equations: Vec<_> = scenes.iter().map(|scene| self.equations(scene)).collect();
         let prepared = scenes.iter().zip(&equations).map(|(scene, equations)| match equations {
@@ -103,12 +103,12 @@ impl Entry {
     /// The equations of a scene.
     ///
     /// # Errors
-    /// Where its effects contradict one another.
+    /// If its effects contradict one another.
     pub(crate) fn equations(&self, scene: &Scene) -> Result<Box<dyn Equations>, Refusal> {
         self.derived.equations(scene)
     }
 
-    /// A simulation of `scene` as [`Entry::run`] runs it, for programs that ask for its states; `equations` are those of the scene.
+    /// A simulation of `scene` as [`Entry::run`] runs it, for programs that use its states. `equations` are those of the scene.
     ///
     /// # Errors
     /// Those of [`Entry::run`].

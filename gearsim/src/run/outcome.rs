@@ -1,4 +1,4 @@
-//! What a run gives, and what is known of it before.
+//! The result of a run, and what [`Entry::check`](super::Entry::check) states without a run.
 
 use super::{Account, Counts, Stop};
 use crate::trajectory::Trajectory;
@@ -10,13 +10,13 @@ pub struct Outcome {
     pub trajectory: Trajectory,
     /// T + V at the start \[J\].
     pub energy_at_start: f64,
-    /// Energy of neglected bounces \[J\], counted in the residual.
+    /// Energy of neglected bounces \[J\]. It is part of the residual.
     pub ignored: f64,
     /// Events and costs.
     pub counts: Counts,
     /// For each switch of the scene, by its name: the time spent in each of its modes \[s\].
     pub modes: Vec<(&'static str, Vec<(&'static str, f64)>)>,
-    /// Impacts of each kind, by what the modes of the scene's switches count, e.g. "flanks met".
+    /// Number of impacts of each kind. The kinds are those that the modes of the scene's switches count, e.g. "flanks met".
     pub impacts: Vec<(&'static str, u64)>,
     /// How it was solved.
     pub solver: Solver,
@@ -24,11 +24,11 @@ pub struct Outcome {
     pub stopped_by: Option<Stop>,
     /// Damped angular frequency of the lowest elastic mode at the mid stiffness [rad/s].
     pub reference_frequency: Option<f64>,
-    /// Processor time that the simulation took, with its recording \[s\].
+    /// Processor time of the simulation, including recording \[s\].
     pub cpu_seconds: f64,
     /// The energy account, if it refutes the result.
     pub refuted: Option<Account>,
-    /// How many digits of the result are left, where that was estimated.
+    /// The number of correct digits of the result, if it was estimated.
     pub digits: Option<Digits>,
     /// Remarks for the reader of the result, a sentence each.
     pub remarks: Vec<String>,
@@ -46,9 +46,9 @@ pub struct Digits {
 /// How a run was solved.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Solver {
-    /// The method, by its name in scenes; the one that took over, if one did.
+    /// The name of the method in scenes. If a method was replaced during the run, the name of its replacement.
     pub method: &'static str,
-    /// Why it was this one.
+    /// The reason for this method.
     pub why: String,
     /// Steps of a numerical method; 0 for the exact one.
     pub steps: u64,
@@ -59,9 +59,9 @@ pub struct Solver {
 /// How a scene would be run.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Prospect {
-    /// The method, by its name in scenes.
+    /// The name of the method in scenes.
     pub method: &'static str,
-    /// Why it is this one.
+    /// The reason for this method.
     pub why: String,
     /// Coordinates at the start \[SI\] (n).
     pub q: Vec<f64>,

@@ -12,7 +12,7 @@ impl Entry {
     /// Coordinates that are static by default are static here even if the scene states a value for them.
     ///
     /// # Errors
-    /// Where the forces do not determine the equilibrium, or the scene's effects contradict one another.
+    /// If the forces do not determine the equilibrium, or the scene's effects contradict one another.
     pub fn outputs_at_rest(&self, scene: &Scene) -> Result<Vec<f64>, Refusal> {
         let mut scene = scene.clone();
         for (coordinate, start) in scene.model.coordinates.iter().zip(&mut scene.start.q) {

@@ -9,7 +9,8 @@ use crate::trajectory::Moment;
 
 use super::{Outcome, Prepared, since};
 
-/// Runs scenes with linear cells, constant torques and plain precision side by side, without recording; the others one by one.
+/// Runs scenes with linear cells, constant torques and plain precision side by side, and records only their start and their end. Runs the
+/// others one by one.
 pub fn run(prepared: Vec<Result<Prepared<'_>, Refusal>>) -> Vec<Result<Outcome, Refusal>> {
     let fits = |simulation: &Simulation<'_>| simulation.cells().is_some() && simulation.now.forcing.is_none();
     let mut outcomes: Vec<Option<Result<Outcome, Refusal>>> = vec![None; prepared.len()];

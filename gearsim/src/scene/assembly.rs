@@ -17,7 +17,7 @@ pub(super) struct Misfit {
     pub help: String,
 }
 
-/// The first of the planets at `angles` [rad] that does not fit between `sun` and `ring` teeth, if one fits at the angle `from`.
+/// The first of the planets at `angles` [rad] that does not fit between `sun` and `ring` teeth. A planet at the angle `from` [rad] fits.
 pub(super) fn misfit([sun, ring]: [f64; 2], angles: &[f64], from: f64, of: &str) -> Option<Misfit> {
     let pitches = |angle: &f64| (sun + ring) * (angle - from) / TAU;
     let planet = angles.iter().map(pitches).position(|pitches| (pitches - pitches.round()).abs() > PLANET_FIT)?;
@@ -68,7 +68,8 @@ pub(super) fn narrow([sun, ring]: [f64; 2], angles: &[f64], of: &str) -> Option<
 /// Addendum of standard teeth [modules].
 const ADDENDUM: f64 = 1.0;
 
-/// Warns of the planets of a derived model that do not fit, or that are too near to one another. Papers take such planets, with constant stiffnesses.
+/// Warns of the planets of a derived model that do not fit, or that are too near to one another. This is no error, because papers use such
+/// planets with constant stiffnesses.
 pub(super) fn check(scene: &Scene, report: &mut Report) {
     let (Some(sun), Some(ring)) = (scene.parameter("Z_s"), scene.parameter("Z_r")) else { return };
     // The places of the planets; without such parameters they are equally spaced.

@@ -7,7 +7,7 @@ use super::per_radius::{OfModel, Radii};
 use super::{Scene, assembly, effects, field, gear_data, keys, laws, meshes, output, parameters, solver, start, train};
 use crate::model::Model;
 
-/// Keys of the top level of a scene; those of `model = "train"` has [`train::KEYS`] too.
+/// Keys of the top level of a scene. A scene of `model = "train"` also has the keys [`train::KEYS`].
 pub(super) const KEYS: &[Key] = &[
     key("about", Kind::Text, "empty", "what the scene shows, in the author's words"),
     key("model", Kind::Name("a model"), REQUIRED, "what is simulated; `gearsim models` lists the models"),

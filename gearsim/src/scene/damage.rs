@@ -1,9 +1,9 @@
 //! The key `damage` of a stiffness: cracked or spalled teeth, whose pairs carry less. `damage = [{ tooth = 5, of = 24, loss = 0.3 }]`
 //!
-//! Each of n tooth pairs in contact has the stiffness k/n. The pair of the damaged tooth loses the part `loss` of this: once in `of`
-//! pitches, from where it enters contact until it leaves. Compare Z. Chen, Y. Shao, Eng. Fail. Anal. 18 (2011), where the loss follows from
-//! the length of a crack. Where both teeth of a pair are damaged, their flexibilities add: with the losses a and b, 1/k of the pair becomes
-//! (1 + a/(1 - a) + b/(1 - b))/k, so that a pair never loses more than its stiffness.
+//! Each of n tooth pairs in contact has the stiffness k/n. The pair of the damaged tooth loses the part `loss` of this
+//! stiffness. It does so once in `of` pitches, from where it enters contact until it leaves. Compare Z. Chen, Y. Shao, Eng. Fail. Anal. 18
+//! (2011), where the loss follows from the length of a crack. Where both teeth of a pair are damaged, their flexibilities add: with the
+//! losses a and b, 1/k of the pair becomes (1 + a/(1 - a) + b/(1 - b))/k, so that a pair never loses more than its stiffness.
 //!
 //! The number of pairs in contact follows from the teeth of the law. Along the face of helical gears each transverse section has its own law.
 //! A law that is given by steps alone has one pair in contact at its low level, and two at its high level.
@@ -51,7 +51,7 @@ struct Damage {
     loss: f64,
 }
 
-/// Puts the damaged teeth that `node` lists into a law of one pitch, with the smallest number of `pairs` in contact.
+/// Applies the damaged teeth that `node` lists to the law `healthy` of one pitch. `pairs` is the smallest number of pairs in contact.
 pub(super) fn read(law: &Law, node: &Node, healthy: Profile, pairs: usize, report: &mut Report) -> Option<Profile> {
     let path = format!("laws.{}.{DAMAGE}", law.name);
     let items = field::array(&path, node, EXAMPLE, report)?;
@@ -148,7 +148,7 @@ fn damaged(healthy: &Profile, damages: &[Damage], pairs: usize) -> Result<Profil
     let pitches = pitches.filter(|pitches| pitches * n <= DAMAGED_CELLS);
     let pitches =
         pitches.ok_or(("the damaged teeth meet again only after too many pitches", "damage teeth of one gear only"))?;
-    // The contact of a pair lasts from a rise through as many falls as there are pairs at least.
+    // A pair enters contact at a rise of the law, stays in contact through `pairs` falls, and leaves at the next fall.
     let single = (0..n).filter(|&i| !more[i]).count();
     let of_contact = pairs * n + (n - single);
     let mut steps: Vec<Step> = (0..pitches).flat_map(|_| healthy.steps.iter().copied()).collect();
@@ -161,7 +161,7 @@ fn damaged(healthy: &Profile, damages: &[Damage], pairs: usize) -> Result<Profil
         }
     }
     steps.iter_mut().for_each(|step| step.value = step.value.max(0.0));
-    // A curve keeps its shape.
+    // A curve is scaled with its cell.
     let part = |i: usize| steps[i].value / healthy.steps[i % n].value;
     let curves = (0..steps.len()).filter_map(|i| Some(healthy.curves.get(i % n)?.times(part(i)))).collect();
     Ok(Profile { steps, curves, origin: healthy.origin, pitches: pitches as u32 })
@@ -215,12 +215,12 @@ mod tests {
         );
         assert!((together(0.6, 0.6) - 0.75).abs() < 1e-15);
         let law = values(&[Damage { tooth: 0, of: 3, loss: 0.6 }, Damage { tooth: 0, of: 3, loss: 0.6 }]);
-        // Of the pair 1/4 remains; two other pairs are whole.
+        // The damaged pair keeps 1/4 of its stiffness. The other pairs are healthy.
         let apart = law.iter().zip([10.0, 12.5, 2.5, 12.5, 10.0, 20.0]).map(|(a, b)| (a - b).abs());
         assert!(apart.into_iter().all(|apart| apart < 1e-14), "{law:?}");
     }
 
-    /// With a contact ratio of 2.25 a pair is in contact for two pitches and a quarter: one of three, one of two, of three, of two, of three.
+    /// With a contact ratio of 2.25 a pair is in contact for 2.25 pitches: as one of three pairs, of two, of three, of two, and of three.
     #[test]
     fn a_pair_of_three_loses_a_third() {
         let law = Profile::stepping(vec![Step { value: 20.0, width: 0.75 }, Step { value: 30.0, width: 0.25 }]);

@@ -6,7 +6,7 @@ use super::mistake::{Report, list};
 use super::{field, unknown_effect};
 use crate::model::Model;
 
-/// The names that a scene may use: of effects, and of effects of parts for all parts.
+/// The names that a scene may use: those of all effects, and for effects of single parts also the name for all parts.
 pub fn allowed(model: &Model) -> Vec<&'static str> {
     let mut names = vec![];
     for effect in model.effects {
@@ -21,7 +21,7 @@ pub(super) fn read(node: &Node, model: &Model, report: &mut Report) -> Option<Ef
     let allowed = allowed(model);
     let names =
         field::names_or("effects", node, "effect", (&allowed, &|name| unknown_effect::help(name, model)), report)?;
-    // Each effect with the name by which the scene has it: that of all parts, or its own.
+    // Each effect with the name that the scene uses for it: the name for all parts, or its own.
     let mut chosen: Vec<(usize, &str)> = vec![];
     for name in names {
         let numbers = Effects::numbers(allowed[name], model);
@@ -29,7 +29,7 @@ pub(super) fn read(node: &Node, model: &Model, report: &mut Report) -> Option<Ef
         chosen.extend(new.map(|i| (i, allowed[name])).collect::<Vec<_>>());
     }
     let set = Effects::numbered(model, chosen.iter().map(|(i, _)| *i));
-    // What an effect of parts needs, each of its parts needs: the report keeps it once.
+    // An effect for all parts lacks the same at each part. Named for all parts, these messages are equal, and the report keeps one.
     let of_all = |named: &str, other: &'static str| {
         let of = model.effects.iter().find(|effect| effect.name == other).and_then(|effect| effect.of);
         of.filter(|_| model.effects.iter().any(|effect| effect.of == Some(named))).unwrap_or(other)

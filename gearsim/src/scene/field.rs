@@ -80,7 +80,7 @@ pub(super) fn names(path: &str, node: &Node, noun: &str, allowed: &[&str], repor
 /// The names that are allowed, and the help for another name.
 pub(super) type Allowed<'a> = (&'a [&'a str], &'a dyn Fn(&str) -> String);
 
-/// The same; `help` says what is allowed instead of an unknown name.
+/// As [`names`]; `help` makes the help text for an unknown name.
 pub(super) fn names_or(
     path: &str,
     node: &Node,

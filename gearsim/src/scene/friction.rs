@@ -24,7 +24,8 @@ pub(super) fn example(law: &Law, model: &Model) -> String {
     format!("{OF} = \"{of_mesh}\"  # or its own teeth, or steps")
 }
 
-/// Reports the friction laws that do not follow from the tables of a train: their stiffnesses, at these homes, have no teeth.
+/// Reports friction laws of a train that cannot be computed, because the stiffnesses of their meshes have no teeth. `lacking` has these
+/// laws, each with the place of its stiffness.
 pub(super) fn without_teeth(lacking: Vec<(Home, &Law)>, report: &mut Report) {
     let mut tables: IndexMap<String, (Home, IndexSet<&str>, Vec<&str>)> = IndexMap::new();
     for (home, law) in lacking {

@@ -85,7 +85,7 @@ impl Checker<'_> {
         }
     }
 
-    /// The module that a base radius and a number of teeth imply at 20 deg.
+    /// Checks the module that follows from a base radius and a number of teeth at 20 deg.
     fn base_radius(&self, parameter: &Parameter, r: f64, report: &mut Report) {
         let gear = parameter.name.trim_start_matches('r');
         let Some(z) = ["N", "Z"].iter().find_map(|letter| self.scene.parameter(&format!("{letter}{gear}"))) else {

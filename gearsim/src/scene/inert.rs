@@ -1,4 +1,4 @@
-//! Warnings of what a scene describes without the effect that it needs.
+//! Warnings of values and parts that a scene states without the effect that they need.
 
 use std::collections::HashSet;
 
@@ -8,11 +8,11 @@ use super::{Effects, keys};
 use crate::model::Model;
 use indexmap::{IndexMap, IndexSet};
 
-/// Tables of a train whose parts are nothing without an effect.
+/// Tables of a train whose parts do nothing without an effect.
 const OF_EFFECTS: [&str; 5] = ["drives.", "loads.", "bearings.", "clutches.", "end_stops."];
 
 /// Warns of torques, and of parts of a train, that a scene describes without their effect. Other parameters of effects, such as a backlash,
-/// may stay in a scene whose effects change. `is_zero` says whether parameter `i` is always 0, as where a scene says that there is none.
+/// may stay in a scene whose effects change. `is_zero` says whether parameter `i` is 0 at all times; it then needs no warning.
 pub(super) fn warn(
     given: &[KeyEntry],
     model: &Model,
@@ -23,7 +23,7 @@ pub(super) fn warn(
     let Some(effects) = effects else { return };
     let is_part = |key: &str| OF_EFFECTS.iter().any(|table| key.starts_with(table));
     let part = |key: &str| key.split('.').take(2).collect::<Vec<_>>().join(".");
-    // A part with one of two kinds of friction may state the other one.
+    // Parts with an active effect get no warning: a bearing with one kind of friction may state the other kind too.
     let active = model.parameters.iter().filter(|p| p.with.is_some_and(|effect| effects.has(effect, model)));
     let active: HashSet<_> =
         active.filter_map(|p| report.stated.key(&format!("parameters.{}", p.name))).map(part).collect();
@@ -35,7 +35,7 @@ pub(super) fn warn(
             _ if is_zero(i) => continue,
             (Some(key), _) if active.contains(&part(key)) => continue,
             (Some(key), _) if is_part(key) => format!("`{key}`"),
-            // A part that does not state what it needs.
+            // A part that does not state a value that its effect requires.
             (None, Some(home)) if parameter.default.is_none() && is_part(home.title.trim_start_matches('[')) => {
                 home.title.clone()
             }

@@ -11,9 +11,9 @@ use crate::model::{Law, Model, Role};
 use crate::profile::{Profile, Step};
 use crate::tolerance::scene::WIDTHS;
 
-/// A value of a law.
+/// Kind of a value of a law.
 pub(super) const VALUE: Kind = Kind::ValueIn("unit of the law");
-/// A place or a length within the pitch.
+/// Kind of a place or a length within the pitch.
 pub(super) const PHASE: Kind = Kind::ValueIn("unit of the mesh phase");
 
 /// Laws that a scene may have.
@@ -170,7 +170,7 @@ impl<'a> LawReader<'a> {
         // After a mistake in the number of pitches, reading goes on with 1, so that other mistakes are found too.
         let stated = transmission_error::pitches(self.law, entries, report);
         let unshifted = self.unshifted(entries, node, stated.unwrap_or(1), report);
-        // A law with damaged teeth has a period of its own.
+        // The period of a law with damaged teeth is several pitches.
         let pitches = unshifted.as_ref().map_or(1, |law| law.pitches) * stated.unwrap_or(1);
         let phase = match keys::get(entries, "phase") {
             None => Some(0.0),
@@ -227,7 +227,7 @@ impl<'a> LawReader<'a> {
         };
         let stepping = self.stepping(steps, length, report)?;
         let law = match damage {
-            // Steps do not state their pairs: one pair, and two at the higher level.
+            // Steps do not state how many pairs are in contact: one pair at the low level and two at the high level are assumed.
             Some(node) => damage::read(self.law, node, stepping, 1, report)?,
             None => stepping,
         };
@@ -235,7 +235,7 @@ impl<'a> LawReader<'a> {
     }
 
     /// The stiffness of teeth of which some are damaged. Along the face of helical gears a damaged tooth meets each transverse section at its own
-    /// phase, so that the law of a section has the damage, and is then averaged.
+    /// phase. Therefore the damage is applied to the law of a section, which is then averaged.
     fn damaged_teeth(&self, teeth: &TeethReader<'_>, node: &Node, report: &mut Report) -> Option<Profile> {
         let (section, window) = teeth.of_section(report)?;
         let contact = teeth.gears(&mut Report::new()).and_then(|gears| gears.contact().ok());

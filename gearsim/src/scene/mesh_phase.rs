@@ -10,13 +10,14 @@
 //! ```
 //!
 //! A law over several pitches, such as that of a damaged tooth of the sun, keeps the whole pitches of the shift: the tooth passes the planets
-//! one after the other, in the direction in which the sun turns. A damaged tooth of the planets is met by each planet as its law says, so that
-//! the teeth of each planet count from the one that meets the tooth 1 of the sun; it meets the ring half a turn of the planet later.
+//! one after the other, in the direction in which the sun turns. A law with a damaged tooth of the planets is shifted in the
+//! same way. So the teeth of each planet count from the one that meets tooth 1 of the sun. A tooth of a planet meets the ring half a turn
+//! of the planet after the sun.
 //!
-//! These are the paper's gamma_sn, gamma_rn and gamma_rs with the opposite sign, because the paper counts the delay of a mesh. The first
-//! two terms agree modulo 1 for a planet that fits between sun and ring, (Z_s + Z_r) psi_n = 2 pi times a whole number. The last term is
-//! the shift between the two meshes of one planet, whose teeth touch the sun with one flank and the ring with the other. It holds for
-//! laws that begin at the pitch point, and for teeth as thick as their spaces.
+//! These phases are the paper's gamma_sn, gamma_rn and gamma_rs with the opposite sign, because the paper counts the delay of a mesh. The
+//! first two terms agree modulo 1 for a planet that fits between sun and ring, (Z_s + Z_r) psi_n = 2 pi times a whole number. The last
+//! term is the shift between the two meshes of one planet, whose teeth touch the sun with one flank and the ring with the other. It holds
+//! for laws that begin at the pitch point, and for teeth as thick as their spaces.
 
 use std::f64::consts::TAU;
 

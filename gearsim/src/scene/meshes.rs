@@ -11,7 +11,7 @@ use crate::model::{GearData, Model};
 
 /// The mesh of a law.
 pub(super) struct Mesh {
-    /// Where the mesh stands in the tables of a train.
+    /// Title of the table of the mesh in a train, e.g. `[meshes.12]`; `None` in other models.
     pub title: Option<String>,
     /// The driving gear, and the driven one.
     pub gears: [Gear; 2],
@@ -74,7 +74,7 @@ fn internal(law: &str, train: Option<&Meshes>) -> Option<bool> {
     }
 }
 
-/// States `internal` in the laws from teeth that do not say it, where the mesh is that of a ring.
+/// Adds `internal = true` to the laws from teeth that do not state `internal`, if their mesh is that of a ring.
 pub(super) fn infer_rings(entries: &mut [KeyEntry], model: &Model, train: Option<&Meshes>) {
     let laws = entries.iter_mut().find(|entry| entry.key == "laws").map(|entry| &mut entry.node.value);
     let Some(Value::Table(laws)) = laws else { return };

@@ -117,7 +117,7 @@ pub(crate) struct Report {
     warnings: Vec<String>,
     /// Number of mistakes that were found, but are not kept.
     more: usize,
-    /// What messages call values that tables of a train state.
+    /// The keys that messages name for values from the tables of a train.
     pub(super) stated: Stated,
 }
 

@@ -144,7 +144,7 @@ pub struct Scene {
     pub source: Arc<str>,
     /// The values set on top of the text, each as `KEY=VALUE`.
     pub overrides: Vec<String>,
-    /// Values that were given over the square of a radius, as papers print them, and what they are: a sentence each.
+    /// One sentence for each value that was given over the square of a radius, as in papers: its conversion to SI.
     pub conversions: Vec<String>,
     /// Warnings of values that are allowed but unusual, a sentence each.
     pub warnings: Vec<String>,
@@ -207,7 +207,7 @@ pub struct Output {
     pub events: bool,
     /// Plots to draw, by name.
     pub plots: Vec<String>,
-    /// Whether they are the default ones, of which some are replaced where the speed varies during the run.
+    /// Whether these are the default plots. Some of them are replaced if the speed varies during the run.
     pub default_plots: bool,
     /// The outputs of the model that are recorded, by their numbers.
     pub record: Vec<usize>,
@@ -223,6 +223,6 @@ pub struct Output {
     pub csv: bool,
     /// Largest number of rows. A run that reaches it stops and keeps its rows.
     pub most_rows: u64,
-    /// Time on the clock after which a run stops and keeps its rows; no scene states it.
+    /// Elapsed time after which a run stops and keeps its rows; no key of a scene sets it.
     pub most_time: Option<Duration>,
 }

@@ -21,7 +21,7 @@ pub(super) struct Given {
     pub values: Vec<f64>,
     /// The parameters that vary in time, with their indices.
     pub varying: Vec<(usize, TimeHistory)>,
-    /// The values that were given over the square of a radius, a sentence each.
+    /// One sentence for each value that was given over the square of a radius.
     pub conversions: Vec<String>,
 }
 

@@ -79,7 +79,7 @@ impl<'a> PerRadius<'a> {
         if radius.is_some() && fits(given, parameter.unit) {
             let message = format!("`{path}.value` is in {}, and has a radius", parameter.unit);
             let help = format!("leave out the radius, or give the value over its square, in {unit}");
-            report.add(&given.place, message, "over no radius", help);
+            report.add(&given.place, message, "not per squared radius", help);
             return Some(None);
         }
         let value = field::quantity(&format!("{path}.value"), given, unit, report);

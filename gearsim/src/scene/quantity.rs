@@ -1,6 +1,6 @@
 //! Quantities: `1.43 kN*m` is read as 1430 and a dimension.
 //!
-//! Decimal factors (prefixes) are applied to the exponent of the decimal text. The result is therefore the double nearest to the written
+//! Decimal factors (prefixes) are applied to the exponent of the decimal text. The result is therefore the f64 nearest to the written
 //! value: `2890 kg*mm^2` is 2.89e-3 to the last bit. Only degrees, revolutions, minutes and hours need a floating-point multiplication.
 
 use super::dimension::Dimension;

@@ -46,7 +46,8 @@ pub enum Method {
     Radau,
     /// The classical Runge-Kutta method of order 4 with a fixed step; events are located.
     Rk4,
-    /// The same on a fixed time grid without event location: a jump is applied at the end of the step in which it occurs. For comparison.
+    /// As [`Method::Rk4`], but on a fixed time grid without event location: a jump is applied at the end of the step in which it occurs.
+    /// For comparison.
     Rk4Grid,
 }
 

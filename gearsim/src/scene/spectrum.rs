@@ -9,7 +9,7 @@ use super::unit::Unit;
 use super::{field, keys, output};
 use crate::model::Model;
 
-/// What signals are, in words.
+/// What a signal is, in words.
 pub(super) const SIGNAL: &str = "a recorded output or a coordinate";
 
 /// Keys of the table.
@@ -28,7 +28,7 @@ pub(super) const KEYS: &[Key] = &[
     key("from", Kind::Quantity("s"), "output.from", "where the transformed part of the record begins"),
 ];
 
-/// What speeds of shafts are, in words.
+/// What the speed of a shaft is, in words.
 const SPEED: &str = "a recorded speed of a rotor";
 /// The usual references of levels, in words.
 const REFERENCES: &str = "1 um, 1 urad, else 1 of the SI unit";

@@ -72,7 +72,7 @@ pub(super) fn meant(symbol: &str) -> Option<String> {
     let prefixes = PREFIXES.iter().map(|prefix| prefix.0).chain([""]);
     let all = prefixes.flat_map(|prefix| SI.iter().map(move |unit| format!("{prefix}{}", unit.0)));
     let all = all.chain(whole().map(str::to_string));
-    // What differs in fewer letters comes first.
+    // Names that differ in fewer letters come first.
     let mut cases: Vec<String> = all.filter(|name| name.to_lowercase() == symbol.to_lowercase()).collect();
     cases.sort_by_key(|name| (name.chars().zip(symbol.chars()).filter(|(a, b)| a != b).count(), name.clone()));
     cases.dedup();

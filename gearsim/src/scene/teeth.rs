@@ -1,6 +1,6 @@
 //! A mesh stiffness or a friction law, computed from the teeth of its gears.
 //!
-//! The unit of the law decides how the stiffness is scaled, so the author of a scene does not state it. One pitch of the phase is one base
+//! The unit of the law decides how the stiffness is scaled, so that no key states the scale. One pitch of the phase is one base
 //! pitch p_b on the line of action. A stiffness
 //! - in N/m is the stiffness kt along the line of action, V = kt delta²/2, delta in metres (`components::mesh_with_play`, used by most models);
 //! - in N·m is that of Oh, Grosh & Barber, V = k phi², with the relative rotation N1 theta1 - N2 theta2 = 2 phi of the gears,

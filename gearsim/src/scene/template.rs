@@ -49,7 +49,7 @@ impl Template {
         let shown = path.display().to_string();
         let name = path.file_stem().map_or_else(|| shown.clone(), |stem| stem.to_string_lossy().into_owned());
         let unreadable = |message| SceneMistakes::unreadable(&name, message, "give the path of a scene, a TOML file");
-        // To read a pipe or a device may never end.
+        // Reading a pipe or a device might never end.
         let kind = std::fs::metadata(path).map_err(|error| unreadable(format!("cannot read {shown}: {error}")))?;
         if !kind.is_file() {
             let what = if kind.is_dir() { "a folder" } else { "a pipe or a device" };
@@ -85,14 +85,14 @@ impl Template {
         Ok(Template::read(&scene.name, &scene.source, &scene.text)?.edited(overrides))
     }
 
-    /// With values that a program sets.
+    /// The template with `values` that a program sets, each as `KEY=VALUE`.
     pub fn edited(mut self, values: &[String]) -> Template {
         self.set(CODE, values);
         self.axes = AXES;
         self
     }
 
-    /// Whether the text `text` has the values of this one with its overrides. In a train the order of the parts counts too.
+    /// Whether `text` has the values of this template with its overrides. In a train the order of the parts counts too.
     pub fn is_same(&self, text: &str, is_train: bool) -> bool {
         let same = |other: Template| {
             let in_order = !is_train || self.root.in_order() == other.root.in_order();

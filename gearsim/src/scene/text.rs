@@ -14,7 +14,7 @@ impl Text {
         text.parse().ok().map(Text)
     }
 
-    /// Sets a value as the option `--set` does: `parameters.T0=20 N*m`. What is no value in TOML is a text.
+    /// Sets a value as the option `--set` does: `parameters.T0=20 N*m`. If it is not a TOML value, it is set as a string.
     pub(crate) fn set_as_option(&mut self, setting: &str) {
         if let Some((key, written)) = setting.split_once('=') {
             let path: Vec<&str> = key.split('.').map(str::trim).collect();
@@ -41,13 +41,13 @@ impl fmt::Display for Text {
     }
 }
 
-/// The value that `text` is in TOML.
+/// The TOML value that `text` states; `None` if it is none.
 pub(crate) fn value(text: &str) -> Option<Value> {
     text.parse().ok()
 }
 
-/// The table at a path, whose first key is at `depth`; missing tables are created. Those within a table of values are written in its lines,
-/// so that all its keys stay in their order.
+/// The table at a path, whose first key is at `depth`; missing tables are created. A new table within a table that has only values
+/// is written inline, so that the keys of the latter stay in their order.
 fn table_at<'a>(table: &'a mut dyn TableLike, path: &[&str], depth: usize) -> Option<&'a mut dyn TableLike> {
     let Some((key, rest)) = path.split_first() else { return Some(table) };
     let in_lines = depth > 0 && table.iter().all(|(_, item)| item.is_value());

@@ -5,10 +5,11 @@ use super::{effects, keys, train};
 use crate::model::Model;
 use indexmap::IndexMap;
 
-/// From this number of parts on a message names some of them only.
+/// If an effect has at least this many parts, a message names only some of them.
 const MANY: usize = 4;
 
-/// Help for an unknown effect: the nearest name, and the allowed names; of many parts with an effect those of the first and the last.
+/// Help for an unknown effect: the nearest name, and the allowed names. If many parts have an effect, only the first two and the last are
+/// named.
 pub(super) fn help(word: &str, model: &Model) -> String {
     let keys = if model.elements.is_empty() { vec![] } else { train::keys_of(word) };
     if !keys.is_empty() {

@@ -10,8 +10,8 @@
 //! | `normal:m:s` | random values, normally distributed with mean m and standard deviation s |
 //! | `normal:m:s:a:b` | the same, between a and b only |
 //!
-//! Values between the ends are rounded to 15 decimal digits, in the unit of the ends. They can therefore be typed exactly: a point of
-//! a sweep run on its own with `--set` gives bit-identical results.
+//! Values between the ends are rounded to 15 decimal digits, in the unit of the ends. They can therefore be typed exactly: `gearsim run`
+//! with `--set` runs the same scene as the point of a sweep. If a sweep records end states only, its results differ by rounding errors.
 
 use crate::scene::quantity::{self, Quantity};
 

@@ -53,7 +53,7 @@ impl Design {
         }
     }
 
-    /// Number of points that it makes of `samples` with `axes` random axes.
+    /// Number of points that the design makes from `samples` samples with `axes` random axes; `None` if it is too large for a number.
     pub fn points(self, samples: usize, axes: usize) -> Option<usize> {
         match self {
             Design::Saltelli => samples.checked_mul(axes + 2),
@@ -61,7 +61,7 @@ impl Design {
         }
     }
 
-    /// Number of dimensions of the sequence under it, for a number of random axes.
+    /// Number of dimensions of the Sobol' sequence that the design uses for `axes` random axes.
     fn dimensions(self, axes: usize) -> usize {
         match self {
             Design::Saltelli => 2 * axes,
@@ -114,7 +114,7 @@ impl Sampler {
     pub fn new(design: Design, samples: usize, seed: u64, axes: usize) -> Sampler {
         let directions = match design {
             Design::Random | Design::LatinHypercube => vec![],
-            // The generator is an iterator; its direction numbers give any point at once.
+            // The generator is an iterator. From its direction numbers any point is computed directly.
             Design::Sobol | Design::Saltelli => Sobol::<u64>::init_direction_vals::<u32>(
                 design.dimensions(axes).min(SEQUENCE),
                 BITS,
@@ -148,7 +148,7 @@ impl Sampler {
         }
     }
 
-    /// Whether a sample is independent of those before it: of the design `saltelli`, those of A and B.
+    /// Whether a sample is independent of those before it. For the design `saltelli` only the points A and B are.
     pub fn is_independent(&self, sample: usize) -> bool {
         let which = sample % (self.axes + 2);
         self.design != Design::Saltelli || which == 0 || which == self.axes + 1

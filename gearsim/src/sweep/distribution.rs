@@ -9,7 +9,7 @@ use super::axis::Spacing;
 /// The distribution of the values of a random axis [unit of the axis].
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Distribution {
-    /// Between two ends, in equal steps or in equal ratios.
+    /// Uniformly distributed between two ends.
     Uniform {
         /// Least value.
         low: f64,
@@ -18,11 +18,11 @@ pub enum Distribution {
         /// Whether the value or its logarithm is uniformly distributed.
         spacing: Spacing,
     },
-    /// Normally distributed, between two ends if there are any: values outside do not occur.
+    /// Normally distributed; truncated to the interval `within` if there is one.
     Normal {
-        /// Mean of the distribution that has no ends.
+        /// Mean before truncation.
         mean: f64,
-        /// Its standard deviation, positive.
+        /// Standard deviation before truncation, positive.
         deviation: f64,
         /// Least and greatest value.
         within: Option<(f64, f64)>,
@@ -60,8 +60,8 @@ impl Distribution {
     }
 }
 
-/// The quantile of the standard normal distribution between two ends. An interval that is mostly above the mean is mirrored, because the
-/// distance of a share near 1 from 1 has few digits.
+/// The quantile of the standard normal distribution between two ends. An interval that is mostly above the mean is mirrored, because 1 - p
+/// has few digits for a share p near 1.
 fn standard(p: f64, (low, high): (f64, f64)) -> f64 {
     if low + high > 0.0 {
         return -standard(1.0 - p, (-high, -low));

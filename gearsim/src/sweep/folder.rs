@@ -22,7 +22,7 @@ const PARTS: &str = "parts";
 /// Metadata key of the manifest in every Parquet file.
 const PROVENANCE: &str = "sweep";
 
-/// What the folder says while it is incomplete.
+/// Text of the marker of the folder while it is incomplete.
 const UNFINISHED: &str = "\
 gearsim sweep or merge writes to this folder, or was interrupted.
 Every file is whole, but some may be missing or belong to an earlier command.
@@ -94,7 +94,7 @@ impl Folder {
         write(&mut self.parts, names, &self.manifest, &self.layout, &rows).map(drop)
     }
 
-    /// Writes a part from the bytes of its file, as [`table_in_bytes`] has them; `first` is its first point.
+    /// Writes a part from the bytes of its file, which [`table_in_bytes`] has made; `first` is its first point.
     ///
     /// # Errors
     /// Those of writing the file.
@@ -134,7 +134,7 @@ fn part(prefix: &str, first: usize) -> String {
     format!("{prefix}-{first:08}.parquet")
 }
 
-/// Says that the folder at `path` is incomplete.
+/// Marks the folder at `path` as incomplete.
 ///
 /// # Errors
 /// [`OutputError::Write`].
@@ -142,7 +142,7 @@ pub fn begin(path: &Path) -> Result<(), OutputError> {
     marker::mark(path, UNFINISHED)
 }
 
-/// Removes the note that the folder at `path` is incomplete: its rows are written and evaluated.
+/// Removes the marker that the folder at `path` is incomplete, when its rows are written and evaluated.
 ///
 /// # Errors
 /// [`OutputError::Write`].

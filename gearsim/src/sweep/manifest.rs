@@ -107,7 +107,7 @@ impl Manifest {
 
     /// Errors: why `bytes` are no manifest that this program reads.
     fn parse(bytes: &[u8]) -> Result<Manifest, String> {
-        /// What is read first: a file of another version may have other keys.
+        /// The keys that are read first, because a file of another version may have other keys.
         #[derive(Deserialize)]
         struct Head {
             format: String,

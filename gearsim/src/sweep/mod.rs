@@ -129,11 +129,11 @@ impl Sweep {
         }
     }
 
-    /// The sweep of a scene that is read, with the overrides of the request. If a key is both set and varied, the axis wins: a program
-    /// may have built the scene from set values.
+    /// The sweep of a scene that is read, with the overrides of the request. If a key is both set and varied, the values of the axis
+    /// are used, because a program may have built the scene from set values.
     ///
     /// # Errors
-    /// Those of [`Sweep::load`], except that about a key.
+    /// Those of [`Sweep::load`], except the one for a key that is both set and varied.
     pub fn of(template: Template, entries: &[Entry], request: &Request) -> Result<Sweep, Error> {
         let models: Vec<_> = entries.iter().map(|entry| entry.model).collect();
         let model = template.model(&models);

@@ -1,4 +1,4 @@
-//! The quantities recorded of a point, in groups. Each group has one file and one entry in [`GROUPS`].
+//! The quantities that are recorded for a point, in groups. Each group has one file and one entry in [`GROUPS`].
 
 mod digits;
 mod energy;

@@ -1,9 +1,9 @@
 //! Response curves: a scene at one value after another, each from the settled state before it, upward and then downward. Where two
 //! steady motions exist at one value, the two ways differ: jumps and hysteresis show.
 //!
-//! A varied speed, `start.speed`, is that of the rigid motion. The next point has the coordinates and speeds at the end of the point
-//! before it, with the rigid motion changed so that its mean speed over the measured time would have been the new one. The set point of
-//! a governor, or a torque, holds it there. Each point is measured over whole periods.
+//! A varied speed, `start.speed`, is that of the rigid motion. The next point starts from the coordinates and speeds at the end of the
+//! point before it, with the rigid motion changed so that its mean speed over the measured time would have been the new one. The set point
+//! of a governor, or a torque, holds it there. Each point is measured over whole periods.
 
 mod hold;
 mod measure;
@@ -39,7 +39,7 @@ pub struct ResponseCurve {
     pub key: String,
     /// Its SI unit.
     pub unit: String,
-    /// What it is, in words.
+    /// Description of the key, in words.
     pub words: String,
     /// The model.
     pub model: &'static Model,
@@ -60,7 +60,7 @@ pub struct ResponsePoint {
     pub upward: bool,
     /// The value of the varied key \[SI\].
     pub value: f64,
-    /// The mean speed of the varied motion, or of the model's first one, over the measured time \[SI\]; NaN if it has none.
+    /// The mean speed of the varied motion, or of the model's first one, over the measured time \[SI\]; NaN if the model has no motion.
     pub speed: f64,
     /// Relative change of this speed over the measured time \[1\], without its oscillation; NaN if the model has no motion.
     pub drift: f64,
@@ -79,8 +79,8 @@ pub struct ResponsePoint {
 }
 
 impl Sweep {
-    /// The response over the only axis of the sweep, of the recorded outputs over the time from [`Sweep::from`] on; then downward, if
-    /// `both`. `watch` is told the number of points done, during the runs too.
+    /// The response of the recorded outputs over the only axis of the sweep, first upward, then downward if `both`. Each point is measured
+    /// from the time [`Sweep::from`] on. `watch` is called with the number of finished points, also during the runs.
     ///
     /// # Errors
     /// If there is not exactly one axis with numbers in rising order, the scene records no output, or the parameter of `hold` cannot hold
@@ -132,7 +132,7 @@ impl Sweep {
         let name = |handle: &Handle| scene.model.parameters[handle.parameter].name;
         let speed = motion.stated(scene);
         let mut all = match (hold, motion.varied) {
-            (Hold::Nothing, _) => return free("it was asked so"),
+            (Hold::Nothing, _) => return free("`nothing` was chosen"),
             (Hold::Own, None) => return free(&format!("`{key}` is no speed; choose a parameter that holds it")),
             _ => Handle::all(scene, &self.entry, motion, speed),
         };
@@ -160,8 +160,8 @@ impl Sweep {
         Ok((Some(found), says))
     }
 
-    /// Runs a point until its speed is held. `more` is added to the scene's value of the parameter, and kept for the next point. Returns
-    /// the run if it came to its end.
+    /// Runs a point, again with a corrected parameter until its speed is held. `more` is the correction \[SI\], which is added to the
+    /// scene's value of the parameter, and kept for the next point. Returns the run if it came to its end.
     fn settled(
         &self,
         at: &At<'_>,
@@ -208,7 +208,7 @@ impl Sweep {
                 }
                 return Ok(Some(run));
             }
-            // A train that has come to rest does not tell what braked it.
+            // At rest the brake torque cannot be measured. It is measured while the train lost its speed.
             let braked = motion.until_lost(&run, wanted).filter(|_| speed.mean / wanted < HELD_PART);
             let speed = braked.map_or(speed, |span| Speed::of(&scene, &*equations, motion, &run, &span));
             let [parameter, start] = handle.step(&speed, wanted);
@@ -230,7 +230,7 @@ impl Sweep {
     }
 }
 
-/// What a key of a scene is, in words: a parameter and a coordinate by their descriptions.
+/// A key of a scene in words: the description of a parameter or a coordinate.
 fn words(key: &str, model: &Model) -> String {
     let described = |name: &str, doc: &str| if doc.is_empty() { name.to_owned() } else { format!("{doc}, {name}") };
     match key.split_once('.') {
@@ -308,13 +308,13 @@ impl ResponsePoint {
 }
 
 impl ResponseCurve {
-    /// The unit in which people read the varied value, and the factor to it from the SI unit.
+    /// The unit in which the varied value is shown to people, and the factor from the SI unit to it.
     pub fn shown_unit(&self) -> (&str, f64) {
         let largest = self.points.iter().map(|point| point.value.abs()).fold(0.0, f64::max);
         readable(&self.unit, largest)
     }
 
-    /// What is measured of an output.
+    /// The measures of an output.
     pub fn measures(&self, output: &Output) -> impl Iterator<Item = Measure> {
         MEASURES.into_iter().filter(|measure| (measure.is_of)(self.model, output))
     }

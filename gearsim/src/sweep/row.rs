@@ -21,14 +21,14 @@ pub enum Status {
     Stopped,
     /// It ran to its end, but its energy account does not close: the numbers are wrong.
     Refuted,
-    /// Of response curves only: it ran to its end, but at another speed than that of the point.
+    /// It ran to its end, but at another speed than that of the point. Only points of response curves have this status.
     Unheld,
     /// It did not run: its values do not make a system that can be simulated.
     Refused,
 }
 
 impl Status {
-    /// Those of the points of a sweep.
+    /// The statuses that points of a sweep can have.
     pub const ALL: [Status; 4] = [Status::Done, Status::Stopped, Status::Refuted, Status::Refused];
 
     /// Its name in files.
@@ -92,7 +92,7 @@ pub fn units(plan: &Plan, model: &crate::model::Model) -> Vec<String> {
     plan.axes.iter().map(|axis| unit_of(&axis.key, model).unwrap_or_default()).collect()
 }
 
-/// A varied key whose column in a table is not that of the plan; `None` if all are.
+/// The first varied key whose column in a table differs from the values of the plan; `None` if all agree.
 pub fn strange<'a>(table: &Table, plan: &'a Plan) -> Option<&'a str> {
     let points: Vec<usize> = table.numbers("point").unwrap_or_default().iter().map(|&point| point as usize).collect();
     let values: Vec<Vec<String>> = points.iter().map(|&point| plan.values(point)).collect();

@@ -25,12 +25,12 @@ const KEEP_EVERY: (f64, f64) = (2.0, 60.0);
 const KEEP_ROWS: usize = 1 << 14;
 /// Number of points that a thread takes at once if it runs them side by side: a few per SIMD lane.
 const SIDE_BY_SIDE: usize = 32;
-/// Interval at which rows are taken from the workers. To be woken for every row would cost as much as a short run.
+/// Interval at which rows are taken from the workers. Waking up for every row would cost as much as a short run.
 const LOOK_EVERY: Duration = Duration::from_millis(2);
 
 impl Sweep {
     /// Runs `points` on `threads` threads, in any order. From time to time it calls `keep` with the new rows, and `watch` with the
-    /// number of points finished, which ends the sweep by `Break`.
+    /// number of finished points. `watch` ends the sweep by returning `Break`.
     ///
     /// # Errors
     /// An error of `keep`, which ends the sweep; and if the threads cannot be started.

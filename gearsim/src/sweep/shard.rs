@@ -35,9 +35,10 @@ impl FromStr for Shard {
     }
 }
 
-/// The shard of a task in a job array, from the variables that its scheduler sets. `text` is `auto`, or `auto/8` with the number of tasks:
-/// Kubernetes does not tell it. Slurm tells the numbers of the tasks that were submitted together: those of a task that is submitted again alone
-/// are its own, so that `auto/8` takes tasks from 1 to 8, and `auto` refuses an array of one task.
+/// The shard of a task in a job array, from the variables that its scheduler sets. `text` is `auto`, or `auto/8` with the number of tasks.
+/// Kubernetes does not state this number. Slurm states the first number and the count of the tasks that were submitted together. For a task
+/// that is submitted again alone these describe only this task. Therefore `auto` refuses an array of one task, and `auto/8` takes the tasks
+/// to be numbered from 1 to 8.
 fn of_job(text: &str, variable: &dyn Fn(&str) -> Option<String>) -> Result<Shard, String> {
     let number = |name: &str| variable(name).and_then(|value| value.parse::<usize>().ok());
     let stated = text.strip_prefix("auto/").map(|n| n.parse::<usize>().map_err(|_| format!("`{text}` is not auto/N")));

@@ -13,40 +13,45 @@ pub(crate) const HIGH_ORDER: f64 = 1e-7;
 /// component is measured against this size. Smaller: a component at rest forces tiny steps. Larger: small components are less
 /// accurate.
 pub(crate) const SMALLEST_SPEED: f64 = 1e-3;
-/// Growth of the kinetic energy after which the speeds that it allows are worked out anew [1]: they have then doubled. Smaller: more work, the
-/// same accuracy. Larger: a train that starts from rest takes tiny steps for longer.
+/// Growth of the kinetic energy after which the speeds that it allows are computed again [1]: they have then doubled. Smaller: more work,
+/// the same accuracy. Larger: the steps of a train that starts from rest are tiny for longer.
 pub(crate) const ENERGY_GROWN: f64 = 4.0;
 /// Length of the next step [relative to the one that would just meet the tolerance]. Larger: more steps are rejected.
 pub(crate) const SAFETY: f64 = 0.9;
 /// Smallest and largest ratio of a step's length to that of the last one [1], similar to the values of Hairer, Norsett & Wanner,
 /// Solving Ordinary Differential Equations I (1993), II.4. They decide the cost, not the accuracy.
 pub(crate) const STEP_RATIO: [f64; 2] = [0.2, 6.0];
-/// A step is extended to the end of the cell or run if that is not further than this [relative to the step]: the alternative is a
-/// very short step after it.
+/// A step is extended to the end of the cell or run if its length is then at most this [relative to the step]. Otherwise a very short step
+/// would follow.
 pub(crate) const LAST_STEP: f64 = 1.1;
-/// Newton's method of the implicit method has converged below the larger of two limits [relative to the allowed error of the
-/// step]: ten roundings of the state, and the smaller of this and the root of the tolerance (Hairer & Wanner, Solving Ordinary
-/// Differential Equations II, 1996, IV.8). Larger: its error becomes visible beside that of the step. Smaller: more iterations.
+/// Newton's method in the implicit method has converged if its error is below a limit [relative to the allowed error of the step]. The
+/// limit is the smaller of this constant and the square root of the tolerance, but at least ten roundings of the state (Hairer & Wanner,
+/// Solving Ordinary Differential Equations II, 1996, IV.8). Larger: its error becomes visible beside that of the step. Smaller: more
+/// iterations.
 pub(crate) const NEWTON: f64 = 0.03;
 /// The ten roundings of [`NEWTON`] [relative to the state].
 pub(crate) const NEWTON_ROUNDING: f64 = 10.0 * f64::EPSILON;
-/// Longest correction of an event time by two terms of a Taylor series [fastest time of the motion]; the third is below 1e-18 of the motion.
-/// Larger: digits are lost. Smaller: more steps are taken again.
+/// Longest correction of an event time by two terms of a Taylor series [fastest time of the motion]. The third term is below 1e-18 of the
+/// motion. Larger: digits are lost. Smaller: more steps are repeated.
 pub(crate) const LANDING: f64 = 1e-6;
 /// Consecutive steps limited by stability after which the implicit method takes over [steps] (Hairer & Wanner, Solving Ordinary
 /// Differential Equations II, 1996, IV.2). It decides the cost.
 pub(crate) const STIFF_STEPS: u32 = 15;
 /// Rejections of one step that end the run [1]: the motion is singular there, or the tolerance is below the rounding errors.
 pub(crate) const REJECTIONS: u32 = 100;
-/// Rounding error in the energy account of a train at rest [relative to a coordinate or to a force, for each coordinate of the train]. Larger: no effect on what moves. Smaller: a train at rest, whose energies are rounding errors alone, is refuted.
+/// Rounding error of a coordinate, and of a force, in the energy account [relative to it, times the number of coordinates of the train].
+/// Larger: no effect on the account of a moving train. Smaller: the result for a train at rest, whose energies are only rounding errors, is
+/// refuted.
 pub(crate) const REST_ROUNDING: f64 = 16.0 * f64::EPSILON;
-/// Largest residual of the energy account of exact cells [relative to its largest part]: the rounding errors of ill-conditioned cells, over many
-/// events. Larger: wrong results pass. Smaller: sound results of ill-conditioned models are refuted.
+/// Largest residual of the energy account of exact cells [relative to its largest part]: the rounding errors of ill-conditioned cells, over
+/// many events. Larger: wrong results pass. Smaller: sound results of ill-conditioned models are refuted.
 pub(crate) const EXACT_RESIDUAL: f64 = 1e-9;
-/// The same of a method with adaptive steps [tolerance of the method]: the errors of steps add up.
+/// The same for a method with adaptive steps [tolerance of the method, times the largest part of the account]: the errors of the steps add
+/// up.
 pub(crate) const STEP_RESIDUAL: f64 = 1e3;
-/// The same of a method with fixed steps, which has no tolerance [relative].
+/// The same for a method with fixed steps, which has no tolerance [relative to the largest part of the account].
 pub(crate) const FIXED_STEP_RESIDUAL: f64 = 1e-2;
-/// Longest step while something is held and torques vary [rad of their fastest harmonic]: the reaction is then interpolated to 1e-11 of
-/// their amplitude, which is less than what a release is late by. Larger: releases are missed, or found where there are none.
+/// Longest step while contacts are held and torques vary [rad of the fastest harmonic of the torques]. The error of the interpolated
+/// reaction is then 1e-11 of their amplitude, below the margin of a release ([`RELEASE`](super::events::RELEASE)). Larger: releases are
+/// missed, or found where there are none.
 pub(crate) const HELD_STEP: f64 = 0.5;

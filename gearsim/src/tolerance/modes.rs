@@ -1,8 +1,8 @@
 //! Tolerances of modes: from the matrices of a cell to its modes, and the motion of one mode.
 
-/// Below this product of rate and time [1] a mode's response is computed by its Taylor series. The closed forms lose about one
-/// digit to cancellation at 0.5. Smaller: they lose more. Larger: the series becomes long. The kernel of plain events has no
-/// series, and leaves such short flights to the general loop.
+/// Below this product of rate and time [1] a mode's response is computed by its Taylor series. The closed forms lose about one digit to
+/// cancellation at 0.5. Smaller: they lose more digits. Larger: the series becomes long. The kernel of plain events has no series, and
+/// leaves such short flights to the general loop.
 pub(crate) const SERIES_SPAN: f64 = 0.5;
 /// The same for double-double numbers [1]: above 0.01 the closed forms lose up to four of 32 digits.
 pub(crate) const COMPENSATED_SERIES_SPAN: f64 = 1e-2;
@@ -17,35 +17,36 @@ pub(crate) const COMPENSATED_SERIES_TERM: f64 = 1e-36;
 /// Longest shift of a motion by six terms of its series [1]: rate times time. The seventh term is then below 8e-3⁶/7! = 5e-17 of
 /// the first. Larger: the shifted motion loses digits. Smaller: the motion is evaluated in full more often.
 pub(crate) const SHIFT_SPAN: f64 = 8e-3;
-/// The same with eight terms [1]: the ninth is then below 0.045⁸/9! = 5e-17 of the first. The kernel of plain events goes this far from the
-/// predicted time of an event.
+/// The same with eight terms [1]: the ninth is then below 0.045⁸/9! = 5e-17 of the first. The kernel of plain events shifts the motion this
+/// far from the predicted time of an event.
 pub(crate) const FAR_SHIFT_SPAN: f64 = 0.045;
 /// A mode is critically damped if omega² - sigma² is below this [relative to omega²]. The expansion about critical damping omits
-/// terms of the order of its square, 1e-20. Larger: the expansion loses digits over long times. Smaller: the root of the
-/// difference does.
+/// terms of the order of its square, 1e-20. Larger: the expansion loses digits over long times. Smaller: the square root of the difference
+/// loses digits.
 pub(crate) const CRITICAL_DAMPING: f64 = 1e-10;
 /// Ratio of kappa = sqrt(sigma² - omega²) to sigma [1] above which S2 of an overdamped mode is the difference of its two
 /// exponentials' integrals. Below, this difference cancels digits, and S2 follows from S1. At 0.5 both forms lose about one digit
 /// at most.
 pub(crate) const OVERDAMPED: f64 = 0.5;
 /// Smallest distance of a mode's two eigenvalues [relative to their size] for which its dissipated energy is computed in closed
-/// form. Below, the closed form divides by that distance twice and would lose more than two digits, so quadrature is used.
+/// form. For a smaller distance, the closed form divides by it twice and would lose more than two digits, so quadrature is used.
 pub(crate) const EIGENVALUES_APART: f64 = 0.1;
 /// Decay times after which a motion no longer contributes to the dissipated energy [1]: the power has fallen to e⁻⁸⁰ = 2e-35.
 pub(crate) const DECAYED: f64 = 40.0;
-/// Length of a panel of the quadrature of dissipated energy [rad]: the fastest rate times the time. The 16-point Gauss-Legendre
-/// rule is exact to rounding there. Larger: it is not. Smaller: more panels.
+/// Length of a panel of the quadrature of dissipated energy [rad]: the fastest rate times the time. The error of the 16-point
+/// Gauss-Legendre rule is then below rounding. Larger: it is above. Smaller: more panels.
 pub(crate) const QUADRATURE_PANEL: f64 = 2.0;
 
-/// An entry of K below this [relative to the terms of switches in it, which cancel those of springs] is zero. It is 18 eps: each term has
-/// a few roundings. Smaller: their rounding errors become very soft springs. Larger: soft springs beside stiff ones vanish.
+/// An entry of K below this counts as zero [relative to its terms from switches]. These terms can cancel those of springs. It is 18 eps:
+/// each term has a few roundings. Smaller: the rounding errors become very soft springs. Larger: soft springs beside stiff ones vanish.
 pub(crate) const CANCELLED_STIFFNESS: f64 = 4e-15;
 /// An eigenvalue of K, scaled to a unit diagonal, below this [1] is zero: a rigid motion. It is 450 eps; rounding errors of K
 /// grow with the number of coordinates. A value below minus this makes the cell unstable, and the scene is refused. Larger: soft
 /// springs beside stiff ones vanish. Smaller: a rigid motion becomes a slow vibration, or the scene is refused.
 pub(crate) const RIGID: f64 = 1e-13;
 /// Rounding error of the momentum of a rigid motion along a coordinate [relative to the sum of the absolute values of its terms]: a few
-/// roundings. Larger: light parts beside heavy ones have no momentum. Smaller: gears that turn move, by rounding errors, flanks that rest.
+/// roundings. Larger: light parts beside heavy ones have no momentum. Smaller: by rounding errors, turning gears move flanks that are at
+/// rest.
 pub(crate) const RIGID_MOMENTUM: f64 = 8.0 * f64::EPSILON;
 /// Two natural frequencies are equal if their squares differ by less than this [relative]. Their mode shapes are then rotated so
 /// that damping does not couple them. Jacobi's method gives the squares to some hundred eps. Smaller: rounding errors choose the
@@ -55,8 +56,8 @@ pub(crate) const EQUAL_FREQUENCIES: f64 = 1e-12;
 /// energy, so rounding errors must not damp it. Larger: weak damping is lost.
 pub(crate) const UNDAMPED: f64 = 1e-15;
 /// Two modes are coupled if the damping between them exceeds this [relative to the geometric mean of their own dampings].
-/// Rounding errors of mode shapes of neighbouring frequencies reach it. Smaller: rounding errors couple modes, which costs time.
-/// Larger: weak couplings are ignored; the motion changes by about this fraction.
+/// Rounding errors in the mode shapes of neighbouring frequencies cause couplings up to this size. Smaller: rounding errors couple modes,
+/// which costs time. Larger: weak couplings are ignored; the motion changes by about this fraction.
 pub(crate) const COUPLED_MODES: f64 = 1e-10;
 /// Rounding errors in the damping between two modes [eps, times the sum of the absolute values of its terms]. Each entry of the
 /// mode shapes has some tens of them. Smaller: rounding errors couple modes. Larger: weak couplings are ignored.
@@ -69,9 +70,9 @@ pub(crate) const JACOBI: f64 = 0.1 * f64::EPSILON;
 /// sqrt(eps) = 1.5e-8 into a complex pair by rounding. Smaller: such a pair is not recognised. Larger: strongly damped vibrations
 /// count as aperiodic motions; Newton's method corrects both afterwards.
 pub(crate) const NEARLY_REAL: f64 = 1e-6;
-/// Two pairs of eigenvalues are one cluster if they are closer than this [relative to themselves, or up to the fastest eigenvalue]. It is
-/// 45 000 eps, above the errors of the QR method. Smaller: the shapes of equal pairs are rounding errors. Larger: different pairs get common
-/// shapes before they are refined.
+/// Two pairs of eigenvalues form a cluster if their distance is below this [relative to these eigenvalues, in further attempts partly or
+/// wholly to the fastest eigenvalue]. It is 45 000 eps, above the errors of the QR method. Smaller: the mode shapes of equal pairs are
+/// rounding errors. Larger: different pairs get common mode shapes before the refinement.
 pub(crate) const EQUAL_PAIRS: f64 = 1e-11;
 /// Accuracy asked of the QR method for the eigenvalues [relative to the largest entry]: one rounding.
 pub(crate) const QR: f64 = f64::EPSILON;
@@ -80,12 +81,12 @@ pub(crate) const QR_ITERATIONS: usize = 100_000;
 /// Damping of a pair of eigenvalues below this [relative to the terms whose sum it is] is zero: 45 eps. Smaller: rounding errors
 /// damp or drive an undamped motion. Larger: weak damping is lost.
 pub(crate) const UNDAMPED_PAIR: f64 = 1e-14;
-/// Largest condition number of a pair of eigenvalues [1]; the cell is refused above it. Parts of the motion are up to this much
-/// larger than the motion itself, and their phases have this many roundings of error: eight digits are left after 1e4 rad.
-/// Larger: results with fewer digits. Smaller: usable scenes are refused.
+/// Largest condition number of a pair of eigenvalues [1]; the cell is refused above it. The modal parts of the motion are up to this many
+/// times larger than the motion, and their phases have errors of up to this many roundings: eight digits are left after 1e4 rad. Larger:
+/// results with fewer digits. Smaller: usable scenes are refused.
 pub(crate) const CONDITION: f64 = 1e4;
-/// Largest part of a motion that its modes may miss [relative]; the cell is refused above it. With condition numbers up to
-/// [`CONDITION`] rounding errors alone stay far below it. Larger: motions with fewer digits. Smaller: usable scenes are refused.
+/// Largest part of a motion that the modes may fail to represent [relative]; the cell is refused above it. With condition numbers up to
+/// [`CONDITION`], rounding errors stay far below it. Larger: motions with fewer digits. Smaller: usable scenes are refused.
 pub(crate) const MISSED: f64 = 1e-8;
 /// Rounding errors in the products of biorthogonal vectors [relative to the sum of the absolute values of their terms]. Smaller:
 /// rounding errors are corrected as if they were couplings, which has no effect on the digits.
@@ -99,8 +100,8 @@ pub(crate) const NULL_SPACE: f64 = 1e-7;
 /// by power series. Rounding errors are 1e-32 times the condition of the matrices. Larger: an ignored coupling would limit the digits of
 /// the result. Smaller: rounding errors would cost time.
 pub(crate) const COMPENSATED_COUPLED: f64 = 1e-18;
-/// Damping of a mode in double-double numbers below this [relative to the strongest] is zero: rounding errors are 1e4 times smaller. Larger:
-/// weak damping is lost. Smaller: rounding errors damp rigid motions, whose closed form then loses its digits.
+/// Damping of a mode in double-double numbers below this [relative to the strongest] counts as zero: rounding errors are 1e4 times smaller.
+/// Larger: weak damping is lost. Smaller: rounding errors damp rigid motions, whose closed form then loses its digits.
 pub(crate) const COMPENSATED_UNDAMPED: f64 = 1e-28;
 /// Jacobi's method in double-double numbers ends below this [relative to the larger diagonal entry]: ten roundings.
 pub(crate) const COMPENSATED_JACOBI: f64 = 1e-31;

@@ -2,8 +2,8 @@
 
 /// Shortest end time of a run [s]. For a smaller one the sampling rate would not be finite.
 pub(crate) const SHORTEST_RUN: f64 = 1e-300;
-/// Memory for the rows of a run if the scene states no limit [bytes]. A run with more rows stops. With its
-/// files and plots a run takes about twice as much; `compare` holds three runs, a sweep one per thread.
+/// Memory for the rows of a run if the scene states no limit [bytes]. A run stops when its rows need more. With its files and plots a run
+/// takes about twice as much. `compare` keeps three runs in memory, a sweep one per thread.
 pub(crate) const ROW_MEMORY: f64 = 1e9;
 /// Largest memory for the rows of a run that a scene may ask for by `output.most_rows` [bytes].
 pub(crate) const MOST_ROW_MEMORY: f64 = 16e9;
@@ -11,7 +11,7 @@ pub(crate) const MOST_ROW_MEMORY: f64 = 16e9;
 /// are rounded. Larger: mistakes in widths pass. Smaller: widths with nine digits are refused.
 pub(crate) const WIDTHS: f64 = 1e-9;
 /// A mesh phase within this distance of a fraction of a pitch is replaced by the fraction [pitches]. Written phases have about
-/// eleven digits. Smaller: planets that should be in phase are a rounding apart. Larger: no effect below the digits of written
+/// eleven digits. Smaller: planets that should be in phase differ by a rounding error. Larger: no effect below the digits of written
 /// phases.
 pub(crate) const PHASE_FRACTION: f64 = 1e-11;
 /// Largest denominator of the fractions above [1]: one degree of a turn.
@@ -37,12 +37,14 @@ pub(crate) const USUAL_MODULES: std::ops::RangeInclusive<f64> = 0.999e-4..=0.050
 pub(crate) const PRESSURE_ANGLES: std::ops::RangeInclusive<f64> = 5.0..=45.0;
 /// Pressure angles that are not rare [deg], as working angles. Others give a warning.
 pub(crate) const USUAL_ANGLES: std::ops::RangeInclusive<f64> = 13.0..=32.0;
-/// A base radius may differ from that of the teeth by this [relative]: written radii have three digits. Larger: another gear passes.
+/// A given base radius may differ from that of the tooth data by this [relative]: written radii have three digits. Larger: the radius of
+/// another gear is accepted.
 pub(crate) const BASE_RADIUS: f64 = 5e-3;
-/// Two radii of a rotor that differ by less than this are one [relative]: those of one gear in two meshes differ by rounding errors.
+/// Two radii on a rotor count as equal if they differ by less than this [relative]: the radii of one gear in two meshes differ by rounding
+/// errors.
 pub(crate) const SAME_RADIUS: f64 = 1e-9;
-/// Difference of a pressure angle from the working angle of the teeth [deg] above which there is a warning, and above which the
-/// scene is refused. Between them: shifted teeth in a model with one angle for several meshes.
+/// Difference of a pressure angle from the working angle of the teeth [deg]: above the first there is a warning, above the second the scene
+/// is refused. Differences between the two occur if a model has one angle for several meshes, and the teeth are shifted.
 pub(crate) const WORKING_ANGLE: [f64; 2] = [0.1, 5.0];
 /// Face widths, and moduli of elasticity, that gears can have [m, Pa]; others are refused.
 pub(crate) const FACE_WIDTHS: std::ops::RangeInclusive<f64> = 1e-5..=10.0;
@@ -61,14 +63,14 @@ pub(crate) const THREADS: i64 = 1024;
 pub(crate) const PITCH_POINT: f64 = 1e-9;
 /// The limits of the pressure angle in ISO 6336-1 are widened by this [deg]: the rounding error of the conversion to degrees.
 pub(crate) const PRESSURE_ANGLE: f64 = 1e-9;
-/// Contact that extends this far into the fillet is accepted [modules]; the end of the flank is then used. Otherwise the teeth
-/// are refused.
+/// Contact that extends up to this far into the fillet is accepted [modules]; the end of the flank is then used instead. Above this, the
+/// teeth are refused.
 pub(crate) const FILLET_CONTACT: f64 = 1e-3;
 /// Overlap of tip and root circles above which gears are refused [modules]: the rounding error of a written centre distance.
 pub(crate) const OVERLAP: f64 = 1e-9;
 /// Largest undercut that is accepted [modules]: the standard pinion of 17 teeth has 0.006.
 pub(crate) const UNDERCUT: f64 = 0.02;
-/// Steps of a law that are nearer than this are one step [periods of the law]: the rounding errors of the sums of widths.
+/// Steps of a law whose distance is below this count as one step [periods of the law]. It covers the rounding errors of the sums of widths.
 pub(crate) const SAME_STEP: f64 = 1e-12;
 /// Half the distance of the two points of a central difference [relative to the length of a curve]. The error of the slope, 1e-8,
 /// is far below that of the curve, 1e-4.
@@ -77,12 +79,12 @@ pub(crate) const SLOPE_STEP: f64 = 1e-4;
 /// Largest number of points of a sweep, and of values on one axis [1]. The rows of more would not fit in memory.
 pub(crate) const SWEEP_POINTS: usize = 10_000_000;
 
-/// A planet fits if its place is so close to one where its teeth meet those of sun and ring [pitches]: written angles have four digits.
-/// Larger: planets that cannot be assembled pass.
+/// A planet fits if its angle is within this distance of an angle at which its teeth mesh with sun and ring [pitches]: written angles have
+/// four digits. Larger: planets that cannot be assembled are accepted.
 pub(crate) const PLANET_FIT: f64 = 0.01;
 
-/// Two planets are in one place if the distance of their centres is smaller than this [relative to the diameter of a pitch circle]. Larger: planets
-/// in different planes are refused. Smaller: angles that differ by rounding errors are two places.
+/// Two planets count as being at the same position if the distance of their centres is below this [relative to the pitch diameter of a
+/// planet]. Larger: planets in different planes are refused. Smaller: angles that differ by rounding errors count as two positions.
 pub(crate) const ONE_PLACE: f64 = 1e-3;
 
 /// Largest number of planets of a set \[1\]: more do not fit between a sun and a ring of usual gears. A larger number is refused.
@@ -91,14 +93,15 @@ pub const PLANETS: f64 = 24.0;
 /// Largest number of rotors of a train \[1\]: the cost of a cell grows with its cube. A larger number is refused.
 pub const ROTORS: usize = 512;
 
-/// Coordinates of trains are independent if what one has beyond the others is more than this part of it \[1\]. A smaller part is taken as a
-/// rounding error of radii and ratios.
+/// A coordinate of a train is independent of others if its remainder, orthogonal to them, is larger than this part of it \[1\]. A smaller
+/// remainder is taken as a rounding error of radii and ratios.
 pub const INDEPENDENT: f64 = 1e-9;
 
-/// A factor of a coordinate in a deflection of a train is zero if it is less than this part of the terms that it is the sum of \[1\]: some
-/// hundred rounding errors, since the companion run changes radii by a few.
+/// The factor of a coordinate in a deflection of a train is a sum of terms. It counts as zero if it is less than this part of their
+/// absolute values \[1\]. This is some hundred rounding errors, because the second run that estimates the digits changes radii by a few
+/// rounding errors.
 pub const CANCELLED: f64 = 1e-13;
 
-/// Constant forces along a coordinate of a train are in balance if their sum is below this part of the sum of their magnitudes \[1\]. It is
-/// some twenty rounding errors: those of the gear ratios. The phase of a mesh is then free of acceleration, as in a derived model.
+/// Constant forces along a coordinate of a train count as balanced if their sum is below this part of the sum of their absolute values
+/// \[1\]. It is some twenty rounding errors: those of the gear ratios. The phase of a mesh then has no acceleration, as in a derived model.
 pub const BALANCED: f64 = 5e-15;

@@ -12,7 +12,7 @@ const LONGER: &str = "run.t_end=2 ms";
 pub struct Command {
     /// Its name in the table.
     pub name: &'static str,
-    /// The commands that make what is there before: the earlier result, and what the command reads.
+    /// The commands that run first. They make the earlier result, and the files that the command reads.
     pub before: &'static [Words],
     /// The words of the command.
     pub words: Words,

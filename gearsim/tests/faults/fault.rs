@@ -31,7 +31,8 @@ pub struct Fault {
     pub killed_after: Option<Duration>,
     /// Size of the disk of the case [bytes]; without one, the case has no disk of its own.
     pub disk: Option<usize>,
-    /// What the error message says about the cause, if the program can print one. Without it the program may end in any way but a panic.
+    /// The words about the cause in the error message, if the program can print one. Without them the program may end in any way but
+    /// a panic.
     pub says: Option<&'static str>,
     /// Whether the program succeeds or fails; without it, either is possible.
     pub succeeds: Option<bool>,

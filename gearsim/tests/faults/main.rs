@@ -1,8 +1,8 @@
-//! Faults on purpose: every command is run with every fault of [`KINDS`]. Afterwards its folder holds the earlier result, whole, or the
-//! new one, whole, or says that it is incomplete, and every file in it can be read. The same command run again makes the new result.
+//! Faults on purpose: every command is run with every fault of [`KINDS`]. Afterwards its folder holds all files of the earlier result, or
+//! all of the new one, or the marker of an incomplete folder. Every file can be read. The same command run again makes the new result.
 //!
-//! A table of the number of cases is printed at the end: `cargo test -p gearsim --test faults`. One more command is one entry in
-//! `commands.rs`; one more fault is one file in `kinds/` and one line in [`KINDS`].
+//! A table of the number of cases is printed at the end: `cargo test -p gearsim --test faults`. To add a command, add one entry in
+//! `commands.rs`. To add a fault, add one file in `kinds/` and one line in [`KINDS`].
 
 #![cfg(unix)]
 
@@ -24,7 +24,7 @@ use commands::{COMMANDS, Command};
 use kinds::KINDS;
 use prepared::Prepared;
 
-/// What the cases of one command gave.
+/// The results of the cases of one command.
 struct Row {
     name: &'static str,
     /// The number of cases of each kind.
@@ -68,7 +68,7 @@ fn table(rows: &[Row]) -> String {
     text
 }
 
-/// Writes to the terminal, and not by `eprint!`, which the test harness captures.
+/// Writes to stderr directly, because the test harness captures the output of `eprint!`.
 fn say(text: &str) {
     std::io::stderr().write_all(text.as_bytes()).unwrap();
 }

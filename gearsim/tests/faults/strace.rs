@@ -1,4 +1,4 @@
-//! The calls of the system that a command makes for its files, found and disturbed by `strace`.
+//! The system calls that a command makes for its files. `strace` finds them and makes them fail.
 
 use std::collections::{BTreeSet, HashMap};
 use std::process::Command;
@@ -7,7 +7,7 @@ use std::sync::LazyLock;
 use crate::fault::Fault;
 use crate::prepared::Prepared;
 
-/// The calls that are followed. A machine does not have those with a question mark if it has others in their place.
+/// The calls that are traced. Calls with a question mark do not exist on all machines.
 const TRACED: &str =
     "trace=write,openat,?rename,renameat,renameat2,fsync,fdatasync,?unlink,unlinkat,?mkdir,mkdirat,?rmdir";
 

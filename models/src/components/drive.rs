@@ -1,5 +1,5 @@
-//! What drives and loads a rotor. Motor and load of the effect `torques` are constant, or vary in time if a scene says so; beside them are the
-//! machines whose torque depends on the speed.
+//! Torques that drive or load a rotor. Motor and load of the effect `torques` are constant, or vary in time if a scene says so. The torque
+//! of the other machines depends on the speed.
 
 use gearsim_derive::{Expr, Model, Range};
 
@@ -21,7 +21,7 @@ pub fn loaded(m: &mut Model, part: &str, what: &str, theta: Expr) {
 /// motor, and a fan. Each is an effect of this rotor. A scene has at most one motor on a rotor. Above the speed at which its torque is zero, a
 /// motor brakes as a generator, so that it can be a load too. `theta` \[rad\] is the rotation of the rotor.
 pub fn machines(m: &mut Model, part: &str, what: &str, theta: Expr) {
-    // Named, so that the equations are written in it.
+    // A named deflection, so that the equations are written in its rate.
     let omega = m.deflection(&named("theta", part), theta).dot();
     let motors = [governor, dc_motor, induction_motor, traction_motor].map(|add| add(m, part, what, theta, omega));
     for (i, motor) in motors.iter().enumerate() {

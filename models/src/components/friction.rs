@@ -21,10 +21,11 @@
 //! Two functions are smoothed. sgn(psi') is replaced by psi'/(psi'² + w_mix²)^(1/2): friction decreases at low speed and is zero at
 //! rest. |F| is replaced by k (delta² + tiny²)^(1/2), which is differentiable at zero load; tiny = 1e-12 in
 //! the unit of delta is far below any deflection of interest. F = k delta is the force of the mesh spring without that of the damper.
-//! Laws from tooth data are those of the drive flank; those of the coast flank differ by the backlash and where the contact begins.
+//! Laws from tooth data are those of the drive flank. The laws of the coast flank would differ, because they depend on the backlash and on
+//! where the contact begins.
 //!
-//! With this law flanks do not stick: gears at rest under load creep with psi' = w_mix x/(1 - x²)^(1/2), where x is the moment of the other
-//! forces along psi over mu |F| arm. The effect `flank_stiction` ([`super::stiction`]) makes them stick.
+//! With this law flanks do not stick: gears at rest under load creep with psi' = w_mix x/(1 - x²)^(1/2), where x is the generalised force
+//! of the other torques along psi, divided by mu |F| arm. The effect `flank_stiction` ([`super::stiction`]) makes them stick.
 
 use std::f64::consts::TAU;
 
@@ -76,7 +77,7 @@ pub fn sliding_friction(m: &mut Model, part: &str, what: &str, unit: &str, mesh:
         let smoothed = size * direction;
         let friction = m.force(&named("F_mu", part), smoothed + sticking.instead(m, smoothed, size));
         let along_tau = match mesh.flank {
-            // With the sign of F: that of the flank in contact.
+            // delta/distance is the smoothed sign of F, which is the sign of the flank in contact.
             None => m.force(&named("F_tau", part), friction * mesh.delta / distance),
             Some(_) => friction,
         };
@@ -104,7 +105,7 @@ pub fn pressure_tangent(m: &mut Model) -> Expr {
     tangent_of(m, "", "working pressure angle, for friction")
 }
 
-/// The same of one mesh: `alpha12` and `tan_a12` of the mesh `12`.
+/// As [`pressure_tangent`], for one mesh: declares `alpha12` \[rad\] and `tan_a12` for the mesh `12`.
 pub fn pressure_tangent_of(m: &mut Model, part: &str, what: &str) -> Expr {
     tangent_of(m, part, &format!("working pressure angle of the {what}, for friction"))
 }

@@ -10,17 +10,18 @@
 //! delta = (y1 - y2) cos(l) - (x1 - x2) sin(l) + u1 - u2     internal, 1 the ring
 //! ```
 //!
-//! At the pitch point the flanks slide on each other across the line of action: they turn about the points where it touches the base circles,
-//! r_b tan(alpha) away, and their centres move. Further along the line of action they slide with the rotation of one gear against the other too
-//! ([`super::friction`]); the sign is such that both have the same one in recess.
+//! At the pitch point the flanks slide on each other across the line of action, for two reasons. They turn about the points where the line
+//! of action touches the base circles, at the distance r_b tan(alpha), and the centres move. At other points of the line of action they
+//! also slide by the relative rotation of the gears ([`super::friction`]). The sign of tau is chosen so that both parts have the same sign
+//! in recess.
 //!
 //! ```text
 //! tau = tan(alpha) (u1 + u2) - (x1 - x2) cos(l) - (y1 - y2) sin(l)     external
 //! tau = tan(alpha) (u1 - u2) + (x1 - x2) cos(l) + (y1 - y2) sin(l)     internal, 1 the ring
 //! ```
 //!
-//! The line of action of the coast flanks is the mirror image about the line of centres, at 2 psi - l. The formulas of delta hold for it. In those of
-//! tau the rotations have the opposite sign there, -tan(alpha).
+//! The line of action of the coast flanks is the mirror image about the line of centres, at 2 psi - l. The formulas of delta hold for this
+//! line too. In the formulas of tau, the rotations then have the factor -tan(alpha).
 
 use gearsim_derive::Expr;
 

@@ -11,9 +11,9 @@ use super::{Bend, damper, named, observed, play, play_in_plane, steps, transmiss
 pub struct Mesh {
     /// Stiffness while the flanks are in contact, 0 while they are not.
     pub stiffness: Expr,
-    /// Deflection in contact: less the transmission error and the edge of the backlash, if the mesh has them.
+    /// Deflection in contact: the relative displacement minus the transmission error and the edge of the backlash, if the mesh has them.
     pub delta: Expr,
-    /// In a plane mesh 1 while its drive flanks are in contact, -1 while its coast flanks are, else 0.
+    /// In a plane mesh 1 while its drive flanks are in contact, -1 while its coast flanks are, else 0. `None` in other meshes.
     pub flank: Option<Expr>,
 }
 
@@ -48,7 +48,8 @@ impl Flanks {
         Flanks { mean: half(drive + coast), open: Some(half(coast - drive)) }
     }
 
-    /// The same with lines of action that turn, and a play that opens, as [`moving_centres`](mod@super::moving_centres) states.
+    /// The same flanks with lines of action that turn, and a play that opens, as described in
+    /// [`moving_centres`](mod@super::moving_centres).
     pub fn bent(self, bend: Bend) -> Flanks {
         Flanks { mean: self.mean - bend.turn, open: self.open.map(|open| open + bend.open) }
     }
@@ -75,8 +76,9 @@ pub fn mesh_with_play(
     meshing(m, part, what, phase, delta, [driving.into(), None])
 }
 
-/// A mesh as [`mesh_with_play`] with a viscous damper along the line of action, in the effect `viscous_friction`. The damper is beside the
-/// flanks: it acts in contact and out of it, on `delta` without the transmission error. Declares its coefficient `c` \[N s/m\].
+/// A mesh as [`mesh_with_play`] with a viscous damper along the line of action, in the effect `viscous_friction`. The damper is parallel to
+/// the flanks: it acts in contact and out of it. It acts on the rate of `delta`, not of `delta` minus the transmission error. Declares its
+/// coefficient `c` \[N s/m\].
 pub fn damped_mesh(m: &mut Model, part: &str, what: &str, phase: Expr, delta: Expr) -> Mesh {
     let beside = m.deflection(&named("beside", part), delta);
     let doc = format!("viscous damping of the {what} along the line of action: force per speed");
@@ -100,8 +102,8 @@ fn meshing(
     Mesh { stiffness: k * gap.touch, delta: gap.over, flank: None }
 }
 
-/// A mesh as [`mesh_with_play`] whose gears' centres move in the plane, so that its `flanks` have a line of action each. `driving` \[m\] are the
-/// displacements of the first gear's drive flank and of its coast flank along these lines.
+/// A mesh as [`mesh_with_play`] whose gears' centres move in the plane, so that the drive flanks and the coast flanks have different lines
+/// of action. `driving` \[m\] are the displacements of the first gear's drive flank and of its coast flank along these lines.
 pub fn mesh_in_plane(m: &mut Model, part: &str, what: &str, phase: Expr, flanks: Flanks, driving: [Expr; 2]) -> Mesh {
     let k = stiffness(m, part, what, phase);
     let error = error(m, part, what, phase);

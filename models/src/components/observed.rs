@@ -1,4 +1,4 @@
-//! What can be observed of the parts of a drivetrain: each component declares its own.
+//! The outputs of the components of a drivetrain: quantities that a run can record.
 
 use gearsim_derive::{Expr, Model};
 
@@ -7,11 +7,11 @@ pub fn of_part(quantity: &str, part: &str) -> String {
     if part.is_empty() { quantity.into() } else { format!("{quantity}_{part}") }
 }
 
-/// Force, loss, deflection and dynamic transmission error of a mesh. `x` \[m\] is its deflection in contact; a damper beside the flanks acts
-/// on `beside` \[m\]. `dte` \[m\] is the relative displacement
-/// of the ideal positions of the flanks along the line of action, from all coordinates. The deflection is `dte` minus the transmission error
-/// `error` \[m\]. `driving` \[m\] is the displacement of the first gear's flank along the line of action: the power that this gear transmits to the
-/// mesh is the force times the speed of this flank. A train has no `driving`: it forms the power from its rotors.
+/// Force, loss, deflection and dynamic transmission error of a mesh. `x` \[m\] is its deflection in contact. A damper parallel to the
+/// flanks acts on `beside` \[m\]. `dte` \[m\] is the relative displacement of the ideal positions of the flanks along the line of action,
+/// from all coordinates. The deflection is `dte` minus the transmission error `error` \[m\]. `driving` \[m\] is the displacement of the
+/// first gear's flank along the line of action: the power that this gear transmits to the mesh is the force times the speed of this flank.
+/// A train gives no `driving`: it computes this power from its rotors.
 pub fn mesh(
     m: &mut Model,
     part: &str,
@@ -42,7 +42,7 @@ pub fn mesh(
 }
 
 /// Twist, torque and loss of a shaft with the deflection `twist` \[rad\], and the power that enters it at its first end. This end has the
-/// rotation `first` \[rad\], and leads if the twist is positive. A train has no `first`: it forms the power from its rotors.
+/// rotation `first` \[rad\], and leads if the twist is positive. A train gives no `first`: it computes this power from its rotors.
 pub fn shaft(m: &mut Model, part: &str, what: &str, twist: Expr, first: Option<Expr>) {
     m.output(&of_part("shaft_twist", part), "rad", twist, &format!("twist of the {what}"));
     let doc = format!("torque in the {what}, damper included");

@@ -56,7 +56,7 @@ impl Pair {
     }
 
     /// The mesh of the pair with all effects of meshes: steps of the stiffness, play, a transmission error, sliding friction. `tangent` is
-    /// that of the pressure angle. Declares what [`mesh_with_play`] and [`sliding_friction`] declare.
+    /// the tangent of the pressure angle. Declares what [`mesh_with_play`] and [`sliding_friction`] declare.
     pub fn mesh(&self, m: &mut Model, part: &str, what: &str, tangent: Expr) -> Mesh {
         let mesh = mesh_with_play(m, part, what, self.theta, self.s, self.u1);
         let (tau, psi) = (tangent * self.s, self.theta1 + self.theta2);

@@ -43,7 +43,7 @@ pub struct Stage {
     alpha: Direction,
     /// Rolling distance along the line of action \[m\].
     rho: Expr,
-    /// Rotations of the sun and of the ring against a planet per theta, if all roll rigidly and the ring is at rest.
+    /// Rotations of the sun and of the ring relative to a planet, per theta, if all roll rigidly and the ring is at rest.
     per_theta: [Expr; 2],
 }
 
@@ -82,8 +82,8 @@ pub fn stage(m: &mut Model) -> Stage {
 
 impl Stage {
     /// Adds `n` planets with their centres fixed to the carrier, and their meshes with a sun on a fixed axis and a ring with the
-    /// rotation `theta_r` \[rad\]. Declares mass `m_p` and inertia `I_p` of a planet, for each planet the coordinate `u1`, ..., and for
-    /// its meshes with sun and ring, `s1`, `r1`, ..., what [`mesh_with_play`] and [`sliding_friction`] declare.
+    /// rotation `theta_r` \[rad\]. Declares mass `m_p` \[kg\] and inertia `I_p` \[kg m²\] of a planet, and for each planet a coordinate
+    /// (`u1`, ...). For its meshes with sun and ring (`s1`, `r1`, ...) declares what [`mesh_with_play`] and [`sliding_friction`] declare.
     pub fn planets(&self, m: &mut Model, n: usize, theta_r: Expr) {
         let (mass, inertia) = inertia(m);
         m.kinetic(half(n as i64 * mass * (self.named_a * self.theta_c.dot()).sq()));
@@ -151,10 +151,11 @@ impl Stage {
         (beyond, r_p * self.theta_c - self.rho + beyond)
     }
 
-    /// Adds the meshes of planet `i` with sun and ring. `lines` are the directions of the lines of action in the frame of sun and ring, if these move in
-    /// the plane: first at the pressure angle before that of the planet's centre, then beyond it. On the drive flanks the sun's mesh has the first one
-    /// and the ring's mesh the second one, on the coast flanks the other way round. `beyond` \[m\] is the rotation of the planet in excess of
-    /// rigid rolling, times its base radius. `theta_r` \[rad\] is the rotation of the ring.
+    /// Adds the meshes of planet `i` with sun and ring. `lines` are the directions of the lines of action in the frame of sun and ring, if
+    /// these move in the plane: first at the angle psi - alpha, then at psi + alpha, where psi is the angular position of the planet and
+    /// alpha the pressure angle. The drive flanks of the sun's mesh have the first line and those of the ring's mesh the second; the coast
+    /// flanks have the other one. `beyond` \[m\] is the rotation of the planet in excess of rigid rolling, times its base radius. `theta_r`
+    /// \[rad\] is the rotation of the ring.
     fn meshes(
         &self,
         m: &mut Model,
@@ -165,11 +166,11 @@ impl Stage {
         theta_r: Expr,
     ) {
         let Stage { theta, excess, alpha, per_theta: [roll_s, roll_r], r_p: [_, r_p], .. } = *self;
-        // In the frame of the planet the lines of action are at the pressure angle.
+        // In the frame of the planet the lines of action are at the angles -alpha and alpha.
         let own = [alpha.mirrored(), alpha];
         let (in_plane, lines) = (lines.is_some(), lines.unwrap_or(own));
         let tangent = alpha.sin / alpha.cos;
-        // The rotations against the planet, theta_s - theta_p and theta_r - theta_p, with theta_p = theta_c + (beyond - rho)/r_p.
+        // The rotations relative to the planet, theta_s - theta_p and theta_r - theta_p, with theta_p = theta_c + (beyond - rho)/r_p.
         let psi_s = roll_s * theta - beyond / r_p;
         let psi_r = theta_r - excess + roll_r * theta - beyond / r_p;
         let of_sun = |l: usize, tangent: Expr| Side {

@@ -24,7 +24,7 @@ pub struct Play {
     pub touch: Expr,
     /// 1 while the damper of the contact acts, 0 while its force is clipped and inside the band.
     pub damp: Expr,
-    /// 1 while the force of the damper is clipped at that of the spring, -1 while it is clipped at the negative of that, else 0.
+    /// 1 while the force of the damper is clipped at the force F_s of the spring, -1 while it is clipped at -F_s, else 0.
     pub clip: Expr,
     /// 1 while the drive flanks are in contact, -1 while the coast flanks are, else 0; `None` if both have the same deflection.
     pub flank: Option<Expr>,
@@ -38,8 +38,8 @@ pub fn play(m: &mut Model, part: &str, what: &str, unit: &str, delta: Expr) -> P
     play_of(m, part, what, unit, Flanks::alike(delta))
 }
 
-/// The same for a mesh whose centres move: each flank has a line of action, and the play opens with the distance of the centres. Declares the names
-/// `flank`, `drive`, `coast` and `opening` too. If no play is left, one flank at a time bears the load.
+/// As [`play`], with the unit m, for a mesh whose centres move: each flank has its own line of action, and the play opens with the distance
+/// of the centres. Also declares the names `flank`, `drive`, `coast` and `opening`. If no play is left, one flank at a time bears the load.
 pub fn play_in_plane(m: &mut Model, part: &str, what: &str, flanks: Flanks) -> Play {
     play_of(m, part, what, "m", flanks)
 }
@@ -91,8 +91,8 @@ fn band(m: &mut Model, part: &str, unit: &str, flanks: Flanks, edge: Expr, [effe
     let [zero, one] = [0, 1].map(Expr::from);
     let contacts = [("upper", one, "lower"), ("lower", -one, "upper")];
     let [drive, coast, _] = sides.unwrap_or([over; 3]);
-    // Centres that come so close that no play is left press both flanks. The one that is pressed deeper then bears the load: it is the other
-    // one, with the same V, once the middle between both is passed.
+    // If the centres come so close that no play is left, both flanks are pressed. Only the flank that is pressed deeper then bears the
+    // load. The load passes to the other flank where both are pressed equally deep, so V is the same on both sides.
     let or_wedged = |contact: Describing<'_>, side: Expr, other: &str| {
         if let Some([.., opening]) = sides {
             contact.until(other, side * over + opening + edge);

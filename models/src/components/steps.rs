@@ -3,7 +3,7 @@
 
 use gearsim_derive::{Boundary, Model};
 
-/// The effect without which laws are constant. Effects with laws of their own require it.
+/// The effect without which laws are constant. Effects that add laws require it.
 pub const STIFFNESS_STEP: &str = "stiffness_step";
 const RIGID_KINEMATICS: &str = "rigid_kinematics";
 const FROZEN_PHASE: &str = "frozen_phase";

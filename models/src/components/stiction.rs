@@ -10,10 +10,11 @@
 //!
 //! and the same on the coast flank: stuck_coast, forward_coast, backward_coast.
 //! F is the force of the mesh spring, without that of the damper. Its sign is that of the flank in contact, so that v and the bound of R are linear in
-//! each mode. A single pair sticks at its point of contact, side v = xi psi' + tau'. Of several pairs the mean sliding sticks.
+//! each mode. If a single tooth pair is in contact, side v = xi psi' + tau' is the sliding speed at its point of contact. If several are,
+//! the stuck modes hold their mean sliding speed at zero.
 //!
-//! v, not psi', is held: the reaction then does no work, and the force along tau passes from sticking to sliding without a step. Held psi' alone
-//! would break away at a moment that is wrong by mu tan(alpha), and then stick and slip in turn.
+//! The stuck modes hold v, not psi'. The reaction then does no work, and the force along tau does not step where sliding begins. If psi'
+//! alone were held, the flanks would break away at a torque that is wrong by the fraction mu tan(alpha), and then stick and slip in turn.
 
 use gearsim_derive::{Expr, Model, Range};
 
@@ -25,16 +26,16 @@ pub const FLANK_STICTION: &str = "flank_stiction";
 const DOC: &str =
     "flanks at rest stick, up to their static friction; sliding, their friction has its full size at any speed";
 
-/// What decides whether the flanks of a mesh stick.
+/// The quantities that decide whether the flanks of a mesh stick.
 #[derive(Clone, Copy)]
 pub struct Stiction {
     /// The sum of the rotations of both gears \[rad\], linear in the coordinates.
     pub psi: Expr,
     /// Sliding distance at the pitch point [unit of the mesh deflection], a named deflection.
     pub tau: Expr,
-    /// The friction laws.
+    /// The friction law `side` \[1\], see [`super::friction`].
     pub side: Expr,
-    /// See `side`.
+    /// The friction law `arm` [unit of the mesh deflection], see [`super::friction`].
     pub arm: Expr,
     /// Coefficient of friction while the flanks slide.
     pub mu: Expr,
@@ -77,7 +78,7 @@ pub fn flank_stiction(m: &mut Model, part: &str, what: &str, mesh: Mesh, stictio
             .until(&format!("backward{flank}"), sign * force + resisted);
     }
     for (flank, other, sign) in flanks {
-        // In a plane mesh tau is that of the flanks in contact.
+        // In a plane mesh tau has the sign of the flanks in contact already.
         let of_tau = if mesh.flank.is_none() { sign } else { 1 };
         let sliding = arm * psi.dot() + of_tau * (side * tau.dot());
         for (mode, sense) in [("forward", 1), ("backward", -1)] {

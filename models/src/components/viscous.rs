@@ -18,8 +18,8 @@ pub fn viscous(m: &mut Model, part: &str, what: &str, theta: Expr) {
     });
 }
 
-/// A viscous damper beside springs, with the coefficient `c` [`unit`] along each of the named deflections `along`. `doc` describes the
-/// coefficient. The outputs of the springs contain the damper: those of its force have [`Model::damper`] of `along` as a term.
+/// A viscous damper parallel to springs, with the coefficient `c` [`unit`] along each of the named deflections `along`. `doc` describes the
+/// coefficient. The outputs of the forces of these springs contain the damper, by [`Model::damper`] of `along`.
 pub fn damper(m: &mut Model, part: &str, [c, unit, doc]: [&str; 3], along: &[Expr]) {
     m.part_effect(EFFECT, part, DOC, |m| {
         let c = m.parameter(&named(c, part), unit, None, Range::NotNegative, doc);

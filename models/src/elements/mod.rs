@@ -1,7 +1,7 @@
 //! The elements of trains: models of one part each, from which scenes with `model = "train"` are put together without a compiler.
 //!
-//! An element has coordinates of its own, for example the twist of a shaft. A train adds the energies of its elements, each at the
-//! values x = R q of its coordinates, so its forces are the sum of R^T f. The functions here call the components of models and add
+//! An element has coordinates of its own, for example the twist of a shaft. A train adds the energies of its elements, each with its
+//! coordinates at x = R q, so the forces of the train are the sum of R^T f. The functions here call the components of models and add
 //! nothing to them. Every element has the part name `x` and the description `{}`; a train replaces both by the name of the part.
 //!
 //! The derivation proves that M is positive definite, but an element such as a spring has no inertia. It therefore has a test inertia `J`

@@ -1,4 +1,4 @@
-//! Elements made of modes.
+//! Elements with modes: switches.
 
 use gearsim_derive::Model;
 

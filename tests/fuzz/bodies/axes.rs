@@ -1,16 +1,16 @@
-//! Any bytes as the axes of a sweep: it is refused in words, or each of its points is a scene whose values are those of the plan.
+//! Any bytes as the axes of a sweep. The sweep is refused with a message, or each of its points gives a scene or a message.
 
 use gearsim::__private::{Request, Sweep, Template};
 use gearsim::Design;
 use gearsim::sweep::Error;
 
 const SCENE: &str = include_str!("../../../models/scenes/oh2005/energy_300rpm.toml");
-/// Number of points that are compared with their scenes.
+/// Largest number of points of a sweep that are checked.
 const POINTS: usize = 5;
-/// Designs by their numbers in a case.
+/// The designs from which a case chooses.
 const DESIGNS: [Design; 4] = [Design::Random, Design::LatinHypercube, Design::Sobol, Design::Saltelli];
 
-/// The first byte chooses the design, the second the number of samples; the texts between zero bytes are the axes.
+/// The first byte chooses the design, the second is the number of samples. The rest is text, split into the axes at zero bytes.
 pub fn check(data: &[u8]) {
     let [design, samples, text @ ..] = data else { return };
     let text = String::from_utf8_lossy(text);
@@ -31,7 +31,8 @@ pub fn check(data: &[u8]) {
     }
 }
 
-/// Checks that the points of an accepted sweep are scenes: those at both ends and some between.
+/// Checks points of an accepted sweep: the first, the last and some between. Each has the same values every time, and gives a scene or
+/// a message.
 fn sound(sweep: &Sweep, template: &Template) {
     assert_eq!(Some(sweep.points), sweep.plan.points());
     for i in 0..POINTS.min(sweep.points) {
@@ -39,7 +40,7 @@ fn sound(sweep: &Sweep, template: &Template) {
         let overrides = sweep.plan.overrides(point);
         assert_eq!(overrides, sweep.plan.overrides(point), "a point depends on more than its number");
         assert_eq!(overrides.len(), sweep.plan.axes.len());
-        // Values between the ends may be refused, in words.
+        // Values between the ends of an axis may be refused, but only with a message.
         if let Err(mistakes) = template.scene(&overrides, &[sweep.entry.model]) {
             assert!(!mistakes.mistakes().is_empty(), "refused without a reason");
         }

@@ -1,4 +1,4 @@
-//! A scene of any model with any effects, numbers, method and precision: what must hold of every scene holds of it.
+//! A scene of any model with any effects, numbers, method and precision must pass `CHECKS`.
 
 use std::sync::LazyLock;
 

@@ -22,11 +22,11 @@ const SETS: [&str; 4] =
 /// Number of events after which a run is stopped, if its time still advances. Some runs have more: a pressed phase may bounce a
 /// million times before it is held, and without jumps a phase that is pushed against a step from both sides crosses it for ever.
 const EVENTS: u32 = 200_000;
-/// Largest mean number of steps of a search for the next event, over a run: there is one after every event, and one at the start.
+/// Largest mean number of steps of a search for the next event, over a run. A run has one search at its start and one after every event.
 const STEPS: u64 = 1000;
-/// Largest damping factor of a cell up to which the mean number of steps is held to `STEPS`. Beyond it damping may stop the phase near a boundary, or keep
-/// a contact force near zero, for a long time, and one search takes many steps: 91,018 at 1e12 times the critical damping, 301,336 at 3e15
-/// times. After a million steps a search stops with a named error.
+/// Largest damping factor of a cell for which the mean number of steps must not exceed `STEPS`. Larger damping may stop the phase near
+/// a boundary, or keep a contact force near zero, for a long time. One search then takes many steps: 91,018 at 1e12 times the critical
+/// damping, 301,336 at 3e15 times. After a million steps a search stops with a named error.
 const MOST_DAMPING: f64 = 1e3;
 /// Largest mean number of steps of a search beyond that damping.
 const STEPS_OVERDAMPED: u64 = 1_000_000;

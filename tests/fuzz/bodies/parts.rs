@@ -1,4 +1,4 @@
-//! A folder of a sweep with changed bytes: its rows are read as they were written, or the folder is refused in words.
+//! A folder of a sweep with changed bytes: its rows are read as they were written, or the folder is refused with a message.
 
 use std::fs;
 use std::num::NonZeroUsize;
@@ -51,14 +51,14 @@ impl Sound {
     }
 }
 
-/// The rows in a folder as text, which tells all bits; the error is why it is refused.
+/// The rows in a folder as text that shows all bits of their numbers. The error is the reason why the folder is refused.
 fn read(folder: &PathBuf) -> Result<String, String> {
     let gathered = gather(std::slice::from_ref(folder), gearsim::models());
     gathered.map(|(_, _, rows)| format!("{rows:?}")).map_err(|error| error.to_string())
 }
 
-/// Each change takes four bytes: the file, a place in it (two bytes), and what is put there. If the first byte of the case is odd, the
-/// file of the first change ends at its place.
+/// Each change takes four bytes: the file, a place in it (two bytes), and the new byte. If the first byte of the case is odd, the first
+/// change instead cuts its file off at its place.
 pub fn check(data: &[u8]) {
     let Some((kind, changes)) = data.split_first() else { return };
     let sound = SOUND.lock().unwrap_or_else(PoisonError::into_inner);
@@ -80,7 +80,7 @@ pub fn check(data: &[u8]) {
         fs::write(path.join(name), content).unwrap();
     }
     match read(&path) {
-        // The manifest says where the scene came from, and when: such words may be changed without harm to the rows.
+        // The manifest also records the origin and the time of the scene. A change of these texts does not change the rows.
         Ok(rows) => assert_eq!(rows, sound.rows, "changed files give other rows"),
         Err(why) => assert!(!why.trim().is_empty(), "refused without a reason"),
     }

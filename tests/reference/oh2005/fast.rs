@@ -1,9 +1,9 @@
-//! The gear pair written by hand for speed, with no record of events: the yardstick for the cost of a cell change.
+//! The gear pair written by hand for speed, with no record of events. The cost of a cell change in gearsim is compared with it.
 //!
 //! In a cell, with x = phi - T0/k and r = M1/M2: x = e^{-sigma t} (a cos wt + b sin wt), phi' = e^{-sigma t} (v cos wt + q sin wt),
-//! theta = theta_0 + (theta'_0 - r phi'_0) t + r (x - a). One event: sin, cos and exp once, at the time that the mean speed
-//! gives; the time of the boundary by the reversed Taylor series of theta; sin and cos there by the Taylor series of the
-//! small turn. `tests/peers/c/gear_pair.c` is the same program in C.
+//! theta = theta_0 + (theta'_0 - r phi'_0) t + r (x - a). One event evaluates sin, cos and exp once, at the time of the boundary
+//! estimated from the mean speed. The reversed Taylor series of theta corrects this time. Taylor series in the small time step then
+//! give sin, cos and exp at the corrected time. `tests/peers/c/gear_pair.c` is the same program in C.
 
 use std::f64::consts::PI;
 
@@ -86,7 +86,8 @@ impl<'c> Motion<'c> {
         State { theta, theta_dot: self.drift + self.cell.ratio * phi_dot, phi: self.cell.rest + x, phi_dot }
     }
 
-    /// Goes from a point near it to where theta is `bound`; `None` if theta turns or the time passes `last` before that.
+    /// The point where theta = `bound`, searched from the near point `from`. `None` if theta turns before it, or if its time would be
+    /// after `last` \[s\].
     #[inline(always)]
     fn meet(&self, bound: f64, last: f64, from: Point) -> Option<Point> {
         let Cell { ratio, sigma, w2, w, .. } = *self.cell;
@@ -135,8 +136,8 @@ impl<'c> Motion<'c> {
         Some(Point { t, c, s })
     }
 
-    /// The exit of a cell in which theta may turn, and whether upwards; `None` if there is none until `left`. Between zeros
-    /// of theta'' theta is convex or concave: Newton's method from one of them, or from the other, never passes the root.
+    /// The exit of a cell in which theta may turn, and whether it is upwards; `None` if there is none until `left` \[s\]. Between two
+    /// zeros of theta'' theta is convex or concave. Newton's method from the right one of the two zeros therefore never passes the root.
     fn search(&self, left: f64) -> Option<(Point, bool)> {
         let cell = self.cell;
         let a = -2.0 * cell.sigma * self.v - cell.w2 * self.a;
@@ -150,7 +151,7 @@ impl<'c> Motion<'c> {
             let last = self.state(to);
             let (edge, other) = if bends < 0.0 { (cell.width, 0.0) } else { (0.0, cell.width) };
             if first.theta_dot * bends < 0.0 {
-                // Towards `edge` and back: no further than where the tangents at both ends meet.
+                // theta moves towards `edge` and turns back. It goes no further than the intersection of the tangents at both ends.
                 let rise = last.theta - first.theta - last.theta_dot * (to.t - from.t);
                 let peak = first.theta + first.theta_dot * rise / (first.theta_dot - last.theta_dot);
                 let found = if (peak - edge) * bends < 0.0 { self.meet(edge, to.t, from) } else { None };
@@ -171,7 +172,7 @@ impl<'c> Motion<'c> {
 }
 
 impl GearPair {
-    /// The motion of [`GearPair::solve`] without its record: end and counts alone.
+    /// The motion of [`GearPair::solve`] without the record of events: only the end and the counts.
     pub fn solve_fast(&self, theta0: f64, theta_dot0: f64, phi0: f64, phi_dot0: f64, t_end: f64) -> Fast {
         let (m2, ratio, sigma) = (self.m2(), self.m1() / self.m2(), self.zeta * self.w0());
         assert!(m2 * self.k1.min(self.k2) > sigma * sigma, "underdamped cells only: {self:?}");
@@ -190,7 +191,7 @@ impl GearPair {
             let here = &cells[(cell & 1) as usize];
             let motion = Motion::new(here, &now);
             let Motion { v, q, drift, .. } = motion;
-            // Locate: theta is monotone where |drift| exceeds all that r phi' can reach.
+            // Locate: theta is monotone where |drift| exceeds the largest possible |r phi'|.
             let exit = if drift * drift > 1.001 * ratio * ratio * (v * v + q * q) {
                 let bound = if drift > 0.0 { here.width } else { 0.0 };
                 let guess = motion.at((bound - now.theta) / drift);

@@ -1,8 +1,8 @@
-//! Eqs. (2), (3) integrated through ramps instead of steps: what the jump rule is the limit of.
+//! Eqs. (2), (3) integrated through ramps instead of steps. For narrow ramps the motion tends to that with the jump rule.
 //!
 //! k(theta) rises over `eps` \[rad\] centred on each switching angle, as 10 s^3 - 15 s^4 + 6 s^5 (twice continuously
-//! differentiable, so that fourth order is kept) or linearly. Classical Runge-Kutta of fourth order; its steps shrink to
-//! a fraction of the ramp's passage, which lasts about eps/sqrt(theta'^2 + M2 |dk| phi^2).
+//! differentiable, so that fourth order is kept) or linearly. The method is the classical Runge-Kutta method of fourth order. Its steps
+//! shrink to a fraction of the time that the ramp takes to pass, about eps/sqrt(theta'^2 + M2 |dk| phi^2).
 
 use super::{GearPair, PITCH, State};
 
@@ -46,7 +46,7 @@ impl GearPair {
         (below + rise * height, rise * slope / eps)
     }
 
-    /// The motion over \[0, `t_end`\] \[s\] with ramps of width `eps` \[rad\]; `fineness` divides every step (1: about 1e-9).
+    /// The motion over \[0, `t_end`\] \[s\] with ramps of width `eps` \[rad\]. `fineness` divides every step; 1 has an error of about 1e-9.
     pub fn solve_ramp(&self, ramp: Ramp, eps: f64, from: State, t_end: f64, fineness: f64) -> State {
         let rate = |y: [f64; 4]| {
             let (k, dk) = self.ramped(ramp, eps, y[0]);

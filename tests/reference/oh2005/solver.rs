@@ -1,8 +1,8 @@
 //! The six steps of Oh, Grosh & Barber for their own system: solve, locate, jump, solve, locate, jump.
 //!
-//! The first end of cell is found through the zeros of theta'', which are explicit: one every pi/w. Between two of
-//! them theta' is monotone and has at most one zero; between that and either of them theta is monotone, so that its
-//! values at the ends decide whether it leaves the cell. Underdamped motion only.
+//! The first exit from a cell is found with the zeros of theta'', which have a closed form: one every pi/w. Between two neighbours of
+//! these zeros theta' is monotone and has at most one zero. The zero of theta' divides this interval into two, in each of which theta is
+//! monotone. So the values of theta at their ends decide whether it leaves the cell. Underdamped motion only.
 
 use super::{GearPair, Jump, State};
 
@@ -62,7 +62,7 @@ impl<'a> Motion<'a> {
         self.pair.closed_form(self.k, self.from, t)
     }
 
-    /// The first zero of theta'' after t = 0, and the distance of the zeros \[s\].
+    /// The first zero of theta'' after t = 0, and the time between neighbouring zeros \[s\].
     fn inflections(&self) -> (f64, f64) {
         let p = self.pair;
         let sigma = p.zeta * p.w0();
@@ -120,7 +120,8 @@ impl<'a> Motion<'a> {
     }
 }
 
-/// The root in \[`left`, `right`\] of a monotone function given with its derivative: Newton, bisection where it leaves.
+/// The root in \[`left`, `right`\] of a monotone function, given with its derivative. Newton's method, replaced by bisection where its
+/// step leaves the interval.
 fn root(mut left: f64, mut right: f64, rising: bool, f: impl Fn(f64) -> (f64, f64)) -> f64 {
     let mut t = 0.5 * (left + right);
     for _ in 0..200 {
@@ -168,7 +169,7 @@ impl GearPair {
                 return run;
             };
             state = motion.at(dt);
-            // t + lost is the time: compensated, since a long run adds millions of short cells
+            // the time is t + lost, a compensated sum, because a long run adds millions of short cells
             let sum = t + (dt + lost);
             (t, lost) = (sum, (dt + lost) - (sum - t));
             // jump

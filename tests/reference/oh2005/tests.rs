@@ -1,4 +1,4 @@
-//! What the hand-written gear pair is held to: the paper's figures, its own energy, itself by two routes.
+//! Tests of the hand-written gear pair: numbers printed in the paper, the equations, the energy, and its solvers against one another.
 
 use super::{GearPair, Jump, Kind, Ramp, Run, State};
 

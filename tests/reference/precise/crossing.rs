@@ -1,4 +1,4 @@
-//! The first time at which a sum of modes reaches a level. Exclusion and convexity guarantee that none is missed.
+//! The first time at which a sum of modes reaches a level. Bounds and convexity guarantee that no crossing is missed.
 //!
 //! gap(t) = level - sum weight_i xi_i(t) is positive at the start, or 0 and rising. The time interval is bisected, the earlier
 //! half first, until in each piece \[a, b\] with midpoint m and half width r the Taylor form
@@ -7,9 +7,9 @@
 //! gap(m + s) in gap(m) + gap'(m) s + gap''(m) s^2/2 +- M3 r^3/6,   |s| <= r,   |gap'''| <= M3
 //! ```
 //!
-//! (and the same for gap', gap'') shows that gap is positive, monotone, convex or concave. Then the ends and the only minimum
-//! decide. M3 is valid for all times after a, because (xi''')^2 + omega2 (xi'')^2 never grows in a damped mode. Values are `f64`
-//! with a bound on their rounding errors. Where that bound leaves the decision open, they are computed with `BITS` bits.
+//! (and the same for gap', gap'') shows that gap is positive, monotone, convex or concave. Then the values of gap at the ends, and at
+//! its only minimum, decide. M3 is valid for all times after a, because (xi''')^2 + omega2 (xi'')^2 never grows in a damped mode.
+//! Values are `f64` with a bound on their rounding errors. Where that bound leaves the decision open, they are computed with `BITS` bits.
 
 use super::cell::{Law, Mode, Motion};
 use super::judge::{Local, Verdict, judge};
@@ -26,12 +26,12 @@ pub struct Root {
     pub slope: f64,
     /// the level is touched, to all computed digits, and not crossed
     pub tangency: bool,
-    /// the smallest minimum of the gap before, to 1 %, among those that were not excluded at once: how narrowly a crossing was
-    /// missed; infinite if there was none
+    /// the smallest minimum of the gap before the crossing, to 1 %: how narrowly an earlier crossing was missed. Minima that were
+    /// excluded at once do not count. Infinite if there was none
     pub near_miss: f64,
 }
 
-/// The first crossing in all digits, if there is one, and the nearest miss before it.
+/// The first crossing in all digits, if there is one, and the smallest minimum of the gap before it.
 #[derive(Debug, Clone)]
 pub struct Crossing<const BITS: usize> {
     /// the crossing: time, states, whether it is a tangency

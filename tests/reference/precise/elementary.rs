@@ -54,7 +54,7 @@ fn reduce<const BITS: usize>(x: &Real<BITS>, unit: &IBig, places: i64) -> (IBig,
     (n, rest >> (more - places) as usize)
 }
 
-/// e^x; zero below the range of exponents.
+/// e^x; zero for x <= -2^40.
 pub fn exp<const BITS: usize>(x: &Real<BITS>) -> Real<BITS> {
     if x.is_negative() && x.magnitude() > 40 {
         return Real::from_fixed(IBig::ZERO, 0);

@@ -1,7 +1,7 @@
 //! The gap in `f64` with bounds on its rounding errors. It decides most pieces at low cost.
 //!
-//! The rounding errors of phase and decay give a mode an error of about 1e-16 (1 + (omega + sigma) t) of its amplitude. `ROUNDING` is a
-//! hundred times that. The amplitude is bounded by |E1| <= min(t, 1/omega) and |E2| <= min(t^2/2, 2/omega2).
+//! The rounding errors of phase and decay give a mode an error of about 1e-16 (1 + (omega + sigma) t) of its amplitude. `ROUNDING` is
+//! 200 times this 1e-16. The amplitude is bounded by |E1| <= min(t, 1/omega) and |E2| <= min(t^2/2, 2/omega2).
 
 use super::cell::Motion;
 use super::crossing::Surface;

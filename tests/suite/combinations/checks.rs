@@ -11,11 +11,11 @@ use crate::draw::Case;
 /// The result of a check.
 #[derive(Clone)]
 pub enum Checked {
-    /// It holds.
+    /// The check passed.
     Right,
-    /// It does not apply, for this reason.
+    /// The check does not apply, for this reason.
     Left(String),
-    /// It does not hold.
+    /// The check failed, for this reason.
     Wrong(String),
 }
 
@@ -28,8 +28,9 @@ pub const CHECKS: [Check; 4] = [("run", run), ("sweep", sweep), ("halves", halve
 
 /// Share of the scenes that are run by another method: it takes longer than all other checks.
 const METHODS: u64 = 4;
-/// Rounding errors allowed between a run and its halves, without their growth in the motion; and the smallest allowed difference. The start
-/// of the second half is rounded, and the speed of a vibration of this size is larger by its frequency.
+/// Allowed difference between a run and its halves: as a number of rounding errors, before the motion amplifies them, and the smallest
+/// allowed relative difference. The start of the second half is rounded. A vibration of the size of this rounding has a speed that is
+/// larger by its frequency.
 const ROUNDINGS: (f64, f64) = (1e4, 1e-8);
 /// Rounding errors of a number at the middle of a run [units of its last place].
 const UNITS: f64 = 4.0;
@@ -79,7 +80,7 @@ fn drops_terms(case: &Case) -> bool {
     case.scene.as_ref().is_ok_and(|scene| has(scene, "rigid_kinematics") || has(scene, "frozen_phase"))
 }
 
-/// A point of a sweep has the bits of the run.
+/// A sweep over one point gives the same bits as the run.
 fn sweep(case: &Case) -> Checked {
     let rate = "20 kHz";
     let Ok(results) = ran(case) else { return Left("has no run".into()) };
@@ -148,8 +149,8 @@ fn halves(case: &Case) -> Checked {
     }
     let end = apart(&half, &whole.outcome);
     if end > allowed {
-        // The start of the second half is rounded to 16 digits, as every number in a plain run is a few times. What follows from this is
-        // measured: each number of the start in turn is changed to the next one.
+        // The start of the second half is rounded to 16 digits, as every number in a plain run is a few times. The effect of this rounding
+        // is measured: each number of the start in turn is increased by one unit in its last place.
         let mut moved = 0.0;
         for i in 0..ends.len() {
             let mut start = ends.clone();
@@ -175,7 +176,7 @@ fn apart(a: &Outcome, b: &Outcome) -> f64 {
     error::difference((&a, a.len() - 1), (&b, b.len() - 1), &error::sizes(&b))
 }
 
-/// The tolerance of a method by steps; 0 of the exact method.
+/// The tolerance of a method by steps; 0 for the exact method.
 fn tolerance(run: &Results) -> f64 {
     if run.outcome.solver.method == "exact" { 0.0 } else { run.scene.solver.tolerance }
 }

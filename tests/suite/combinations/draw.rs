@@ -41,9 +41,9 @@ pub fn bases() -> Vec<Scene> {
     effects::models().iter().flat_map(|(model, _)| effects::committed(model, T_END)).collect()
 }
 
-/// Random scene `number`. Its base is the scene with the highest rank for this number. A scene that is added later is then the base of its
-/// share of the numbers only, and all other numbers keep their scene.
-#[allow(dead_code)] // the fuzz target draws by bytes
+/// Random scene `number`. Its base is the committed scene with the highest rank for this number. So a committed scene that is added later
+/// becomes the base of some numbers, and all other numbers keep their base.
+#[allow(dead_code)] // the fuzz target does not use it: it draws a scene from bytes
 pub fn case(bases: &[Scene], number: u64) -> Case {
     let seed = number.wrapping_mul(0x9e37_79b9_7f4a_7c15);
     let mixed = |x: u64| Random::new(x).next();
@@ -53,7 +53,7 @@ pub fn case(bases: &[Scene], number: u64) -> Case {
 }
 
 /// A base that the first random number chooses.
-#[allow(dead_code)] // the fuzz target's
+#[allow(dead_code)] // only the fuzz target uses it
 pub fn base<'a>(bases: &'a [Scene], draw: &mut Random) -> &'a Scene {
     &bases[draw.below(bases.len())]
 }

@@ -12,11 +12,11 @@ use gearsim::model::{Effect, Model};
 /// Models that differ from another one only in a number of parts.
 const SAME: &[&str] = &["planar_planetary_4", "planar_planetary_5", "chain_2", "chain_32"];
 
-/// Models whose inertia changes over a turn of the driven gear, which `floquet` follows. With gears of equal numbers of teeth it has a
-/// quarter of the meshes.
+/// Models whose inertia changes over a turn of the driven gear. `floquet` follows this turn. With equal numbers of teeth the turn has a
+/// quarter as many tooth meshes.
 const EQUAL_GEARS: &[&str] = &["crank_drive", "cardan_drive"];
 
-/// Scenes that run longer than this [s] are cut.
+/// Longer scenes are cut to this length [s].
 pub const T_END: f64 = 5e-4;
 
 /// Number of samples of a run. With the default of 10,000, these tests would spend most of their time on recording.
@@ -28,8 +28,8 @@ pub fn models() -> Vec<(String, &'static str)> {
     all.map(|model| (model.name.to_string(), model.title)).collect()
 }
 
-/// Each effect of a model and a scene with it; the error is why there is none. An effect of parts is listed for all parts and, if there are
-/// several, for the first part alone.
+/// Each effect of a model with a scene that has it, or the reason why there is no such scene. An effect of parts is listed for all parts.
+/// If there are several parts, it is also listed for the first part alone.
 pub fn of(model: &str) -> Vec<(&'static str, Result<Scene, String>)> {
     let base = base(model);
     let mut names: Vec<&'static str> = vec![];
@@ -47,8 +47,9 @@ pub fn of(model: &str) -> Vec<(&'static str, Result<Scene, String>)> {
     names.into_iter().map(|effect| (effect, scene(&base, effect))).collect()
 }
 
-/// The first committed scene of a model that starts with a speed, or else the first one, cut to at most `T_END`: phases that do not move
-/// have no multipliers. Scenes in which a parameter varies that makes cells nonlinear are left out: not the effects are nonlinear there.
+/// The first committed scene of a model that starts with a speed, or else the first one, cut to at most `T_END`. A speed is needed because
+/// phases that do not move have no Floquet multipliers. Scenes in which a varying parameter makes the cells nonlinear are left out, because
+/// that nonlinearity does not come from an effect.
 fn base(model: &str) -> Scene {
     let mut scenes = committed(model, T_END);
     scenes.retain(|scene| scene.time_histories.iter().all(|(p, _)| !scene.model.parameters[*p].varies.by_steps()));
@@ -129,7 +130,7 @@ pub fn exclude(model: &Model, a: &str, b: &str) -> bool {
     excludes(a, b) || excludes(b, a)
 }
 
-/// Whether an effect has a name, or is the one of that name at a part.
+/// Whether an effect has the name `name`, or is the effect of this name at one part.
 fn is(effect: &Effect, name: &str) -> bool {
     effect.name == name || effect.of == Some(name)
 }

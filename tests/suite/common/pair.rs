@@ -1,4 +1,4 @@
-//! A gear pair given by its numbers, and runs of it that start from any state. A scene file would not keep every bit of them.
+//! A gear pair given by its numbers, and runs of it that start from any state. A scene file would not keep every bit of these numbers.
 
 #![allow(dead_code)] // each test binary uses only some of these
 

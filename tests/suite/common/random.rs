@@ -18,7 +18,7 @@ impl Random {
 
     pub fn next(&mut self) -> u64 {
         if let (Some(high), Some(low)) = (self.1.pop(), self.1.pop()) {
-            // In all digits, since `below` takes the low ones and `unit` the high ones.
+            // The two bytes are repeated in all digits, because `below` uses the low digits and `unit` the high ones.
             return 0x0001_0001_0001_0001 * u64::from(u16::from_be_bytes([high, low]));
         }
         self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);

@@ -1,4 +1,4 @@
-//! Damping that couples the modes: a train of three rotors whose shafts have dampers of their own, by the matrix exponential.
+//! Damping that couples the modes: a train of three rotors with a damper on each shaft, compared with the matrix exponential.
 
 use gearsim::__private::Inside;
 use gearsim::scene::Scene;
@@ -7,7 +7,7 @@ use gearsim_tests::precise::exponential::Exponential;
 use crate::common::{model, models};
 use crate::digits::{apart, exact, in_both, judge, of};
 
-/// Powers of two, and few digits: every entry of the matrices is exact.
+/// All values are powers of two, so that every entry of the matrices is exact.
 const TRAIN: &str = r#"
 model = "train"
 effects = ["viscous_friction", "torques"]
@@ -31,12 +31,12 @@ rate = "1 kHz"
 "#;
 
 #[test]
-fn shafts_with_dampers_of_their_own_move_by_the_matrix_exponential() {
+fn a_train_with_shaft_dampers_equals_the_matrix_exponential() {
     for t in ["3 ms", "0.5 s"] {
         let set = [format!("run.t_end=\"{t}\"")];
         let mut scene = Scene::parse("train", "train", TRAIN, &set, &models())
             .unwrap_or_else(|e| panic!("{}", e.render(100, false)));
-        // From the static equilibrium, with speeds of its own for each coordinate.
+        // Starts from the static equilibrium, with a different speed for each coordinate.
         scene.start.q_dot = vec![Some(1.0), Some(-2.0), Some(0.5)];
         let entry = model("train");
         let equations = entry.equations(&scene).unwrap();

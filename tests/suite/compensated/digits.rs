@@ -13,7 +13,7 @@ pub fn exact(x: f64) -> Digits {
     Digits::exact(x)
 }
 
-/// Half a turn, by Newton's method for the zero of the sine.
+/// pi, by Newton's method for the zero of the sine.
 pub fn pi() -> Digits {
     (0..3).fold(exact(std::f64::consts::PI), |pi, _| {
         let (sine, _) = pi.sine_cosine();
@@ -21,7 +21,7 @@ pub fn pi() -> Digits {
     })
 }
 
-/// The whole number below x.
+/// The largest whole number that is not above x.
 pub fn floor(x: &Digits) -> f64 {
     let near = x.approx().round();
     if (x.clone() - exact(near)).is_negative() { near - 1.0 } else { near }
@@ -35,7 +35,7 @@ pub fn of(state: &State) -> [Vec<Digits>; 2] {
     [wide(&state.q, &state.low), wide(&state.q_dot, &state.lost)]
 }
 
-/// Runs `scene` in both precisions, and shows the end of each to `judge`: first plain, then compensated.
+/// Runs `scene` in plain and in compensated precision. Returns what `judge` gives at the end of each run, in this order.
 pub fn in_both(scene: &Scene, mut judge: impl FnMut(&Hybrid<'_>) -> f64) -> [f64; 2] {
     [Precision::Plain, Precision::Compensated].map(|precision| {
         let mut scene = scene.clone();
@@ -58,7 +58,7 @@ pub fn apart(a: &Digits, b: &Digits, size: f64) -> f64 {
     (a.clone() - b.clone()).approx().abs() / size
 }
 
-/// Plain precision keeps sixteen digits, compensated precision thirty, except for a factor `lost`.
+/// Checks the relative errors of both precisions: below 1e-14 `lost` in plain and below 1e-30 `lost` in compensated precision.
 pub fn judge(what: &str, [plain, compensated]: [f64; 2], lost: f64) {
     println!("{what}: plain {plain:.1e}, compensated {compensated:.1e}");
     assert!(plain < 1e-14 * lost, "{what}: plain {plain:.1e}");

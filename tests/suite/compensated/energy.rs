@@ -20,7 +20,7 @@ fn energy(scene: &Scene, now: &Hybrid<'_>) -> Digits {
         x = x - exact(law("e"));
     }
     if let [play] = &now.switches[..] {
-        // The flank as the mode has it; the edge is half the play, a binary fraction of it.
+        // The mode tells which flank is in contact. Its edge is at half the play; halving a number is exact.
         let mode = play.here().name;
         let half = parameter("b").scaled(-1);
         match mode {

@@ -38,7 +38,8 @@ fn a_harmonic_torque_has_a_closed_form() {
     judge("a harmonic torque", errors, 1e3);
 }
 
-/// A rigid motion under a ramp is a cubic: phi'' = M2 T0(t) without stiffness, with breakpoints of its torque.
+/// Without a spring, and with an inertia of 1 kg m², phi'' = T_motor(t). Where the torque rises linearly, phi is a cubic. The torque has
+/// breakpoints.
 #[test]
 fn a_ramp_moves_a_free_rotor_along_a_cubic() {
     let scene = scene(

@@ -45,8 +45,8 @@ fn the_vibration_of_den_hartog_is_accurate_to_double_double() {
 }
 
 /// The torque rises by `slope` until it overcomes spring and breakaway torque. From there on the rotor slips: phi - phi_0 =
-/// rise T_c/k (1 - cos) + slope/k (tau - sin/omega). If the spring pulls from the start, plain precision releases the rotor late, by 1e-9
-/// of the torque.
+/// rise T_c/k (1 - cos) + slope/k (tau - sin/omega). If the spring pulls from the start, plain precision releases the rotor late, when the
+/// torque is too large by a relative 1e-9.
 #[test]
 fn a_release_by_a_rising_torque_is_accurate_to_double_double() {
     for (rise, phi) in [(0.0, 0.0), (0.25, 0.0), (0.0, 0.005), (0.25, 0.005)] {

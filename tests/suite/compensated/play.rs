@@ -53,10 +53,10 @@ fn a_rotor_between_its_flanks_has_a_closed_form() {
     }
 }
 
-/// The play opens and closes as a transmission error steps, and as its damper is clipped: the two halves of a run are the whole.
+/// A damped rotor that starts in contact with a flank moves as the closed form says.
 #[test]
-fn a_damped_rotor_comes_to_the_flank_as_the_closed_form_does() {
-    // In contact from the start: a damped vibration until the damper would pull.
+fn a_damped_rotor_in_contact_follows_the_closed_form() {
+    // The motion is a damped vibration until the contact force would pull. The run ends before this.
     let [inertia, stiffness, damping, play, phi] = [5.0, 2e4, 50.0, 0.75, 1.5];
     let t = 0.015;
     let scene = scene(

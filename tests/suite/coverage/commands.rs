@@ -57,7 +57,7 @@ fn sweep(scene: &Scene) -> Result<(), String> {
     })
 }
 
-/// The reference that all methods are compared with; the methods themselves have columns of their own.
+/// The reference with which `work-precision` compares all methods. The methods have separate columns.
 fn reference(scene: &Scene) -> Result<(), String> {
     let entry = gearsim::models().iter().find(|entry| entry.model.name == scene.model.name).ok_or("no such model")?;
     __private::reference(scene, &|scene: &Scene| entry.run(scene, &mut |_| {})).map(drop)

@@ -6,7 +6,7 @@ use gearsim::model::Model;
 /// A kind of part: its table and key, the effects of the scene, and its tables beside those of [`PAIR`] or [`PLANETS`].
 type Part = (&'static str, &'static [&'static str], &'static str);
 
-/// A motor, a pair of gears and a load. Rotor `1` has one part more.
+/// A motor, a pair of gears and a load. Most of the parts below are added at rotor `1`.
 const PAIR: &str = r#"
 [rotors]
 1 = "0.02 kg*m^2"
@@ -21,19 +21,19 @@ torque = "90 N*m"
 speed = "900 rpm"
 "#;
 
-/// A mesh whose values are the keys that follow.
+/// The table of the mesh. The keys of a part of the mesh are appended to it.
 const MESH: &str = r#"
 [meshes.12]
 between = ["1", "2"]
 teeth = [20, 60]
 module = "3 mm"
 "#;
-/// What `TEETH` stands for in the keys that follow. Without a stiffness there, it is that of these teeth.
+/// The text that replaces `TEETH` in the keys below. If the keys give no stiffness, the mesh has the stiffness of these teeth.
 const TEETH: &str = "teeth = [20, 60], module = \"3 mm\", face_width = \"20 mm\"";
-/// What `DAMAGE` stands for.
+/// The text that replaces `DAMAGE` in the keys below.
 const DAMAGE: &str = "damage = [{ tooth = 5, of = 20, loss = 0.3 }]";
 
-/// A planet set between a sun that is driven and a carrier that is loaded. The keys that follow are of the set.
+/// A planet set with a driven sun and a loaded carrier. The keys of a part of the set are appended to its table.
 const PLANETS: &str = r#"
 [rotors]
 1 = "6e-4 kg*m^2"
@@ -65,7 +65,7 @@ ring_stiffness = { teeth = [36, 99], internal = true, addendum = [1, 0.8], modul
 
 const STEPS: &str = "stiffness_step";
 
-/// Parts beside a pair of gears; what is before `|` belongs to its mesh.
+/// Parts beside a pair of gears. The text before `|` is appended to the table of the mesh, the text after it to the scene.
 const BESIDE_A_PAIR: &[Part] = &[
     ("rotors", &[STEPS, "torques"], "|"),
     ("rotors: damping", &[STEPS, "torques", "damping"], "|[parameters]\nalpha_M = \"2 1/s\"\nbeta_K = \"2 us\""),
@@ -189,7 +189,7 @@ const BESIDE_A_PAIR: &[Part] = &[
     ),
 ];
 
-/// Parts of a planetary stage; the keys are of its planet set.
+/// Parts of a planetary stage. Keys without a table are those of its planet set.
 const BESIDE_PLANETS: &[Part] = &[
     ("planets, supports", &[STEPS, "torques"], ""),
     ("planets: damping", &[STEPS, "torques", "damping"], "[parameters]\nbeta_K = \"2 us\""),
@@ -208,7 +208,7 @@ const BESIDE_PLANETS: &[Part] = &[
     ),
 ];
 
-/// The kinds of parts, each with a scene of at most `t_end` [s]. All effects of all elements occur, or the table is not made.
+/// The kinds of parts, each with a scene that runs for `t_end` [s]. Panics if an effect of an element does not occur.
 pub fn scenes(t_end: f64) -> Vec<(&'static str, Scene)> {
     let scene = |name: &str, effects: &[&str], tables: &str| {
         let text = format!("model = \"train\"\neffects = {effects:?}\n{tables}\n[run]\nt_end = \"{t_end} s\"\n");
@@ -220,7 +220,7 @@ pub fn scenes(t_end: f64) -> Vec<(&'static str, Scene)> {
             true => of_mesh.replace("TEETH", TEETH).replace("DAMAGE", DAMAGE),
             false => format!("stiffness = {{ {TEETH} }}\n{of_mesh}"),
         };
-        // A clutch and friction leave two rigid motions.
+        // Where only a clutch or friction connects rotors `m` and `1`, there are two rigid motions, each with a start speed.
         let speeds = "speed1 = \"900 rpm\"\nspeed_m = \"900 rpm\"";
         let pair = if ["clutches", "bearings.between"].contains(name) {
             PAIR.replace("speed = \"900 rpm\"", speeds)
@@ -237,7 +237,7 @@ pub fn scenes(t_end: f64) -> Vec<(&'static str, Scene)> {
     pairs.chain(planets).collect()
 }
 
-/// Every effect of every element is in a scene.
+/// Checks that every effect of every element is in a scene.
 fn complete(bare: &Model) {
     let all: Vec<&str> = BESIDE_A_PAIR.iter().chain(BESIDE_PLANETS).flat_map(|part| part.1).copied().collect();
     for effect in bare.elements.iter().flat_map(|element| element.effects) {

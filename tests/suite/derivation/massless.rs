@@ -84,7 +84,7 @@ pub fn a_node_of_a_shaft_is_an_output() {
         m.motion("speed", "rad/s", &[(a, 1.into()), (b, 1.into()), (y, 1.into())], "all turn alike");
     });
     let derived = derived(&model);
-    // One factor with both signs: equal rotations cancel to the bit.
+    // The same factor occurs with both signs, so that equal rotations cancel exactly.
     let text = derived.text();
     assert!(text.contains("d1 = d1_per_a*a - d1_per_a*b"), "{text}");
     let file = derived.file();

@@ -20,7 +20,8 @@ pub fn equations_match_the_snapshots() {
 /// The models whose inertia depends on the coordinates: their cells are not linear.
 const MOVING: [&str; 2] = ["crank_drive", "cardan_drive"];
 
-/// Their M contains the square of a distance divided by cos(alpha), which the proof does not know to be other than zero.
+/// Models for which the proof cannot decide. M contains the square of a distance divided by cos(alpha), and the proof cannot show that
+/// this is not zero.
 const UNDECIDED: [&str; 1] = ["element_planets"];
 
 /// The mass matrix of every model but [`UNDECIDED`] is proved positive definite for all parameters, so no scene's numbers need a check. No model

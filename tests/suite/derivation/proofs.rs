@@ -1,4 +1,4 @@
-//! The proofs refuse a formula with a mistake in it, and what is not proved is not in a file.
+//! A formula with a mistake in it fails its proof, and a model with a failed proof is refused.
 
 use gearsim_derive::{Expr, Factor, Model, Range, Start, Wrong, derive, derive_wrong, half};
 use gearsim_models::MODELS;
@@ -38,7 +38,7 @@ pub fn a_wrong_formula_is_refused() {
     }
 }
 
-/// dV of the last of several laws, where that is in V: the transmission error of the second of two meshes.
+/// The step dV of the last of several laws that occur in V: the transmission error of the second of two meshes.
 pub fn a_wrong_step_of_a_later_law_is_refused() {
     let model = Model::new("two_meshes", |m| {
         let o = oscillator(m);
@@ -108,7 +108,7 @@ fn friction(m: &mut Model, o: Oscillator, roll: i64, slide: i64) {
     });
 }
 
-/// Friction that sticks: sliding, it acts against the motion or, with the sign -1, along it.
+/// Friction that sticks and slips. In slip it acts against the motion or, with the sign -1, along it.
 fn sticking(m: &mut Model, o: Oscillator, sign: i64) {
     friction_effect(m, "", |m| {
         let [side, arm] = [("side", Factor::Side), ("arm", Factor::Arm)]
@@ -152,7 +152,7 @@ pub fn a_model_that_feeds_energy_is_refused() {
     }
 }
 
-/// Dampers need not be linear, nor is every power a multiple of its term.
+/// Dampers need not be linear, and the power of a damper need not be a multiple of its term in D.
 pub fn other_dampers_are_proved() {
     let smooth_dry: fn(Expr, Expr) -> Expr = |m, v| m * (v.sq() + 1).sqrt();
     for damper in [|m: Expr, v: Expr| m * v.pow(4), smooth_dry] {
@@ -168,7 +168,7 @@ pub fn other_dampers_are_proved() {
     }
 }
 
-/// A torque may work through a deflection with a transmission error: its power has the rate of the deflection without that of the error.
+/// A torque may act along a deflection with a transmission error. Its power has the rate of the deflection without the rate of the error.
 pub fn a_torque_through_a_deflection_is_in_the_balance() {
     let model = Model::new("train", |m| {
         let o = oscillator(m);

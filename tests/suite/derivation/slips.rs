@@ -385,7 +385,7 @@ pub fn every_mistake_is_refused() {
     }
     let empty = Model::new("void", |_| {});
     refuse("no coordinates", "void", derive(&empty).err().expect("a model without coordinates is refused"));
-    // `proofs` tells which models and which wrong formulas fail a proof.
+    // The models and the wrong formulas that fail a proof are in the module `proofs`. Here only the message is tested.
     let unproved = Slip::Unproved { model: "train".into(), what: "M is symmetric".into(), rest: "m - s".into() };
     refuse("a proof that fails", "m - s", unproved);
 

@@ -21,7 +21,7 @@ pub struct Place {
 }
 
 impl Place {
-    /// The place number `i`, in mode `i` of each switch that has so many.
+    /// The place number `i`. A switch with n modes is in mode `i` modulo n.
     pub fn new(scene: &Scene, equations: &dyn Equations, i: usize) -> Self {
         let model = scene.model;
         let mut seed = 0x9e37_79b9_7f4a_7c15u64.wrapping_mul(i as u64 + 11);

@@ -28,8 +28,8 @@ fn run_up(omega: f64, r: f64) -> f64 {
     inertia * base / (2.0 * torque) * (g(1.0 + x) - g(1.0 - x))
 }
 
-/// Constant torque, then constant power: omega = T t/I up to the base speed, and omega² = base² + 2 P (t - t_base)/I from there on. The rounded
-/// corner has a closed form too, and the speeds differ by less than the rounding.
+/// Constant torque, then constant power: omega = T t/I up to the base speed, and omega² = base² + 2 P (t - t_base)/I from there on. The
+/// motion with the rounded corner has a closed form too. Its speeds differ from these by less than 0.1 % or 1e-3 rad/s.
 #[test]
 fn a_traction_motor_runs_up_with_constant_torque_and_then_constant_power() {
     let r = 0.01;
@@ -53,7 +53,7 @@ fn a_traction_motor_runs_up_with_constant_torque_and_then_constant_power() {
     assert!(unaccounted(&outcome) < 1e-10, "{:e}", unaccounted(&outcome));
 }
 
-/// With a demand of -1/2 it brakes along the same curve, in twice the time; also a rotor that turns backward.
+/// With a demand of -1/2 the motor brakes along the same curve in twice the time. A rotor that turns backward is braked by a demand of 1/2.
 #[test]
 fn a_traction_motor_brakes_along_the_same_curve() {
     for direction in [1.0, -1.0] {
@@ -69,8 +69,8 @@ fn a_traction_motor_brakes_along_the_same_curve() {
     }
 }
 
-/// The demand varies in time: along d(t), I domega = d T dt, so the integral of d takes the place of the time. Harmonics and a table, whose
-/// breakpoint is an event; an explicit method, and an implicit one.
+/// The demand d(t) varies in time: I domega = d T dt, so the integral of d takes the place of the time. The demand has harmonics and a
+/// table whose breakpoint is an event. The run is done by an explicit and by an implicit method.
 #[test]
 fn the_demand_on_a_traction_motor_varies_in_time() {
     let demand = "parameters.d_motor={table=[{at=0, value=0.2}, {at=\"1 s\", value=1.2}], harmonics=[{amplitude=0.5, frequency=\"3 Hz\"}]}";

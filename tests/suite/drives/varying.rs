@@ -58,8 +58,8 @@ fn a_brake_that_is_applied_stops_a_rotor() {
     }
 }
 
-/// A brake that is released, 5 N*m to 1 N*m within 1 s, lets go of a rotor under 2 N*m at 0.75 s. From there I omega' = 4 t - 3 for 1/4 s, then
-/// 1 N*m.
+/// A brake whose torque falls from 5 N*m to 1 N*m within 1 s. It releases a rotor under 2 N*m at 0.75 s. From there I omega' = 4 t - 3 for
+/// 1/4 s, then 1 N*m.
 #[test]
 fn a_brake_that_is_released_lets_go_of_a_loaded_rotor() {
     let brake = "parameters.Tc2={ramp={from=\"5 N*m\", to=\"1 N*m\", duration=\"1 s\"}}";
@@ -89,8 +89,8 @@ fn a_brake_that_is_released_lets_go_of_a_loaded_rotor() {
     }
 }
 
-/// A clutch that engages with T = 1 N*m + c t between rotors of 1 and 2 kg*m^2: the slip is omega0 - (1 N*m t + c t²/2) (1/I1 + 1/I2). Both turn
-/// together when it is zero.
+/// A clutch that engages with T = 1 N*m + c t between rotors of 1 and 2 kg*m^2: the slip is omega0 - (1 N*m t + c t²/2) (1/I1 + 1/I2). When
+/// it is zero, both rotors turn together.
 #[test]
 fn a_clutch_that_engages_brings_two_rotors_to_one_speed() {
     let clutch = "parameters.Tmax={ramp={from=\"1 N*m\", to=\"31 N*m\", duration=\"3 s\"}}";

@@ -6,8 +6,9 @@ use gearsim_tests::oh2005::{Jump, State};
 use crate::TOLERANCE;
 use crate::points::{POINTS, STIFFNESS_STEP, points};
 
-/// The speeds after a step, and whether it is transmitted: by the engine's rule with the generated G, M⁻¹n/G and dV, and by
-/// hand. theta' is drawn near the critical speed sqrt(M2 |dk|) |phi|, because otherwise all points would lie on one side of it.
+/// The engine's rule with the generated G, M⁻¹n/G and dV gives the same speeds after a step as the rule by hand, and the same decision
+/// between transmission and reflection. theta' is drawn around the critical speed sqrt(M2 |dk|) |phi|, because otherwise all points would
+/// lie on one side of it.
 #[test]
 fn speeds_after_a_step_equal_those_of_the_paper() {
     let (mut transmitted, mut reflected, mut worst, mut created) = (0, 0, 0.0f64, 0.0f64);

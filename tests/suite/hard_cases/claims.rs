@@ -1,4 +1,5 @@
-//! The number of digits that a run claims to have left, compared with the true number, which 50 digits give, for random gear pairs.
+//! The number of correct digits that a run claims to have left, compared with the true number, for random gear pairs. The true number
+//! follows from a run in 50 digits.
 //!
 //! A quarter of the scenes run five times as long, so that some lose all their digits. GEARSIM_SCENES sets their number, GEARSIM_SEED
 //! selects others.

@@ -64,7 +64,7 @@ fn creeping() -> f64 {
     if taken > 3000 { worst } else { f64::NAN }
 }
 
-/// The amplitude of phi at so many times the speed of the pinion, over the last ten turns.
+/// The amplitude of phi [rad] at this order of the pinion, over the last ten turns.
 fn line(outcome: &gearsim::run::Outcome, order: f64) -> f64 {
     let samples: Vec<usize> = outcome.trajectory.samples().collect();
     let last = &samples[samples.len() - 7201..samples.len() - 1];
@@ -95,6 +95,6 @@ fn two_methods() -> f64 {
     }
     let last = |outcome: &gearsim::run::Outcome, i: usize| *outcome.trajectory.q[i].last().expect("a row");
     let apart = |i: usize, size: f64| (last(&exact, i) - last(&steps, i)).abs() / size;
-    // The rotation in parts of a pitch: its turns are counted in each cell.
+    // The error of the rotation is relative to one pitch, because whole pitches are counted separately.
     largest([apart(1, 10.0 / 1430.0), apart(0, TAU)])
 }

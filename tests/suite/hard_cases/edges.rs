@@ -72,8 +72,8 @@ pub const CASES: &[Case] = &[
 /// Half the play [rad].
 const HALF: f64 = 0.02;
 
-/// Runs the gear pair without damping. `errors` are those of the tooth below theta = 2 pi and of the tooth above; `theta` and `phi` are
-/// the angle and the speed at the start.
+/// Runs the gear pair without damping. `errors` [rad] are those of the tooth below theta = 2 pi and of the tooth above. `theta` and `phi`
+/// each give the angle [rad] and the speed [rad/s] at the start.
 fn pair(t0: f64, errors: [f64; 2], theta: [f64; 2], phi: [f64; 2], t_end: f64) -> Outcome {
     common::run(&common::scene(
         "backlash",
@@ -118,7 +118,7 @@ fn parted() -> f64 {
     largest(expected.map(|(ours, closed, size)| (ours - closed).abs() / size))
 }
 
-/// The edge falls by 4e-3, below a deflection that then has the depth x, about 1e-3: v+² = v² - M2 k x² if this is not negative;
+/// The edge falls by 4e-3. The deflection is then beyond the edge by the depth x, about 1e-3: v+² = v² - M2 k x² if this is not negative;
 /// otherwise theta is reflected.
 fn met(start: f64) -> f64 {
     let (m1, m2, _) = constants(0.0);

@@ -67,7 +67,7 @@ fn cells(note: &mut String, seed: u64, kind: Kind) -> f64 {
         let zeta = if kind == Kind::Critical { 1.0 } else { [0.0, 0.1, 2.0][case as usize % 3] };
         let product = |d: [f64; 3]| {
             let x = a.transpose() * SMatrix::from_diagonal(&SVector::from(d)) * a;
-            // Made symmetric to the bit, as the derived matrices are.
+            // Made exactly symmetric, as the derived matrices are.
             std::array::from_fn(|i| std::array::from_fn(|j| x[(i.min(j), i.max(j))]))
         };
         let system = Linear {

@@ -37,14 +37,14 @@ pub fn scene(pair: &GearPair, start: &State, t_end: f64) -> Scene {
     scene
 }
 
-/// The equations of a gear pair with all its effects.
+/// The equations of a gear pair with the effects of [`scene`].
 pub fn equations(pair: &GearPair) -> Box<dyn Equations> {
     DerivedModel::of::<models::GearPair>()
         .equations(&scene(pair, &pair.start(0.0), 1.0))
         .expect("effects that go together")
 }
 
-/// The values of its laws and switches in a cell of stiffness `k` \[N m\]; the others are not read.
+/// The values of the laws and switches of the gear pair in a cell of stiffness `k` \[N m\]. All other values are not read and are NaN.
 pub fn values(k: f64) -> [f64; 9] {
     std::array::from_fn(|i| if i == 0 { k } else { f64::NAN })
 }

@@ -99,7 +99,8 @@ fn bounces(method: Method) -> f64 {
     largest(t.t.iter().zip(&t.q[0]).map(|(t, q)| (q - place(*t)).abs() / way).chain([met]))
 }
 
-/// Beyond the stop: clipped at twice the spring's force, not clipped, and without force until the stop is left.
+/// The contact with the stop has three parts. First the damper is clipped, so that the force is twice that of the spring. Then the damper
+/// is not clipped. Last the force is zero until the stop is left.
 fn impact(method: Method) -> f64 {
     let (v, hi, k, c, t_end) = (2.0f64, 0.1, 900.0f64, 12.0, 0.5);
     let clipped = (2.0 * k).sqrt();

@@ -216,7 +216,7 @@ fn clutch(method: Method) -> f64 {
     ])
 }
 
-/// At 60 N m the clutch slips at its capacity of 40; once the motor is off, both come to the same speed.
+/// Under 60 N m the clutch slips at its capacity of 40 N m. When the motor is off, both rotors come to the same speed.
 fn overload() -> f64 {
     let outcome = run(
         "freewheel",
@@ -234,7 +234,7 @@ fn overload() -> f64 {
     largest([(v[0] - last).abs() / last, (v[1] - last).abs() / last, (lost - 8000.0).abs() / 8000.0, counted])
 }
 
-/// Torques of motor and load, and the accelerations of motor and rotor that follow.
+/// Torques of motor and load [N m], and the accelerations of motor and rotor [rad/s²] that follow.
 const AT_REST: [(f64, f64, [f64; 2]); 7] = [
     (1.9, 0.0, [0.0, 0.0]),
     (2.0, 0.0, [0.5 / 0.45, 0.5 / 0.45]),
@@ -258,7 +258,8 @@ fn both() -> f64 {
             ],
         );
         let (_, v) = end(&outcome);
-        // Started from rest by a balance within the 1e-9 of the release.
+        // The balance of torques at rest, with the tolerance 1e-9 of a release, decides what moves. The run lasts 1 s, so that the speeds
+        // at its end are the accelerations.
         [(v[0], a1), (v[1], a2)].iter().any(|(v, a)| (v - a).abs() > 1e-12 * a.abs())
     }))
 }

@@ -1,4 +1,4 @@
-//! Row 11: flanks that just touch. Without a load they rest there; under a load that begins from nothing they press slowly.
+//! Row 11: flanks that just touch. Without a load they rest there. Under a load that rises from zero, the contact force rises slowly.
 
 use gearsim::__private::{digits, error};
 use gearsim::scene::Scene;
@@ -74,7 +74,7 @@ fn starts(note: &mut String) -> f64 {
         let set = [format!("run.method={method}"), "run.t_end=0.1 ms".into()];
         let scene = common::scene("drives/start_up", &set);
         let run = common::run(&scene);
-        // The start of the companion is a few rounding errors away from the edge.
+        // The companion is a second run, whose start is a few rounding errors away from the edge.
         let companion = common::run(&digits::companion(&scene, &run, false));
         let steps = [run, companion].map(|run| run.solver.steps + run.solver.rejected);
         *note += &format!("{method}: {} steps, {} from a start beside the edge; ", steps[0], steps[1]);

@@ -167,7 +167,8 @@ fn stiff_planetaries() {
     assert!(model("planetary_3").model.coordinates.len() == torsional.len());
 }
 
-/// The same with play. Both start in the middle of it, cross it under their torques, and bounce.
+/// The same with play, in the motion instead of the frequencies. Both models start in the middle of their play, cross it under their
+/// torques, and bounce.
 fn stiff_planetaries_with_play() {
     let scene = |model: &str, planar: &[String]| {
         let path = root().join("models/scenes").join(format!("{model}.toml"));

@@ -35,9 +35,9 @@ pub fn lin_parker(n: usize) -> Vec<f64> {
     frequencies(&format!("model = \"planar_planetary_{n}\"{TABLE_1}{laws}"))
 }
 
-/// Torsional supports of sun and carrier in N/m, as the paper writes them (k_su, k_cu). In its modes of translation, which come in pairs, and in
-/// those of the planets alone, no central member rotates: the printed frequencies of these stay. Those of rotation rise, and the rigid
-/// rotation ends. The paper's matrices with all supports are in `by_hand`.
+/// Torsional supports of sun and carrier in N/m, as the paper writes them (k_su, k_cu). In the translational modes, which come in pairs,
+/// and in the planet modes no central member rotates, so these modes keep their printed frequencies. The frequencies of the rotational
+/// modes rise, and the rigid rotation becomes a vibration. The paper's matrices with all supports are in `by_hand`.
 fn supports_of_sun_and_carrier() {
     type Printed = &'static [f64];
     let printed: [(usize, Printed, Printed, Printed); 2] = [
@@ -88,7 +88,7 @@ pub const TESTS: &[(&str, fn())] = &[
     ("the_radius_is_named", the_radius_is_named),
     ("bearing_dampers", bearing_dampers),
     ("modes_need_no_run", modes_need_no_run),
-    ("what_follows_from_teeth", what_follows_from_teeth),
+    ("contact_ratio_and_levels_follow_from_teeth", contact_ratio_and_levels_follow_from_teeth),
 ];
 
 const PAIR: &str = r#"
@@ -108,7 +108,7 @@ stiffness = "1e8 N/m"
 damping = "600 N*s/m"
 "#;
 
-/// Two gears of 2 and 3 kg and a mesh: omega^2 = k (1/2 + 1/3), whatever their radii; and the damping c of the mesh in N s/m gives
+/// Two gears of 2 and 3 kg and a mesh: omega^2 = k (1/2 + 1/3), for any radii. The damping c of the mesh in N s/m gives
 /// zeta = c/2 sqrt((1/2 + 1/3)/k).
 fn gears_in_kg() {
     let free = PAIR.replace("stiffness = \"1e7 N/m\"", "stiffness = \"0 N/m\"");
@@ -137,7 +137,7 @@ fn supports_of_a_train() {
     }
 }
 
-/// Where no gear has the radius, the value names it, as a length or as a parameter; without it the scene is refused.
+/// Where no gear gives the radius, the value states it, as a length or as the name of a parameter. Without a radius the scene is refused.
 fn the_radius_is_named() {
     let shaft = "model = \"chain_2\"\neffects = []\n[parameters]\nI1 = { value = \"2 kg\", radius = \"0.5 m\" }\n\
                  I2 = { value = \"3 kg\", radius = \"0.5 m\" }\nk1 = { value = \"1e6 N/m\", radius = \"0.5 m\" }\n";
@@ -157,7 +157,8 @@ fn the_radius_is_named() {
     assert!((scene.parameter("I_c").unwrap() / (6.29 * 0.0387 * 0.0387) - 1.0).abs() < 1e-12);
 }
 
-/// Dampers of bearings by their own coefficients: the accelerations of the centres are -(kb x + cb x')/m, the mesh without stiffness.
+/// Dampers of bearings, each with its own coefficient. The mesh has no stiffness here, so the accelerations of the centres are
+/// -(kb x + cb x')/m.
 fn bearing_dampers() {
     let text =
         std::fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/../models/scenes/gear_pair_bearings.toml"))
@@ -185,13 +186,12 @@ fn bearing_dampers() {
             assert!((found[i] / expected - 1.0).abs() < 1e-12, "{axis}{gear}: {}, not {expected}", found[i]);
         }
     }
-    // Their power is in the account: the run fails if it is not.
+    // Their power is in the energy account. Without it the run would be refuted.
     let run = damped.with("run.t_end", "2 ms").unwrap().run().unwrap();
     assert!(run.summary().refuted.is_none());
 }
 
-/// Modes and multipliers need no `[run]` and no torques. A run without them is refused, and the message names the missing table along with
-/// other mistakes.
+/// Modes need no `[run]` and no torques. A run without `[run]` is refused. The missing table is also named along with other mistakes.
 fn modes_need_no_run() {
     let scene = Scene::from_toml("pair", PAIR).unwrap_or_else(|e| panic!("{e}"));
     assert!(scene.t_end.is_infinite() && scene.modes().is_ok());
@@ -202,9 +202,10 @@ fn modes_need_no_run() {
     assert!(two.contains("lacks `[run]`"), "{two}");
 }
 
-/// The gears of Oh, Grosh & Barber (2005): contact ratio 1.72491, one pair over 1.728 rad; and the helical gears of ISO/TR 6336-30, of which
-/// the standard prints c' = 12.37047 and c_gamma_alpha = 17.46485 N/(mm um).
-fn what_follows_from_teeth() {
+/// The gears of Oh, Grosh & Barber (2005) have the contact ratio 1.72491, with one pair in contact over 1.728 rad. For the helical gears of
+/// ISO/TR 6336-30 the overlap ratio is tested. The standard prints c' = 12.37047 and c_gamma_alpha = 17.46485 N/(mm um), which are not
+/// compared here.
+fn contact_ratio_and_levels_follow_from_teeth() {
     let spur = PAIR.replace(
         "stiffness = \"1e8 N/m\"",
         "stiffness = { teeth = [20, 60], module = \"3 mm\", face_width = \"20 mm\" }",

@@ -15,7 +15,8 @@
 //! (N - W²)² + (2 zeta W)² = (F/a)²,   F = Fah W²
 //! ```
 //!
-//! Each c gives an amplitude and at most two frequencies, so that the curve is known in closed form; it turns back where the motion jumps.
+//! Each c gives an amplitude and at most two frequencies, so that the curve is known in closed form. The motion jumps where the curve turns
+//! back in frequency.
 //!
 //! In the scene the damper acts on the rotation x = q + e of the gears against each other, not on q: gearsim has no dampers on the rate of
 //! an error. This adds -2 zeta e' to the right side, so that F = Fah W² sqrt(1 + (2 zeta/W)²), 0.5 % more at W = 1. The formula is evaluated
@@ -51,10 +52,10 @@ pub struct Row {
     pub allowed: [f64; 2],
 }
 
-/// A point of a sweep: way, frequency, amplitude, and whether contact is lost.
+/// A point of a sweep: whether it is on the way up, frequency W, amplitude of x, and whether contact is lost.
 type Point = (bool, f64, f64, bool);
 
-/// The frequencies of the sweep: finer where contact begins and ceases to be lost, and at the jumps.
+/// The frequencies of the sweep, closer together at the beginning and the end of contact loss, and at the jumps.
 fn frequencies() -> Vec<f64> {
     let grid = |from: i32, to: i32, step: usize| (from..to).step_by(step).map(|w| f64::from(w) / 1000.0);
     let coarse = [grid(500, 690, 50), grid(720, 810, 10), grid(840, 1390, 50)];
@@ -117,8 +118,8 @@ fn integrated() -> Vec<Point> {
     points
 }
 
-/// Points of the balance with contact loss, from the onset at the lower frequency round to that at the higher one: frequency and amplitude
-/// of the transmission error.
+/// Points of the harmonic balance with contact loss: frequency and amplitude of the transmission error. They follow the curve from the
+/// onset at the lower frequency to that at the higher one.
 fn balance() -> Vec<(f64, f64)> {
     const POINTS: i32 = 20_000;
     let root = |c: f64, sign: f64| {
@@ -152,7 +153,7 @@ fn linear(w: f64) -> f64 {
     FAH / ((1.0 - w * w).powi(2) + (2.0 * ZETA * w).powi(2)).sqrt()
 }
 
-/// Where the amplitude of a way first jumps: half-way between two points.
+/// The frequency at which the amplitude first jumps on the way up or down: half-way between two points.
 fn jump(points: &[Point], upward: bool) -> f64 {
     let way: Vec<_> = points.iter().filter(|point| point.0 == upward).collect();
     let jumps = |pair: &&[&Point]| {
@@ -162,7 +163,7 @@ fn jump(points: &[Point], upward: bool) -> f64 {
     way.windows(2).find(jumps).map_or(f64::NAN, |pair| 0.5 * (pair[0].1 + pair[1].1))
 }
 
-/// Where contact is lost on the way up for the first and the last time: half-way between two points.
+/// The frequencies at which contact loss begins and ends on the way up, each half-way between two points.
 fn lost(points: &[Point]) -> [f64; 2] {
     let way: Vec<_> = points.iter().filter(|point| point.0).collect();
     let changes = |pair: &[&Point]| (pair[0].3 != pair[1].3).then(|| 0.5 * (pair[0].1 + pair[1].1));
@@ -176,10 +177,10 @@ fn amplitude(points: &[Point], upward: bool, w: f64) -> f64 {
     near.map_or(f64::NAN, |point| point.2)
 }
 
-/// All rows, each within what is allowed.
+/// All rows, if the differences of each are at most the allowed ones.
 ///
 /// # Errors
-/// The first row that is not.
+/// The first row with a larger difference, or the reason why the command `response` has no result.
 pub fn rows() -> Result<Vec<Row>, String> {
     let (ours, integrated, curve) = (ours()?, integrated(), balance());
     let turn = |better: fn(f64, f64) -> bool, range: &[(f64, f64)]| {

@@ -64,7 +64,8 @@ fn squares([m1, m2, l1, l2]: [f64; 4], [s1, s2]: [f64; 2]) -> [f64; 2] {
     squares
 }
 
-/// If both pendulums hang, there are two natural frequencies. If the lower one or both are upright, they fall at the rate of the closed form.
+/// If both pendulums hang, there are two natural frequencies. If the lower one or both are upright, the motion grows at the rate of the
+/// closed form.
 #[test]
 fn a_double_pendulum_has_the_eigenvalues_of_the_closed_form() {
     let p = [1.0, 0.6, 0.5, 0.4];
@@ -112,7 +113,7 @@ fn a_vibration_that_the_crank_does_not_reach_keeps_its_multipliers() {
     }
 }
 
-/// The derivative of a flow from a start by central differences, and the rate at its end: (2n x 2n), (2n).
+/// The derivative of a flow by its start (2n x 2n), by central differences with the steps `units`.
 fn differences(start: &[f64], units: &[f64], flow: impl Fn(&[f64]) -> Vec<f64>) -> DMatrix<f64> {
     let n = start.len();
     let mut phi = DMatrix::zeros(n, n);
@@ -137,7 +138,7 @@ fn invariants(phi: &DMatrix<f64>, rate: &[f64]) -> [f64; 2] {
     [map.trace(), map.determinant()]
 }
 
-/// The same of multipliers.
+/// Trace and determinant of this map from its Floquet multipliers.
 fn of_multipliers(floquet: &Floquet) -> [f64; 2] {
     let all = || floquet.multipliers.iter().chain(floquet.orbit.iter().map(|orbit| &orbit.speed));
     [all().sum::<Complex<f64>>().re, all().product::<Complex<f64>>().re]
@@ -279,7 +280,7 @@ fn multipliers_behind_a_joint_are_those_of_hand_written_equations() {
         let rate = by_hand.rate(end);
         assert!((end[1] - a2 - PI).abs() < 1e-6 && (end[3] / v2 - 1.0).abs() < 1e-6, "{start:?} comes to {end:?}");
         let phi = differences(&start, &[1e-6, 1e-6, 1e-4, 1e-4], |y| flow(y).to_vec());
-        // The section theta = const, in the rotations: n1 da1 + n2 da2 = 0. Coordinates (theta, a2, v1, v2) have it as their first.
+        // The section theta = const, in the rotations: n1 da1 + n2 da2 = 0. `to` leads to the coordinates (theta, a2, v1, v2), theta first.
         let to = DMatrix::from_row_slice(
             4,
             4,

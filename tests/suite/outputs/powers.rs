@@ -78,7 +78,7 @@ fn a_run_has_the_works_of_its_torques_alone() {
         let lost: f64 =
             run.outputs.iter().filter(|(output, _)| output.is_loss()).map(|(_, power)| work(&run, power)).sum();
         let dissipated = run.dissipated[run.len() - 1];
-        // Without torques the turbine stands: what it loses is a rounding error.
+        // Without torques the turbine is at rest, and its loss is a rounding error.
         let allowed = 1e-6 * dissipated + 1e-18 * scale;
         assert!((lost - dissipated).abs() <= allowed, "{name}: {lost} J by cause, {dissipated} J in all");
     }
@@ -130,7 +130,7 @@ fn a_train_has_the_powers_of_its_parts() {
     let shafts = [("low", "blades"), ("middle", "sun"), ("high", "4")];
     let torques =
         shafts.map(|(shaft, rotor)| (format!("shaft_power_{shaft}"), format!("shaft_torque_{shaft}"), rotor, 1.0));
-    // The second pair has the base pitch of its own first gear, which is on the countershaft.
+    // The base radii of the first gear of each pair. That of the second pair is on the countershaft.
     let radii = [number("r1"), number("r34")];
     let meshes = [("12", "1", radii[0]), ("34", "counter", radii[1])];
     let forces =

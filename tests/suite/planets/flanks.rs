@@ -6,7 +6,7 @@ use crate::{common, meshes, run, unaccounted};
 
 const EFFECTS: &str = "effects=[\"stiffness_step\",\"torques\",\"damping\",\"sliding_friction\"]";
 
-/// In each recorded row, rolling at each mesh has taken energy or none, and the energy account closes.
+/// From each recorded row to the next, rolling friction at each mesh takes energy or none. The energy account closes.
 #[test]
 fn rolling_takes_energy_at_every_mesh() {
     for model in ["planetary_3", "planar_planetary_3"] {
@@ -71,9 +71,9 @@ impl Body {
     }
 }
 
-/// What friction adds to the accelerations of the planar stage: forces mu N against the sliding of the flanks at points of the lines of action,
-/// as vectors, with Newton's and Euler's equations. Of sun and planet the line of action is at the angle psi - alpha of the radius at the base
-/// circle; of ring and planet, at psi + alpha.
+/// What friction adds to the accelerations of the planar stage, by Newton's and Euler's equations. At points of the lines of action, forces
+/// mu N act as vectors against the sliding of the flanks. The line of action of sun and planet touches the base circle of the sun at the
+/// angle psi - alpha. That of ring and planet touches the base circle of the ring at psi + alpha.
 #[test]
 fn friction_in_the_plane_is_that_of_forces_as_vectors() {
     let places = [0.0, 1.9, 4.4];
@@ -147,8 +147,8 @@ fn friction_in_the_plane_is_that_of_forces_as_vectors() {
                     false => (r_s, &mut of_sun, [here("x_s"), here("y_s")], sun(here)),
                     true => (r_r, &mut of_ring, [here("x_r"), here("y_r")], here("theta_r")),
                 };
-                // The flank of the sun moves along the line of action with the rotation; the contact on the ring moves against it, since the planet
-                // turns backwards.
+                // The contact of sun and planet moves along the line of action in the direction of the sun's rotation. The contact of ring
+                // and planet moves against it, because the planet turns backwards.
                 let (pitch, recess) = if ring { (-r_r * alpha.tan(), -1.0) } else { (r_s * alpha.tan(), 1.0) };
                 let point = plus(line.map(|x| r * x), along, pitch + recess * xi[2 * i + j]);
                 let other = planet(here, i + 1) * r_p * if ring { -1.0 } else { 1.0 };
@@ -156,7 +156,8 @@ fn friction_in_the_plane_is_that_of_forces_as_vectors() {
                 let normal = laws
                     [model.laws.iter().position(|law| law.name == format!("k_{}", meshes(3)[2 * i + j])).unwrap()]
                     * depth.abs();
-                // By the rolling of rigid gears: the rotations alone, less the same at the pitch point, where nothing slides in rolling.
+                // The sliding speed is that of rigid gears: from the rotations alone, minus its value at the pitch point, where gears that
+                // roll do not slide.
                 let pitch_point = plus(line.map(|x| r * x), along, pitch);
                 let sliding = |p: Vector| dot(plus(gear.velocity(p), of_planet.velocity(p), -1.0), line);
                 let against = -mu * normal * (sliding(point) - sliding(pitch_point)).signum();

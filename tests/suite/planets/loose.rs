@@ -6,11 +6,12 @@ use crate::{run, unaccounted};
 
 const EFFECTS: &str = "effects=[\"stiffness_step\",\"torques\",\"damping\",\"backlash\"]";
 const BETA: &str = "parameters.beta_K=\"3 us\"";
-/// A load that turns about.
+/// A motor torque that changes its sign.
 const SWING: &str = "parameters.T_motor={mean=\"60 N*m\",harmonics=[{amplitude=\"500 N*m\",frequency=\"300 Hz\"}]}";
 const LOAD: &str = "parameters.T_load=\"280 N*m\"";
 
-/// The damper of a mesh is clipped beside those of the bearings: then damping couples the modes, and planets without contact move rigidly.
+/// Runs with the torque [`SWING`]. Where the damper of a mesh is clipped and those of the bearings are not, damping couples the modes.
+/// Planets without contact have rigid motions.
 fn swinging(model: &str, planets: usize, method: &str, t_end: &str) -> Outcome {
     let tolerance = if method == "exact" { "" } else { ",tolerance=1e-12" };
     let method = format!("run={{t_end=\"{t_end}\",method=\"{method}\"{tolerance}}}");
@@ -24,7 +25,7 @@ fn swinging(model: &str, planets: usize, method: &str, t_end: &str) -> Outcome {
     run(model, planets, &all, &["parameters.b_{}=\"40 um\""])
 }
 
-/// In every model both flanks of every mesh meet, and no energy is lost.
+/// In every model both flanks of every mesh come into contact, and the energy account closes.
 #[test]
 fn accounts_close_with_play() {
     for (model, planets) in
@@ -60,9 +61,9 @@ fn exact_cells_agree_with_a_numerical_method() {
     }
 }
 
-/// One planet floats between sun and ring, whose flanks it does not touch: nothing holds it, and no rounding error of a spring may.
+/// A planet that touches the flanks of neither sun nor ring moves freely. No rounding error of a spring may act on it.
 #[test]
-fn a_planet_without_contact_takes_no_energy() {
+fn a_planet_without_contact_moves_freely() {
     for model in ["planetary_3", "planar_planetary_3"] {
         let play = ["s1", "r1"].map(|mesh| format!("parameters.b_{mesh}=\"2 mm\""));
         let all = [

@@ -2,8 +2,8 @@
 
 use crate::{common, meshes, run};
 
-/// In a mirror on the line through the centre of planet 1 all rotations turn round, planets 2 and 3 change places, and drive flanks are coast flanks.
-/// Motions along the line and away from the sun stay, those across it change their sign.
+/// A mirror on the line through the centre of planet 1 reverses all rotations, exchanges planets 2 and 3, and turns drive flanks into coast
+/// flanks. Motions along this line (x), and of planets away from the sun (zeta), keep their sign. All other motions change it.
 #[test]
 fn a_mirror_exchanges_the_flanks_of_planets() {
     let of = |mirrored: bool| {

@@ -53,8 +53,8 @@ pub fn damping() -> impl Strategy<Value = f64> {
 pub fn pair(zeta: impl Strategy<Value = f64>) -> impl Strategy<Value = Pair> {
     let levels = prop::collection::vec((power(0.0, 1.3), 0.05..1.0f64), 2..5);
     let train = (power(-4.0, 0.0), power(-1.5, 1.5), power(1.0, 4.0), levels, zeta);
-    // Speed over that of the vibration, torque and deflections relative to the deflection at which a step reflects, direction,
-    // start within the pitch, length of the run in pitches.
+    // In this order: theta' over the frequency of the vibration; torque, relative to that of the deflection at which a step reflects;
+    // whether backwards; start within the pitch; deflection and its rate, relative to the same deflection; length of the run in pitches.
     let motion =
         (power(-1.3, 0.7), -0.6..0.6f64, any::<bool>(), 0.02..0.98f64, -0.5..0.5f64, -0.5..0.5f64, 0.3..30.0f64);
     (train, motion).prop_map(|((i1, ratio, k, levels, zeta), motion)| {

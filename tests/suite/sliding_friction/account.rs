@@ -4,7 +4,7 @@
 use crate::{common, run, state, unaccounted, work};
 use gearsim::run::Outcome;
 
-/// Largest differences over two runs of theta, phi, theta' and phi'; those of `b` at even places (theta, theta') are multiplied by `sign`.
+/// Largest differences over two runs of theta, phi, theta' and phi'. theta and theta' of `b` are multiplied by `sign` before.
 fn apart(a: &Outcome, b: &Outcome, sign: f64) -> [f64; 4] {
     assert_eq!(a.trajectory.len(), b.trajectory.len());
     let mut worst = [0.0f64; 4];

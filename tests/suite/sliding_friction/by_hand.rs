@@ -27,7 +27,7 @@ impl Hand {
         (self.teeth.z[0] * y[0] + self.teeth.z[1] * y[1]) / 2.0
     }
 
-    /// The phase [rad] at which a cell begins. Each pitch has three cells; they are counted on over the pitches.
+    /// The phase [rad] at which a cell begins. Each pitch has three cells. The cells of all pitches are numbered one after the other.
     fn boundary(&self, cell: i64) -> f64 {
         let (p, [before, after]) = (self.teeth.base_pitch(), self.teeth.paths());
         let mut ends = [0.0, (after / p).fract() * TAU, (-before / p).rem_euclid(1.0) * TAU];

@@ -9,7 +9,8 @@ use crate::{common, stuck};
 const MODELS: [&str; 6] =
     ["gear_pair_shafts", "gear_pair_bearings", "two_stage", "idler", "planetary_3", "planar_planetary_3"];
 
-/// The scene of a model with gears at rest, whose motor has `swing` times its torque beyond the balance, to and fro.
+/// The scene of a model with gears at rest. The torque of its motor oscillates about the balanced value, with `swing` times this value as
+/// its amplitude.
 fn scene(model: &str, swing: f64, more: &[&str]) -> Scene {
     let given = common::scene(model, &[]);
     let motor = given.parameter("T_motor").expect("a motor");
@@ -49,8 +50,8 @@ fn largest(x: &[f64]) -> f64 {
     x.iter().fold(0.0, |m: f64, x| m.max(x.abs()))
 }
 
-/// Under a load that swings by less than the breakaway torque the flanks of every mesh stick; of planets, for a time at least. A load that swings by more moves them to and fro;
-/// the account closes, and two methods agree.
+/// Under a torque that oscillates by less than the breakaway torque, the flanks of every mesh stick; those of planets stick at least for a
+/// part of the run. A larger oscillation moves them to and fro. The energy account then closes, and two methods agree.
 #[test]
 fn flanks_stick_at_every_mesh() {
     for model in MODELS {

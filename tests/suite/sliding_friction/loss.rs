@@ -20,7 +20,7 @@ fn loss_factor(teeth: &Teeth) -> f64 {
     PI * (u + 1.0) / (z1 * u) * (1.0 - e1 - e2 + e1 * e1 + e2 * e2)
 }
 
-/// Friction loss over the work of the drive, over mu, for whole pitches of a mesh with constant stiffness. Damping has removed the
+/// Friction loss, divided by the work of the drive and by mu, over whole pitches of a mesh with constant stiffness. Damping has removed the
 /// vibration.
 fn found(mu: f64, module: f64, z: [f64; 2], k: &str) -> f64 {
     let teeth = format!("teeth=[{}, {}], module=\"{module} m\", face_width=\"7 mm\"", z[0], z[1]);

@@ -1,5 +1,5 @@
 //! Gears at rest under load: friction of the flanks does not hold them, and they creep. While the moment Q of the torques along psi is less
-//! than mu |F| arm, psi' = w_mix x/sqrt(1 - x²) with x = Q/(mu |F| arm). At a larger moment they accelerate, as with sticking.
+//! than mu |F| arm, psi' = w_mix x/sqrt(1 - x²) with x = Q/(mu |F| arm). At a larger moment they accelerate, as flanks that stick would.
 //!
 //! The friction of a pair beyond or before the pitch point also acts along the line of action: side mu tan(alpha) |F| x. It is a part of
 //! the balance from which F follows, so that the breakaway moment depends on the side.

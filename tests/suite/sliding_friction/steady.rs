@@ -68,7 +68,7 @@ fn multipliers_are_those_of_the_flow_of_the_numerical_solver() {
     assert!((of("0.2") - of("0")).norm() > 1e-3, "{} {}", of("0.2"), of("0"));
 }
 
-/// The linear analysis has the friction of one flank: it says so where the motion meets both, and only there.
+/// The linear analysis contains the friction of one flank only. Its result says so if the motion meets both flanks, and only then.
 #[test]
 fn a_steady_motion_that_meets_both_flanks_is_stated() {
     let says = |set: &[&str]| {
@@ -125,7 +125,7 @@ fn linearised_matrices_are_differences_of_the_forces() {
         let m = system.linearised(&steady.means).unwrap();
         for j in 0..n {
             let (mut up, mut down) = (steady.q.clone(), steady.q.clone());
-            // Friction bends at the size of the deflection.
+            // Friction is nonlinear on the scale of the deflection, so that the step is a small part of it.
             let h = 1e-3 * steady.q[j].abs().max(1e-9);
             (up[j], down[j]) = (up[j] + h, down[j] - h);
             let force = |q: &[f64], v: &[f64]| equations.force(q, v, &k, &flat);

@@ -1,5 +1,5 @@
-//! Flanks that stick (`flank_stiction`), against closed forms: rest under load, the breakaway torque, coming to rest and turning back, the energy
-//! account, two methods, and the limit of the smoothed law as its mixing speed goes to zero.
+//! Flanks that stick (`flank_stiction`), against closed forms: rest under load, the breakaway torque, coming to rest and turning back, the
+//! energy account, two methods, and the limit of the smoothed law as its mixing speed goes to zero.
 //!
 //! Two equal gears, with psi = theta1 + theta2 and s = r (theta1 - theta2), have the inertias I/2 along psi and I/(2 r²) along s.
 
@@ -81,8 +81,8 @@ fn residual(run: &Results, energy: f64) -> f64 {
     run.trajectory().residual.iter().fold(0.0f64, |most, r| most.max(r.abs())) / energy
 }
 
-/// The torque by which the load exceeds the drive where the flanks break away and the gears turn back. Along psi excess/2 = arm mu F; along the
-/// line of action (2 T + excess)/(2 r) = F - side tan(alpha) mu F.
+/// The torque \[N m\] by which the load exceeds the drive when the flanks break away and the gears turn back. Along psi
+/// excess/2 = arm mu F; along the line of action (2 T + excess)/(2 r) = F - side tan(alpha) mu F.
 fn breakaway(mu: f64, side: f64) -> f64 {
     let ratio = mu * ARM / (2.0 * RADIUS * (1.0 - side * mu * 20f64.to_radians().tan()));
     2.0 * DRIVE * ratio / (0.5 - ratio)
@@ -98,8 +98,8 @@ fn gears_at_rest_under_load_do_not_creep() {
     assert_eq!(run.events().count(), 0);
 }
 
-/// The release of a slowly rising torque, on both flanks, at a pair before and beyond the pitch point, and with static friction above that of
-/// sliding. After it the flanks slide on: they do not stick again.
+/// A slowly rising load releases the flanks at the torque of statics: on drive and coast flanks, for a tooth pair before and beyond the
+/// pitch point, and with static friction above sliding friction. After the release the flanks slide and do not stick again.
 #[test]
 fn the_breakaway_torque_is_that_of_statics() {
     for (side, rise, flank) in
@@ -120,15 +120,15 @@ fn the_breakaway_torque_is_that_of_statics() {
         );
         // While the torque rises, the mesh force follows it with a delay if the friction has a part along the line of action.
         assert!(off.abs() < if side == 0.0 { 1e-6 } else { 3e-5 }, "{released}, not {expected}");
-        // Until the torque has risen by a rounding error, these errors decide whether the flanks stick once more.
+        // Until the torque has risen by more than its rounding error, rounding errors decide whether the flanks stick once more.
         let last = run.trajectory().t[events[events.len() - 1].0] - run.trajectory().t[events[0].0];
         assert!(last < 1e-8, "they stick again after {last} s");
         assert!(flank * psi(&run).last().unwrap() < -1e-3);
     }
 }
 
-/// The same with a stiffness that varies along the phase. As the mesh yields under the rising load, stuck flanks turn about their point of contact:
-/// the bound of their friction changes with the stiffness there.
+/// The breakaway torque with a stiffness that varies along the phase. As the mesh yields under the rising load, stuck flanks turn about
+/// their point of contact. So the phase and the stiffness change, and with them the bound of the friction.
 #[test]
 fn the_bound_of_stuck_flanks_follows_a_curved_stiffness() {
     let (mean, swing, excess) = (1e6, 8e5, 0.011);
@@ -137,7 +137,8 @@ fn the_bound_of_stuck_flanks_follows_a_curved_stiffness() {
     let tangent = 20f64.to_radians().tan();
     for side in [1.0, -1.0] {
         // Equilibrium of stuck flanks under a load that exceeds the drive by `excess`: psi, s and the friction R, where
-        // arm psi + side tan(alpha) s is as at the start. Less its bound, `follows` or not the stiffness: R - mu k s.
+        // arm psi + side tan(alpha) s is as at the start. Returns the friction minus its bound, R - mu k s. The bound has the present
+        // stiffness if `follows`, or else the mean stiffness.
         let from = DRIVE / (RADIUS * mean);
         let left = |excess: f64, follows: bool| {
             let (mut s, mut psi, mut r, mut k) = (from, 0.0, 0.0, mean);
@@ -167,7 +168,7 @@ fn the_bound_of_stuck_flanks_follows_a_curved_stiffness() {
             released(true),
             released(false)
         );
-        // Vibrations of the start, whose amplitude falls by e in 70 ms, have ended.
+        // Vibrations of the start, whose amplitude falls by a factor e in 70 ms, have ended.
         assert!((found / released(true) - 1.0).abs() < 2e-5);
         assert!((found / released(false) - 1.0).abs() > 1e-3);
     }
@@ -264,8 +265,9 @@ fn the_smoothed_law_tends_to_sticking() {
     }
 }
 
-/// Hard case: teeth with curved laws, which start at the pitch point, stick there for a moment while they turn, and are stopped by their friction before a
-/// step of the stiffness. There they bounce ever less, and stick; the stiffness of the mesh then still turns them to and fro about their point of contact.
+/// Hard case: teeth with curved laws start at the pitch point and stick there for a moment while they turn. Their friction stops them
+/// before a step of the stiffness. There they bounce with falling amplitude and then stick. The mesh stiffness still turns the stuck flanks
+/// to and fro about their point of contact.
 #[test]
 fn a_pair_of_teeth_is_stopped_by_its_friction() {
     let stopped = |method: &str| {
@@ -289,8 +291,9 @@ fn a_pair_of_teeth_is_stopped_by_its_friction() {
     assert!((end_a - end_b).abs() < 1e-7, "{end_a} {end_b}");
 }
 
-/// With a phase that is frozen, the laws follow the time, whatever the gears do: their values change between stuck flanks too. Gears on bearings that
-/// turn backward stick at the start, and are released. A right-hand side of stuck flanks with other rates than their release demanded steps without end.
+/// With a frozen phase the laws follow the time, so that their values also change while flanks stick. Gears on bearings that turn backward
+/// stick at the start and are released. If the right-hand side of stuck flanks used other rates than the condition of their release, the
+/// run would need steps without end.
 #[test]
 fn stuck_flanks_are_released_while_the_phase_is_frozen() {
     let ends = ["dop853", "radau"].map(|method| {
@@ -301,7 +304,7 @@ fn stuck_flanks_are_released_while_the_phase_is_frozen() {
                 "run.t_end=5e-4 s",
                 "start.speed=-600 rpm",
                 "parameters.T_motor=141 N*m",
-                // Deflections by which the gears vibrate.
+                // Deflections from which the gears vibrate.
                 "start.s=68.58246 um",
                 "start.x1=-9.099838 um",
                 "start.y1=-25.0016 um",
@@ -322,8 +325,8 @@ fn stuck_flanks_are_released_while_the_phase_is_frozen() {
     assert!(off < 1e-8, "{ends:?}");
 }
 
-/// Hard case: gears roll without load. The deflection and with it the friction are zero, but for rounding errors, whose sign is that of the flank in
-/// contact. No flank is left by them, and at the edge of the play the start does not stop the sliding.
+/// Hard case: gears roll without load. The deflection, and so the friction, is zero except for rounding errors, which have the sign of the
+/// flank in contact. They must not separate the flanks, and a start at the edge of the play must not stop the sliding.
 #[test]
 fn gears_roll_without_load() {
     let base = [

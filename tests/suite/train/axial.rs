@@ -52,10 +52,10 @@ fn geometry() -> ([f64; 2], f64) {
     ([20.0, 60.0].map(|z| 4e-3 / beta.cos() * z * transverse.cos() / 2.0), beta.tan() * transverse.cos())
 }
 
-/// M = diag(I_a, I_b, m_a, m_b), K = diag(supports, thrust bearings) + k g gᵀ with delta = r_a theta_a - r_b theta_b - t z_a + t z_b, in the
-/// senses of the train.
+/// M = diag(I_a, I_b, m_a, m_b), K = diag(supports, thrust bearings) + k g gᵀ with delta = r_a theta_a - r_b theta_b - t z_a + t z_b, in
+/// the sign convention of the train.
 #[test]
-fn four_coordinates_by_hand() {
+fn natural_frequencies_with_axial_motion_equal_those_by_hand() {
     let ([ra, rb], t) = geometry();
     let g = nalgebra::Vector4::new(ra, -rb, -t, t);
     let m = [0.02, 0.3, 5.0, 40.0];
@@ -71,14 +71,14 @@ fn four_coordinates_by_hand() {
             assert!((found / expected - 1.0).abs() < 1e-10, "{found}, not {expected}");
         }
     }
-    // Axial motion changes them: without it there are two others.
+    // Without axial motion the frequencies differ.
     let rigid = PAIR.split("[thrust_bearings.za]").next().unwrap().to_string() + "[run]\nt_end = \"5 ms\"\n";
     let two = scene(&rigid.replace("\"stiffness_step\", \"torques\"", "\"stiffness_step\"")).modes().unwrap().modes;
     assert!((two[0].natural / expected[0] - 1.0).abs() > 1e-3, "{} {}", two[0].natural, expected[0]);
 }
 
 /// Free gears under balanced torques, at rest: F_t = T/r with the reference radius r, F_a = F_t tan(beta). The bearing of the right-handed
-/// driver is pushed along its rotation vector, that of the driven gear the other way; with the other hand, both the other way round.
+/// driver is pushed along its rotation vector, that of the driven gear against it. With a left-handed driver both directions are reversed.
 #[test]
 fn thrust_against_newton() {
     let text =

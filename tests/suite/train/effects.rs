@@ -71,7 +71,7 @@ fn dampers_are_in_the_torque_of_a_shaft_and_the_force_of_a_mesh() {
 #[test]
 fn seventy_bearings_have_an_effect_each() {
     let mut text = String::from("model = \"train\"\neffects = [\"viscous_friction\"]\n[start]\nspeed = \"100 rpm\"\n");
-    // Not twisted: in the static start of rotors that turn, the shafts carry the friction of the bearings.
+    // The start is stated without twist. In a static start of rotors that turn, the shafts would carry the friction of the bearings.
     (0..70).for_each(|i| text += &format!("theta_r{i} = 0\n"));
     text += "[run]\nt_end = \"10 ms\"\n[rotors]\n";
     (0..70).for_each(|i| text += &format!("r{i} = \"0.1 kg*m^2\"\n"));

@@ -39,9 +39,10 @@ fn a_rotor_meets_its_stops_as_the_derived_model() {
     }
 }
 
-/// The second gear turns freely through 400 deg to its stop, at the speed w. The stop brings it to rest in a quarter of a period of vibration,
-/// after the angle sqrt(I/k) w, where I is the inertia of both gears at its shaft. Then everything turns back. On the way there the gears pass some 45
-/// pitches. The mesh is stiff but not rigid and vibrates after the contact with the stop, so the speed afterwards is not exactly -w.
+/// The second gear turns freely through 400 deg to its stop, at the speed w. The stop brings it to rest in a quarter of a period of
+/// vibration, after the angle sqrt(I/k) w, where I is the inertia of both gears at its shaft. Then both gears turn back. On the way to the
+/// stop they pass about 45 pitches. The mesh is stiff but not rigid and vibrates after the contact with the stop, so the speed afterwards
+/// is not exactly -w.
 #[test]
 fn a_gear_meets_its_stop_after_many_pitches() {
     let (upper, w, k) = (400f64.to_radians(), 30.0f64, 2e4);

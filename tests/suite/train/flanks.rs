@@ -10,7 +10,8 @@ const MU: f64 = 0.06;
 type Mesh = (&'static str, f64, [&'static str; 2]);
 
 /// Runs a train with constant stiffnesses and arms and without damping. Returns the friction loss of the account, and that computed from
-/// the forces of the meshes and the speeds of the rotors alone. The flanks slide with the sum of the speeds of both rotors times `turns`.
+/// the forces of the meshes and the speeds of the rotors alone. The flanks slide with turns\[0\] times the speed of the first rotor plus
+/// turns\[1\] times that of the second.
 fn losses(tables: &str, meshes: &[Mesh], turns: [f64; 2]) -> [f64; 2] {
     let mut text = format!(
         "model = \"train\"\neffects = [\"stiffness_step\", \"torques\", \"sliding_friction\"]\n{tables}\n\

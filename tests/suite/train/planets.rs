@@ -18,8 +18,8 @@ fn overrides(all: &[&str], each: &[&str]) -> [Vec<String>; 2] {
     })
 }
 
-/// Runs both, and compares what happened and the ends of what both record: outputs but for losses, and the energies. Returns the largest difference,
-/// relative to the largest value of its column, and the derived model's run.
+/// Runs both, and compares the counts of events and the last values of the columns that both have: outputs except losses, and the energies.
+/// Returns the largest difference, relative to the largest value of its column, and the derived model's run.
 fn compare(pair: &Pair, overrides: &[Vec<String>; 2]) -> (f64, Outcome) {
     let of = |i: usize| overrides[i].iter().map(String::as_str).collect::<Vec<_>>();
     let [derived, listed] = pair.scenes_of([&of(0), &of(1)]).map(|scene| common::run(&scene));
@@ -34,7 +34,7 @@ fn compare(pair: &Pair, overrides: &[Vec<String>; 2]) -> (f64, Outcome) {
             });
         columns.extend(u.output(&of_train).map(|other| (output.name, &values[..], other)));
     }
-    // Of each mesh its force, power, deflection, transmission error; speeds of rotors.
+    // At least the two energies, of each mesh force, power, deflection and transmission error, and the speeds of three rotors.
     assert!(columns.len() >= 2 + 4 * MESHES.len() + 3, "{} columns", columns.len());
     let mut worst: (f64, &str) = (0.0, "");
     for (name, a, b) in columns {
@@ -48,7 +48,7 @@ fn compare(pair: &Pair, overrides: &[Vec<String>; 2]) -> (f64, Outcome) {
 
 const PLAY: &str = "effects=[\"stiffness_step\",\"torques\",\"damping\",\"backlash\"]";
 
-/// A load that turns about.
+/// A motor torque that changes its sign.
 const SWING: &str = "parameters.T_motor={mean=\"60 N*m\",harmonics=[{amplitude=\"500 N*m\",frequency=\"300 Hz\"}]}";
 
 /// All planets leave sun and ring at the same instant, and meet them again.
@@ -82,7 +82,7 @@ fn play_of_one_planet_alone() {
     assert!(off < 1e-8, "{off:e}");
 }
 
-/// Transmission errors, play and damping that does not pull, at each mesh its own.
+/// Each mesh has its own transmission error, and play with damping that does not pull.
 #[test]
 fn errors_and_play_of_every_mesh() {
     let effects = "effects=[\"stiffness_step\",\"torques\",\"damping\",\"backlash\",\"transmission_error\"]";

@@ -1,4 +1,4 @@
-//! A train and the derived model of the same drivetrain have the same motion, to rounding.
+//! A train and the derived model of the same drivetrain have the same motion, except for rounding errors.
 
 use gearsim::run::Outcome;
 use gearsim::scene::Scene;
@@ -14,7 +14,7 @@ pub(crate) trait Compared {
     fn scenes_of(&self, overrides: [&[&str]; 2]) -> [Scene; 2];
     /// Runs both, and returns the largest difference of an output or an energy, relative to its largest value.
     fn compare(&self, overrides: &[&str]) -> f64;
-    /// The same of two scenes.
+    /// The same for these two scenes. `overrides` only appear in the printed line.
     fn apart(&self, scenes: [Scene; 2], overrides: &[&str]) -> f64;
 }
 
@@ -144,8 +144,8 @@ fn planets() {
     assert!(PLANETARY.compare(&["run.t_end=\"20 ms\""]) < 1e-8);
 }
 
-/// Supports of sun and carrier, an effect of the derived model and tables of the train: the same frequencies, and the same motion from the
-/// static equilibrium under a torque that varies.
+/// Supports of sun and carrier are an effect of the derived model and tables of the train. Both have the same frequencies, and the same
+/// motion from the static equilibrium under a torque that varies.
 #[test]
 fn planets_with_supports_of_sun_and_carrier() {
     let pair = Pair {

@@ -100,8 +100,8 @@ sun_stiffness = { teeth = [27, 36], module = "3 mm", face_width = "25 mm" }
 ring_stiffness = { teeth = [36, 99], addendum = [1, 0.8], module = "3 mm", face_width = "25 mm" }
 "#;
 
-/// The loss of a stage is that of the power that rolls in its meshes, T_s (omega_s - omega_c), in the sun's meshes and then in the ring's: mu (H_s + H_r)
-/// of it (H. W. Müller, Epicyclic Drive Trains, 1982), with the loss factors of Ohlendorf.
+/// The loss of a planetary stage is mu (H_s + H_r) times its rolling power T_s (omega_s - omega_c), which passes through the meshes of the
+/// sun and then through those of the ring (H. W. Müller, Epicyclic Drive Trains, 1982). H_s and H_r are the loss factors of Ohlendorf.
 #[test]
 fn loss_of_a_planetary_stage_is_that_of_its_rolling_power() {
     // Whole pitches: the mesh frequency is 27 (n_s - n_c), with n_c = 27/126 n_s.
@@ -135,7 +135,7 @@ fn loss_of_a_planetary_stage_is_that_of_its_rolling_power() {
     assert!((-lost / (mu * rolling) / factors - 1.0).abs() < 0.01, "{} of H", -lost / (mu * rolling) / factors);
 }
 
-/// Errors and dampers that a planet set states are those of its meshes, stated one by one.
+/// Errors and dampers that a planet set states give the same motion as the same ones stated for each of its meshes.
 #[test]
 fn errors_and_dampers_of_a_set_are_those_of_its_meshes() {
     let damping = "damping = \"400 N*s/m\"\n";

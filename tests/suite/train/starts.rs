@@ -1,4 +1,4 @@
-//! Static starts: friction and clutches act as the speeds say, what they hold does not accelerate, and nothing vibrates.
+//! Static starts: the start speeds decide how friction and clutches act, parts that they hold do not accelerate, and nothing vibrates.
 
 use gearsim::run::Outcome;
 use gearsim::scene::Scene;
@@ -88,7 +88,8 @@ fn a_frozen_phase_begins_at_its_static_place() {
     }
 }
 
-/// Gravity turns the crank: the train accelerates, and its mesh follows without a vibration. Its acceleration would be 80 m/s².
+/// Gravity turns the crank: the train accelerates, and its mesh follows without a vibration. With a vibration the mesh deflection would
+/// have an acceleration of 80 m/s².
 #[test]
 fn gravity_accelerates_a_crank_without_vibration() {
     let at = |angle: &str| {

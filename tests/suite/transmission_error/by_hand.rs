@@ -51,7 +51,7 @@ impl Pair<'_> {
                 theta < low || theta > high
             };
             let step = 1e-7;
-            // Just after an event the phase is on a boundary, to rounding, so the search starts a little later.
+            // Just after an event the phase is on a boundary within a rounding error, so the search starts a little later.
             let mut dt = 1e-10;
             while t + dt < t_end && !outside(dt) {
                 dt += step;

@@ -5,8 +5,8 @@ use gearsim::run::Outcome;
 
 use crate::common;
 
-/// Runs the planetary stage of the gallery with balanced torques. The mesh errors of each planet lag those of the planet before by `step`
-/// degrees; the errors are multiplied by `scale`.
+/// Runs the planetary stage of the scene `planetary_errors` with balanced torques. The mesh errors of each planet lag those of the planet
+/// before by `step` degrees; the errors are multiplied by `scale`.
 fn stage(step: f64, scale: f64) -> Outcome {
     let mut set: Vec<String> =
         ["start.speed=\"1000 rpm\"", "parameters.T_motor=\"300 N*m\"", "run={t_end=\"10 ms\", tolerance=1e-11}"]

@@ -7,10 +7,11 @@ use gearsim::scene::solver::{Method, Precision, Solver};
 
 /// Tolerance of the explicit methods.
 const TOLERANCE: f64 = 1e-12;
-/// The same where the account of a run asks for less: steps over a kink of |F|, where friction of the flanks meets the other flank, lose digits.
+/// Tolerance of the first run if its energy account refutes the run with `TOLERANCE`. Steps lose digits over a kink of |F|, where friction
+/// of the flanks changes to the other flank.
 const FINEST: f64 = 1e-13;
-/// Tolerance of radau. Its order is 5, so that its number of steps grows by 2.5 for two more digits. The allowed difference does not
-/// contain it: where radau does not meet that, it runs again with the tolerance of the others.
+/// Tolerance of radau. Its order is 5, so that its number of steps grows by a factor of 2.5 for two more digits. The allowed difference
+/// does not contain this tolerance. If radau exceeds the allowed difference, it runs again with `TOLERANCE`.
 const IMPLICIT: f64 = 1e-10;
 /// Digits that a run must have left at its end for its events to be compared one by one.
 const ENOUGH: f64 = 7.0;
@@ -79,8 +80,9 @@ fn claimed(scene: &Scene, outcome: &Outcome, run: Runner<'_>) -> f64 {
     noted.digits.map_or(0.0, |left| 10f64.powf(-left.at_end))
 }
 
-/// Two runs of a scene. `claim` is the error that the second run claims. Errors of coordinates at rest are relative to a share of those
-/// that move, so that the rounding errors of a method with long steps may exceed those of the exact motion, from which `left` follows.
+/// Compares two runs of a scene. `left` has the digits that the first run has left, `claim` is the error that the second run claims. The
+/// error of a coordinate at rest is relative to a share of the coordinates that move. There the rounding errors of a method with long steps
+/// may exceed the error that follows from `left`, and `claim` is allowed instead.
 fn compared(first: &Outcome, second: &Outcome, left: Digits, claim: &dyn Fn() -> f64) -> Result<String, String> {
     for run in [first, second] {
         if let Some(stop) = &run.stopped_by {
@@ -93,7 +95,7 @@ fn compared(first: &Outcome, second: &Outcome, left: Digits, claim: &dyn Fn() ->
     // A reflection at which a hold begins is no bounce. Rounding errors release a phase at rest that is hardly pressed, and it is held again.
     let bounces = |run: &Outcome| run.counts.reflections.saturating_sub(run.counts.holds);
     let counts = |run: &Outcome| (run.counts.cell_changes, bounces(run), run.counts.impacts);
-    // A train at rest has no digits at any time: rounding errors alone move it, and whether they take a phase over a step differs between methods.
+    // A train at rest has no digits at any time: only rounding errors move it. Whether they move a phase over a step depends on the method.
     if left.at_end >= ENOUGH && counts(first) != counts(second) {
         return Err(format!("cell changes, bounces and impacts {:?} and {:?}", counts(first), counts(second)));
     }

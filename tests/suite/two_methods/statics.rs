@@ -1,5 +1,6 @@
-//! At a coordinate that starts `static` the forces balance, but for those that accelerate rigid motions: K q + C q' + M R a = f in its row, with
-//! the stiffness levels at the phases of the start. This check finds the levels from the laws of the scene itself, and the matrices by the derived equations.
+//! The forces at a coordinate that starts `static` balance, except for those that accelerate rigid motions: K q + C q' + M R a = f in its
+//! row. R has the rigid motions as columns, and a is their acceleration. The stiffness levels are those at the phases of the start. This
+//! check finds the levels itself from the laws of the scene, and the matrices by the derived equations.
 
 use std::f64::consts::TAU;
 

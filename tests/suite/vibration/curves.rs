@@ -52,7 +52,7 @@ fn by_runge_kutta(k: impl Fn(f64) -> f64, ends: &[f64]) -> DMatrix<f64> {
     let mut p = DMatrix::identity(2, 2);
     for pair in ends.windows(2) {
         let h = (pair[1] - pair[0]) / f64::from(STEPS);
-        // A value at a kink is that of the piece: kinks are no steps.
+        // k is continuous at a kink, so that the pieces on both sides have the same value there.
         let rate = |t: f64, p: &DMatrix<f64>| DMatrix::from_row_slice(2, 2, &[0.0, 1.0, -k(t), 0.0]) * p;
         for step in 0..STEPS {
             let t = pair[0] + f64::from(step) * h;

@@ -77,7 +77,7 @@ fn each_kind_of_stability_is_recognised() {
     let edge = boundary(&base, 0.0, 1.7, 2.0);
     let near = [-1e-7, -1e-8, 1e-8, 1e-7].map(|d| pair(&base, 0.0, edge + d).verdict);
     assert!(near.contains(&Verdict::Neutral) && near.contains(&Verdict::Alternating), "{near:?}");
-    // The border itself, where the trace is -2 to rounding.
+    // The border itself, where the trace is -2 except for rounding errors.
     let (mut stable, mut unstable) = (edge - 1e-6, edge + 1e-6);
     let verdict = loop {
         let middle = 0.5 * (stable + unstable);

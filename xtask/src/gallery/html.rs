@@ -82,7 +82,7 @@ fn folder(name: &str) -> String {
     name.replace('/', "_")
 }
 
-/// What a scene says of itself; empty if it says nothing.
+/// The text `about` of a scene; empty if it has none.
 fn about(scene: &str) -> String {
     let line = scene.lines().find_map(|line| line.strip_prefix("about = "));
     line.map_or(String::new(), |text| text.trim().trim_matches('"').to_owned())
@@ -134,7 +134,7 @@ fn section(Shown { name, about, summary }: &Shown) -> String {
     text + "</dl>\n</section>\n"
 }
 
-/// What the summary of a run says, in words.
+/// The facts in the summary of a run: the name and the text of each.
 fn facts(summary: &Value) -> Vec<(&'static str, String)> {
     let text = |value: &Value| value.as_str().unwrap_or("not known").to_owned();
     let number = |value: &Value| value.as_f64().map_or("not known".into(), short);
@@ -204,7 +204,7 @@ mod tests {
         })
     }
 
-    /// Every scene file under models/scenes has a section with its page, two plots and what it says of itself.
+    /// Every scene file under models/scenes has a section with its page, two plots and its text `about`.
     #[test]
     fn the_page_has_every_scene() {
         let names = scenes(&root().join("models/scenes")).unwrap();
@@ -231,7 +231,7 @@ mod tests {
     }
 
     #[test]
-    fn texts_of_scenes_stay_text() {
+    fn texts_of_scenes_are_escaped_in_html() {
         let hostile = Shown { name: "a".into(), about: "</p><script>alert(1)</script>".into(), summary: summary() };
         assert!(!page(&[hostile]).contains("<script"));
         let words: Vec<_> = facts(&summary()).into_iter().map(|(_, text)| text).collect();

@@ -1,4 +1,4 @@
-//! Parts of chapters that are generated from what the program says of itself.
+//! Parts of chapters that are generated from the descriptions of models that the program prints, and from JSON schemas.
 
 use std::fs;
 

@@ -1,4 +1,4 @@
-//! What describes a cell, for any type of number R: its matrices, its potential energy, the modes and guards of switches.
+//! The functions that describe a cell, for any number type R: its matrices, its potential energy, the modes and guards of switches.
 
 use proc_macro2::TokenStream;
 use quote::quote;
@@ -13,7 +13,8 @@ use crate::equations::model::*;
 use crate::equations::sums::{body, position};
 use crate::equations::switches;
 
-/// The functions that give M, M⁻¹ if it is in the file, C, K, f, V and its steps, in numbers of type R; those of switches, if there are any.
+/// The functions for M, M⁻¹ (if the file has it), C, K, f, V and the steps of V, in numbers of type R. If the model has switches, their
+/// functions too.
 pub fn cells(m: &Model) -> Vec<Cold> {
     let n = Index::from(m.coordinates.len());
     let square = |name, entries| Cold { name, takes: &[], returns: Returns::Matrix, body: matrix(m, entries) };
@@ -21,7 +22,7 @@ pub fn cells(m: &Model) -> Vec<Cold> {
         let (positions, body) = (positions(m, &cold.body), cold.body);
         Cold { takes: &[Takes::Coordinates("q")], body: quote!(#positions #body), ..cold }
     };
-    // A function of the values of laws and switches.
+    // Adds the argument `k`, the values of laws and switches.
     let of_values = |cold: Cold| {
         let body = with_lets(m, cold.body);
         Cold { takes: &[Takes::Values("k")], body, ..cold }
@@ -91,7 +92,7 @@ fn matrix(m: &Model, entries: &[Entry]) -> TokenStream {
     quote!(let zero = R::from(0.0); let mut v = [[zero; #n]; #n]; #(#entries)* v)
 }
 
-/// The statements of a function that returns the symmetric matrix of the entries of coordinates and deflections.
+/// The statements of a function that returns a symmetric matrix, from entries in coordinates and deflections as described in [`gradients`].
 fn products(m: &Model, entries: &[Entry]) -> TokenStream {
     let n = Index::from(m.coordinates.len());
     let entries = entries.iter().map(|e| {

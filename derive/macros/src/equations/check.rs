@@ -109,7 +109,8 @@ fn blocks(m: &Model, errors: &mut Vec<Error>) {
         errors.push(Error::new(m.name.span(), "no coordinates"));
     }
 
-    // A scene has the laws up to the last one with an effect of the scene, so that laws with effects must be last, effect by effect.
+    // A scene has the laws up to the last law that belongs to one of its effects. Therefore laws with effects must come last, grouped by
+    // effect.
     let effects: Vec<_> = m.laws.iter().map(|l| l.with.as_ref()).collect();
     for (i, l) in m.laws.iter().enumerate().skip(1) {
         let apart = effects[..i].contains(&effects[i]) && effects[i - 1] != effects[i];

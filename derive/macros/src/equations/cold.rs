@@ -25,7 +25,7 @@ pub struct Cold {
     pub body: TokenStream,
 }
 
-/// An argument.
+/// An argument: its type and its name.
 pub enum Takes {
     /// Coordinates or speeds: n numbers.
     Coordinates(&'static str),
@@ -41,7 +41,7 @@ pub enum Takes {
     Known(&'static str),
 }
 
-/// A result.
+/// The type of a result.
 pub enum Returns {
     /// A value of this type, in both functions.
     Plain(TokenStream),
@@ -56,7 +56,7 @@ pub enum Returns {
 }
 
 impl Cold {
-    /// Itself, in numbers of type `r`.
+    /// The definition of the function, in numbers of type `r`.
     pub fn define(&self, m: &Model, r: &TokenStream) -> TokenStream {
         let (name, body, n) = (format_ident!("{}", self.name), &self.body, Index::from(m.coordinates.len()));
         let (values, laws) = (m.values(), Index::from(m.laws.len()));
@@ -81,7 +81,7 @@ impl Cold {
         }
     }
 
-    /// The function of `Equations` that calls it. There vectors are slices, and matrices are those of the engine.
+    /// The function of `Equations` that calls this one. Its vectors are slices, and its matrices have the matrix type of the engine.
     pub fn call(&self) -> TokenStream {
         let name = format_ident!("{}", self.name);
         let takes = self.takes.iter().map(|takes| match takes {
@@ -116,7 +116,7 @@ impl Cold {
     }
 }
 
-/// Code in f64 as code in any kind of number R: its numbers and types become those of R.
+/// Converts code in f64 into code in the number type R: float literals become `R::from(..)`, and the type `f64` becomes `R`.
 pub fn in_any_number(code: TokenStream) -> TokenStream {
     let each = |token| match token {
         TokenTree::Group(group) => {
@@ -129,7 +129,7 @@ pub fn in_any_number(code: TokenStream) -> TokenStream {
     code.into_iter().map(each).collect::<Vec<TokenStream>>().into_iter().collect()
 }
 
-/// Whether a literal is a number of type f64. One like `1f64` is read as an integer with a suffix.
+/// Whether a literal is a number of type f64. syn reads a literal such as `1f64` as an integer with a suffix.
 fn is_float(literal: &Literal) -> bool {
     match syn::parse2(quote!(#literal)) {
         Ok(Lit::Float(_)) => true,
@@ -175,8 +175,9 @@ pub fn cold(m: &Model) -> Vec<Cold> {
     all
 }
 
-/// The statements of the function that returns the derivatives of the forces by the coordinates and by the speeds. Those by deflections
-/// and their rates are in `by`; with the gradients of the deflections they give those by the coordinates.
+/// The statements of the function that returns the derivatives of the forces by the coordinates and by the speeds. The derivatives by
+/// deflections and their rates are first summed in `by`. The chain rule with the gradients of the deflections then adds them to the
+/// derivatives by coordinates and speeds.
 fn jacobian(m: &Model) -> TokenStream {
     let n = Index::from(m.coordinates.len());
     let entries: Vec<&Entry> = m.jacobian.iter().flatten().collect();
@@ -251,7 +252,8 @@ fn powers(m: &Model) -> Vec<Cold> {
     ]
 }
 
-/// The derivatives of M q'' by the coordinates, and whether M is constant; nothing if it is so with any effects.
+/// Two functions: the derivatives of M q'' by the coordinates, and whether M is constant. No functions if M is constant with any set of
+/// effects.
 fn moving_inertia(m: &Model) -> Vec<Cold> {
     let terms: Vec<_> = m.inertia.iter().flat_map(|e| &e.sum).collect();
     if terms.is_empty() {

@@ -12,7 +12,7 @@ use crate::equations::model::{Assignment, Model};
 /// The statements that complete deflections, for each effect.
 pub type Offsets = Vec<(Ident, TokenStream)>;
 
-/// `let over = ..;` without the addends that exist only with an effect; the statements that add those go to `offsets`.
+/// `let NAME = ..;` without the addends that exist only with an effect. The statements that add these addends go to `offsets`.
 pub fn deflection(m: &Model, Assignment { name, value }: &Assignment, offsets: &mut Offsets) -> TokenStream {
     let (mut always, mut mutable) = (quote!(), quote!());
     for (minus, addend) in addends(value, false) {
@@ -21,7 +21,7 @@ pub fn deflection(m: &Model, Assignment { name, value }: &Assignment, offsets: &
         if let Some(effect) =
             m.functions.iter().find_map(|f| f.with.as_ref().filter(|_| named.contains(&f.name.to_string())))
         {
-            // Its functions and symbols are variables already.
+            // The functions and symbols in this addend are variables already.
             mutable = quote!(mut);
             let add = quote!(#name = #name #sign #addend;);
             match offsets.iter_mut().find(|(known, _)| known == effect) {
@@ -46,7 +46,8 @@ pub fn deflection(m: &Model, Assignment { name, value }: &Assignment, offsets: &
     quote!(let #mutable #name = #always;)
 }
 
-/// The edge or error in an addend, which is absent without its effect. A factor that is 1 without its effect is none.
+/// The edge or transmission error in an addend, which is zero without its effect. A factor whose value without its effect is 1 is not an
+/// offset.
 pub fn offset<'a>(m: &'a Model, addend: &Expr) -> Option<Gated<'a>> {
     let named = names(addend);
     gated(m).find(|value| value.neutral == 0.0 && named.contains(&value.name.to_string()))

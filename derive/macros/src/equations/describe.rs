@@ -81,7 +81,7 @@ pub fn describe(m: &Model) -> TokenStream {
     }
 }
 
-/// The effects that each term of a torque needs.
+/// The effects that all terms of a torque need. The torque is zero if any one of them is absent.
 fn needs(m: &Model, torque: &Torque) -> Vec<Ident> {
     let active = |term: &Term| -> Vec<Ident> {
         let condition = m.conditions.iter().find(|condition| Some(&condition.name) == term.condition.as_ref());
@@ -171,7 +171,7 @@ fn strings(names: &[Ident]) -> TokenStream {
     quote!(&[#(#names),*])
 }
 
-/// The contents of a file beside that of the model.
+/// The contents of a file, given by its path relative to the file of the model.
 fn included(path: &Option<LitStr>) -> TokenStream {
     path.as_ref().map_or(quote!(""), |path| quote!(include_str!(#path)))
 }

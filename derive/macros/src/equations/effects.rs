@@ -34,7 +34,8 @@ pub fn check(m: &Model, errors: &mut Vec<Error>) {
     switching(m, errors);
 }
 
-/// Each way to switch has one effect, each effect one way, and laws that do not step at all need no way to do so.
+/// A way to switch belongs to one effect at most, and an effect has one way at most. If no effect makes laws switch with a jump, no other
+/// way is allowed.
 fn switching(m: &Model, errors: &mut Vec<Error>) {
     unique("way to switch of the effect", m.switching.iter().map(|boundary| &boundary.effect), errors);
     for (i, boundary) in m.switching.iter().enumerate() {

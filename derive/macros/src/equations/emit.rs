@@ -25,7 +25,7 @@ pub fn emit(mut m: Model) -> TokenStream {
     let variables = m.deflections.iter_mut().chain(&mut m.rates).map(|d| &mut d.value).chain(of_positions);
     let forces = m.forces.iter_mut().flat_map(|force| force.sum.iter_mut().map(|term| &mut term.value));
     let coefficients = hoist(variables.chain(forces).chain(terms).collect());
-    // Other names occur in its values now.
+    // Hoisting has changed the names in the values of variables, so the stored names are discarded.
     m.variables.take();
     let m = &m;
     let cells = cells(m);
@@ -96,7 +96,7 @@ pub fn emit(mut m: Model) -> TokenStream {
     }
 }
 
-/// `struct Equations`, with the functions that are called at every step in the variant of a scene.
+/// `struct Equations`. It holds the functions that are called at every step, in the variant of the scene.
 fn equations(variants: &Variants) -> TokenStream {
     let (parameters, arguments) = (variants.parameters(), variants.arguments());
     let choice = variants.choice(|variant| quote!((Self::force_in::<#variant>, Self::dissipation_in::<#variant>)));

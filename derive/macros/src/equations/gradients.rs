@@ -11,7 +11,7 @@ use crate::equations::lets::names;
 use crate::equations::model::Model;
 use crate::equations::scope::speed;
 
-/// What a row or a column of a matrix is named after.
+/// The variable of a row or a column of a matrix, with its index.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub enum ByVariable {
     Coordinate(usize),
@@ -21,7 +21,7 @@ pub enum ByVariable {
 }
 
 impl ByVariable {
-    /// The place of this name; `check` has made sure that it exists.
+    /// The variable with this name; `check` has made sure that it exists.
     pub fn of(m: &Model, name: &Ident) -> Self {
         let (q, x) = (&m.coordinates, &m.deflections);
         let coordinate = q.iter().position(|c| c.name == *name).map(Self::Coordinate);
@@ -32,7 +32,8 @@ impl ByVariable {
     }
 }
 
-/// The entries of the gradient of a coordinate or deflection that are not zero, `[(i, g_i), ..]`, where all deflections are straight.
+/// The nonzero entries `[(i, g_i), ..]` of the gradient of a coordinate or deflection. Addends of a deflection with functions of positions
+/// are left out.
 pub fn straight(m: &Model, place: ByVariable) -> TokenStream {
     match place {
         ByVariable::Coordinate(i) | ByVariable::Speed(i) => {
@@ -46,7 +47,7 @@ pub fn straight(m: &Model, place: ByVariable) -> TokenStream {
     }
 }
 
-/// The entries of the gradient of deflection `d` that are not zero, in f64; functions of positions are variables.
+/// The nonzero entries of the gradient of deflection `d`, in f64, with all addends. Functions of positions are variables in this code.
 pub fn bent(m: &Model, d: usize) -> TokenStream {
     entries(m, d, |_| true, |e| quote!(#e))
 }

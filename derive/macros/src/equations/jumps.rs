@@ -1,4 +1,5 @@
-//! The functions of the jump rule of each law: n, G, M⁻¹n/G and dV.
+//! The functions of the jump rule of each law: n (the gradient of its phase), G = n.M⁻¹n, M⁻¹n/G, and dV (the step of the potential
+//! energy).
 
 use proc_macro2::TokenStream;
 use quote::quote;

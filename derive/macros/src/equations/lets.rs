@@ -1,6 +1,6 @@
 //! The variables in which equations are written: values that exist only with an effect, deflections, their rates, functions of
 //! positions, named forces, their partial derivatives, and outputs.
-//! A piece of code defines those that it names, and no others.
+//! A piece of code defines the variables that it names, and no others.
 
 use std::collections::BTreeSet;
 
@@ -15,8 +15,8 @@ use crate::equations::gated::{Gated, gated};
 use crate::equations::model::{Assignment, Function, Model, Row};
 use crate::equations::sums::block;
 
-/// `let over = ..;` for each variable that `code` names, after the variables that its own value names. Those that [`lets`] defines for the
-/// code `before` are left out.
+/// `let NAME = ..;` for each variable that `code` names, and before it for the variables in its value. Variables that [`lets`] defines for
+/// the code `before` are left out.
 pub fn lets(m: &Model, code: &TokenStream, before: &TokenStream) -> TokenStream {
     let known = used(m, before);
     let known: BTreeSet<_> = known.iter().map(Variable::name).collect();
@@ -57,7 +57,7 @@ fn with_effects(offsets: Offsets) -> TokenStream {
     each.collect()
 }
 
-/// The functions of positions that `code` names and their positions, in any kind of number R.
+/// The definitions of the functions of positions that `code` names, and of their positions, in the number type R.
 pub fn positions(m: &Model, code: &TokenStream) -> TokenStream {
     let plain = used(m, code).into_iter().filter_map(|variable| match variable {
         Variable::Linear(Assignment { name, value }) | Variable::Function(Function { name, value, .. }) => {
@@ -78,7 +78,7 @@ pub fn with_lets(m: &Model, code: TokenStream) -> TokenStream {
     quote!(#lets #code)
 }
 
-/// A variable.
+/// A variable in which equations are written.
 enum Variable<'a> {
     Gated(Gated<'a>),
     /// A deflection that is linear, or its rate.
@@ -91,7 +91,7 @@ enum Variable<'a> {
     Force(&'a Row),
 }
 
-/// The variables that `code` names, and those in which they are written, in the order in which they are defined.
+/// The variables that `code` names and the variables in their values, in the order in which they are defined.
 fn used<'a>(m: &'a Model, code: &TokenStream) -> Vec<Variable<'a>> {
     let Variables { bent, names } = m.variables.get_or_init(|| Variables::of(m));
     let (mut named, mut used) = (self::names(code), vec![]);
@@ -105,7 +105,7 @@ fn used<'a>(m: &'a Model, code: &TokenStream) -> Vec<Variable<'a>> {
     used
 }
 
-/// All variables of a model, in the order of their definition. `bent` tells for each deflection whether it bends.
+/// All variables of a model, in the order of their definition. `bent`: whether each deflection bends.
 fn all<'a>(m: &'a Model, bent: &[bool]) -> Vec<Variable<'a>> {
     let linear = |which: fn(&'a Assignment) -> Variable<'a>, these: bool| {
         let of = |all: &'a [Assignment]| all.iter().zip(bent).filter(move |(_, is)| **is == these).map(|(x, _)| x);
@@ -136,7 +136,7 @@ impl Variables {
     }
 }
 
-/// Whether a deflection has functions in it.
+/// Whether a deflection bends: its value contains functions of positions, so it is not linear in the coordinates.
 pub fn is_bent(m: &Model, value: &syn::Expr) -> bool {
     if m.functions.is_empty() {
         return false;

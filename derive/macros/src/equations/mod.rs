@@ -1,5 +1,5 @@
-//! The macro as a plain function: parse, check, emit. It is also called by tests and fuzz targets, which include this folder: a crate
-//! of a macro exports nothing else.
+//! The macro as a plain function: parse, check, emit. Tests and fuzz targets include this folder and call the function, because a
+//! proc-macro crate can export only its macros.
 
 mod cells;
 pub mod check;

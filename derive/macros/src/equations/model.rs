@@ -22,7 +22,7 @@ pub struct Model {
     pub conditions: Vec<Condition>,
     pub constants: Vec<Assignment>,
     pub deflections: Vec<Assignment>,
-    /// Rates of the deflections: of bent ones as in the file, of the others written by `resolve` in the speeds.
+    /// Rates of the deflections. The file gives the rates of bent deflections; `resolve` writes the others in the speeds.
     pub rates: Vec<Assignment>,
     /// Functions of positions, and their derivatives.
     pub functions: Vec<Function>,
@@ -44,13 +44,13 @@ pub struct Model {
     pub force: Option<Vec<Row>>,
     /// Derivatives of the force (rows) by coordinates, speeds, deflections and rates (columns).
     pub jacobian: Option<Vec<Entry>>,
-    /// Entries of coordinates and deflections.
+    /// Entries in coordinates and deflections, as described in `gradients`.
     pub stiffness: Vec<Entry>,
     pub damping: Vec<Entry>,
     pub load: Vec<Row>,
     /// The terms that make a cell nonlinear, as text.
     pub nonlinear: Option<LitStr>,
-    /// The terms that make it nonlinear with some effects.
+    /// The terms that make a cell nonlinear in scenes with some effects.
     pub nonlinear_with: Vec<NonlinearWith>,
     pub jumps: Vec<Jump>,
     /// Paths of the equations as text and in LaTeX, from the file of the model.
@@ -99,7 +99,7 @@ pub struct Law {
     pub unit: LitStr,
     pub phase: Ident,
     pub period: f64,
-    /// `rolling`: whole pitches of the phase change nothing but the law, so that the engine may count them separately.
+    /// `rolling`: if the phase moves by whole pitches, only the law can change. The engine may then count whole pitches separately.
     pub rolling: bool,
     /// `unless(a, b)`: effects that stop the rolling, for example a support of a part that rotates. Any one of them is enough.
     pub held: Vec<Ident>,

@@ -16,8 +16,8 @@ pub fn resolve(m: &mut Model, errors: &mut Vec<Error>) {
         constants.declare(&c.name);
     }
 
-    // Deflections are linear: with speeds in place of coordinates, and without edges and errors, they give the rates. Errors in them are
-    // reported once, with the deflections. The file has the rates of bent ones.
+    // Deflections are linear in the coordinates. Speeds in place of the coordinates give their rates; edges and transmission errors are
+    // dropped. Unknown names are reported only once, with the deflections. The file gives the rates of bent deflections.
     let mut given = std::mem::take(&mut m.rates);
     let bent = Scope::of(m, "rates").coordinates(m, "q").speeds(m).functions(m).gated(m);
     given.iter_mut().for_each(|rate| bent.expression(&mut rate.value, errors));
@@ -119,7 +119,7 @@ fn entries<'a>(entries: impl IntoIterator<Item = &'a mut Entry>, scope: &Scope, 
     entries.into_iter().for_each(|e| scope.sum(&mut e.sum, errors));
 }
 
-/// The addends of a deflection that move with the coordinates.
+/// The sum of the addends of a deflection that depend on coordinates.
 fn moving(m: &Model, value: &Expr) -> Expr {
     let moves = |addend: &Expr| m.coordinates.iter().any(|c| names(addend).contains(&c.name.to_string()));
     let all = addends(value, false).into_iter().filter(|(_, addend)| moves(addend));

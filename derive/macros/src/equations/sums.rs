@@ -1,4 +1,4 @@
-//! Code for sums and vectors that passes over the terms of absent effects.
+//! Code for sums and vectors that skips the terms of absent effects.
 
 use proc_macro2::TokenStream;
 use quote::quote;
@@ -23,7 +23,7 @@ pub fn body(sum: &Sum) -> TokenStream {
         [] => return quote!(0.0),
         [Term { condition: None, value }] => return quote!(#value),
         [Term { condition: None, value }, rest @ ..] => (quote!(#value), rest),
-        // x + -0.0 is x for every x, so that the compiler drops the addition; x + 0.0 is not for x = -0.0.
+        // x + -0.0 is x for every x, so the compiler drops the addition. x + 0.0 is not x for x = -0.0.
         all => (quote!(-0.0), all),
     };
     let terms = rest.iter().map(|Term { condition, value }| match condition.as_ref().map(is_met) {

@@ -93,13 +93,13 @@ pub fn lost(m: &Model) -> Option<Cold> {
     })
 }
 
-/// Different values of a switch. Tables of its modes have their places: tables are data, while code for each mode would be larger than
-/// all else of a model.
+/// The distinct values in the modes of a switch. The table of a mode has indices into this list. Tables are data; code for each mode would
+/// be larger than all other code of a model.
 #[derive(Default)]
 struct Distinct(Vec<TokenStream>);
 
 impl Distinct {
-    /// The place of a value.
+    /// The index of a value in the list. Adds the value if it is new.
     fn place(&mut self, value: TokenStream) -> Index {
         let known = self.0.iter().position(|known| known.to_string() == value.to_string());
         Index::from(known.unwrap_or_else(|| {
@@ -115,7 +115,8 @@ impl ToTokens for Distinct {
     }
 }
 
-/// An exit of a mode: where it leads, and the addends of its guard, whose factors are at their places in `distinct`.
+/// An exit of a mode: the index of the next mode, and the addends of its guard. The factor of each addend is given by its index in
+/// `distinct`.
 fn exit(m: &Model, switch: &Switch, Exit { to, sudden, guard }: &Exit, distinct: &mut Distinct) -> TokenStream {
     let beyond = Index::from(switch.modes.iter().position(|mode| mode.name == *to).expect("checked"));
     let addends = guard.iter().map(|Row { name, sum }| {
@@ -141,7 +142,8 @@ fn referred(m: &Model) -> BTreeSet<String> {
     guards.map(|row| row.name.to_string()).chain(overs).collect()
 }
 
-/// The function `deflection`: the linear form at the law values `k` of each deflection that switches refer to; of a bent one its tangent at `q`.
+/// The function `deflection`. For each deflection that switches refer to, it gives the linear form at the law values `k`; for a bent
+/// deflection, its tangent at `q`.
 fn deflection(m: &Model) -> Cold {
     let (n, referred) = (Index::from(m.coordinates.len()), referred(m));
     let all = m.deflections.iter().zip(&m.rates).enumerate();
@@ -172,7 +174,7 @@ fn deflection(m: &Model) -> Cold {
         }
         let constant = with(&|gated| if is_error(gated.name) { quote!(0.0) } else { of_mode(gated) });
         let errors = errors_of(m, &used, &with);
-        // Its gradient may depend on the mode: each flank of a plane mesh has a line of action.
+        // The gradient may depend on the mode: each flank of a plane mesh has its own line of action.
         let factors = lets(&names(slope), &of_mode);
         quote! {
             #d => {
@@ -192,10 +194,11 @@ fn deflection(m: &Model) -> Cold {
     }
 }
 
-/// The value of each offset of a deflection.
+/// Gives the code for the value of each offset of a deflection.
 type Offsets<'a> = &'a dyn Fn(&Gated<'_>) -> TokenStream;
 
-/// The statements that note the transmission errors in a deflection that names `used`; `with` is its value with given offsets.
+/// The statements that list the transmission errors in a deflection, each with its coefficient. `used` are the names in the deflection;
+/// `with` is its value for given offsets.
 fn errors_of(m: &Model, used: &BTreeSet<String>, with: &dyn Fn(Offsets<'_>) -> TokenStream) -> TokenStream {
     let each = gated::errors(m).filter(|(_, law)| used.contains(&law.name.to_string())).map(|(i, law)| {
         let (i, met) = (Index::from(i), law.with.as_ref().map(is_met));
@@ -205,7 +208,8 @@ fn errors_of(m: &Model, used: &BTreeSet<String>, with: &dyn Fn(Offsets<'_>) -> T
     each.collect()
 }
 
-/// The arm of a bent deflection: value and gradient at `q`, the value as that of a linear form.
+/// The match arm of a bent deflection: its gradient at `q`, and the constant for which the linear form has the value of the deflection at
+/// `q`.
 fn bent(m: &Model, d: Index, [name, rate]: [&Ident; 2], errors: &TokenStream) -> TokenStream {
     let n = Index::from(m.coordinates.len());
     let (value, slope) = (with_lets(m, quote!(#name)), with_lets(m, quote!(#rate)));
@@ -226,7 +230,7 @@ fn bent(m: &Model, d: Index, [name, rate]: [&Ident; 2], errors: &TokenStream) ->
     }
 }
 
-/// Whether any deflection bends in a set of effects; nothing if the model has none that does.
+/// The function `bends`: whether any deflection bends in a scene. `None` if no deflection of the model bends.
 pub fn bends(m: &Model) -> Option<Cold> {
     let functions: Vec<_> = bending(m).collect();
     let always = functions.iter().any(|f| f.with.is_none());
@@ -240,7 +244,7 @@ pub fn bends(m: &Model) -> Option<Cold> {
     })
 }
 
-/// The functions by which deflections bend.
+/// The functions of positions that occur in deflections, and so make them bend.
 pub fn bending(m: &Model) -> impl Iterator<Item = &Function> {
     let bent: Vec<_> = m.deflections.iter().filter(|d| is_bent(m, &d.value)).collect();
     m.functions.iter().filter(move |f| bent.iter().any(|d| names(&d.value).contains(&f.name.to_string())))

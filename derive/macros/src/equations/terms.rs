@@ -1,6 +1,6 @@
-//! The functions that are called at every step, and the Jacobian. They have one block of code for each effect or condition, with all terms
-//! that it adds, behind one test. Code grows with the number of effects, not with that of their sets, and a scene executes no terms
-//! of absent effects. Of the functions that are called at every step there are variants without some of these blocks.
+//! The functions that are called at every step, and the Jacobian. All terms of an effect or condition are in one block of code, behind one
+//! test. So code grows with the number of effects, not with the number of their combinations, and a scene executes no terms of absent
+//! effects. The functions that are called at every step also have variants without some of these blocks.
 
 use proc_macro2::TokenStream;
 use quote::quote;
@@ -32,7 +32,7 @@ impl Terms {
         Self::of([(0, &m.dissipation)])
     }
 
-    /// Those of the entries of the Jacobian, in their order.
+    /// The terms of the entries of the Jacobian, in the order of the entries.
     pub fn of_jacobian(m: &Model) -> Self {
         Self::of(m.jacobian.iter().flatten().map(|e| &e.sum).enumerate())
     }
@@ -53,12 +53,12 @@ impl Terms {
         Self { blocks }
     }
 
-    /// Their values.
+    /// The values of all terms.
     pub fn values(&mut self) -> impl Iterator<Item = &mut Expr> {
         self.blocks.iter_mut().flat_map(|(_, addends)| addends).map(|(_, value)| value)
     }
 
-    /// The statements that add them up; `at` is the place of a sum.
+    /// The statements that add up the terms. `at` gives the variable of each sum.
     pub fn add(&self, m: &Model, at: impl Fn(usize) -> TokenStream) -> TokenStream {
         let add = |addends: &[Addend]| -> TokenStream {
             let add = addends.iter().map(|(i, value)| {
@@ -67,7 +67,8 @@ impl Terms {
             });
             add.collect()
         };
-        // The variables of the terms that are always present serve all; others are computed where they are needed.
+        // The variables of the terms that are always present are defined once, for all blocks. Each block defines the other variables that
+        // it needs.
         let always = add(&self.blocks[0].1);
         let code = |(condition, addends): &(Option<Ident>, Vec<Addend>)| match condition.as_ref().map(is_met) {
             None => {
@@ -80,7 +81,7 @@ impl Terms {
                 quote!(if #met { #lets #add })
             }
         };
-        // Few scenes have a motor or a fan, so that one test stands before those of all.
+        // Few scenes have a motor or a fan, so one test skips all of their blocks.
         let drives = |(condition, _): &(Option<Ident>, Vec<Addend>)| condition.as_ref().is_some_and(|c| drives(m, c));
         let groups = self.blocks.chunk_by(|a, b| drives(a) && drives(b)).map(|group| {
             let blocks: TokenStream = group.iter().map(code).collect();
@@ -95,7 +96,7 @@ fn place(m: &Model, name: &Ident) -> usize {
     position(m, name).index as usize
 }
 
-/// The functions `force` and `dissipation` of `Numbers`, of these terms.
+/// The functions `force` and `dissipation` of `Numbers`, with these terms.
 pub fn functions(m: &Model, variants: &Variants, force: &Terms, dissipation: &Terms) -> TokenStream {
     let n = Index::from(m.coordinates.len());
     let (values, laws) = (m.values(), Index::from(m.laws.len()));
@@ -109,7 +110,7 @@ pub fn functions(m: &Model, variants: &Variants, force: &Terms, dissipation: &Te
     quote! {
         #[inline(always)]
         fn force<#parameters>(&self, met: &Met, q: &[f64; #n], q_dot: &[f64; #n], k: &[f64; #values], dk: &[f64; #laws], force: &mut [f64; #n]) {
-            // -0.0 + x is x for every x, so that the compiler drops the addition; 0.0 + x is not for x = -0.0.
+            // -0.0 + x is x for every x, so the compiler drops the addition. 0.0 + x is not x for x = -0.0.
             let mut v = [-0.0; #n];
             #force
             *force = v;

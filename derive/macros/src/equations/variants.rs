@@ -1,7 +1,8 @@
-//! Variants of the functions that are called at every step. Some effects bring values of their own: laws, the symbols of switches, functions
-//! of positions. Others bring torques that depend on the speed: motors and fans. Each of these is a kind. There are variants that are compiled
-//! without the terms of a kind. A scene without this kind uses them, and does not even test whether the terms are present. There are at most
-//! five variants, whatever the number of effects: code still grows in proportion to that number. Which variant a scene has is decided when its equations are made.
+//! Variants of the functions that are called at every step. Some effects need further values: laws, the symbols of switches, functions of
+//! positions. Others add torques that depend on the speed: motors and fans. [`Kind`] lists these kinds. A variant is compiled without the
+//! terms of some kinds. A scene without these kinds uses the variant, and does not even test whether the terms are present. There are at
+//! most five variants for any number of effects, so code still grows in proportion to the number of effects. The variant of a scene is
+//! chosen when its equations are made.
 
 use std::collections::BTreeSet;
 
@@ -11,7 +12,7 @@ use syn::Ident;
 
 use crate::equations::model::{Model, Role, Sum};
 
-/// A kind of values or terms that effects bring.
+/// A kind of values or terms that an effect adds.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 enum Kind {
     /// Offsets of deflections that are laws.
@@ -24,7 +25,8 @@ enum Kind {
 
 use Kind::{Errors, Others, Switches};
 
-/// The kinds that variants have, where the model has them. A scene has the first variant that contains all its kinds.
+/// The kinds of each variant. Variants with a kind that the model does not have are left out. A scene uses the first variant that contains
+/// all its kinds.
 const VARIANTS: [&[Kind]; 5] = [&[], &[Errors], &[Switches], &[Errors, Switches], &[Errors, Switches, Others]];
 
 /// The variants of a model, the last one with all its kinds.
@@ -49,19 +51,20 @@ impl<'a> Variants<'a> {
         self.each.iter().flatten().copied().collect::<BTreeSet<_>>().into_iter()
     }
 
-    /// The constant parameters of a function that has variants.
+    /// The const generic parameters of a function that has variants.
     pub fn parameters(&self) -> TokenStream {
         let names = self.kinds().map(|kind| kind.parameter());
         quote!(#(const #names: bool),*)
     }
 
-    /// Those that a variant gives to another function.
+    /// The same parameters as arguments, for a call of another function that has variants.
     pub fn arguments(&self) -> TokenStream {
         let names = self.kinds().map(|kind| kind.parameter());
         quote!(#(#names),*)
     }
 
-    /// The expression `of` the constant arguments of the variant that a scene has, in a function that has `met`.
+    /// The code that selects the variant of a scene, in a function that has `met`. `of` gives the expression for the const generic
+    /// arguments of a variant.
     pub fn choice(&self, of: impl Fn(&TokenStream) -> TokenStream) -> TokenStream {
         let has = |kind: Kind| {
             let effects = self.model.effects.iter().map(|e| &e.name);
@@ -82,7 +85,7 @@ impl<'a> Variants<'a> {
         choice
     }
 
-    /// The code of a function with its tests of effects behind those of the kinds of values that they need.
+    /// The code of a function in which each test of an effect also tests the const generic parameters of the kinds that the effect needs.
     pub fn tested(&self, code: TokenStream) -> TokenStream {
         let (mut tested, mut before) = (quote!(), [String::new(), String::new()]);
         for token in code {
@@ -107,13 +110,13 @@ impl<'a> Variants<'a> {
 }
 
 impl Kind {
-    /// The constant parameter that says whether a variant has it.
+    /// The const generic parameter that is `true` in variants with this kind.
     fn parameter(&self) -> Ident {
         format_ident!("{}", format!("{self:?}").to_uppercase())
     }
 }
 
-/// The kinds of values that exist only with an effect.
+/// The kinds of values and terms that exist only with an effect.
 fn kinds(m: &Model, effect: &Ident) -> BTreeSet<Kind> {
     let with = |with: &Option<Ident>| with.as_ref() == Some(effect);
     let laws = m.laws.iter().filter(|law| with(&law.with));

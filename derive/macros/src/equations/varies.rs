@@ -1,5 +1,6 @@
-//! Which parameters may vary in time in a scene: those on which the generalised forces depend linearly and energies and inertias do not.
-//! Guards of switches, losses and outputs may also be linear in them. Then only methods by steps can compute the motion.
+//! Which parameters may vary in time in a scene. The generalised forces must be linear in such a parameter, and energies and inertias must
+//! not depend on it. Outputs, and guards and losses of switches, may be linear in it too. In that case, and if factors in the forces depend
+//! on the state, only methods by steps can compute the motion.
 
 use std::collections::{BTreeMap, HashMap};
 
@@ -23,7 +24,7 @@ pub enum Varies {
 }
 
 impl Varies {
-    /// The same as a value of gearsim.
+    /// The code of the corresponding variant of `model::Varies`.
     pub fn tokens(self) -> TokenStream {
         match self {
             Varies::Never => quote!(model::Varies::Never),
@@ -37,7 +38,7 @@ impl Varies {
 /// How each parameter of the model may vary in time, in their order.
 pub fn varies(m: &Model) -> Vec<Varies> {
     let mut all = of(m, Some);
-    // The engine adds the changes by each: forces must not contain a product of two of them.
+    // The engine adds the changes of the forces by each parameter, so forces must not contain a product of two such parameters.
     let by_steps = |varies: &Varies| matches!(varies, Varies::WithState | Varies::WithGuards);
     let together = of(m, |i| by_steps(&all[i]).then_some(0));
     if all.iter().any(by_steps) && together[0] == Varies::Never {
@@ -82,7 +83,7 @@ fn of_switches(m: &Model) -> Vec<&Expr> {
     terms(guards.flat_map(|rows| of_rows(rows)))
 }
 
-/// What must not depend on a parameter that varies.
+/// The expressions that must not depend on a parameter that varies.
 fn apart(m: &Model) -> Vec<&Expr> {
     let mut apart = terms([&m.kinetic, &m.potential, &m.dissipation].into_iter());
     apart.extend(m.constants.iter().chain(&m.deflections).chain(&m.rates).map(|a| &a.value));
@@ -110,8 +111,8 @@ fn of_entries(entries: &[Entry]) -> impl Iterator<Item = &Sum> {
     entries.iter().map(|entry| &entry.sum)
 }
 
-/// The degrees of an expression as a polynomial in parameters, by their indices. Parameters that are not in it are left out;
-/// [`NOT_LINEAR`] is any higher degree, or that of an expression that is not a polynomial.
+/// The degree of an expression in each parameter, by the index of the parameter. Parameters that are not in the expression are left out.
+/// [`NOT_LINEAR`] stands for any degree above 1, and for an expression that is not a polynomial in the parameter.
 type Degrees = BTreeMap<usize, u32>;
 
 const NOT_LINEAR: u32 = 2;

@@ -11,7 +11,8 @@ pub fn array<R, const N: usize>(numbers: &[R]) -> &[R; N] {
     numbers.try_into().unwrap_or_else(|_| wrong_length(N, numbers.len()))
 }
 
-/// The values of the laws and symbols of a model, or the slopes of its laws, for code that knows how many there are.
+/// The first L numbers as an array: the values of the laws and symbols of a model, or the slopes of its laws. For code compiled for a known
+/// L.
 ///
 /// # Panics
 /// If there are too few.

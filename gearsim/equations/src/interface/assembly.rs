@@ -1,8 +1,9 @@
-//! Forces and matrices put together through the gradients of deflections. A gradient is given by its entries that are not zero: index and value.
+//! Forces and matrices, assembled from terms that act along deflections. The gradient of a deflection is given by its nonzero entries, each
+//! with index and value.
 
 use crate::real::Real;
 
-/// Adds the force `f` along a deflection with the gradient `g`: f g. Zeros of the gradient are left out.
+/// Adds f g to the generalised forces `v`: the force `f` acts along a deflection with the gradient `g`.
 pub fn add_force<R: Real>(v: &mut [R], f: R, g: &[(usize, R)]) {
     g.iter().for_each(|(i, slope)| v[*i] += f * *slope);
 }
@@ -28,8 +29,9 @@ pub fn add_product<R: Real>(v: &mut [R], n: usize, k: R, g: &[(usize, R)], h: &[
     }
 }
 
-/// Adds the derivatives through deflections to the derivatives `v` by coordinates and speeds (N x N each). `by` has the derivatives by
-/// deflections and by their rates, a row of N for each; `gradients` has their gradients.
+/// Adds to `v`, the derivatives of N forces by coordinates and by speeds (N x N each), the derivatives through D deflections, by the chain
+/// rule. `by` has the derivatives of the forces by the deflections and by their rates (D x N each). `gradients` has the gradients of the
+/// deflections.
 pub fn add_through<const N: usize, const D: usize>(
     v: &mut [[[f64; N]; N]; 2],
     by: &[[[f64; N]; D]; 2],
@@ -50,7 +52,7 @@ mod tests {
 
     /// The sums against their definitions, and symmetry to the last digit.
     #[test]
-    fn products_are_those_of_dense_gradients() {
+    fn sparse_sums_equal_dense_sums() {
         let (g, h) = ([(0, 0.1), (2, -0.7)], [(1, 0.3), (2, 1.1)]);
         let dense = |sparse: &[(usize, f64)]| {
             let mut dense = [0.0; 3];
@@ -73,7 +75,7 @@ mod tests {
     }
 
     #[test]
-    fn derivatives_by_deflections_and_rates_are_spread_over_their_coordinates() {
+    fn derivatives_through_deflections_follow_the_chain_rule() {
         let mut v = [[[0.0; 2]; 2]; 2];
         add_through(&mut v, &[[[3.0, 0.0]], [[0.0, 5.0]]], &[&[(0, 2.0), (1, -1.0)]]);
         assert_eq!(v, [[[6.0, -3.0], [0.0; 2]], [[0.0; 2], [10.0, -5.0]]]);

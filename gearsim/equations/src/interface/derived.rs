@@ -1,4 +1,4 @@
-//! A derived model, and its linear cells in other numbers.
+//! A derived model, and its linear cells in other types of numbers.
 
 use nalgebra::{DMatrix, DVector};
 use xprec::Df64;

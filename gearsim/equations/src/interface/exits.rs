@@ -1,10 +1,10 @@
-//! The exits of a mode and the gradients of deflections, from what the code of a model states of them. The sums are written here, not in the code
-//! of each model.
+//! Computes the exits of a mode and the gradients of deflections from short statements in the code of a model. So this code need not be
+//! repeated in each model.
 
 use super::{Affine, Deflection, Exit, no_such};
 use crate::real::Real;
 
-/// What an addend of a guard is a multiple of.
+/// The quantity of which an addend of a guard is a multiple.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum On {
     /// One.
@@ -17,11 +17,11 @@ pub enum On {
     Reaction,
 }
 
-/// An exit as the code of a model states it: the mode that follows, whether it is sudden ([`Exit`]), and the addends of its guard, each with
-/// the place of its factor.
+/// An exit as the code of a model states it: the mode that follows, whether it is sudden ([`Exit`]), and the addends of its guard. Each
+/// addend has the index of its factor.
 pub type Stated = (usize, bool, &'static [(On, usize)]);
 
-/// The gradient of a linear form: its values along each coordinate.
+/// The gradient of a linear form: its value for a unit displacement of each coordinate.
 pub fn gradient<R: Real, const N: usize>(form: &dyn Fn(&[R; N]) -> R) -> [R; N] {
     let mut along = [R::from(0.0); N];
     std::array::from_fn(|j| {
@@ -32,14 +32,20 @@ pub fn gradient<R: Real, const N: usize>(form: &dyn Fn(&[R; N]) -> R) -> [R; N] 
     })
 }
 
-/// The values of the symbols in a mode of a switch. `modes` has for each mode the places of its values in `values`.
+/// The values of the symbols in a mode of a switch. `modes` has for each mode the indices of its values in `values`.
+///
+/// # Panics
+/// If the switch has no such mode.
 pub fn mode<R: Real>(modes: &[&[usize]], mode: usize, values: &[R]) -> Vec<R> {
     let places = modes.get(mode).unwrap_or_else(|| no_such("mode", mode));
     places.iter().map(|&place| values[place]).collect()
 }
 
-/// The exits of a mode of a switch of a model with `n` coordinates and the named deflections `of`. `modes` has for each mode what the code of
-/// the model states, with places in `factors`.
+/// The exits of a mode of a switch, for a model with `n` coordinates and the named deflections `of`. `modes` has for each mode the exits
+/// that the code of the model states; their factors are indices in `factors`.
+///
+/// # Panics
+/// If the switch has no such mode.
 pub fn exits<R: Real>(
     n: usize,
     modes: &[&[Stated]],

@@ -1,4 +1,4 @@
-//! Deflections, and the guards of the modes of switches, which are linear in displacements and speeds.
+//! Deflections, and the guards of the modes of switches. A guard is linear in coordinates, speeds and reactions.
 
 use smallvec::SmallVec;
 
@@ -44,7 +44,8 @@ pub struct Exit<R: Real = f64> {
 pub struct Affine<R: Real = f64> {
     /// Its value at the state zero.
     pub constant: R,
-    /// The sum of the sizes of the constants that `constant` consists of: they may cancel, but not their rounding errors.
+    /// The sum of the absolute values of the constants that `constant` consists of. The constants may cancel, but their rounding errors do
+    /// not.
     pub size: R,
     /// The transmission errors in it, each with the index of its law and its factor.
     pub errors: SmallVec<[(usize, R); 1]>,
@@ -90,13 +91,13 @@ impl<R: Real> Affine<R> {
 }
 
 impl Affine {
-    /// Its value without the term of the reaction.
+    /// Its value without the term of the reaction, at the coordinates `q`, the speeds `q_dot` and the law values `k`.
     #[inline]
     pub fn value(&self, q: &[f64], q_dot: &[f64], k: &[f64]) -> f64 {
         self.constant_at(k) + self.on_q.dot(q) + self.on_speed.dot(q_dot)
     }
 
-    /// The size of its terms that do not depend on the state.
+    /// The sum of the absolute values of its terms that do not depend on the state, at the law values `k`.
     #[inline]
     pub fn size_at(&self, k: &[f64]) -> f64 {
         self.size + shift(&self.errors, k).abs()

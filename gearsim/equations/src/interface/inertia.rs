@@ -1,10 +1,11 @@
-//! The inverse of the mass matrix and its products, for models without a closed form of it.
+//! The inverse of the mass matrix and its products, for models without a closed form of this inverse.
 
 use nalgebra::DVector;
 
 use crate::vector::{Matrix, Vector, dot};
 
-/// Derivatives of the accelerations: M⁻¹ times the derivatives of the forces, [`Equations::jacobian`](super::Equations::jacobian).
+/// Derivatives of the accelerations (n x n each): M⁻¹ times the derivatives of the forces
+/// ([`Equations::jacobian`](super::Equations::jacobian)).
 pub fn accelerated(mobility: &Matrix, of_force: [Matrix; 2]) -> [Matrix; 2] {
     of_force.map(|by| mobility * by)
 }

@@ -1,11 +1,11 @@
-//! What describes a cell, converted from one type of numbers to another.
+//! Conversion of matrices, deflections and exits from one type of numbers to another.
 
 use nalgebra::DMatrix;
 
 use super::{Affine, Deflection, Exit, Matrices};
 use crate::real::Real;
 
-/// Numbers in type S.
+/// The numbers in type S.
 pub fn numbers<R: Real, S: Real + From<R>>(of: &[R]) -> Vec<S> {
     of.iter().map(|&x| x.into()).collect()
 }
@@ -15,7 +15,7 @@ fn row<R: Real, S: Real + From<R>>(of: &R::Row) -> S::Row {
 }
 
 impl<R: Real> Matrices<R> {
-    /// Themselves in numbers of type S.
+    /// The same matrices in numbers of type S.
     pub fn in_numbers<S: Real + From<R>>(&self) -> Matrices<S> {
         let square = |m: &DMatrix<R>| m.map(S::from);
         Matrices {

@@ -4,9 +4,9 @@ use std::ops::{Add, AddAssign, Div, Mul, Neg, Sub};
 
 use xprec::Df64;
 
-/// A double-double number as derived equations compute with it. The compiler expands each operation of [`Df64`] to some twenty
-/// instructions at its place. The equations of a model contain thousands of operations and are evaluated once a cell, so here each
-/// operation is a call. This saves a quarter of the machine code of gearsim.
+/// A double-double number for derived equations. The compiler inlines each operation of [`Df64`] as some twenty instructions. The equations
+/// of a model contain thousands of operations and are evaluated once a cell, so here each operation is a call. This saves a quarter of the
+/// machine code of gearsim.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Double(Df64);
 

@@ -1,9 +1,10 @@
-//! The effects and terms that could be left out of a scene. An effect of several parts is judged for all of them, and for each by itself.
+//! The effects and terms that could be left out of a scene. An effect with several parts is a candidate as a whole, and each of its parts
+//! is a candidate too.
 
 use crate::model::{Model, Switching};
 use crate::scene::{Effects, Scene};
 
-/// The effects that remove terms, by the way in which laws then switch, each with the terms it removes. All other effects add terms.
+/// The effects that remove terms: the removed terms, and how laws switch with the effect. All other effects add terms.
 const DROPPING: [(&str, Switching); 2] =
     [("jump terms", Switching::WithoutJump), ("jump terms, moving phase", Switching::ByTime)];
 
@@ -16,7 +17,7 @@ pub struct Candidate {
     pub how: String,
     /// The scene without them.
     pub scene: Scene,
-    /// How its deviation is estimated.
+    /// How the deviation without them is estimated.
     pub way: Way,
 }
 
@@ -25,7 +26,7 @@ pub struct Candidate {
 pub enum Way {
     /// From the settled motion without the impulses of the steps.
     WithoutJumps,
-    /// From the mean alone: there is no vibration.
+    /// From the static deflection alone: without steps nothing vibrates.
     WithoutSteps,
     /// From a short run, because no settled motion can be computed without the effect.
     Run,
@@ -67,7 +68,7 @@ pub(crate) fn candidates(base: &Scene) -> Vec<Candidate> {
         let is_of_parts = all.len() > 1 && model.effects[all[0]].of == Some(name);
         candidates.extend(all.iter().filter(|_| is_of_parts).map(|&part| without(base, &[part], Way::Run)));
     }
-    // Effects that bend deflections need no further values in the scene, so the deviation that they would cause is estimated too.
+    // Effects that make a deflection nonlinear need no further values in the scene, so that adding them is a candidate too.
     for name in Effects::all(model).names(model).into_iter().filter(|name| !present.contains(name) && bends(base, name))
     {
         let names: Vec<_> = present.iter().copied().chain([name]).collect();
@@ -101,7 +102,7 @@ fn without(base: &Scene, effects: &[usize], way: Way) -> Candidate {
     }
 }
 
-/// How to change the list of effects of a scene so that `gone` are left out of it, and `left` stay.
+/// How to change the list of effects of a scene, in words: the effects `gone` are left out, the effects `left` stay.
 fn how(base: &Scene, gone: &Effects, left: &Effects) -> String {
     let model = base.model;
     let (before, after) = (base.effects.names(model), left.names(model));
@@ -114,12 +115,12 @@ fn how(base: &Scene, gone: &Effects, left: &Effects) -> String {
     }
 }
 
-/// Whether laws switch in this way with an effect.
+/// Whether laws switch in the way `how` because of the effect `name`.
 fn switches(model: &Model, name: &str, how: Switching) -> bool {
     model.switching(how).is_some_and(|effect| effect.name == name)
 }
 
-/// Whether an effect makes a deflection depend on the coordinates in another way than linearly.
+/// Whether an effect, or one of its parts, makes a deflection nonlinear in the coordinates.
 fn bends(scene: &Scene, name: &str) -> bool {
     scene.model.effects.iter().any(|effect| effect.bends && (effect.name == name || effect.of == Some(name)))
 }

@@ -1,4 +1,4 @@
-//! The results that a run is expected to record: from settled motions without a run; or extrapolated from a short run.
+//! The expected results of a run: computed from settled motions without a run, or extrapolated from a short run.
 
 use super::candidates::Way;
 use super::measures::{Apart, Bands, Measures, coordinates};
@@ -56,7 +56,7 @@ pub(crate) fn expected(
     measures.size.fill(0.0);
     let mut rate = 0.0;
     for _ in 0..SPEEDS {
-        // The speed, over that at the start, in the middle of this part of the run.
+        // The speed in the middle of this part of the run, relative to the speed at the start.
         let factor = (left - 0.5 * rate * part).max(f64::MIN_POSITIVE).sqrt();
         let orbit = steady.orbit(factor, jumps)?;
         add(&mut measures, &orbit, &elastic, bands);
@@ -102,8 +102,8 @@ pub(crate) fn short_run(scene: &Scene, mesh: f64) -> f64 {
 }
 
 impl Apart {
-    /// The deviation over a duration `long` \[s\], extrapolated from that over `short` \[s\]: those of speed and energy grow in proportion,
-    /// the others stay the same.
+    /// Extrapolates deviations over the duration `short` \[s\] to the duration `long` \[s\]. Deviations of speed and energy grow in
+    /// proportion to the duration, the others stay the same.
     pub fn over(self, short: f64, long: f64) -> Apart {
         let more = long / short;
         Apart { speed: self.speed * more, energy: self.energy * more, ..self }

@@ -15,8 +15,8 @@ pub struct Groups {
     pub modes: Vec<(f64, f64)>,
     /// Harmonics of a mesh frequency near a natural frequency, the nearest first, each with the name of its law.
     pub meetings: Vec<(&'static str, Meeting)>,
-    /// Parameters of effects over a static deflection in the same unit: the backlash of a mesh over the deflection of this mesh, others over
-    /// the largest of a coordinate.
+    /// Parameters of effects, each over a static deflection in the same unit. The backlash of a mesh is over the deflection of this mesh,
+    /// any other parameter over the largest deflection of a coordinate.
     pub gaps: Vec<(&'static str, f64)>,
 }
 

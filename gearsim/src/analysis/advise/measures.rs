@@ -1,4 +1,4 @@
-//! The results of a run in a few numbers, and the deviation of two runs in them.
+//! The results of a run in a few numbers, and the deviations between the results of two runs.
 
 use crate::analysis::spectrum::{segment_length, uniform_samples, welch};
 use crate::run::Outcome;
@@ -29,14 +29,14 @@ pub struct Measures {
     pub size: Vec<f64>,
     /// Power of each elastic coordinate in each band \[SI²\].
     pub bands: Vec<Vec<f64>>,
-    /// Mean speed of each continuously rotating coordinate, over the last tenth of the samples; in an expected result its ratio to the
-    /// speed at the start.
+    /// Mean speed of each continuously rotating coordinate over the last tenth of the samples \[SI\]. In an expected result it is the speed
+    /// at the end, relative to the speed at the start.
     pub speed: Vec<f64>,
     /// U = T + V - W at the end \[J\].
     pub energy: f64,
     /// T + V at the start \[J\].
     pub at_start: f64,
-    /// Number of steps met.
+    /// Number of events. Events at the same time count once.
     pub events: f64,
     /// Number of reflections among them.
     pub reflections: u64,
@@ -86,7 +86,7 @@ pub(crate) fn coordinates(scene: &Scene) -> (Vec<usize>, Vec<usize>) {
 }
 
 impl Measures {
-    /// The measures of a run, of the coordinates that are elastic and rotate in `scene`: those with which it is compared.
+    /// The measures of a run. `scene` says which coordinates are elastic and which rotate: it is the scene with which the run is compared.
     pub fn of(outcome: &Outcome, scene: &Scene, bands: &Bands) -> Measures {
         let run = &outcome.trajectory;
         let (elastic, rolling) = coordinates(scene);
@@ -164,15 +164,15 @@ impl Apart {
         self.each().iter().zip(limits.each()).all(|(x, limit)| *x <= limit)
     }
 
-    /// Their names.
+    /// The names of the deviations.
     pub const NAMES: [&str; 6] = ["rms", "peak", "bands", "speed", "energy", "events"];
 
-    /// All of them, in the order of their declaration.
+    /// All deviations, in the order of [`Apart::NAMES`].
     pub fn each(&self) -> [f64; 6] {
         [self.rms, self.peak, self.bands, self.speed, self.energy, self.events]
     }
 
-    /// The same as texts, in % and dB.
+    /// All deviations as texts, in % and dB.
     pub fn in_words(&self) -> [String; 6] {
         let mut words = self.each().map(percent);
         words[2] = decibels(self.bands);
@@ -180,7 +180,7 @@ impl Apart {
     }
 }
 
-/// A deviation in dB. At the largest, 200 dB, a band is empty in one of the two runs.
+/// A deviation in dB, as text. At the maximum, 200 dB, a band is empty in one of the two runs.
 fn decibels(x: f64) -> String {
     if x >= 0.995 * SILENT { "all".into() } else { format!("{x:.2} dB") }
 }

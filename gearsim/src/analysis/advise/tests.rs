@@ -32,7 +32,8 @@ fn steady_of<T>(scene: &Scene, f: impl FnOnce(&Steady<'_>) -> T) -> Result<T, Un
     Steady::of(scene, &system).map(|steady| f(&steady))
 }
 
-/// A run under the classical equations settles into the settled motion: same size, mean square and peak; the spectral lines add up.
+/// A run under the classical equations converges to the settled motion: size, mean square and peak agree. The spectral lines sum to the
+/// mean square.
 #[test]
 fn the_orbit_is_where_a_run_settles() {
     let errors = "laws.e={pitch_errors=[\"0 rad\", \"1e-3 rad\"], phase=\"0.4 rad\"}";
@@ -68,7 +69,7 @@ fn the_orbit_is_where_a_run_settles() {
 /// T0² (1/k1 - 1/k2)² (k1 + k2), the strain energy left over at both steps. This holds with and without the impulses, which only
 /// transfer this energy.
 #[test]
-fn a_slow_pitch_costs_its_steps() {
+fn a_slow_pitch_dissipates_the_energy_of_its_steps() {
     let set = ["parameters.zeta=0.1", "parameters.T0=10 N*m"];
     let orbit = steady_of(&scene(30.0, ALL, &set), |steady| steady.orbit(1.0, false).unwrap()).unwrap();
     let (k1, k2) = (1430.0, 2780.0);
@@ -78,7 +79,7 @@ fn a_slow_pitch_costs_its_steps() {
 
 /// The jump strength of the gear pair is that of Oh, Grosh & Barber (2005), M2 dk (T0/k1)²/theta'².
 #[test]
-fn the_jump_strength_is_the_papers() {
+fn the_jump_strength_is_that_of_the_paper() {
     let scene = scene(600.0, ALL, &["parameters.T0=10 N*m"]);
     let entry = MODELS.iter().find(|entry| entry.model.name == "gear_pair").unwrap();
     let system = entry.system(&scene).unwrap();
@@ -90,7 +91,8 @@ fn the_jump_strength_is_the_papers() {
     assert!((groups.mesh() - 240.0).abs() < 1e-9 && groups.meshes[0].ratio == 2780.0 / 1430.0);
 }
 
-/// The play of each mesh over its own static deflection F/k at the mid stiffness: 95 N m drive the first stage, three times as much the second.
+/// Play is relative to the static deflection F/k of its own mesh at the mid stiffness. The torque is 95 N m at the first stage and three
+/// times as much at the second.
 #[test]
 fn play_is_compared_with_the_deflection_of_its_mesh() {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../models/scenes/two_stage.toml");
@@ -116,7 +118,8 @@ fn scenes_without_a_settled_motion_name_the_reason() {
     assert!(matches!(steady_of(&still, |_| ()).unwrap_err(), Unknown::Aperiodic(_)));
 }
 
-/// Every effect of the scene is a candidate, left out with the effects that require it, and so is each approximation.
+/// Every effect of the scene is a candidate. It is left out together with the effects that require it. Each approximation of the jump terms
+/// is a candidate too.
 #[test]
 fn candidates_are_the_effects() {
     let scene = scene(600.0, FROZEN, &[]);
@@ -131,7 +134,7 @@ fn candidates_are_the_effects() {
 }
 
 #[test]
-fn deviations_are_of_the_worst() {
+fn deviations_are_those_of_the_worst_coordinate() {
     let bands = Bands::of(100.0, 900.0, 4000.0);
     assert_eq!(
         (bands.width, bands.index(49.0), bands.index(51.0), bands.index(451.0)),

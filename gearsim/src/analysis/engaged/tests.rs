@@ -90,7 +90,7 @@ fn meshes_of_several_models_have_their_gears() {
         if has_rotor {
             turns_as_recorded(mesh, &run);
         }
-        // A pitch of the phase is a base pitch.
+        // One pitch of the phase moves a pair of teeth by one base pitch.
         let contact = mesh.gears.contact().unwrap();
         let phase = run.model.coordinates.iter().position(|c| c.name == mesh.law.phase).unwrap();
         let last = run.len() - 1;
@@ -105,7 +105,7 @@ fn meshes_of_several_models_have_their_gears() {
 fn play_is_a_length() {
     let (scene, trajectory) = run("backlash.toml", &["run.t_end=1 ms"]);
     let all = engaged(&scene, &trajectory);
-    // b = bt N1/(2 rb1): with bt = 0.1 mm and the module 6.35 mm, in modules.
+    // b = bt N1/(2 rb1) with bt = 0.1 mm. In modules of 6.35 mm the play is 0.1/6.35.
     let play = mesh(&all, "k").play.unwrap();
     assert!((play / (0.1 / 6.35) - 1.0).abs() < 1e-3, "{play}");
     let (scene, trajectory) = run("response.toml", &["run.t_end=1 ms"]);

@@ -5,8 +5,8 @@ use crate::model::{GearData, Parameter};
 use crate::scene::Scene;
 use crate::train::{Factor, Part, RotationForm, Row, Train};
 
-/// The element that is a mesh: its rows are the phase, the lead h (N_1 theta_1 - N_2 theta_2), and theta_1 + theta_2, of a ring theta_1 -
-/// theta_2. h is the base radius per tooth.
+/// The element of a mesh. Its rows are the phase, the lead h (N_1 theta_1 - N_2 theta_2), and theta_1 + theta_2 (with a ring: theta_1 -
+/// theta_2). h is the base radius per tooth.
 const MESH: &str = "element_mesh_with_friction";
 const ROTOR: &str = "element_rotor";
 const THRUST_BEARING: &str = "element_thrust_bearing";
@@ -27,7 +27,7 @@ pub(super) fn teeth(scene: &Scene, train: &Train, i: usize) -> Option<Teeth> {
     let axial: Vec<usize> = bearings.flat_map(|part| form(&part.rows[0])).map(|(along, _)| along).collect();
     lead.retain(|(at, _)| !axial.contains(at));
     let [(rotor, first), (_, second)] = &lead[..] else { return None };
-    // The rotation of a rotor that is geared rigidly to another one is that of the other with further factors.
+    // If a rotor is geared rigidly to another one, its rotation is that of the other one times further factors.
     let own = first.powers.len() == 3;
     let of_rotor = |part: &&Part| {
         let alone =

@@ -1,7 +1,7 @@
-//! Propagators of small disturbances of a steady motion, z' = A(t) z with z = (e, e'/omega), the motions e that are not rigid, and a unit of speed
-//! omega.
+//! Propagators of small disturbances of a steady motion: z' = A(t) z with z = (e, e'/omega). e are the motions that are not rigid, and
+//! omega is a unit of speed [1/s].
 //!
-//! For forces that are not linear, A has their derivatives at the steady motion. If stiffnesses or laws of friction follow curves within a
+//! For nonlinear forces, A contains their derivatives at the steady motion. If stiffnesses or laws of friction follow curves within a
 //! stretch, A varies there, and its propagator is integrated ([`super::magnus`]).
 
 use nalgebra::DMatrix;
@@ -27,7 +27,7 @@ pub fn propagator(
         return Ok((split.generator(system, &stretch.levels, omega)? * stretch.time).exp());
     }
     let levels = |t: f64| courses.iter().map(|course| course.at(t)).collect::<Vec<_>>();
-    // At least two steps a wave of the highest harmonic.
+    // At least two steps per period of the highest harmonic.
     let waves = courses.iter().map(|course| course.highest_order() * course.frequency() * stretch.time);
     let least = 2.0 * waves.fold(0.0, f64::max);
     let generator = |t: f64| {

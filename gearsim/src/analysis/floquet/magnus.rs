@@ -6,7 +6,7 @@ use nalgebra::DMatrix;
 use super::FloquetError;
 use crate::tolerance::analysis::{MAGNUS_ERROR, MAGNUS_SHARE, MAGNUS_SPAN, MAGNUS_STEPS};
 
-/// Most terms of a series: it is shorter for exponents up to size ten.
+/// Maximum number of terms of the series of an exponential. Exponents of norms up to ten need fewer terms.
 const MOST_TERMS: u32 = 60;
 
 /// The Gauss points of a step of length `h` that begins at `t` [s].
@@ -20,8 +20,8 @@ pub(super) fn advance(at: &[DMatrix<f64>; 3], h: f64, p: &mut DMatrix<f64>) {
     multiply_by_exponential(&exponent(at, h), p);
 }
 
-/// P over the time `span` [s] from `begin` on, in at least `least` steps. Where P over a step differs from P over its halves by more than the
-/// tolerated error, the halves are steps: near a pitch point friction changes fast, and elsewhere slowly.
+/// P over the time `span` [s] from `begin` on, in at least `least` steps. A step is halved if P over it differs from the product of P over
+/// its halves by more than the tolerated error: friction changes fast near a pitch point, and slowly elsewhere.
 ///
 /// # Errors
 /// Those of `generator`, which computes A at a time; if P overflows; if a step would become too short.
@@ -64,7 +64,7 @@ where
         Ok(p)
     }
 
-    /// P over a step in as many parts as it needs. `coarse` is P in one.
+    /// P over a step, in as many parts as the tolerated error requires. `coarse` is P over the undivided step.
     fn refined(&self, t: f64, h: f64, coarse: DMatrix<f64>) -> Result<DMatrix<f64>, FloquetError> {
         let half = 0.5 * h;
         let [first, second] = [self.step(t, half)?, self.step(t + half, half)?];
@@ -72,7 +72,7 @@ where
         if fine.iter().any(|x| !x.is_finite()) {
             return Err(FloquetError::Overflow);
         }
-        // Each step has its share of the error, as long as rounding errors are smaller.
+        // The tolerated error is shared among the steps by their lengths, but no share is as small as rounding errors.
         let tolerated = MAGNUS_ERROR * (h / self.span).max(MAGNUS_SHARE);
         if (&fine - coarse).amax() <= tolerated * fine.amax() {
             return Ok(fine);
@@ -97,7 +97,8 @@ fn exponent([before, middle, after]: &[DMatrix<f64>; 3], h: f64) -> DMatrix<f64>
     a1 + a3 * (1.0 / 12.0) + outer * (1.0 / 240.0)
 }
 
-/// phi becomes exp(a) phi, by its power series: `a` is of size one, the angle of the fastest vibration in a step.
+/// Multiplies phi by exp(a) from the left, by the power series. The norm of `a` is about one: the angle of the fastest vibration in a step
+/// \[rad\].
 fn multiply_by_exponential(a: &DMatrix<f64>, phi: &mut DMatrix<f64>) {
     let mut term = phi.clone();
     for k in 1..=MOST_TERMS {

@@ -1,14 +1,16 @@
 //! Stability of a motion along which M and F change: a crank, a universal joint, a moving line of action.
 //!
-//! There is no steady motion. The reference is the motion that repeats after a turn ([`Turn`]) at the speeds of the scene. After the turn
-//! all coordinates have moved by the turn, and all speeds have their first values again except the speed of the reference coordinate. Its
-//! change in a turn is [`Orbit::drift`], caused by unbalanced torques and by losses. The motion is found by shooting: Newton's method on
-//! the state at the start, with the exact derivatives of the flow ([`variational`]), from the state that is static in the mean.
+//! There is no steady motion. The reference is the motion that repeats after a turn ([`Turn`]) at the speeds of the scene. After a turn
+//! every coordinate has moved by its part of the turn. Every speed has its first value again, except that of the reference coordinate. The
+//! relative change of this speed in a turn is [`Orbit::drift`]; unbalanced torques and losses cause it. The motion is found by shooting:
+//! Newton's method on the state at the start, with the exact derivatives of the flow ([`variational`]). The search begins at the speeds of
+//! the scene, with the elastic coordinates in static equilibrium at the mean laws.
 //!
 //! The multipliers are the eigenvalues of the derivative of the map from turn to turn, P = (1 - f grad g/(grad g . f)) Phi on the section
-//! g = const of the reference coordinate (F. Verhulst, Nonlinear Differential Equations and Dynamical Systems, 1996, Ch. 4): a shift along the
-//! motion itself is left out exactly. One of the others belongs to the speed of the rotation, as a rigid motion does in a linear system. It is
-//! the one whose speeds are most like the rotation, by kinetic energy. It is reported separately, and the verdict is on the other motions.
+//! g = const of the reference coordinate (F. Verhulst, Nonlinear Differential Equations and Dynamical Systems, 1996, Ch. 4). This leaves
+//! out the multiplier of a shift along the motion exactly. One of the remaining multipliers belongs to a change of the rotational speed, as
+//! that of a rigid motion does in a linear system. It is the one in whose eigenvector the rotation has the largest share of the kinetic
+//! energy. It is reported separately, and the verdict is on the other multipliers.
 
 mod saltation;
 mod variational;
@@ -44,19 +46,19 @@ use variational::{Carried, Variational};
 pub struct Orbit {
     /// Name of the reference coordinate.
     pub reference: &'static str,
-    /// How far it moves on in a turn \[SI\].
+    /// Advance of the reference coordinate in a turn \[SI\].
     pub turn: f64,
     /// Coordinates and speeds at the start of the turn (n each) \[SI\].
     pub start: [Vec<f64>; 2],
     /// Relative change of the speed of the reference coordinate in a turn.
     pub drift: f64,
-    /// How far the turn is from closing [relative to the rotation].
+    /// Residual of the turn [relative to the rotation].
     pub gap: f64,
     /// The multiplier of a change of the speed of the rotation.
     pub speed: Complex<f64>,
 }
 
-/// A shot: the end of a run over about a turn.
+/// A shot: the end of a run over the nominal time of a turn.
 struct Shot {
     q: Vector,
     v: Vector,
@@ -76,12 +78,12 @@ struct Digits {
 }
 
 impl Digits {
-    /// Far from the motion that repeats: the shots lead towards it, and take a fraction of the time.
+    /// Used far from the motion that repeats, where low accuracy suffices. These shots take a fraction of the time.
     const FEW: Digits = Digits { run: ORBIT_FIRST_TOLERANCE, disturbances: MAGNUS_FIRST_ERROR };
     const ALL: Digits = Digits { run: ORBIT_TOLERANCE, disturbances: MAGNUS_ERROR };
 }
 
-/// The multipliers of a scene along whose motion the equations change. `watch` is called at each step of the runs.
+/// The multipliers of a scene whose equations change along the motion. `watch` is called at each step of the runs.
 ///
 /// # Errors
 /// If the equations do not repeat, no motion repeats, or nothing vibrates.
@@ -128,9 +130,9 @@ pub fn of(scene: &Scene, system: &System, about: &Steady, watch: &dyn Fn()) -> R
 
 /// The multipliers of the map from turn to turn.
 struct Multipliers {
-    /// The largest first, without that of the speed of the rotation.
+    /// All multipliers except `speed`, by descending absolute value.
     others: Vec<Complex<f64>>,
-    /// That of a change of the speed of the rotation.
+    /// The multiplier of a change of the speed of the rotation.
     speed: Complex<f64>,
     /// The largest entry of the map.
     size: f64,
@@ -175,7 +177,7 @@ impl Shooting<'_> {
                 }
             }
             let step = self.newton(&place, &shot).ok_or(FloquetError::NoOrbit)?;
-            // A step that is too long leaves the range in which the flow is nearly linear.
+            // Halve a step that is too long: it leaves the range in which the flow is nearly linear.
             let mut part = 1.0;
             loop {
                 let moved = |x: &Vector, from: usize| Vector::from_fn(n, |i| x[i] + part * step[from + i]);
@@ -195,15 +197,15 @@ impl Shooting<'_> {
             }
         }
         match shot.trouble {
-            // A search that ends with few digits has not come near.
+            // A search that ends with `Digits::FEW` has not come near the solution.
             _ if digits == Digits::FEW || gap.is_nan() || gap > ORBIT_ACCEPTED => Err(FloquetError::NoOrbit),
             Some(why) => Err(FloquetError::NotSmooth { why }),
             None => Ok((place, shot)),
         }
     }
 
-    /// The end of a turn from `place` as the start of the next one. The reference coordinate is set back. Its speed is that with which it
-    /// moves on by the turn, from one step of Newton's method on this speed alone.
+    /// The start of the next turn: the end of the turn from `place`, with the reference coordinate set back. One step of Newton's method on
+    /// the speed of the reference coordinate alone makes this coordinate advance by the turn.
     fn onwards(&self, (q, v): &OrbitPoint, shot: &Shot) -> OrbitPoint {
         let (n, reference) = (q.len(), self.turn.reference);
         let mut next = (&shot.q - &self.turn.shift, shot.v.clone());
@@ -218,7 +220,8 @@ impl Shooting<'_> {
         next
     }
 
-    /// The coordinates a short way along the motion, where no law is near a step, so that turns begin and end within the same cells.
+    /// The coordinates at a later point of the motion, where all laws are as far from steps as possible, so that turns begin and end within
+    /// the same cells.
     fn aside(&self, about: &Steady) -> Result<Vector, FloquetError> {
         let courses: Vec<_> = steady::all_courses(self.scene, self.system)?;
         let courses: Vec<_> = courses.iter().filter(|course| course.turns()).collect();
@@ -273,8 +276,9 @@ impl Shooting<'_> {
         Ok(Shot { q, v, acceleration, phi, trouble: *trouble })
     }
 
-    /// How far a turn is from closing. Speeds except that of the reference, and elastic coordinates times the fastest rate, are compared
-    /// with the rotation by kinetic energy; the reference coordinate with the turn.
+    /// The norm of the residual of a turn [1]. Residuals of the speeds (except that of the reference), and of the elastic coordinates times
+    /// the fastest rate, are relative to the rotation in the norm of the kinetic energy. The residual of the reference coordinate is
+    /// relative to its advance in a turn.
     fn gap(&self, (q, v): &OrbitPoint, shot: &Shot) -> f64 {
         let ((rate, units), n, reference) = (self.units(), q.len(), self.turn.reference);
         let open = self.open((q, v), shot);
@@ -302,7 +306,8 @@ impl Shooting<'_> {
         (&m.mobility * &m.stiffness).amax().sqrt().max(1.0 / self.turn.time)
     }
 
-    /// The rate, and the units of coordinates and speeds by it and the kinetic energy (2n).
+    /// The fastest rate \[1/s\], and units of the coordinates and speeds (2n) \[SI\]. A unit of speed has the kinetic energy 1/2; a unit of
+    /// a coordinate is that unit of speed over the rate.
     fn units(&self) -> (f64, DVector<f64>) {
         let rate = self.rate();
         let q = self.system.steady().map_or_else(|| Vector::zeros(0), |about| about.q.clone());
@@ -351,7 +356,7 @@ impl Shooting<'_> {
             return Err(FloquetError::Overflow);
         }
         let mut all: Vec<Complex<f64>> = map.complex_eigenvalues().iter().copied().collect();
-        // How much of the speeds of an eigenvector is the rotation.
+        // Share of the rotation in the kinetic energy of the speeds of an eigenvector.
         let momentum = &self.system.equations().mass(&place.0) * &place.1;
         let rolling = self.rolling(place);
         let share = |z: &Complex<f64>| {

@@ -1,4 +1,4 @@
-//! The common period of all stiffnesses, divided into stretches in which none of them steps. Within a stretch a stiffness may follow a curve.
+//! The common period of all stiffnesses, divided into stretches. In a stretch no stiffness steps, but a stiffness may follow a curve.
 
 use num_integer::Integer;
 
@@ -16,7 +16,7 @@ pub enum Aperiodic {
     Constant,
     #[error("the phase of `{law}` does not move: give the scene a speed in [start]")]
     Still { law: &'static str },
-    #[error("springs to the ground hold what the speed in [start] turns, so that there is no steady rotation")]
+    #[error("springs to the ground stop the rotation that [start] gives, so that there is no steady rotation")]
     Held,
     #[error(
         "the meshes `{first}` and `{second}` have no common period: the ratio of their frequencies, {ratio}, is not one of whole numbers up to {most}"
@@ -33,7 +33,7 @@ pub enum Aperiodic {
 /// A part of the period in which no stiffness steps.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Stretch {
-    /// The value of each law, of a curve its mean in the cell \[SI\].
+    /// The value of each law; for a curve its mean in the cell \[SI\].
     pub levels: Vec<f64>,
     /// When it begins \[s\].
     pub begin: f64,
@@ -41,7 +41,7 @@ pub struct Stretch {
     pub time: f64,
 }
 
-/// The common period \[s\] of the laws, and its stretches in their order.
+/// The common period \[s\] of the laws, and its stretches in order of time.
 ///
 /// # Errors
 /// [`Aperiodic`] if there is none.
@@ -117,7 +117,7 @@ mod tests {
             assert!((part - 0.25 * period).abs() < 1e-15, "a quarter of the time at the first level");
         }
         assert!((whole - period).abs() < 1e-15);
-        // Two pitches of a and three of b, two steps each; one of a begins where one of b steps.
+        // Two pitches of a and three of b have ten steps. One step of a coincides with one of b.
         assert_eq!(stretches.len(), 9);
     }
 

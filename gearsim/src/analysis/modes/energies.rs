@@ -20,7 +20,7 @@ impl SymmetricForm {
     }
 }
 
-/// The matrices of the inertias and springs that have shares in the energies of the modes.
+/// The quadratic forms of the laws, springs and inertias that have shares in the energies of the modes.
 pub(super) struct Forms {
     pub laws: Vec<SymmetricForm>,
     pub springs: Vec<SymmetricForm>,
@@ -28,7 +28,7 @@ pub(super) struct Forms {
 }
 
 impl Forms {
-    /// Those of `parts`, and of the parts of K that come from the `laws`.
+    /// The forms of `parts`, and of `laws`: the parts of K that come from the laws.
     pub fn of(laws: &[DMatrix<f64>], parts: &Parts) -> Forms {
         Forms {
             laws: laws.iter().map(SymmetricForm::of).collect(),

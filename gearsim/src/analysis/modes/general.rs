@@ -37,7 +37,7 @@ pub fn of(
 /// slower. Rigid motions come first, then the others by ascending frequency.
 fn pairs(m: &Matrices) -> Vec<(Complex<f64>, Complex<f64>)> {
     let n = m.mass.nrows();
-    // Coordinates with a unit mass, and time in the unit of the fastest mode: all entries are of one size.
+    // Scale the coordinates to unit masses and the time to the fastest mode: all entries then have similar sizes.
     let unit = m.mass.diagonal().map(|m| m.sqrt());
     let scaled = |a: &DMatrix<f64>| DMatrix::from_fn(n, n, |i, j| unit[i] * a[(i, j)] / unit[j]);
     let [springs, dampers] = [&m.stiffness, &m.damping].map(|a| scaled(&(&m.mobility * a)));
@@ -66,7 +66,7 @@ fn pairs(m: &Matrices) -> Vec<(Complex<f64>, Complex<f64>)> {
     pairs
 }
 
-/// The shape of the eigenvalue `lambda`; of several equal ones, number `which`.
+/// The mode shape of the eigenvalue `lambda`. If several eigenvalues are equal, `which` is its number among them.
 fn shape(m: &Matrices, lambda: Complex<f64>, which: usize) -> DVector<Complex<f64>> {
     let n = m.mass.nrows();
     let unit = m.mass.diagonal().map(|m| 1.0 / m.sqrt());

@@ -1,5 +1,5 @@
-//! The part of a matrix that a parameter gives, if the matrix is linear in it. It is found numerically, from 1, 2 and 3 times the parameter,
-//! so that a model need not say which of its parameters are stiffnesses or inertias.
+//! The part of a matrix that comes from one parameter, if the matrix is linear in this parameter. It is computed numerically, from 1, 2 and
+//! 3 times the parameter, so that a model need not say which of its parameters are stiffnesses or inertias.
 
 use nalgebra::DMatrix;
 
@@ -19,7 +19,7 @@ pub(super) fn multiple<T>(
     of(&scene).ok()
 }
 
-/// The part of a matrix that the parameter gives, and the rounding errors of its elements; `None` if the matrix is not linear in it.
+/// The part of a matrix that comes from the parameter, and the rounding error of its elements; `None` if the matrix is not linear in it.
 pub(super) fn part([once, twice, thrice]: [&DMatrix<f64>; 3]) -> Option<(DMatrix<f64>, f64)> {
     let part = twice - once;
     let bend = (thrice - twice - &part).amax();

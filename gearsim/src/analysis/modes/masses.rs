@@ -1,8 +1,9 @@
 //! The inertias of a scene: the moments of inertia and the masses among its parameters. M is linear in each of them.
 //!
-//! T is the sum of the energies of the parts; the energy of a part is its inertia times half a square of speeds. The part of M that comes
-//! from an inertia is therefore positive semidefinite, and its share of the kinetic energy is between 0 and 1. (Coordinates have no such
-//! shares: where inertia couples coordinates, Re(conj(phi_i) (M phi)_i) may be negative, and for other coordinates larger than the sum.)
+//! T is the sum of the energies of the parts. The energy of a part is half its inertia times a sum of squared speeds. The part of M that
+//! comes from an inertia is therefore positive semidefinite, and its share of the kinetic energy is between 0 and 1. (Coordinates have no
+//! such shares: if the inertia couples coordinates, Re(conj(phi_i) (M phi)_i) may be negative for one coordinate and larger than the whole
+//! energy for another.)
 
 mod pieces;
 
@@ -25,21 +26,21 @@ pub struct Mass {
     pub name: &'static str,
     /// Its part of M (n x n).
     pub inertia: DMatrix<f64>,
-    /// Its momentum in the first rigid motion (n). If the part is at rest there, its momentum in a motion of the coordinate with its
-    /// largest inertia. The product with a mode shape has the sign of the part's motion.
+    /// Momentum of the part in the first rigid motion (n). If the part is at rest in that motion, its momentum in a motion of the
+    /// coordinate with its largest inertia. The product with a mode shape has the sign of the part's motion.
     pub sense: DVector<f64>,
     /// The pieces that it consists of, such as the planets of a set; empty if it is one body.
     pub pieces: Vec<Piece>,
 }
 
-/// A piece of an inertia, in the same terms.
+/// A piece of an inertia.
 #[derive(Debug, Clone)]
 pub struct Piece {
-    /// The first coordinate of its own.
+    /// The first coordinate that belongs to this piece alone.
     pub coordinate: &'static str,
     /// Its part of M (n x n).
     pub inertia: DMatrix<f64>,
-    /// As that of a [`Mass`].
+    /// Its momentum, as [`Mass::sense`].
     pub sense: DVector<f64>,
 }
 
@@ -78,14 +79,14 @@ pub fn of(scene: &Scene, entry: &Entry, system: &System, watch: &dyn Fn()) -> Re
     Ok(masses)
 }
 
-/// A bar in the kinetic energy of a mode: of a mass that is one body, or of a piece.
+/// A body with a share in the kinetic energy of a mode: a mass that is one body, or a piece of a mass.
 #[derive(Debug, Clone, Copy)]
 pub struct Body<'a> {
-    /// The mass, by its number.
+    /// Index of the mass.
     pub mass: usize,
     /// Name of its parameter.
     pub name: &'static str,
-    /// The first own coordinate of a piece.
+    /// For a piece, the first coordinate that belongs to it alone.
     pub coordinate: Option<&'static str>,
     inertia: &'a DMatrix<f64>,
     sense: &'a DVector<f64>,
@@ -105,7 +106,8 @@ pub fn bodies(masses: &[Mass]) -> Vec<Body<'_>> {
 }
 
 impl Body<'_> {
-    /// Its share in the kinetic energy of a mode with this shape, of which its mass has the share `of_mass`, with the sign of its motion.
+    /// The share of the body in the kinetic energy of a mode with this shape, with the sign of the body's motion. `of_mass` is the share of
+    /// its whole mass.
     pub fn share(&self, shape: &[Complex<f64>], of_mass: f64, mass: &Mass) -> f64 {
         let shape = DVector::from_column_slice(shape);
         let energy = |a: &DMatrix<f64>| shape.dotc(&(a.map(Complex::from) * &shape)).re;

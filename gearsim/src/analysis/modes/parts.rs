@@ -17,7 +17,7 @@ pub struct Parts {
 }
 
 impl Parts {
-    /// The parts of `scene`. `watch` is called many times meanwhile.
+    /// The parts of `scene`. `watch` is called many times during the computation.
     ///
     /// # Errors
     /// Those of the matrices of the scene.

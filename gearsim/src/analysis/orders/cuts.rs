@@ -1,5 +1,5 @@
-//! Order spectra and order cuts of a run-up: amplitudes over the speed, from windows of whole revolutions that overlap. Those of cuts are closer,
-//! so that a narrow resonance has many points.
+//! Order spectra and order cuts of a run-up: amplitudes over the speed, from overlapping windows of whole revolutions. The windows of cuts
+//! are closer to each other, so that a narrow resonance has many points.
 
 use super::{Orders, Turning};
 use crate::analysis::spectrum::SpectrumError;
@@ -13,13 +13,13 @@ pub struct Cut {
     pub amplitude: Vec<f64>,
 }
 
-/// Parts of a window from one cut to the next, at least and at most.
+/// Distance from one cut to the next, minimum and maximum [relative to the length of a window].
 const APART: [f64; 2] = [0.125, 0.5];
-/// Most cuts, where windows do not overlap by less than half.
+/// Maximum number of cuts, unless windows would then overlap by less than half.
 const MOST: f64 = 400.0;
 
-/// The amplitudes of `orders` of a column in windows of `revolutions`, from one of which to the next there is an eighth of a window; in long
-/// runs more, up to half.
+/// The amplitudes of `orders` of a column in windows of `revolutions`. The distance from one window to the next is an eighth of a window,
+/// in long runs up to half a window.
 ///
 /// # Errors
 /// Those of [`Turning::orders`].
@@ -66,7 +66,7 @@ pub fn windows(
             continue;
         }
         let angle: Vec<f64> = turning.angle[from..to].iter().map(|angle| angle - turning.angle[from]).collect();
-        // The window weighs its middle: the amplitude is that at the speed there.
+        // The window has most weight in its middle: the amplitude belongs to the speed there.
         let half = 0.5 * angle[angle.len() - 1];
         let middle = angle.partition_point(|&angle| angle < half).clamp(1, angle.len() - 2);
         let speed = 0.5 * (angle[middle + 1] - angle[middle - 1]) * turning.rate * std::f64::consts::TAU;

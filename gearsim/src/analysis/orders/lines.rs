@@ -1,13 +1,14 @@
 //! The lines that a drivetrain is expected to have: mesh orders and their sidebands.
 //!
-//! Each amplitude is a Fourier integral over the angle theta \[revolutions\] of the shaft, at the order o of the line. It is exact at o, also
-//! where o is not an order of a discrete transform. With the Hann window w over the angle, and x without its mean,
+//! Each amplitude is a Fourier integral over the angle theta \[revolutions\] of the shaft, at the order o of the line. It is exact at o,
+//! also if o is not an order of a discrete transform. With the Hann window w over the angle, and x without its mean,
 //!
 //! ```text
 //! A(o) = 2 |sum_n w_n x_n exp(-2 pi i o theta_n) dtheta_n| / sum_n w_n dtheta_n,    dtheta_n = (theta_(n+1) - theta_(n-1))/2
 //! ```
 //!
-//! A line k revolutions of a record away does not change A, for whole k >= 2: there the transform of the window is zero.
+//! In a record of R revolutions, another line whose order differs from o by k/R does not change A, for whole k >= 2: there the transform of
+//! the window is zero.
 
 use std::f64::consts::{PI, TAU};
 
@@ -18,27 +19,27 @@ use super::{Mesh, Turning};
 /// Multiples of a mesh order that are listed, and those that are listed with their sidebands.
 const HARMONICS: usize = 20;
 const WITH_SIDEBANDS: usize = 5;
-/// Sidebands on either side of a mesh order that are listed, of a gear that is in mesh once a turn.
+/// Number of listed sidebands on either side of a mesh order, for a gear that is in mesh once a turn.
 pub(super) const SIDEBANDS: i32 = 3;
-/// Lines on either side of a line that belong to it: half the width of the main lobe of the Hann window.
+/// Number of lines on either side of a line that belong to it: half the width of the main lobe of the Hann window.
 const LOBE: f64 = 2.0;
-/// Least number of revolutions of a rotor in a record, and so of lines between its sidebands, that separates them: the main lobe of the
-/// Hann window is 4 lines wide.
+/// Least number of revolutions of a rotor in a record for which its sidebands are separate. Sidebands are as many lines apart as the rotor
+/// makes revolutions, and the main lobe of the Hann window is 4 lines wide.
 pub const APART: f64 = 4.0;
-/// Samples in a period of the highest line that is listed: above half the sampling rate there are none.
+/// Least number of samples per period of a listed line: above half the sampling rate there are no lines.
 const SAMPLES: f64 = 2.5;
 
 /// Samples summed at a time, so that their phasors stay in the cache.
 const CHUNK: usize = 2048;
 
-/// A line.
+/// A line that a drivetrain is expected to have.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Line {
     /// The mesh, by its first stiffness law.
     pub mesh: &'static str,
     /// The multiple of the mesh order.
     pub harmonic: usize,
-    /// The rotor whose orders separate the sideband from the multiple; `None`: the multiple itself.
+    /// The rotor of a sideband; `None`: the multiple itself.
     pub rotor: Option<&'static str>,
     /// Distance from the multiple in orders of the rotor; 0: the multiple itself.
     pub sideband: i32,
@@ -89,8 +90,8 @@ pub(crate) fn in_lobe(frequency: f64, meshes: &[Mesh], line: f64) -> bool {
 }
 
 impl Turning {
-    /// Whether a column has each of `lines`: the multiples of mesh orders, and the sidebands that are lines of their own in its spectrum:
-    /// at least three times as high as the median about them.
+    /// Whether a column has each of `lines`. A multiple of a mesh order always counts. A sideband counts if it is a separate line of the
+    /// spectrum: at least three times as high as the median around it.
     pub fn has(&self, column: &[f64], lines: &[Line]) -> Vec<bool> {
         let orders = self.orders(column).ok();
         let stands_out = |order: f64| orders.as_ref().is_some_and(|orders| orders.stands_out(order));

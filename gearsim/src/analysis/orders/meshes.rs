@@ -9,8 +9,8 @@ use crate::trajectory::Trajectory;
 const STEADY: f64 = 0.02;
 /// Parts of a run whose mean speeds are compared. Vibrations average out in them.
 const PARTS: usize = 8;
-/// The ratio of mesh and rotor frequency is a number of teeth if it is whole within this tolerance [teeth], because shafts twist during a
-/// run.
+/// The ratio of mesh and rotor frequency is a number of teeth if it differs from a whole number by at most this [teeth]. It is not exactly
+/// whole, because shafts twist during a run.
 const WHOLE: f64 = 0.02;
 /// Numbers of teeth.
 const TEETH: std::ops::RangeInclusive<f64> = 5.0..=1000.0;
@@ -18,16 +18,16 @@ const TEETH: std::ops::RangeInclusive<f64> = 5.0..=1000.0;
 /// A group of meshes with the same phase.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Mesh {
-    /// Its first stiffness law, by its name.
+    /// Name of its first stiffness law.
     pub name: &'static str,
     /// Mean number of pitches a second \[Hz\].
     pub frequency: f64,
-    /// Whether its mean speed is constant within 2 %, so that its lines are at multiples of this frequency.
+    /// Whether the mean speed of its phase is constant within 2 %, so that its lines are at multiples of this frequency.
     pub steady: bool,
     /// The output that is its force, or its torque in models that have no base radii.
     pub force: Option<&'static str>,
     /// The rotors of its gears whose speeds are recorded. The mesh frequency is a whole multiple of the rotor frequency, the number of
-    /// teeth. If rotors have equal speeds, only the first is listed. Of a planet set: the gears relative to the carrier.
+    /// teeth. If rotors have equal speeds, only the first is listed. For a planet set: its gears, relative to the carrier.
     pub rotors: Vec<Rotor>,
     /// The recorded speeds of which the mesh frequency is a whole multiple.
     pub(super) geared: Vec<&'static str>,
@@ -36,27 +36,27 @@ pub struct Mesh {
 /// A rotor of a mesh.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Rotor {
-    /// The output that is its speed; `rotor_speed_s - rotor_speed_c` of a gear of a planet set.
+    /// The output that is its speed. For a gear of a planet set a difference such as `rotor_speed_s - rotor_speed_c`.
     pub name: &'static str,
-    /// Mean number of revolutions a second, of a gear of a planet set relative to the carrier \[Hz\].
+    /// Mean number of revolutions a second \[Hz\]. For a gear of a planet set relative to the carrier.
     pub frequency: f64,
     /// Its number of teeth in the mesh.
     pub teeth: f64,
-    /// How often a tooth of it is in mesh in one such revolution.
+    /// How often a tooth of the gear is in mesh in one such revolution.
     pub meets: u32,
 }
 
 impl Rotor {
-    /// The sidebands on either side of a mesh order at which faults show, in multiples of its frequency: the first three of a gear that
-    /// is in mesh once a turn, the first three times n of a gear that is n times in mesh. Where planets are out of phase, multiples of n
-    /// times the frequency lie at any of these distances from a mesh order.
+    /// The sidebands of a mesh order at which faults show, in multiples of the frequency of the rotor: the first 3 n on either side for a
+    /// gear that is in mesh n times a turn. If planets mesh out of phase, multiples of n times the frequency lie at any of these distances
+    /// from a mesh order.
     pub fn sidebands(&self) -> impl Iterator<Item = i32> + Clone + use<> {
         let most = SIDEBANDS * self.meets as i32;
         (-most..=most).filter(|k| *k != 0)
     }
 }
 
-/// The name of a rotor as a factor.
+/// The name of a rotor as a factor of a product: a difference is put in parentheses.
 pub fn term(name: &str) -> String {
     if name.contains(" - ") { format!("({name})") } else { name.to_owned() }
 }
@@ -70,7 +70,7 @@ pub fn force(model: &Model, law: &str) -> Option<&'static Output> {
     model.outputs.iter().find(|output| names.iter().any(|name| name == output.name))
 }
 
-/// The meshes of a run that roll, over its samples from the time `from` \[s\] on.
+/// The meshes of a run whose phases move by at least one pitch, over its samples from the time `from` \[s\] on.
 pub fn meshes(run: &Trajectory, from: f64) -> Vec<Mesh> {
     let rows: Vec<usize> = run.samples().filter(|&row| run.t[row] >= from).collect();
     let (Some(&first), Some(&last)) = (rows.first(), rows.last()) else { return vec![] };

@@ -1,10 +1,11 @@
 //! The rotors of the meshes of planet sets, relative to their carriers.
 //!
-//! A tooth of the sun meets the first planet f_s - f_c times a second, and one of the n planets n times as often: a cracked or spalled tooth
-//! shows at the mesh order plus and minus multiples of n (f_s - f_c), an eccentric sun or the force of one mesh at those of f_s - f_c. The
-//! same holds for the ring with f_r - f_c. A tooth of a planet, with f_p - f_c, meets the sun with one flank and the ring with the other, so
-//! that damage through the tooth shows twice a turn. Source: Z. Feng, M. J. Zuo, J. Sound Vib. 331 (2012) 4919-4939; before it P. D.
-//! McFadden, Mech. Syst. Signal Process. 5 (1991) 273-291 (averages over the teeth of suns and planets).
+//! A tooth of the sun meets the first planet f_s - f_c times a second, and any of the n planets n times as often. A cracked or spalled
+//! tooth therefore shows at the mesh order plus and minus multiples of n (f_s - f_c). An eccentric sun shows at plus and minus multiples of
+//! f_s - f_c, as does every fault in the force of one mesh. The same holds for the ring with f_r - f_c. A tooth of a planet, with f_p -
+//! f_c, meets the sun with one flank and the ring with the other, so that damage through the tooth shows twice a turn. Source: Z. Feng, M.
+//! J. Zuo, J. Sound Vib. 331 (2012) 4919-4939; before it P. D. McFadden, Mech. Syst. Signal Process. 5 (1991) 273-291 (averages over the
+//! teeth of suns and planets).
 
 use super::meshes::{mean, teeth};
 use super::{Rotor, SHAFT};
@@ -20,7 +21,8 @@ const LAW: &str = "k_s1";
 /// The planets of these models, whose speeds are no outputs.
 const PLANETS: &str = "planets - rotor_speed_c";
 
-/// The rotors of the planet sets whose meshes have this phase; none if it is not that of planet sets. `mesh`: the mesh frequency \[Hz\].
+/// The rotors of the planet sets whose meshes have this phase; empty if the phase is not that of a planet set. `mesh` is the mesh frequency
+/// \[Hz\].
 pub(super) fn rotors(run: &Trajectory, rows: &[usize], phase: &str, mesh: f64) -> Vec<Rotor> {
     let of_phase = |name: &str| run.model.laws.iter().any(|law| law.name == name && law.phase == phase);
     let speed = |name: Option<&str>| match name {
@@ -42,7 +44,7 @@ pub(super) fn rotors(run: &Trajectory, rows: &[usize], phase: &str, mesh: f64) -
     all
 }
 
-/// The relative rotations of a model. Those of a model that is derived as a whole follow from its names.
+/// The relative rotations of a model. For a model that is derived as a whole, they follow from the names of its outputs and laws.
 fn relative(model: &Model) -> Vec<Relative> {
     let has = |name: &str| model.outputs.iter().any(|output| output.name == name);
     if !model.relative.is_empty() || !has(SUN) || !has(CARRIER) {

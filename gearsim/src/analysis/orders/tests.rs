@@ -26,10 +26,10 @@ fn a_line_at_constant_speed_has_its_amplitude() {
     let x: Vec<f64> =
         run.t.iter().map(|t| 5.0 + 3.0 * (TAU * 230.0 * t).sin() + 0.5 * (TAU * 240.0 * t).cos()).collect();
     let orders = turning.orders(&x).unwrap();
-    // The interpolation is the error: (2 pi 240 Hz/20 kHz)^4 = 3e-5.
+    // The error comes from the interpolation: (2 pi 240 Hz/20 kHz)^4 = 3e-5.
     for (order, amplitude) in [(23.0, 3.0), (24.0, 0.5)] {
         let found = orders.at(order).unwrap();
-        // The main lobe of the window reaches one bin to either side; the sideband is ten bins away.
+        // The main lobe of the window reaches two lines to either side; the sideband is ten lines away.
         assert!((found / amplitude - 1.0).abs() < 1e-4, "{order}: {found}");
     }
     assert!(orders.at(12.0).unwrap() < 1e-4);
@@ -47,9 +47,9 @@ fn a_line_between_two_orders_keeps_its_amplitude() {
     }
 }
 
-/// What lies beside an order is not its amplitude: half a bandwidth away 3 dB are lost, two lines away everything.
+/// A line beside an order contributes little to the amplitude at that order: 3 dB less at half a bandwidth, nothing at two lines.
 #[test]
-fn the_amplitude_at_an_order_leaves_out_what_lies_beside_it() {
+fn lines_beside_an_order_are_attenuated() {
     let run = run(20_001, 20e3, |_| 10.0);
     let turning = Turning::of(&run, "rotor_speed", 0.0).unwrap();
     let x: Vec<f64> = run.t.iter().map(|t| 3.0 * (TAU * 10.0 * 24.0 * t).sin()).collect();
@@ -93,7 +93,7 @@ fn an_order_cut_follows_the_amplitude_over_speed() {
     let x: Vec<f64> = run.t.iter().map(|t| (5.0 + 10.0 * t) * (TAU * 17.0 * (5.0 * t + 5.0 * t * t)).sin()).collect();
     let turning = Turning::of(&run, "rotor_speed", 0.0).unwrap();
     let cuts = cuts(&turning, &x, &[17.0, 11.0], 8).unwrap();
-    // Of 100 revolutions, one cut each: a narrow resonance has many points.
+    // The run has 100 revolutions and one cut for each, so that a narrow resonance has many points.
     assert!(cuts.len() > 85 && cuts[cuts.len() - 1].speed > 4.0 * cuts[0].speed);
     for cut in &cuts {
         let expected = cut.speed / TAU;
@@ -105,7 +105,7 @@ fn an_order_cut_follows_the_amplitude_over_speed() {
 
 #[test]
 fn lines_have_their_amplitudes_wherever_their_orders_lie() {
-    // Seven revolutions and a part; an order between two lines of a transform, in a run-up.
+    // Seven revolutions of a run-up, with orders between two lines of a transform.
     let run = run(40_001, 20e3, |t| 2.0 + 1.5 * t + 0.02 * (TAU * 3.0 * t).sin());
     let turns = |t: f64| 2.0 * t + 0.75 * t * t + 0.02 / (TAU * 3.0) * (1.0 - (TAU * 3.0 * t).cos());
     let turning = Turning::of(&run, "rotor_speed", 0.0).unwrap();
@@ -124,7 +124,7 @@ fn lines_have_their_amplitudes_wherever_their_orders_lie() {
         frequency: order * turning.frequency(),
     };
     let found = turning.amplitudes(&[&x], &[17.37, 20.37, 19.37, 25.0].map(line));
-    // The shaft turns 7.0 revolutions in 2 s, so that all lines are whole revolutions of the record apart.
+    // The shaft turns 7.0 revolutions in 2 s, so that the orders of all lines differ by whole multiples of 1/7.
     for (amplitude, expected) in found.iter().zip([3.0, 0.5, 0.25, 0.0]) {
         // The constant and the lines at negative orders leak: 1/(order revolutions)^3 of each.
         assert!((amplitude[0] - expected).abs() < 1e-4, "{found:?}");
@@ -176,13 +176,13 @@ fn a_pitch_error_of_one_tooth_shows_in_all_sidebands() {
     for (line, amplitude) in lines.iter().zip(&found) {
         let pi_n = std::f64::consts::PI * line.order;
         let expected = (2.0 * (pi_n / 23.0).sin() / pi_n).abs();
-        // The edges lie between samples: 2 sin(..)/(pi n) is known to an edge's place, 1/3000 revolution.
+        // The edges lie between samples: each is known to 1/3000 revolution, which changes the amplitude by at most 2/3000.
         assert!((amplitude[0] - expected).abs() < 2.0 * 2.0 / 3000.0, "{line:?} {} {expected}", amplitude[0]);
     }
 }
 
-/// A rotor that makes four turns has sidebands four lines apart. The skirt of a line that lies between them is not one of them, nor is what
-/// lies within the main lobe of a mesh line.
+/// A rotor that makes four revolutions has sidebands four lines apart. The skirt of a line between two sidebands is not a sideband. Nothing
+/// within the main lobe of a mesh line is listed as a sideband.
 #[test]
 fn sidebands_are_lines_of_their_own() {
     let run = run(20_001, 10e3, |_| 2.0);
@@ -209,7 +209,7 @@ fn sidebands_are_lines_of_their_own() {
     }
 }
 
-/// A motor that a freewheel parts from the gears for a part of the run is not the shaft of orders, though it is the first.
+/// A motor that a freewheel separates from the gears for a part of the run is not the reference shaft, although it is the first rotor.
 #[test]
 fn orders_refer_to_a_shaft_that_turns_with_a_mesh() {
     static MOTOR: Output = Output { name: "rotor_speed_m", unit: SHAFT, with: None, known: false, doc: "" };

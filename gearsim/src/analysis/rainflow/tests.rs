@@ -33,7 +33,7 @@ fn a_sine_of_constant_amplitude_has_one_range() {
     let x: Vec<f64> = (0..=8000).map(|i| 7.0 + 2.0 * (std::f64::consts::TAU * f64::from(i) / 200.0).sin()).collect();
     let cycles = count(&x);
     let whole: f64 = cycles.iter().filter(|c| (c.range - 4.0).abs() < 1e-9).map(|c| c.count).sum();
-    // 40 periods, of which the beginning and the end are parts of a range.
+    // 40 periods. The quarter periods at the beginning and at the end have smaller ranges.
     assert_eq!(whole, 39.5);
     let classes = classes(&cycles, 10);
     assert_eq!((classes[9].count, classes[9].exceeded, classes.len()), (39.5, 39.5, 10));
@@ -42,7 +42,7 @@ fn a_sine_of_constant_amplitude_has_one_range() {
 }
 
 #[test]
-fn what_does_not_vary_has_no_cycles() {
+fn a_constant_column_has_no_cycles() {
     assert!(count(&[1.0; 5]).is_empty() && count(&[]).is_empty() && classes(&[], 5).is_empty());
     assert_eq!(count(&[0.0, 2.0]), [Cycle { range: 2.0, mean: 1.0, count: 0.5 }]);
 }

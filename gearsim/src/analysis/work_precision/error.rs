@@ -79,8 +79,9 @@ fn largest(column: &[f64]) -> f64 {
 
 /// The rows before an event at which a speed or the strain energy jumps; the row after the event is the next one.
 ///
-/// A speed has the rounding errors of those from which it follows: a deflection is the difference of two rotations that are many times as
-/// fast. A change of a speed is therefore compared with the speed that the coordinate would have if it alone had the kinetic energy.
+/// A speed has the rounding errors of the speeds from which it is computed: the rate of a deflection is the difference of two rotational
+/// speeds that are many times as large. A change of a speed is therefore compared with the speed that the coordinate would have if it alone
+/// had the kinetic energy.
 pub(super) fn jumps(t: &Trajectory) -> Vec<usize> {
     let kinetic = largest(&t.kinetic);
     let possible = |i: usize| t.inertia.get(i).map_or(0.0, |inertia| (2.0 * kinetic / inertia).sqrt());

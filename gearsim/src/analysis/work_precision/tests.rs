@@ -145,10 +145,10 @@ fn errors_of_a_scene() {
     assert!(table::csv(&measured).lines().count() > 60);
 }
 
-/// A rotor of 2 kg m^2 turns at 3 rad/s for 2 s, and a mass of 0.5 kg is at rest but for rounding errors: with all the energy, 9 J, it would
-/// move at 6 m/s, 12 m far.
+/// A rotor of 2 kg m^2 turns at 3 rad/s for 2 s, and a mass of 0.5 kg is at rest except for rounding errors. With all the energy, 9 J, the
+/// mass would move at 6 m/s and cover 12 m.
 #[test]
-fn what_is_at_rest_has_the_size_that_the_energy_of_the_run_allows() {
+fn sizes_at_rest_follow_from_the_energy_of_the_run() {
     let [rotor, mass] = [("theta", "rad"), ("x", "m")];
     let coordinate = |(name, unit)| Coordinate { name, unit, doc: "", start: Start::At(0.0) };
     let model =
@@ -163,13 +163,13 @@ fn what_is_at_rest_has_the_size_that_the_energy_of_the_run_allows() {
     // A displacement that stays is not a rounding error.
     run.q[1] = vec![1e-6; 2];
     assert_eq!(error::sizes(&run).0[1], 1e-6);
-    // What moves slowly does move.
+    // A slow coordinate is not at rest.
     run.q_dot[1] = vec![0.0, 1e-7];
     assert_eq!(error::sizes(&run).1[1], 1e-7);
 }
 
-/// A rotor of 2 kg m^2 turns at 3 rad/s, and a mass of 0.5 kg moves at 1 mm/s. A change of its speed by 1e-15 m/s is a rounding error of the
-/// 6 m/s that it would have with all the energy, 9 J; a change by 1e-9 m/s is a jump.
+/// A rotor of 2 kg m^2 turns at 3 rad/s, and a mass of 0.5 kg moves at 1 mm/s. With all the energy, 9 J, the mass would move at 6 m/s. A
+/// change of its speed by 1e-15 m/s is a rounding error of this speed; a change by 1e-9 m/s is a jump.
 #[test]
 fn rounding_errors_of_faster_coordinates_are_no_jumps() {
     let coordinate = |(name, unit)| Coordinate { name, unit, doc: "", start: Start::At(0.0) };

@@ -9,7 +9,7 @@ use crate::output::table::Values;
 use crate::output::{OutputError, Table};
 use crate::plot::{Axis, Figure, Marker, Panel, Series, Style};
 
-/// Where deviations of zero are drawn, as a share of their limit.
+/// Smallest ratio of a deviation to its limit that is drawn. Smaller ratios, and zero, are drawn at this value of the logarithmic axis.
 const LEAST: f64 = 1e-6;
 
 /// Everything that the terminal says besides the table of deviations.
@@ -49,7 +49,7 @@ pub(super) fn figure(scene: &str, advice: &Advice) -> Option<Figure> {
     })
 }
 
-/// The deviations as a table: two rows a candidate, estimated and from full runs.
+/// The deviations as a table. Each candidate has two rows: one estimated, one from full runs. The last row has the limits.
 pub(super) fn deviations(advice: &Advice) -> Result<Table, OutputError> {
     let mut names: [Vec<Cow<'static, str>>; 4] = Default::default();
     let (mut numbers, mut times) = (vec![], vec![]);

@@ -62,7 +62,7 @@ fn one((scene, moves): (&Scene, bool), of: &Parts, i: usize, mode: &Vibration, w
     };
     let coordinates = scene.model.coordinates;
     let names: Vec<&str> = coordinates.iter().map(|c| c.name).collect();
-    // Amplitudes of one unit have no unit relative to each other.
+    // If all coordinates have the same unit, no unit is printed: only ratios of amplitudes have a meaning.
     let mixed = coordinates.iter().any(|c| c.unit != coordinates[0].unit);
     let unit = |i: usize| if mixed { format!(" {}", coordinates[i].unit) } else { String::new() };
     let mut parts: Vec<usize> = (0..names.len()).collect();
@@ -157,7 +157,7 @@ fn harmonics(courses: &[SteadyLaw], chosen: &CellModes) -> String {
     text
 }
 
-/// The names of the meshes about which the same is said, such as those of planets, which turn alike.
+/// Groups the names of meshes that have the same text, such as the meshes of several planets.
 fn alike<'a, T: Hash + Eq>(all: impl Iterator<Item = (T, &'a str)>) -> impl Iterator<Item = (T, String)> {
     let mut names: IndexMap<T, Vec<&str>> = IndexMap::new();
     all.for_each(|(says, name)| names.entry(says).or_default().push(name));

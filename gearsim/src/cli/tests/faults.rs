@@ -1,5 +1,5 @@
-//! Faults on purpose: every operation on a file fails in turn, once or for good, while a run replaces an earlier one. Afterwards the
-//! folder holds the earlier run, whole, or the new one, whole, or says that it is incomplete, and every file in it can be read.
+//! Faults on purpose: every operation on a file fails in turn, once or permanently, while a run replaces an earlier one. Afterwards
+//! the folder holds all files of the earlier run, or all of the new one, or the marker of an incomplete folder. Every file can be read.
 
 use std::path::Path;
 

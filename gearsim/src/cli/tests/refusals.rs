@@ -97,7 +97,7 @@ fn advice_from_a_run_that_stopped_early_is_a_failure() {
     assert!(failure.to_string().contains("stopped early"), "{failure}");
 }
 
-/// The model of a new crate has the name of the crate: a model of gearsim, the list of parts among them, would be hidden.
+/// The model of a new crate has the name of the crate. It would hide a model of gearsim with this name, `train` included.
 #[test]
 fn a_crate_with_the_name_of_a_model_is_refused() {
     let root = tempfile::tempdir().unwrap();

@@ -98,7 +98,7 @@ fn a_run_whose_energy_account_does_not_close_is_a_failure() {
 
 /// If the energy account refutes a run, the report must not say that the account holds.
 #[test]
-fn a_report_of_a_wrong_result_trusts_no_account() {
+fn a_report_of_a_refuted_run_does_not_say_that_the_account_holds() {
     let scene = Scene::load(scene()).unwrap();
     let results = scene
         .with_all([("run.method", "rk4"), ("run.step", "0.2 ms")].map(|(key, value)| (key, value.into())))

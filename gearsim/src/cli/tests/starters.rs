@@ -20,9 +20,9 @@ fn a_scene_to_start_from_runs_for_each_model() {
     }
 }
 
-/// With all comments of parameters and laws opened and one more effect, a scene is valid too.
+/// A scene stays valid if all commented parameters and laws are made active and one more effect is added.
 #[test]
-fn what_is_in_comments_is_valid() {
+fn commented_lines_of_starters_are_valid() {
     for entry in crate::models() {
         let model = entry.model;
         let text: String =
@@ -77,7 +77,7 @@ fn there_is_a_manual_page_and_a_completion_for_each_command() {
 
 /// The tolerance of a scene whose cells are linear is not used, and the result says so.
 #[test]
-fn a_tolerance_that_is_not_used_is_said() {
+fn an_unused_tolerance_gives_a_remark() {
     let scene = Scene::load(super::scene()).unwrap().with("run.t_end", "1 ms").unwrap();
     let remarks = |scene: &Scene| scene.run().unwrap().summary().remarks;
     assert!(remarks(&scene).is_empty());

@@ -224,7 +224,7 @@ fn a_refused_sweep_writes_nothing() {
     assert!(content(root.path()).is_empty());
 }
 
-/// Three bytes changed anywhere in a part never give other numbers: the merge is refused, or nothing that is read has changed.
+/// If three bytes anywhere in a part are changed, the merge never has other numbers: it is refused, or it does not read these bytes.
 #[test]
 fn a_damaged_part_is_not_merged() {
     let root = tempfile::tempdir().unwrap();

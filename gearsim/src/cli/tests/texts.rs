@@ -68,7 +68,7 @@ fn the_examples_of_help_texts_are_command_lines() {
         let help = command.get_after_help().map(ToString::to_string).unwrap_or_default().replace("\\\n     ", "");
         for line in help.lines().filter_map(|line| line.strip_prefix("  ")).filter(|line| line.starts_with("gearsim "))
         {
-            // Without the file that gets the output, and without what the example is.
+            // Removes the redirection to a file and the description behind the command.
             let line = line.split(" > ").next().unwrap().split("    ").next().unwrap();
             let parsed = program().try_get_matches_from(words(line));
             assert!(parsed.is_ok(), "{line}: {}", parsed.unwrap_err());

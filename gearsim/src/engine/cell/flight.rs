@@ -13,9 +13,9 @@ use crate::engine::vector::Vector;
 #[derive(Debug, Clone)]
 pub struct Flight<'a> {
     pub(super) cell: &'a Cell,
-    /// Modal speeds at the start (N).
+    /// Modal speeds at the start (one per mode).
     pub(super) speed: Vector,
-    /// Modal forces g - omega² xi at the start (N).
+    /// Modal forces g - omega² xi at the start (one per mode).
     pub(super) force: Vector,
 }
 
@@ -115,7 +115,7 @@ impl<'a> Flight<'a> {
         self.cell.rate
     }
 
-    /// Increments of q and q' since the start, at a point (N each).
+    /// Increments of q and q' since the start, at a point (n each).
     #[inline]
     pub fn increments(&self, point: &Point) -> (Vector, Vector) {
         let (shapes, Point { moved, gained, .. }) = (&self.cell.shapes, point);

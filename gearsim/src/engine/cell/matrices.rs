@@ -9,12 +9,12 @@ use crate::engine::switch::Switch;
 use crate::engine::vector::{Matrix, Vector};
 use crate::tolerance::modes::CANCELLED_STIFFNESS;
 
-/// M, which in a linear cell is the same at every q.
+/// M. In a linear cell it is the same at every q.
 fn constant_mass(equations: &dyn Equations) -> Matrix {
     equations.mass(&Vector::zeros(equations.coordinates()))
 }
 
-/// M, M⁻¹, C, K, f of `equations` with `switches` in the modes whose values are among the law values `k`.
+/// M, M⁻¹, C, K and f of `equations` at the law values `k`, which include the values of the present modes of `switches`.
 ///
 /// # Errors
 /// If M is not positive definite, or a number overflows.
@@ -33,7 +33,7 @@ pub fn matrices(equations: &dyn Equations, switches: &[Switch], k: &[f64]) -> Re
     })
 }
 
-/// K without the rounding errors that remain where forces of switches cancel those of springs. With them, a coordinate without a spring
+/// K with zeros where forces of switches cancel those of springs up to rounding errors. With these errors, a coordinate without a spring
 /// would have a very soft spring, and its mode shape would be a rounding error.
 fn without_roundings(mut stiffness: Matrix, equations: &dyn Equations, switches: &[Switch], k: &[f64]) -> Matrix {
     let cancelling: Vec<(f64, &Vector)> = switches

@@ -7,8 +7,8 @@ use smallvec::{SmallVec, smallvec};
 use crate::engine::law::LawState;
 use crate::engine::switch::Switch;
 
-/// The number of a cell: its digits are the cells of the laws, of which the first varies fastest, then the modes of the switches. It is in
-/// words, each with as many digits as fit.
+/// The number of a cell, in a mixed radix. The digits are the cell indices of the laws, then the modes of the switches; the first digit
+/// varies fastest. The number is stored in words, each with as many digits as fit.
 #[derive(Debug, Clone, PartialEq, Eq, Hash)]
 pub struct Number(SmallVec<[u64; 2]>);
 
@@ -26,7 +26,7 @@ impl Number {
         Self::from_digits(of_laws.chain(switches.iter().map(|switch| (switch.mode, switch.modes()))))
     }
 
-    /// The number with these digits, each with the number of its values.
+    /// The number with these digits. Each digit comes with the number of values that it can have.
     #[inline]
     fn from_digits(digits: impl Iterator<Item = (usize, usize)>) -> Self {
         let (mut words, mut last, mut scale) = (SmallVec::new(), 0, 1u64);
@@ -46,7 +46,7 @@ impl Number {
         Number(words)
     }
 
-    /// The number as an index, where all cells are in a list.
+    /// The number as an index into the list of all cells. It must fit into one word.
     #[inline]
     pub fn index(&self) -> usize {
         self.0[0] as usize
@@ -80,7 +80,7 @@ mod tests {
 
     /// Seven to the power of 40 is about 2^112.
     #[test]
-    fn numbers_beyond_a_word_are_apart() {
+    fn numbers_larger_than_one_word_differ() {
         let alone = |place: usize, digit: usize| {
             Number::from_digits((0..40).map(move |i| (if i == place { digit } else { 0 }, 7)))
         };

@@ -30,7 +30,7 @@ pub struct Cell {
     pub omega2: Vec<Df64>,
     /// XᵀCX \[1/s\].
     pub damping: DMatrix<Df64>,
-    /// The modes, where damping does not couple them.
+    /// The modes; `None` if damping couples them.
     pub modes: Option<Vec<Mode>>,
     /// Upper bound of the rates of its modes [1/s].
     pub rate: f64,
@@ -40,7 +40,8 @@ pub struct Cell {
 const MOST_SWEEPS: usize = 20;
 
 impl Cell {
-    /// The cell with the given matrices, refined from its `plain` modes. The motions along `held` (n, one per column) are held.
+    /// The cell with the given matrices, refined from its `plain` modes. The motions along `held` (one column of n numbers per motion) are
+    /// held.
     pub fn new(matrices: Matrices<Df64>, plain: &LinearCell, held: Option<&DMatrix<Df64>>) -> Self {
         let Matrices { mass, damping, stiffness, load, .. } = &matrices;
         let z = held.map(remaining);

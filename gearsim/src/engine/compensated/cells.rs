@@ -41,14 +41,14 @@ type CellKey = (Number, Vec<(usize, Side)>, Vec<(usize, usize)>);
 
 /// Geometry of the steps of a law.
 pub struct Surface {
-    /// G.
+    /// G = n.M⁻¹n.
     pub compliance: Df64,
-    /// M⁻¹n / G (N).
+    /// M⁻¹n / G (n).
     pub direction: DVector<Df64>,
 }
 
 impl Cells {
-    /// The present cell of `now`.
+    /// The cells of a run. Computes the cell of `now` and makes it the present one.
     ///
     /// # Errors
     /// If its modes cannot be computed.
@@ -65,7 +65,7 @@ impl Cells {
         Ok(Cells { met, held: HashMap::new(), steps: HashMap::new(), surfaces, here, present: None })
     }
 
-    /// Makes the mode of `now` the present one.
+    /// Makes the cell of `now`, with its holds, the present one.
     ///
     /// # Errors
     /// If the modes of its cell cannot be computed.
@@ -78,7 +78,7 @@ impl Cells {
         Ok(())
     }
 
-    /// The cell with these switches and law values, by its number.
+    /// The cell with these switches and law values, found by its number or computed.
     fn cell(
         &mut self,
         exact: &dyn ExactCells,

@@ -35,12 +35,12 @@ pub struct Instant {
     pub rates: [DVector<Df64>; 3],
 }
 
-/// Maximum number of Newton steps. One is enough for a guess of 16 digits, a few near a graze.
+/// Maximum number of Newton steps. One step is enough for a guess with 16 digits; near a graze a few are needed.
 const MOST_STEPS: usize = 8;
 
 impl<'a> Flight<'a> {
-    /// The motion from `start` on at the time `since` \[s\], under `forces` whose fastest angular frequency is `fastest` \[rad/s\]; if
-    /// `flat`, they do not change.
+    /// The motion from the state `start` at the time `since` \[s\]. `fastest` is the highest angular frequency of `forces` \[rad/s\]. If
+    /// `flat`, the forces are constant.
     pub fn new(cell: &'a Cell, start: State, since: Df64, (forces, fastest, flat): (Forces<'a>, f64, bool)) -> Self {
         let speed = product(&cell.momentum, &start.q_dot);
         let mut force = &cell.load - product(&cell.springs, &start.q);
@@ -90,7 +90,7 @@ impl<'a> Flight<'a> {
         self.state(&moved, &gained)
     }
 
-    /// The time near `t` [s] at which `guard` is zero, and the state there; `None` if it is not zero nearby, e.g. at a graze.
+    /// The time near `t` [s] at which `guard` is zero, and the state there; `None` if it has no zero near `t`, e.g. at a graze.
     pub fn meet(&mut self, guard: &Guard, t: f64) -> Option<(Df64, State)> {
         let on_q = transposed(&self.cell.shapes, &guard.on_q);
         let depends_on_speed = guard.on_speed.iter().any(|slope| slope.hi() != 0.0);

@@ -7,7 +7,7 @@ use super::series::TERMS;
 use crate::engine::forcing::{Forcing, TURN};
 use crate::scene::TimeHistory;
 
-/// The parameters that vary. Each has its generalised forces per unit (N), its time history, its present piece, and its value at the start.
+/// The parameters that vary. Each has its generalised forces per unit (n), its time history, its present piece, and its value at the start.
 #[derive(Debug, Clone)]
 pub struct Forces<'a>(Vec<Force<'a>>);
 
@@ -31,14 +31,16 @@ impl<'a> Forces<'a> {
         self.0.iter().map(|force| force.load)
     }
 
-    /// Power series of T(t) - T(0) of each about the time `t` \[s\], in parts of `width` \[s\].
+    /// Power series of T(t) - T(0) of each parameter about the time `t` \[s\]. The variable is the time since `t`, divided by `width`
+    /// \[s\].
     pub fn series(&self, t: Df64, width: f64) -> Vec<[Df64; TERMS]> {
         self.0.iter().map(|force| force.series(t, width)).collect()
     }
 }
 
 impl Force<'_> {
-    /// The slope of the present piece. A quotient of two differences is computed in double-double precision.
+    /// The slope of the present piece. If the piece connects two given points, the slope is the quotient of their differences, computed in
+    /// double-double precision.
     fn slope(&self) -> Df64 {
         let piece = self.history.pieces[self.piece];
         let Some(next) = self.history.pieces.get(self.piece + 1) else { return piece.slope.into() };

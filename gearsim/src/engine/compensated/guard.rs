@@ -9,18 +9,18 @@ use crate::engine::equations::Affine;
 /// The function: a constant and slopes.
 #[derive(Debug, Clone)]
 pub struct Guard {
-    /// Value at the state zero, without forces that vary.
+    /// Value where the coordinates, the speeds and the forces that vary are zero.
     pub constant: Df64,
-    /// Slopes along the coordinates (N).
+    /// Slopes along the coordinates (n).
     pub on_q: DVector<Df64>,
-    /// Slopes along the speeds (N).
+    /// Slopes along the speeds (n).
     pub on_speed: DVector<Df64>,
-    /// Slopes along the generalised forces that vary (N).
+    /// Slopes along the generalised forces that vary (n).
     pub on_force: DVector<Df64>,
 }
 
 impl Guard {
-    /// The distance of coordinate `phase` of `n` from `boundary`.
+    /// The function q_i - `boundary` of coordinate i = `phase`, in a model with `n` coordinates.
     pub fn phase(n: usize, phase: usize, boundary: f64) -> Self {
         let zero = Df64::from(0.0);
         let none = DVector::from_element(n, zero);
@@ -29,13 +29,13 @@ impl Guard {
         Guard { constant: -Df64::from(boundary), on_q, on_speed: none.clone(), on_force: none }
     }
 
-    /// The guard of an exit at the law values `k`, without its reaction.
+    /// The guard of an exit at the law values `k`, without the part that depends on the reaction.
     pub fn affine(of: &Affine<Df64>, k: &[Df64]) -> Self {
         let none = DVector::from_element(of.on_q.len(), Df64::from(0.0));
         Guard { constant: of.constant_at(k), on_q: of.on_q.clone(), on_speed: of.on_speed.clone(), on_force: none }
     }
 
-    /// The same function and `factor` times `w`.F, where F are the generalised forces F = f - K q - C q' and those that vary.
+    /// The same function plus `factor` times `w`.F. The generalised forces are F = f - K q - C q', plus those that vary.
     pub fn with_forces(
         mut self,
         factor: Df64,
@@ -55,7 +55,7 @@ impl Guard {
     }
 }
 
-/// The product of a matrix and a vector. That of nalgebra is made for large matrices.
+/// The product of a matrix and a vector. The product of nalgebra is optimised for large matrices.
 #[inline]
 pub fn product(a: &DMatrix<Df64>, x: &DVector<Df64>) -> DVector<Df64> {
     let (n, mut y) = (a.nrows(), DVector::from_element(a.nrows(), Df64::from(0.0)));

@@ -1,7 +1,7 @@
-//! Holds in double-double precision: what is held, its reactions, and the functions that end it.
+//! Holds in double-double precision: the held motions, their reactions, and the guards that end the holds.
 //!
-//! The plain solver ends a hold a little late: when the reaction pulls by a margin, [`RELEASE`](crate::tolerance::events::RELEASE) of the
-//! forces. The zero of the reaction is then found before that time, and the free motion starts there ([`Late`]).
+//! The plain solver ends a hold a little late, when the reaction pulls by a margin: the part [`RELEASE`](crate::tolerance::events::RELEASE)
+//! of the forces. The zero of the reaction lies before that time. It is computed here, and the free motion starts there ([`Late`]).
 
 use nalgebra::{DMatrix, DVector};
 use xprec::Df64;
@@ -22,7 +22,7 @@ use crate::tolerance::events::DOUBLE_ZERO;
 pub struct Held {
     /// The modes of the remaining motions.
     pub cell: Cell,
-    /// R per F, one row for each hold, in the order of [`Contact`].
+    /// The matrix that gives the reactions R from the forces F, one row for each hold, in the order of [`Contact`].
     to_reactions: DMatrix<Df64>,
     /// The steps at which the phases are held, in the order of [`Contact::laws`].
     steps: Vec<Option<StiffnessStep>>,
@@ -36,7 +36,7 @@ pub struct Late {
     pub by: Df64,
 }
 
-/// N, the gradients of what a contact holds (n, one per column).
+/// N, the gradients of the motions that a contact holds (one column of n numbers per hold).
 pub fn normals(exact: &dyn ExactCells, now: &Hybrid<'_>, contact: &Contact, k: &[Df64]) -> DMatrix<Df64> {
     let n = now.state.q.len();
     let of_law = |&(law, side): &(usize, Side)| {
@@ -49,8 +49,8 @@ pub fn normals(exact: &dyn ExactCells, now: &Hybrid<'_>, contact: &Contact, k: &
 }
 
 impl Held {
-    /// The cell `held`, which is `free` with the motions along `normals` held, the phases at `steps`. `None` if the motions are not
-    /// independent.
+    /// The cell `held` with its reactions. `free` is the same cell without holds, `normals` are the gradients of the held motions, and
+    /// `steps` the steps at which phases are held. `None` if the held motions are linearly dependent.
     pub fn new(held: Cell, free: &Cell, normals: &DMatrix<Df64>, steps: Vec<Option<StiffnessStep>>) -> Option<Self> {
         let response = free.mobility() * normals;
         let to_reactions = solve(normals.transpose() * &response, response.transpose())?;
@@ -62,7 +62,7 @@ impl Held {
         state.q_dot = &self.cell.shapes * (&self.cell.momentum * &state.q_dot);
     }
 
-    /// The function whose zero is the end `end` of a hold, near a state; `k` are the law values.
+    /// The function whose zero ends a hold in the way `end`, for states close to `near`; `None` if there is none. `k` are the law values.
     pub fn guard(
         &self,
         exact: &dyn ExactCells,
@@ -96,7 +96,7 @@ impl Held {
     }
 }
 
-/// A⁻¹B of a symmetric positive definite A, by Gauss and Jordan; `None` if A is not.
+/// A⁻¹B for a symmetric A, by Gauss-Jordan elimination; `None` if A is not positive definite.
 fn solve(mut a: DMatrix<Df64>, mut b: DMatrix<Df64>) -> Option<DMatrix<Df64>> {
     let n = a.nrows();
     for i in 0..n {
@@ -118,9 +118,9 @@ fn solve(mut a: DMatrix<Df64>, mut b: DMatrix<Df64>) -> Option<DMatrix<Df64>> {
 }
 
 impl StiffnessStep {
-    /// A linear function of the coordinates that is zero where this step is, near the given state. The step of a transmission error is
-    /// itself linear. The step of the stiffness of one deflection is zero at two values of the deflection: the function is the deflection
-    /// minus the nearer value.
+    /// A linear function of the coordinates that has the same zero as this step, close to the state `near`. The step of a transmission
+    /// error is itself linear. The step of the stiffness of one deflection is zero at two values of the deflection; the function is then
+    /// the deflection minus the nearer value.
     fn zero(&self, near: &State) -> Option<Guard> {
         let StiffnessStep { stiffness, load, at_zero } = self;
         let n = load.len();

@@ -50,7 +50,7 @@ pub struct Compensated<'a> {
     plain: Box<dyn Solver + 'a>,
     given: Given<'a>,
     cells: Cells,
-    /// The hold that ended last, if the motion after it is not computed yet.
+    /// The hold that has just ended, until the motion after it is computed.
     late: Option<Late>,
 }
 
@@ -75,7 +75,7 @@ impl Solver for Compensated<'_> {
         if let Some(held) = self.cells.held() {
             State::of(&now.state).at_rest(held).write(&mut now.state);
         }
-        // A hold ended a little earlier: since then the motion is that of this mode.
+        // A hold has ended a little earlier. Since then the state has moved in this mode.
         if let Some(Late { state, by }) = self.late.take() {
             let state = match self.cells.held() {
                 Some(held) => state.at_rest(held),
@@ -97,7 +97,7 @@ impl Solver for Compensated<'_> {
         self.plain.rate()
     }
 
-    /// As [`Hybrid::jump`] does.
+    /// The same as [`Hybrid::jump`], in double-double precision.
     fn jump(&mut self, now: &mut Hybrid<'_>, law: usize, side: Side) -> Passage {
         let State { q, q_dot } = &State::of(&now.state);
         let dv = step::barrier(&*self.given.cells, now, law, side, q);
@@ -137,14 +137,14 @@ fn flight<'s>(
 /// A state in double-double precision.
 #[derive(Debug, Clone)]
 pub struct State {
-    /// Coordinates without their whole pitches (N).
+    /// Coordinates without their whole pitches (n).
     pub q: DVector<Df64>,
-    /// Speeds (N).
+    /// Speeds (n).
     pub q_dot: DVector<Df64>,
 }
 
 impl State {
-    /// A state of a run, with all its digits.
+    /// The state of a run, from the high and low parts of its numbers.
     pub fn of(state: &record::State) -> State {
         let exact = |x: &[f64], low: &[f64]| {
             let digit = |i: usize| Df64::from(x[i]) + low.get(i).copied().unwrap_or(0.0);

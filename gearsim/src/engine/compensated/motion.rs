@@ -14,17 +14,17 @@ use crate::engine::motion::{self, End, Motion, Reached};
 
 /// The motion.
 pub struct Refined<'s> {
-    /// In plain precision.
+    /// The motion in plain precision.
     pub plain: Box<dyn Motion + 's>,
-    /// Where it begins.
+    /// The state from which it begins.
     pub now: &'s Hybrid<'s>,
-    /// In double-double precision.
+    /// The motion in double-double precision.
     pub flight: Flight<'s>,
-    /// The modes of switches.
+    /// The guards and the modes of switches in double-double precision.
     pub exact: &'s dyn ExactCells,
     /// The present cell.
     pub cells: &'s Cells,
-    /// Where the hold ends that ends with this motion.
+    /// Set if a hold ends with this motion: its end, which is earlier than the plain solver noticed.
     pub late: &'s mut Option<Late>,
 }
 
@@ -77,7 +77,7 @@ impl Motion for Refined<'_> {
 }
 
 impl Refined<'_> {
-    /// The function whose zero is an end by a step or an exit.
+    /// The function whose zero is the given end of the motion, near the state `reached`; `None` if there is none.
     fn guard(&self, end: End, reached: &Reached) -> Option<Guard> {
         let now = self.now;
         let k = || cells::values(self.exact, &now.switches, &now.k);

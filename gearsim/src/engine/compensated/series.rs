@@ -1,5 +1,5 @@
-//! The motion in a cell by power series in double-double precision, window after window: under torques that vary in time, and where
-//! damping couples the modes. The recurrence is that of [`crate::engine::forcing::window`].
+//! The motion in a cell by power series in double-double precision, in successive windows. It is used under torques that vary in time, and
+//! where damping couples the modes. The recurrence is that of [`crate::engine::forcing::window`].
 
 use nalgebra::DVector;
 use xprec::Df64;
@@ -9,7 +9,7 @@ use super::flight::Instant;
 use super::forces::Forces;
 use crate::tolerance::events::WINDOW_SPAN;
 
-/// Terms of the series: 2⁴⁰/40! < 2e-36 of the motion remain.
+/// Number of terms of the series. The remainder is below 2⁴⁰/40! < 2e-36 of the motion.
 pub const TERMS: usize = 40;
 
 /// The motion from the start of a flight on.
@@ -32,7 +32,7 @@ impl<'a> Series<'a> {
     /// The motion that begins at the time `since` \[s\] with the modal speeds and forces `start`.
     pub fn new(cell: &'a Cell, forces: Forces<'a>, since: Df64, fastest: f64, start: [DVector<Df64>; 2]) -> Self {
         let rate = cell.rate.max(fastest);
-        // Without any rate the series is a polynomial, and ends.
+        // Without any rate the motion is a polynomial, and a window of any width is exact.
         let width = if rate > 0.0 { WINDOW_SPAN / rate } else { 1.0 };
         let none = || DVector::from_element(start[0].len(), Df64::from(0.0));
         let before = [none(), none()];
@@ -66,7 +66,7 @@ impl<'a> Series<'a> {
         self.terms = terms;
     }
 
-    /// The motion at the time `t` \[s\]. It must not be earlier than in the call before, except for the corrections of an event.
+    /// The motion at the time `t` \[s\]. It must not be earlier than in the previous call, except for the corrections of an event.
     pub fn at(&mut self, t: Df64) -> Instant {
         loop {
             let (begin, width) = self.window;
@@ -102,7 +102,7 @@ impl<'a> Series<'a> {
         }
     }
 
-    /// Values, rates and curvatures of the forces that vary, along `on_force`, at the time `t` \[s\] of the flight.
+    /// The scalar product of `on_force` and the forces that vary, and its first two derivatives, at the time `t` \[s\] of the flight.
     pub fn pushed(&self, on_force: &DVector<Df64>, t: Df64) -> [Df64; 3] {
         let at = self.since + t;
         let width = 1.0;

@@ -1,5 +1,5 @@
-//! The step of V at a boundary of a law, in double-double precision. For a phase that is held there, it is a quadratic form in the
-//! coordinates.
+//! The step of the potential energy V at a boundary of a law, in double-double precision. For a phase that is held there, it is a quadratic
+//! form in the coordinates.
 
 use nalgebra::{DMatrix, DVector};
 use xprec::Df64;
@@ -10,7 +10,7 @@ use crate::engine::equations::{ExactCells, Matrices};
 use crate::engine::hybrid::Hybrid;
 use crate::engine::law;
 
-/// The step from one cell to another one in which the switches have the same modes: dV = q.dK q/2 - df.q + h.
+/// The step of V from one cell to another one: dV = q.dK q/2 - df.q + h.
 #[derive(Debug, Clone)]
 pub struct StiffnessStep {
     /// dK (n x n).

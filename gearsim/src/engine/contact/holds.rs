@@ -1,4 +1,4 @@
-//! The start of holds: which motions are held, what ends each, and the energy that their start neglects.
+//! The start of holds: which motions are held, what ends each hold, and the energy that the start of the holds neglects.
 
 use nalgebra::linalg::Cholesky;
 use nalgebra::{DMatrix, DVector, Dyn};
@@ -31,15 +31,15 @@ pub struct Holds {
     normals: DMatrix<f64>,
     /// M⁻¹N.
     mobility: DMatrix<f64>,
-    /// (NᵀM⁻¹N)⁻¹.
+    /// The Cholesky factor of NᵀM⁻¹N.
     compliance: Cholesky<f64, Dyn>,
-    /// R per F.
+    /// The matrix that gives the reactions R from the forces F.
     to_reactions: DMatrix<f64>,
 }
 
 impl Holds {
-    /// The phases of `laws` and the deflections of switches in modes that hold. A motion that earlier holds already prevent is left out,
-    /// because it has no reaction of its own.
+    /// The phases of `laws` and the deflections of switches in modes that hold. A motion that the holds before it already prevent is left
+    /// out, because its reaction is not determined.
     pub(super) fn new(now: &Hybrid<'_>, laws: &[(usize, Side)]) -> Result<Self, Refusal> {
         let stuck = (0..now.switches.len()).filter(|&i| now.switches[i].here().held).map(Held::Switch);
         let mass = now.equations.mass(&now.state.q).cholesky().ok_or(Refusal::Mass)?;
@@ -63,8 +63,8 @@ impl Holds {
         Ok(Holds { held, normals, mobility, compliance, to_reactions })
     }
 
-    /// The functions that end the holds. For a law: its reaction plus the margin, and the zeros of its step. For a switch: its guards plus
-    /// the same margin.
+    /// The functions that end the holds. For a law: the reaction plus a margin, and the functions that are zero where its step is zero. For
+    /// a switch: its guards that depend on the reaction, plus such a margin.
     pub(super) fn watches(&self, now: &Hybrid<'_>) -> Vec<Watch> {
         let (equations, k, State { q, q_dot, .. }) = (now.equations, &now.k, &now.state);
         let (stiffness, damping) = (equations.stiffness(k), equations.damping(k));
@@ -110,7 +110,7 @@ impl Holds {
         reactions.into_iter().chain(slips).collect()
     }
 
-    /// The force c that varying factors of the held rates add to the reactions.
+    /// The force c: if factors of the held rates vary, the reactions are those to the forces F + c.
     pub(super) fn centripetal(&self, now: &Hybrid<'_>) -> Vector {
         let State { q, q_dot, .. } = &now.state;
         let k_dot = now.law_rates(q, q_dot);
@@ -125,7 +125,7 @@ impl Holds {
         centripetal(&now.equations.mobility(q), &self.normals, &drift)
     }
 
-    /// Sets the held speeds to zero.
+    /// Sets the held speeds to zero. Returns the contact and the energy that this neglects \[J\].
     pub(super) fn begin(self, now: &mut Hybrid<'_>, watches: Vec<Watch>) -> Result<(Option<Contact>, f64), Refusal> {
         let Holds { held, normals, mobility, compliance, to_reactions } = self;
         let speeds = normals.transpose() * DVector::from(&now.state.q_dot);

@@ -13,8 +13,8 @@ pub fn centripetal(mobility: &Matrix, normals: &DMatrix<f64>, d: &DVector<f64>) 
     force.map_or_else(|| Vector::from_fn(normals.nrows(), |_| f64::NAN), |force| Vector::from(&force))
 }
 
-/// P and the factors of the forces in the reactions. `mobility` is M⁻¹, and `normals` is N. The result is NaN if NᵀM⁻¹N is not positive
-/// definite.
+/// P, and the matrix that gives the reactions from the forces (one row per hold). `mobility` is M⁻¹, and `normals` is N. The result is NaN
+/// if NᵀM⁻¹N is not positive definite.
 pub fn held(mobility: &Matrix, normals: &DMatrix<f64>) -> (Matrix, DMatrix<f64>) {
     let response = mobility * normals;
     let unknown = || DMatrix::repeat(normals.ncols(), normals.nrows(), f64::NAN);
@@ -23,8 +23,8 @@ pub fn held(mobility: &Matrix, normals: &DMatrix<f64>) -> (Matrix, DMatrix<f64>)
     (left(mobility, &response, &to_reactions), to_reactions)
 }
 
-/// The mobility that holds leave: `mobility` less `response`, M⁻¹N, times `to_reactions`. As many holds as coordinates leave none. Else entries
-/// of which only rounding errors are left are zero: forces would move what is held.
+/// The mobility of the motion that remains with holds: `mobility` - `response` `to_reactions`, where `response` is M⁻¹N. It is zero if
+/// there are as many holds as coordinates. Entries that are only rounding errors are set to zero; otherwise forces would move what is held.
 pub fn left(mobility: &Matrix, response: &DMatrix<f64>, to_reactions: &DMatrix<f64>) -> Matrix {
     let n = mobility.nrows();
     if response.ncols() == n {
@@ -38,7 +38,7 @@ pub fn left(mobility: &Matrix, response: &DMatrix<f64>, to_reactions: &DMatrix<f
     })
 }
 
-/// Whether the last of several motions is possible while those before it are held. Each is a column of gradients (n).
+/// Whether the last of several motions is possible while those before it are held. Each motion is given by its gradient (n).
 pub fn is_free(mass: &Cholesky<f64, Dyn>, columns: &[DVector<f64>]) -> bool {
     let Some((last, before)) = columns.split_last() else { return true };
     let response = mass.solve(last);

@@ -9,7 +9,7 @@ use crate::engine::equations::Equations;
 use crate::engine::law;
 use crate::engine::record::State;
 use crate::engine::vector::{Matrix, Vector};
-use crate::tolerance::events::{DOUBLE_ZERO, ONE_DEFLECTION};
+use crate::tolerance::events::{DOUBLE_ZERO, ONE_DEFLECTION, QUADRATIC_STEP};
 
 /// Whether dV of a law is zero at every state in the present cell, because the deflection that it strains is out of contact.
 pub fn is_void(equations: &dyn Equations, stand: Stand<'_>, law: (usize, Side), state: &State) -> bool {
@@ -39,16 +39,16 @@ impl StepOfV {
         let (bent, pulled) = (0.5 * q.dot(&(&stiffness * q)), load.dot(q));
         let size = equations.potential(q, &beyond).abs() + bent.abs() + pulled.abs() + at_zero.abs();
         let error = dv(q) - (bent - pulled + at_zero);
-        (error.abs() <= ONE_DEFLECTION * size).then_some(StepOfV { stiffness, load, at_zero })
+        (error.abs() <= QUADRATIC_STEP * size).then_some(StepOfV { stiffness, load, at_zero })
     }
 }
 
-/// The step of V at a boundary of a law is dV = q.dK q/2 - df.q + h. These linear functions of the coordinates are zero where dV is zero:
+/// Linear functions of the coordinates that are zero where the step dV = q.dK q/2 - df.q + h at a boundary of a law is zero:
 /// - for a transmission error dK = 0, and dV itself is linear;
 /// - for the stiffness of one deflection x = d.q, dV = c x²/2 - g x + h with dK = c d dᵀ and df = g d, one function for each root x.
 ///
-/// There are none if the law strains several deflections, which are not zero together, or if dV is not of this form. Laws of other phases
-/// have their present values.
+/// The list is empty if the law strains several deflections, which are not zero together, or if dV is not of this form. Laws of other
+/// phases have their present values.
 pub fn barriers(equations: &dyn Equations, stand: Stand<'_>, law: usize, side: Side, state: &State) -> Vec<StateForm> {
     let Some(StepOfV { stiffness, load, at_zero: h }) = StepOfV::new(equations, stand, (law, side), state) else {
         return vec![];

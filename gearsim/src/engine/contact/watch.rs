@@ -23,18 +23,18 @@ pub struct StateForm {
     pub on_q: Vector,
     /// Those along the speeds.
     pub on_speed: Vector,
-    /// Those along the forces: a multiple of a row of the factors of the reactions.
+    /// Those along the forces: a multiple of a row of the matrix that gives the reactions from the forces.
     pub on_force: Vector,
     /// The number of that row, and the multiple; `None` if the function does not depend on reactions.
     pub(super) reaction: Option<(usize, f64)>,
-    /// Its value where all of them are zero, without the margin.
+    /// Its value where coordinates, speeds and forces are zero, without the margin.
     pub(super) constant: f64,
     /// How far a reaction may pull before the hold ends. It is 0 if the function does not depend on reactions.
     pub(super) margin: f64,
 }
 
 impl Watch {
-    /// Its function at the coordinates `q` and the law values `k`. Curved laws are factors of the guards of a switch, so that these change
+    /// Its function at the coordinates `q` and the law values `k`. The guards of a switch may have curved laws as factors, and then change
     /// within a mode.
     pub fn at(&self, equations: &dyn Equations, switches: &[Switch], q: &[f64], k: &[f64]) -> StateForm {
         let (End::Loose(switch, beyond), Some((_, factor))) = (self.end, self.form.reaction) else {
@@ -49,7 +49,7 @@ impl Watch {
 }
 
 impl StateForm {
-    /// R plus the margin by which it may pull: the forces times row `which` of the factors, plus the margin.
+    /// The function R + `margin`, where R = `on_force`.F is reaction number `which`.
     pub(super) fn reaction(on_force: Vector, which: usize, margin: f64) -> Self {
         let none = Vector::zeros(on_force.len());
         StateForm { on_q: none.clone(), on_speed: none, on_force, reaction: Some((which, 1.0)), constant: 0.0, margin }
@@ -60,14 +60,14 @@ impl StateForm {
         self.constant + self.margin
     }
 
-    /// The same function where the factors of the reactions are `to_reactions` (one a row).
+    /// The same function with `to_reactions` as the matrix that gives the reactions from the forces (one row per reaction).
     pub fn at(&self, to_reactions: &DMatrix<f64>) -> Self {
         let row =
             |(which, factor): (usize, f64)| Vector::from_fn(self.on_force.len(), |i| factor * to_reactions[(which, i)]);
         StateForm { on_force: self.reaction.map_or_else(|| self.on_force.clone(), row), ..self.clone() }
     }
 
-    /// A deflection less the value `at`.
+    /// The deflection with the gradient `on_q`, minus the value `at`.
     pub(super) fn deflection(on_q: Vector, at: f64) -> Self {
         let none = Vector::zeros(on_q.len());
         StateForm { on_q, on_speed: none.clone(), on_force: none, reaction: None, constant: -at, margin: 0.0 }

@@ -32,8 +32,8 @@ pub struct Loss {
     rate: f64,
 }
 
-/// The exponentials of all damped modes, and their weights phi_kᵀG phi_l/(lambda_k + lambda_l). If the sum is zero, the weight is
-/// not divided.
+/// The exponentials of all damped modes, and their weights phi_kᵀG phi_l/(lambda_k + lambda_l). If the sum of the two eigenvalues is zero,
+/// the weight is not divided by it.
 #[derive(Debug, Clone)]
 struct Closed {
     /// For each exponential: index of the mode, lambda, and the other eigenvalue of the mode.

@@ -6,9 +6,9 @@
 //! s(t)/t = s'(0) + s''(0) t/2 + s'''(0) t²/6 + ...
 //! ```
 //!
-//! This is a polynomial with a bound on its remainder, over a time for which the remainder is small. Each coefficient has its own
-//! rounding error, and s'(0) comes from the state. The time of the return is therefore as exact as 2 s'(0)/s''(0). The phase
-//! itself is a sum over modes, with the rounding errors of its largest term.
+//! This is a polynomial with a bound on its remainder, over a time for which the remainder is small. Each coefficient has its own rounding
+//! error, and s'(0) comes from the state. The time of the return is therefore as exact as 2 s'(0)/s''(0). A root of s itself would be less
+//! exact, because s is a sum over modes, with the rounding errors of its largest term.
 
 use super::bernstein::{Bernstein, First};
 use super::{Search, Side};

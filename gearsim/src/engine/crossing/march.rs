@@ -50,7 +50,7 @@ impl Search<'_> {
                     h = h.min(2.0 * (r + (2.0 * tolerance * a.abs()).sqrt()) / a.abs());
                     continue;
                 }
-                // The phase reversed between two steps. If its distance was within the tolerance there, it was a graze.
+                // The phase reversed between two steps. If it came within the tolerance of the boundary, this was a graze.
                 if approached[i] && r < 0.0 && gap <= tolerance + r * r / (2.0 * a.abs()) {
                     cost.grazes += 1;
                 }

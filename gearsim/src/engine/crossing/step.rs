@@ -8,16 +8,17 @@
 //! f - r h - B2 h²/2        f - r h - a h²/2 - B3 h³/6        f - r h - a h²/2 - j h³/6 - B4 h⁴/24
 //! ```
 //!
-//! The first root of the first polynomial has a closed form, and that of the second too if the phase leaves the boundary (f = r = 0, a <
-//! 0). The third is proved to be positive by its Bernstein coefficients ([`Bernstein`]), over up to [`REACH`] times the step of the other
-//! two. It gives long steps where the acceleration is far below its bound. Its coefficients are lowered by the rounding errors of r, a and
-//! j. The proof then holds for the phase, to one rounding error of s.
+//! The first root of the first polynomial has a closed form. If the phase moves away (r <= 0), a lower bound of the first root of the
+//! second (a < 0) and of the third (a <= 0, j < 0) has a closed form too. Beyond these times the third polynomial is proved to be positive
+//! by its Bernstein coefficients ([`Bernstein`]), over up to [`REACH`] times this step. It gives long steps where the acceleration is far
+//! below its bound. Its coefficients are lowered by the rounding errors of r, a and j. The proof then holds for the phase, to one rounding
+//! error of s.
 
 use super::super::signal::Rounding;
 use super::bernstein::{Bernstein, First};
 use crate::tolerance::events::SINGLE_ROOT;
 
-/// Maximum length of the step of the third polynomial, in steps of the other two.
+/// Maximum length of the step proved by Bernstein coefficients, relative to the step in closed form.
 const REACH: f64 = 64.0;
 /// Maximum number of bisections of this length.
 const HALVINGS: u32 = 8;
@@ -64,7 +65,7 @@ impl Approach {
         } else {
             f64::INFINITY
         };
-        // The phase moves away: its derivatives exceed the bound on the next derivative.
+        // If the phase moves away, the second polynomial is positive up to h = 3 |a|/B3, and the third up to h = 4 |j|/B4.
         let leaving = |d: f64, bound: f64| if bound > 0.0 { -d / bound } else { f64::INFINITY };
         let third = if r <= 0.0 && a < 0.0 { 3.0 * leaving(a, b3) } else { 0.0 };
         let fourth = if r <= 0.0 && a <= 0.0 && j < 0.0 { 4.0 * leaving(j, b4) } else { 0.0 };
@@ -75,7 +76,7 @@ impl Approach {
         clear.max(Approach { gap, ..self }.further((REACH * clear).min(enough)))
     }
 
-    /// The same with the polynomial of fourth order, at most `until`.
+    /// The same by the Bernstein coefficients of the third polynomial, which has degree 4; at most `until`.
     fn further(&self, until: f64) -> f64 {
         let Approach { gap, r, a, j, bounds: [.., b4], rounding } = *self;
         let lowered =

@@ -87,7 +87,7 @@ fn energies_and_work() {
 }
 
 #[test]
-fn accelerations() {
+fn accelerations_match_hand_written_formulas() {
     let e = gear_pair(STIFFNESS_STEP | DAMPING | TORQUES);
     let (m1, m2, c) = constants();
     let ([_, phi], [_, phi_dot], t0) = (Q, V, NUMBERS[5]);
@@ -100,7 +100,7 @@ fn accelerations() {
 /// The jacobian against central differences. The accelerations are at most quadratic in q and q', so the differences along these
 /// are exact to rounding. Along theta the laws change with the phase.
 #[test]
-fn jacobian() {
+fn the_jacobian_matches_central_differences() {
     let e = gear_pair(STIFFNESS_STEP | DAMPING | TORQUES);
     let [by_q, by_v] = accelerated(&e.mobility(&Q), e.jacobian(&Q, &V, &K, &DK, &DDK));
     let at = |theta: f64, phi: f64, phi_dot: f64| {
@@ -184,7 +184,7 @@ fn transmission_error() {
 }
 
 #[test]
-fn cell_and_jump() {
+fn the_cell_and_the_jump_match_hand_written_formulas() {
     let e = gear_pair(STIFFNESS_STEP | DAMPING | TORQUES);
     let [n1, n2, i1, i2, _, t0, ..] = NUMBERS;
     let (m1, m2, c) = constants();
@@ -203,7 +203,7 @@ fn cell_and_jump() {
     close(&[e.step(0, &Q, &K, 400.0)], &[400.0 * Q[1] * Q[1]]);
 }
 
-/// Terms of an absent effect are not compiled: NaN and infinity in the quantities they would use do not change the result.
+/// Terms of an absent effect are not evaluated: NaN and infinity in the quantities that they would use do not change the result.
 #[test]
 fn terms_of_absent_effects_are_not_evaluated() {
     let mut numbers = NUMBERS;
@@ -225,7 +225,7 @@ fn terms_of_absent_effects_are_not_evaluated() {
 }
 
 #[test]
-fn sets_of_effects() {
+fn inadmissible_sets_of_effects_are_refused() {
     let exists = |effects| GearPair::equations(&set::<GearPair>(effects), &NUMBERS, &[MID]).is_some();
     assert_eq!((0..256).filter(|&effects| exists(effects)).count(), 104);
     assert!(!exists(SLIDING_FRICTION) && exists(STIFFNESS_STEP | SLIDING_FRICTION | TRANSMISSION_ERROR));
@@ -246,7 +246,7 @@ fn a_torque_index_out_of_range_panics() {
 }
 
 #[test]
-fn model() {
+fn the_model_describes_the_gear_pair() {
     let m = GearPair::MODEL;
     assert_eq!((m.name, m.title), ("gear_pair", "two spur gears on rigid shafts"));
     assert_eq!([m.coordinates[0].name, m.coordinates[1].name], ["theta", "phi"]);
@@ -262,7 +262,7 @@ fn model() {
     assert_eq!((m.effects[2].name, m.effects[2].requires), ("frozen_phase", &["stiffness_step"][..]));
     assert_eq!(m.effects[2].excludes, ["rigid_kinematics"]);
     assert_eq!((m.torques[0].name, m.torques[1].name), ("drive", "load"));
-    // A term with a second effect does not make that one needed.
+    // If only some terms of a torque need a second effect, the torque itself does not need it.
     let with: Vec<_> = m.torques[..5].iter().map(|torque| torque.with).collect();
     let [torques, friction, governor] = ["torques", "sliding_friction", "governor_motor"].map(|effect| vec![effect]);
     assert_eq!(with, [&torques, &torques, &friction, &friction, &governor]);

@@ -1,5 +1,5 @@
-//! The equations of a scene with parameters that vary in time and whose factors depend on the state. Examples are the demand on a motor whose
-//! torque falls with its speed, and the capacity of a clutch.
+//! The equations of a scene with parameters that vary in time and whose factors depend on the state. Examples are the demand on a motor
+//! whose torque falls with its speed, and the capacity of a clutch.
 //!
 //! Forces, guards, losses and outputs are linear in such a parameter p. With its value p_0 at the start and another one p_1,
 //!
@@ -14,7 +14,7 @@ use super::{Affine, Deflection, Equations, Exit, Known, Source, Switching};
 use crate::engine::vector::{Matrix, Vector};
 use crate::scene::{Scene, TimeHistory};
 
-/// See the module.
+/// The equations of a scene with such parameters.
 pub struct Varying {
     /// The equations with p_0 of all parameters.
     start: Box<dyn Equations>,
@@ -79,7 +79,7 @@ fn add_all(sum: &mut [f64], share: f64, there: &[f64], start: &[f64]) {
     sum.iter_mut().zip(there).zip(start).for_each(|((sum, there), start)| add(sum, share, there, start));
 }
 
-/// Adds the difference of guards. They depend on the same transmission errors.
+/// Adds `share` times the difference of two guards. Both depend on the same transmission errors.
 fn add_guard(sum: &mut Affine, share: f64, there: &Affine, start: &Affine) {
     add(&mut sum.constant, share, &there.constant, &start.constant);
     for ((sum, there), start) in sum.errors.iter_mut().zip(&there.errors).zip(&start.errors) {
@@ -135,7 +135,7 @@ impl Equations for Varying {
         self.now(k, |e| e.lost(i, k), |sum, share, there, start| add_all(sum, share, there, start))
     }
 
-    // What follows does not depend on these parameters.
+    // The following quantities do not depend on these parameters.
 
     fn coordinates(&self) -> usize {
         self.start.coordinates()

@@ -16,9 +16,9 @@ pub struct LinearCell {
     pub momentum: Matrix,
     /// Xᵀ K, zero for rigid modes: modal spring forces from coordinates.
     pub springs: Matrix,
-    /// Xᵀ f of the start.
+    /// Xᵀ f, with the torques at the start.
     pub load: Vector,
-    /// omega² of each mode (m).
+    /// omega² of each mode \[1/s²\].
     pub omega2: Vector,
     /// G.
     pub damping: Matrix,
@@ -29,7 +29,7 @@ pub struct LinearCell {
 }
 
 impl LinearCell {
-    /// The cell of `equations` with `switches` in the modes whose values are among the law values `k`.
+    /// The cell of `equations` at the law values `k`, which include the values of the present modes of `switches`.
     ///
     /// # Errors
     /// Those of [`Modal::of`].
@@ -45,7 +45,7 @@ impl LinearCell {
             Some(coupled) => coupled.damping.clone(),
             None => Matrix::from_fn(m, m, |i, j| if i == j { 2.0 * modes[i].sigma } else { 0.0 }),
         };
-        // The largest sum of a row bounds the eigenvalues of a symmetric matrix.
+        // The largest sum of absolute values in a row is an upper bound of the eigenvalues of a symmetric matrix.
         let strongest = damping.row_iter().map(|row| row.abs().sum()).fold(0.0, f64::max);
         let fastest = modes.iter().map(|mode| mode.omega2.sqrt()).fold(0.0, f64::max);
         LinearCell {

@@ -17,7 +17,7 @@ mod by_steps;
 mod closed_forms;
 mod contacts;
 
-/// The paper's gear pair with a constant stiffness: phi'' + 2 zeta w phi' + w² phi = M2 T0(t).
+/// The gear pair of Oh, Grosh & Barber (2005) with a constant stiffness: phi'' + 2 zeta w phi' + w² phi = M2 T0(t).
 const SCENE: &str = r#"
 model = "gear_pair"
 effects = ["torques"]

@@ -29,7 +29,7 @@ pub struct Window<'a> {
     units: Vec<Vector>,
     /// Its length W \[s\].
     pub width: f64,
-    /// c_n, in modes.
+    /// c_n, one entry per mode.
     terms: Vec<Vector>,
     /// Power series of the parameters that vary.
     loads: Vec<[f64; TERMS]>,
@@ -83,7 +83,7 @@ impl<'a> Window<'a> {
         Window { linear, units, width, terms, loads }
     }
 
-    /// The same, `part` times as long.
+    /// Shortens the window to the fraction `part` of its length.
     pub fn shorten(&mut self, part: f64) {
         let mut power = 1.0;
         self.width *= part;
@@ -136,8 +136,8 @@ impl<'a> Window<'a> {
         (&self.linear.shapes * &moved, &self.linear.shapes * &gained * (1.0 / self.width))
     }
 
-    /// Modal speeds times the width at places in the window, mode by mode. The places are evaluated together, because a term of a single
-    /// one is a few operations in many.
+    /// Modal speeds times the width at places in the window, mode by mode. Each term is added at all places in one loop, because a term at
+    /// a single place is only a few operations.
     fn speeds(&self, places: &[f64; NODES]) -> Vec<[f64; NODES]> {
         let of_mode = |i: usize| {
             let mut speeds = [0.0; NODES];

@@ -14,7 +14,7 @@ impl Hybrid<'_> {
         self.contact.as_ref().is_some_and(|contact| contact.holds(law))
     }
 
-    /// Value of a function that ends a hold, by its number; it may have either sign.
+    /// Value of the function number `which` that can end a hold; it may have either sign. It is infinite if there is no such function.
     pub fn left_of_hold(&self, which: usize) -> f64 {
         let Some(contact) = &self.contact else { return f64::INFINITY };
         let (State { q, q_dot, .. }, Some(watch)) = (&self.state, contact.watches.get(which)) else {
@@ -46,7 +46,8 @@ impl Hybrid<'_> {
         Ok(())
     }
 
-    /// Removes the errors of held rates in which friction laws are factors: the motion after the hold would begin with them.
+    /// Removes the numerical errors of held rates that have friction laws as factors. Otherwise the motion after the hold would begin with
+    /// these errors.
     pub fn still(&mut self) {
         let State { q, q_dot, .. } = &self.state;
         let turned = self.contact.as_ref().and_then(|contact| {

@@ -6,7 +6,8 @@ use crate::engine::switch;
 use super::Hybrid;
 
 impl Hybrid<'_> {
-    /// Puts a switch into a mode, then into the one in which the state violates no guard; `crossed` is the guard that became zero.
+    /// Sets the mode of a switch, then follows its exits until the state violates no guard. `crossed` is the guard that has just become
+    /// zero.
     pub fn put(&mut self, switch: usize, mode: usize, crossed: Option<&Affine>) {
         let place = &mut self.switches[switch];
         let before = std::mem::replace(&mut place.mode, mode);
@@ -22,7 +23,7 @@ impl Hybrid<'_> {
         (0..self.switches.len()).for_each(|i| self.put(i, self.switches[i].mode, None));
     }
 
-    /// Puts a switch into a mode, whatever the state is.
+    /// Sets the mode of a switch without comparing its guards with the state.
     pub fn set_mode(&mut self, switch: usize, mode: usize) {
         let place = &mut self.switches[switch];
         let before = std::mem::replace(&mut place.mode, mode);

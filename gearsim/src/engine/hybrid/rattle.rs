@@ -1,4 +1,4 @@
-//! Switches that rattle: they change their modes repeatedly at one time, because the guards are rounding errors.
+//! Switches that rattle: they change their modes repeatedly at one time, because the values of their guards are rounding errors.
 
 use crate::engine::equations::{self, Affine, Exit};
 use crate::engine::switch;
@@ -11,7 +11,7 @@ use super::Hybrid;
 pub struct Rattle {
     /// The time of the last change \[s\].
     since: f64,
-    /// The number of changes between which the guards did not move.
+    /// The number of changes since the guards last moved by more than rounding errors.
     changes: u32,
     /// Bound on the rates of the motion at the last change \[1/s\].
     rate: f64,
@@ -39,8 +39,8 @@ impl Hybrid<'_> {
         self.rattle = Rattle { since: now, changes, rate };
     }
 
-    /// Whether the guards of the switches have changed by at most their rounding errors in the last `dt` \[s\]. Their signs then say nothing
-    /// about the side on which the deflections are.
+    /// Whether the guards of the switches have changed by at most their rounding errors in the last `dt` \[s\]. Their signs then say
+    /// nothing about the side on which the deflections are.
     fn has_not_moved(&self, dt: f64, rate: f64) -> bool {
         let still = |Exit { guard, .. }: &Exit| {
             let by_speed = guard.on_speed.amax() == 0.0 || dt * rate <= NO_TIME;
@@ -49,8 +49,8 @@ impl Hybrid<'_> {
         dt == 0.0 || dt > 0.0 && self.guards.exits.iter().flatten().all(still)
     }
 
-    /// What is added to the value of a guard while a switch rattles: the rounding error of the guard. It doubles with each further change, since
-    /// a method by steps has larger errors.
+    /// The amount that is added to the value of a guard while a switch rattles: the rounding error of the guard. The amount doubles with
+    /// each further change, because the error of a method by steps can be larger.
     pub fn slack_of(&self, Exit { guard, .. }: &Exit) -> f64 {
         let (each, all) = EVENTS_AT_ONE_TIME;
         let Rattle { changes, rate, .. } = self.rattle;
@@ -59,9 +59,9 @@ impl Hybrid<'_> {
         2f64.powi(further.min(DOUBLINGS) as i32) * (self.rounding(guard, rate) + speed)
     }
 
-    /// The rounding error of a guard: of its constants, and of the largest deflection that the kinetic energy of the whole train allows. The
-    /// constants alone are zero for flanks that stick, whose guard is the sign of a deflection; without load it stays at zero. `rate` bounds the
-    /// rates of the motion \[1/s\].
+    /// The rounding error of a guard: of its constants, and of the largest deflection that the kinetic energy of the whole train allows.
+    /// The constants alone are not sufficient: for flanks that stick, the guard is the sign of a deflection and has no constants, and
+    /// without load it stays at zero. `rate` bounds the rates of the motion \[1/s\].
     pub fn rounding(&self, guard: &Affine, rate: f64) -> f64 {
         let fastest = switch::fastest(self.equations, (&self.state.q, &self.state.q_dot), &guard.on_q);
         let deflection = if rate > 0.0 { fastest / rate } else { 0.0 };

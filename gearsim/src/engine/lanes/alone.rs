@@ -26,10 +26,10 @@ pub trait Alone: Send + Sync {
     fn advance(&mut self, simulation: &mut Simulation<'_>, until: f64) -> Stopped;
 }
 
-/// Why the kernel did not go on.
+/// Why [`Alone::advance`] returned.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Stopped {
-    /// It has passed as many events as it may at once.
+    /// It has passed the maximum number of events of one call.
     Enough,
     /// The next event is plain, but it is not before the given time.
     Due,
@@ -37,7 +37,7 @@ pub enum Stopped {
     General,
 }
 
-/// Most events that are passed at once: some ten microseconds.
+/// Maximum number of events in one call of [`Alone::advance`]: about ten microseconds of computing time.
 const AT_ONCE: u64 = 1024;
 
 /// The kernel for a simulation; `None` if none of its events can be plain.
@@ -102,14 +102,14 @@ impl<const N: usize> Alone for Lane<N> {
     }
 }
 
-/// Passes events.
+/// The job of [`Alone::advance`].
 struct Advance<'l, const N: usize> {
     lanes: &'l mut Lanes<N, 1>,
     until: f64,
 }
 
 impl<const N: usize> NullaryFnOnce for Advance<'_, N> {
-    /// Why it stopped, and the evaluations of the motion on the way.
+    /// Why it stopped, and the number of evaluations of the motion.
     type Output = (Stopped, u64);
 
     #[inline(always)]
@@ -131,7 +131,7 @@ impl<const N: usize> NullaryFnOnce for Advance<'_, N> {
     }
 }
 
-/// Looks for the next event.
+/// The job of [`Alone::locate`].
 struct Try<'l, const N: usize>(&'l Lanes<N, 1>);
 
 impl<const N: usize> NullaryFnOnce for Try<'_, N> {

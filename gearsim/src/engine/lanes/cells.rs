@@ -115,7 +115,7 @@ impl<const N: usize, const L: usize> Cells<N, L> {
         }
     }
 
-    /// Gathers one cell: for each lane the cell `at` which it is.
+    /// Gathers one cell: for each lane, the cell with the index in `at`.
     #[inline(always)]
     pub fn gather(tables: &[Cells<N, L>], at: &[usize; L]) -> Cells<N, L> {
         let mut gathered = tables[0];
@@ -126,7 +126,7 @@ impl<const N: usize, const L: usize> Cells<N, L> {
         gathered
     }
 
-    /// Applies `f` to every number of this cell and the same number of the other.
+    /// Applies `f` to every number of this cell and the corresponding number of the other cell.
     #[inline(always)]
     fn each(&mut self, other: &Self, mut f: impl FnMut(&mut Pack<L>, &Pack<L>)) {
         for i in 0..N {

@@ -15,7 +15,8 @@ const LN_2: [f64; 2] = [0.693_147_180_369_123_8, 1.908_214_929_270_587_7e-10];
 /// pi/2 in three parts.
 const HALF_PI: [f64; 3] = [1.570_796_326_734_125_6, 6.077_100_506_303_966e-11, 2.022_266_248_795_950_6e-21];
 
-/// Largest argument of the exponential, of both signs. At -700 the result is -1; beyond, the exponent bits of 2^k would overflow into the sign.
+/// Largest argument of the exponential, of both signs. At -700 the result is -1. Beyond, the exponent bits of 2^k would overflow into the
+/// sign bit.
 const LARGEST: f64 = 700.0;
 
 /// e^x - 1; beyond 700 the value at 700, which is 1e304.
@@ -28,7 +29,7 @@ pub fn exp_m1<const L: usize>(x: Pack<L>) -> Pack<L> {
         let t = (x - k * LN_2[0]) - k * LN_2[1];
         // 2^k, written into the exponent bits.
         let power = f64::from_bits(rounded.to_bits().wrapping_add(1023) << 52);
-        // Evaluate in pairs, which the processor computes in parallel: a single number waits for this result.
+        // Evaluate in pairs, which the processor computes in parallel. With one lane, all that follows waits for this result.
         let (t2, pair) = (t * t, |low: f64, high: f64| 1.0 / low + t * (1.0 / high));
         let t4 = t2 * t2;
         let low = pair(2.0, 6.0) + t2 * pair(24.0, 120.0);

@@ -16,7 +16,7 @@ use crate::tolerance::events::WORTH_PREDICTING;
 pub struct Expected<const N: usize, const L: usize> {
     /// The predicted duration of the next passage, minus the duration that it would have at the steady part of the speed [s].
     pub(super) lateness: Pack<L>,
-    /// The same of the last passage [s].
+    /// The value of this difference at the last passage [s].
     late: Pack<L>,
     /// Duration of the last passage [s]; 0 if there was none.
     pub(super) last: Pack<L>,
@@ -65,7 +65,7 @@ impl<const N: usize, const L: usize> Expected<N, L> {
         let missed = (taken - self.t.abs()) * cells.rate;
         let near = missed.compare(missed, |missed, _| missed.abs() <= WORTH_PREDICTING);
         let responses = if near.intersects(Mask::of(|_| true)) { responses(cells, rigid, t) } else { self.responses };
-        // Each lane decides for itself: its result does not depend on the others.
+        // The choice is made for each lane separately, so that its result does not depend on the other lanes.
         Expected { lateness, late, last: taken, t: t.or(near, -t), responses }
     }
 }

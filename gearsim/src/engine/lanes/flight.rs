@@ -136,7 +136,7 @@ impl<'a, const N: usize, const L: usize> Flight<'a, N, L> {
         points
     }
 
-    /// The same up to [`FAR_SHIFT_SPAN`](crate::tolerance::modes::FAR_SHIFT_SPAN).
+    /// The same for longer times: up to [`FAR_SHIFT_SPAN`](crate::tolerance::modes::FAR_SHIFT_SPAN) divided by the rate of the cell.
     #[inline(always)]
     pub fn all_shifted_far(&self, rigid: &[bool; N], from: &[Point<L>; N], t: Pack<L>, dt: Pack<L>) -> [Point<L>; N] {
         let mut points = [Point::STILL; N];
@@ -152,7 +152,7 @@ impl<'a, const N: usize, const L: usize> Flight<'a, N, L> {
             return self.moved_on(i, t + dt);
         }
         let Modes { sigma, series: [c2, c3, c4, c5, c6], .. } = self.cells.modes[i];
-        // Evaluate in pairs, which the processor computes in parallel: a single number waits for this result.
+        // Evaluate in pairs, which the processor computes in parallel. With one lane, all that follows waits for this result.
         let dt2 = dt * dt;
         let s1 = dt * ((1.0 + dt * c2) + dt2 * ((c3 + dt * c4) + dt2 * (c5 + dt * c6)));
         let (low, middle) = (0.5 + dt * (c2 * (1.0 / 3.0)), c3 * 0.25 + dt * (c4 * 0.2));
@@ -187,7 +187,7 @@ impl<'a, const N: usize, const L: usize> Flight<'a, N, L> {
         self.point(i, t, 0.5 * t * t, Pack::all(0.0))
     }
 
-    /// Mode `i` after a further time, whose responses are `after`.
+    /// Mode `i` a further time after the point `at`; `after` are the responses at this further time.
     #[inline(always)]
     fn followed(&self, i: usize, at: &Point<L>, after: &Response<L>) -> Point<L> {
         let Modes { sigma, omega2, .. } = self.cells.modes[i];

@@ -1,4 +1,4 @@
-//! Jump: the state after the event.
+//! The jump: the state after the event.
 
 use crate::engine::lanes::Lanes;
 use crate::engine::lanes::cells::Cells;
@@ -14,11 +14,11 @@ pub struct Attempt<const N: usize, const L: usize> {
     pub sure: Mask<L>,
     /// Time to the event [s].
     pub t: Pack<L>,
-    /// Whether it is at the upper boundary of the cell.
+    /// Whether the event is at the upper boundary of the cell.
     pub(super) up: Mask<L>,
-    /// Whether the motion is turned back.
+    /// Whether the motion is reflected.
     pub(super) turned: Mask<L>,
-    /// Whether the phase may have turned within the flight. The time of the event then does not predict the next one.
+    /// Whether the phase may have reversed within the flight. The time of the event then does not predict the next one.
     pub(super) found: Mask<L>,
     /// Number of evaluations of the motion.
     pub evaluations: usize,
@@ -48,7 +48,7 @@ pub struct Located<const L: usize> {
 }
 
 impl<const N: usize, const L: usize> Lanes<N, L> {
-    /// The state after the event, in the lanes that pass or are turned back.
+    /// The state after the event, in the lanes with a transmission or a reflection.
     #[inline(always)]
     pub(super) fn jump(
         &self,
@@ -103,8 +103,8 @@ impl<const N: usize, const L: usize> Lanes<N, L> {
         Attempt { sure, t, up, turned, found, evaluations, steady, arrival, q, q_dot, lost, dissipated, common }
     }
 
-    /// Sets the coordinate that is the phase. A loop, because an index that is not constant would force the array into memory, and the next
-    /// reader waits for it.
+    /// Sets the coordinate that is the phase. It is a loop, because a variable index would force the array into memory, and the next access
+    /// would wait for it.
     #[inline(always)]
     fn put(&self, q: &mut [Pack<L>; N], place: Pack<L>) {
         for i in 0..N {
@@ -112,7 +112,7 @@ impl<const N: usize, const L: usize> Lanes<N, L> {
         }
     }
 
-    /// The entry of the phase.
+    /// The entry of `all` that belongs to the phase.
     #[inline(always)]
     fn of_phase(&self, all: &[Pack<L>; N]) -> Pack<L> {
         let mut value = all[0];
@@ -122,8 +122,8 @@ impl<const N: usize, const L: usize> Lanes<N, L> {
         value
     }
 
-    /// Whether a motion that is turned back with the normal speed `v` is not pressed against the step ([`presses`]): its bounce is longer than a
-    /// pressed one. The acceleration after the impulse is at most that before it plus what the dampers add.
+    /// Whether a reflected motion with the normal speed `v` is certainly not pressed against the step: its bounce is too long for
+    /// [`presses`]. The acceleration after the impulse is at most that before it plus what the dampers add.
     ///
     /// [`presses`]: crate::engine::contact::presses
     #[inline(always)]

@@ -1,4 +1,4 @@
-//! Locate: the boundary that the phase meets, and the time of the crossing.
+//! The location of an event: the boundary that the phase meets, and the time of the crossing.
 
 use crate::engine::lanes::Lanes;
 use crate::engine::lanes::cells::Cells;
@@ -12,9 +12,9 @@ use crate::tolerance::modes::{FAR_SHIFT_SPAN, KERNEL_ANGLE, SERIES_SPAN, SHIFT_S
 pub struct Target<const L: usize> {
     /// Whether the boundary is certain: the phase is proved to be monotone, or its crossing was found.
     pub certain: Mask<L>,
-    /// Whether the crossing of a phase that may turn back was found. `steady` is then about its time.
+    /// Whether the crossing was found for a phase that may turn back. `steady` is then its approximate time.
     pub found: Mask<L>,
-    /// Whether it moves to the upper boundary.
+    /// Whether the phase moves to the upper boundary.
     pub up: Mask<L>,
     /// 1 towards the upper boundary, -1 towards the lower one.
     pub sign: Pack<L>,
@@ -29,8 +29,8 @@ pub struct Target<const L: usize> {
 const MOST: usize = 3;
 
 impl<const N: usize, const L: usize> Lanes<N, L> {
-    /// The boundary to which the phase moves. It is certain if the phase is monotone. This is proved where the steady part of the speed exceeds
-    /// an upper bound of the speed of the oscillations.
+    /// The boundary to which the phase moves. It is certain if the phase is monotone. This is proved where the steady part of the speed
+    /// exceeds an upper bound of the speed of the oscillations.
     #[inline(always)]
     pub(super) fn target(&self, cells: &Cells<N, L>, flight: &Flight<'_, N, L>) -> Target<L> {
         let (mut drift, mut oscillation, mut uniform) = (Pack::all(0.0), Pack::all(0.0), Mask::of(|_| true));
@@ -115,8 +115,8 @@ impl<const N: usize, const L: usize> Lanes<N, L> {
         (sure.without(target.found.without(beside)), taken, points, evaluations)
     }
 
-    /// The modes in the lanes `moving` at the time `dt` [s] after a known time: by the series of the motion if it is near, else by its closed
-    /// form. Each lane decides for itself. What is needed in none of the lanes `sure` is not computed.
+    /// The modes in the lanes `moving` at the time `dt` [s] after a known time: by the series of the motion if `dt` is short, otherwise by
+    /// its closed form. The choice is made for each lane separately. A form that none of the lanes `sure` needs is not computed.
     #[inline(always)]
     fn moved(
         &self,

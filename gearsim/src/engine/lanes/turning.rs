@@ -1,13 +1,13 @@
 //! The first crossing of a phase that may turn back, where a single vibration takes part in it: s(t) = d t + c (y(t) - y(0)), with the
 //! steady speed d and y'' + 2 sigma y' + omega² y = 0.
 //!
-//! Between two zeros of s'' the sign of s'' is constant. There the phase crosses the boundary from which it bends away at most once, on the
-//! way to it; Newton's method from the beginning of the interval does not overshoot this root. It crosses the other boundary at most once,
-//! on the way back; Newton's method from the end of the interval does not overshoot that root. The first crossing is therefore found with
-//! certainty, interval by interval. |y'| is largest at the zeros of y'', and falls from one to the next: as soon as it is smaller than |d|/|c|
-//! there, the phase is monotone from then on, and has one crossing left. Intervals in which the steady motion is
-//! too far from both boundaries are skipped: the vibration does not grow, so the phase cannot reach a boundary there. Cases that rounding
-//! errors could decide, and phases with several vibrations, are left to the general loop.
+//! Between two zeros of s'' the sign of s'' is constant. In this interval the phase bends away from one boundary. It crosses this boundary
+//! at most once while it approaches it; Newton's method from the beginning of the interval does not overshoot this root. It crosses the
+//! other boundary at most once, on the way back; Newton's method from the end of the interval does not overshoot that root. The first
+//! crossing is therefore found with certainty, interval by interval. |y'| is largest at the zeros of y'', and decreases from one zero to
+//! the next. If |y'| is smaller than |d|/|c| at such a zero, the phase is monotone from there on, and has one crossing left. Intervals in
+//! which the steady motion is too far from both boundaries are skipped: the vibration does not grow, so the phase cannot reach a boundary
+//! there. Cases that rounding errors could decide, and phases with several vibrations, are left to the general loop.
 
 mod phase;
 mod search;
@@ -22,7 +22,7 @@ use crate::engine::lanes::pack::{Mask, Pack};
 use phase::Phase;
 
 impl<const N: usize, const L: usize> Lanes<N, L> {
-    /// Finds the crossings of the lanes `unsure`, whose phases may turn back, and notes them in the target.
+    /// Finds the crossings of the lanes `unsure`, whose phases may turn back, and writes them to `target`.
     #[inline(always)]
     pub(super) fn turn(&self, cells: &Cells<N, L>, flight: &Flight<'_, N, L>, target: &mut Target<L>, unsure: Mask<L>) {
         for lane in (0..L).filter(|lane| unsure.is_set(*lane)) {

@@ -1,5 +1,5 @@
-//! The vector instructions that the kernel is compiled for: AVX2 on x86, and those of the target elsewhere. One set of them,
-//! since each one compiles the whole kernel again.
+//! The vector instructions that the kernel is compiled for: AVX2 on x86, and those of the target elsewhere. There is only one set, because
+//! the whole kernel is compiled again for each set.
 
 use pulp::NullaryFnOnce;
 #[cfg(target_arch = "x86_64")]
@@ -12,7 +12,7 @@ pub struct Vectors {
     avx2: V3,
 }
 
-/// One processor has one set.
+/// All values are equal, because a processor has one set.
 impl PartialEq for Vectors {
     fn eq(&self, _: &Self) -> bool {
         true
@@ -28,7 +28,7 @@ impl Vectors {
         return Some(Vectors {});
     }
 
-    /// Runs a job that is compiled for them: its `call` and all that is inlined into it.
+    /// Runs a job compiled for these instructions: its `call` and all that is inlined into it.
     #[inline(always)]
     pub fn run<J: NullaryFnOnce>(self, job: J) -> J::Output {
         #[cfg(target_arch = "x86_64")]

@@ -33,9 +33,9 @@ pub struct Coupled {
     pub by_speed: DMatrix<f64>,
     /// X2: coefficients of a'' in xi' [s].
     pub by_acceleration: DMatrix<f64>,
-    /// a' = [0] xi' + [1] F.
+    /// Matrices (A, B) with a' = A xi' + B F.
     pub speed: [DMatrix<f64>; 2],
-    /// a'' + s a' = [0] xi' + [1] F.
+    /// Matrices (A, B) with a'' + s a' = A xi' + B F.
     pub force: [DMatrix<f64>; 2],
     /// G.
     pub damping: DMatrix<f64>,
@@ -46,8 +46,8 @@ pub struct Coupled {
 impl Coupled {
     /// The modes of xi'' + G xi' + diag(omega2) xi = g. `watch` is called for each pair of eigenvalues.
     ///
-    /// The errors of eigenvalues are some eps of themselves, or in the worst case of the fastest one. Which pairs are equal is not known
-    /// beforehand. Modes that represent every motion ([`verify`]) are right, whichever were taken for equal.
+    /// The error of an eigenvalue is a few eps times this eigenvalue, or in the worst case times the fastest one. Therefore it is not known
+    /// beforehand which pairs are equal. Modes that represent every motion ([`verify`]) are correct, whichever pairs were taken for equal.
     ///
     /// # Errors
     /// If a pair of complex eigenvalues is defective, the modes are not found, or damping adds energy.
@@ -57,7 +57,7 @@ impl Coupled {
         narrow.or_else(|refusal| Nearness::WIDER.into_iter().find_map(wider).ok_or(refusal))
     }
 
-    /// The modes, if pairs of eigenvalues that are near one another are equal.
+    /// The modes, where pairs of eigenvalues within `nearness` of one another are taken for equal.
     fn with(omega2: &[f64], damping: &DMatrix<f64>, nearness: Nearness, watch: &dyn Fn()) -> Result<Coupled, Refusal> {
         let n = omega2.len();
         let mut pairs: Vec<Pair> = vec![];
@@ -172,7 +172,7 @@ fn functionals(omega2: &[f64], g: &DMatrix<f64>, pairs: &[Pair]) -> Result<(DMat
     Ok((rows, condition))
 }
 
-/// Removes the remaining products of pairs that nearly share their eigenvalues: the rows W with W Z = 1.
+/// The rows W with W Z = 1, from `rows`, where the products of pairs with nearly equal eigenvalues are not yet zero; `columns` is Z.
 fn biorthogonal(rows: &DMatrix<f64>, columns: &DMatrix<f64>) -> Result<DMatrix<f64>, Refusal> {
     let size = rows.nrows();
     let noise = BIORTHOGONAL * (rows.abs() * columns.abs());
@@ -188,8 +188,8 @@ fn biorthogonal(rows: &DMatrix<f64>, columns: &DMatrix<f64>) -> Result<DMatrix<f
     whole.lu().solve(rows).ok_or(Refusal::Defective { condition: f64::INFINITY })
 }
 
-/// The condition number of the modes: a mode can be this much larger than the motion. It is the largest diagonal entry of sum_k |Z_k| |W_k|,
-/// which does not depend on the scaling of coordinates or modes.
+/// The condition number of the modes: a mode can be this much larger than the motion. It is the largest diagonal entry of
+/// sum_k |Z_k| |W_k|, which does not depend on the scaling of coordinates or modes.
 ///
 /// # Errors
 /// If the modes cannot represent every motion, or if the condition number exceeds [`CONDITION`].

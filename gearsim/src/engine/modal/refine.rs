@@ -1,7 +1,7 @@
 //! Newton's method for a pair of eigenvalues and its shapes. It reaches the accuracy of the matrices.
 //!
 //! The shapes of equal pairs are not unique: the linear system of a step is singular in the directions of the shapes of the other pairs.
-//! Its solution of least norm has no part in them, so that shapes that start linearly independent stay so.
+//! The solution of least norm has no part in these directions. Shapes that are linearly independent at the start therefore remain so.
 
 use nalgebra::{DMatrix, DVector};
 

@@ -17,7 +17,7 @@ pub fn block(all: &DMatrix<f64>, group: &[usize]) -> DMatrix<f64> {
     DMatrix::from_fn(group.len(), group.len(), |i, j| all[(group[i], group[j])])
 }
 
-/// This matrix with scaled rows and columns. It acts on (X1, rate X2).
+/// The matrix of this module's documentation with scaled rows and columns. It acts on (X1, rate X2).
 pub fn pencil(omega2: &[f64], g: &DMatrix<f64>, s: f64, b: f64, rate: f64) -> DMatrix<f64> {
     let n = omega2.len();
     DMatrix::from_fn(2 * n, 2 * n, |row, column| {
@@ -118,7 +118,8 @@ fn mean(values: &[(f64, f64)]) -> (f64, f64) {
     (values.iter().map(|v| v.0).sum::<f64>() / count, values.iter().map(|v| v.1).sum::<f64>() / count)
 }
 
-/// Number of rows from which on the null space is found by pivots: a tenth of the time of the singular values, which matters from here on.
+/// From this number of rows on, the null space is found by a QR decomposition with pivots. It takes a tenth of the time of the singular
+/// values.
 const LARGE: usize = 64;
 
 /// An orthonormal basis of the null space of a matrix, which has the known dimension `size`.
@@ -139,8 +140,8 @@ fn null_space(a: DMatrix<f64>, size: usize) -> Result<Vec<DVector<f64>>, Refusal
     Ok(order[..size].iter().map(|&i| v.row(i).transpose()).collect())
 }
 
-/// The same from A P = Q R with pivots: with R = [R1, R2; 0, about 0] it is P [-R1⁻¹ R2; 1]. `None` if the matrix does not map these vectors
-/// to zero.
+/// The same from the QR decomposition with pivots, A P = Q R. With R = [R1, R2; 0, about 0] the null space is P [-R1⁻¹ R2; 1]. `None` if
+/// the matrix does not map these vectors to zero.
 fn by_pivots(a: &DMatrix<f64>, size: usize) -> Option<Vec<DVector<f64>>> {
     let n = a.nrows();
     let rank = n.checked_sub(size)?;
@@ -173,7 +174,7 @@ fn without(basis: &[DVector<f64>], taken: &[DVector<f64>; 2]) -> Vec<DVector<f64
 mod tests {
     use super::*;
 
-    /// A matrix with a null space of two dimensions, and elements of very different size: both ways span the same space.
+    /// A matrix with a null space of two dimensions, and elements of very different size: both methods find the same space.
     #[test]
     fn pivots_and_singular_values_find_the_same_null_space() {
         let n = 70;

@@ -40,7 +40,7 @@ impl Mode {
     /// ∫ xi'² dt near critical damping and for short times, where the closed forms cancel: Gauss-Legendre quadrature on panels of
     /// one decay time.
     fn by_quadrature(&self, v: f64, a: f64, t: f64) -> f64 {
-        // The power that is left after this time is negligible.
+        // The energy dissipated after this time is negligible.
         let t = if self.sigma > 0.0 { t.min(DECAYED / self.sigma) } else { t };
         let panels = (self.sigma * t).ceil().max(1.0);
         let width = t / panels;

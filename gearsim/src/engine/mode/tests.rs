@@ -33,8 +33,8 @@ fn damping_ratios() -> Vec<f64> {
 
 #[test]
 fn responses_match_50_digits_at_every_damping() {
-    // Conditioning: a rounding error of omega t changes the phase, and one of omega - sigma changes the root of their difference.
-    // Near critical damping the form of the motion is not known. The bound is therefore a few roundings times (1 + rate t).
+    // Conditioning: a rounding error of omega t changes the phase. A rounding error of omega - sigma changes the damped frequency w; near
+    // critical damping it decides whether the motion oscillates. The bound is therefore a few roundings times (1 + w t).
     let mut worst = (0.0, String::new());
     for zeta in damping_ratios() {
         for tau in powers(-8, 2).flat_map(|t| [t, 2.7 * t]) {

@@ -112,8 +112,9 @@ fn shifting_phases_equals_shifting_the_start() {
     }
 }
 
-/// Parker & Lin (2004): planets in phase excite the torsional modes only, and the centres of sun, ring and carrier stay at rest.
-/// With a third of a pitch between them they excite the centres. k_s and k_r have the same phases. Teeth: 27-36-99 and 28-35-98.
+/// Parker & Lin (2004): planets in phase excite the torsional modes only, and the centres of sun, ring and carrier stay at rest. With a
+/// third of a pitch between the mesh phases of the planets, the centres move. k_s and k_r have the same phases. Teeth: 27-36-99 and
+/// 28-35-98.
 #[test]
 fn planets_in_phase_do_not_move_the_centres() {
     let stage = |z_s: u32, z_r: u32| {

@@ -51,7 +51,7 @@ fn boundaries_are_passed_in_both_directions() {
 
 /// A shift by whole pitches does not change the law; a billion pitches cost no digits.
 #[test]
-fn a_shift_by_whole_pitches_is_no_change() {
+fn a_shift_by_whole_pitches_does_not_change_the_law() {
     assert_eq!(pitch(0.0), pitch(TAU));
     assert_eq!(pitch(0.0), pitch(-3.0 * TAU));
     let (count, rest, cell) = pitch(-1.0).locate(1e9 * TAU, 1.0);

@@ -1,4 +1,4 @@
-//! What happens where a motion ends: steps are passed or turn the motion back, phases are held, switches change their modes.
+//! Handling of events: steps are passed or reflect the motion, phases are held, switches change their modes.
 
 use crate::engine::cells::Stand;
 use crate::engine::contact::{self, Ending};
@@ -51,7 +51,7 @@ impl Simulation<'_> {
         Ok(())
     }
 
-    /// What happens at an event.
+    /// Changes the state and the mode at an event.
     #[inline]
     fn act(&mut self, end: End) -> Result<(), Stop> {
         match end {
@@ -107,7 +107,7 @@ impl Simulation<'_> {
         (&self.now.laws, &self.now.switches, &self.now.k)
     }
 
-    /// Passes a step, or is turned back by it.
+    /// Passes a step, or is reflected by it.
     #[inline]
     fn jump(&mut self, law: usize, side: Side) -> Result<(), Stop> {
         self.now.set_levels();
@@ -123,7 +123,7 @@ impl Simulation<'_> {
         self.press(law, side)
     }
 
-    /// Goes on into the cell beyond.
+    /// Goes on into the cell beyond the boundary.
     #[inline]
     fn enter(&mut self, law: usize, side: Side) -> Result<(), Stop> {
         let now = &mut self.now;
@@ -166,7 +166,7 @@ impl Simulation<'_> {
         if held.is_empty() && !self.now.is_stuck() { self.change_mode() } else { self.hold(held) }
     }
 
-    /// Holds a phase that was just turned back, if it is pressed against the step and its bounces no longer count.
+    /// Holds a phase that was just reflected, if it is pressed against the step and its bounces are negligible.
     fn press(&mut self, law: usize, side: Side) -> Result<(), Stop> {
         let (equations, state, k) = (self.now.equations, &self.now.state, &self.now.k);
         let energy = equations.kinetic(&state.q, &state.q_dot) + equations.potential(&state.q, k);
@@ -189,7 +189,7 @@ impl Simulation<'_> {
     }
 }
 
-/// Whether a boundary of a cell is a kink of a curve: its value does not step there.
+/// Whether the curve of a law has only a kink at a boundary of its cell: the value does not step there.
 fn is_kink(law: &LawState, side: Side) -> bool {
     !law.pitch.steps_only() && law.step(side) == 0.0
 }

@@ -7,7 +7,7 @@ use crate::engine::simulate::{Recording, Simulation};
 use crate::engine::switch;
 
 impl Simulation<'_> {
-    /// Takes the events that have happened by now.
+    /// Handles the events that have happened by now.
     pub(super) fn catch_up(&mut self, recording: &mut Option<Recording<'_, '_>>) -> Result<(), Stop> {
         for law in 0..self.now.laws.len() {
             for side in [Side::Upper, Side::Lower] {

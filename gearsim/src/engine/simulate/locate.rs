@@ -30,7 +30,7 @@ pub fn horizon(now: &Hybrid<'_>) -> (f64, End) {
 /// How and when \[s\] a motion ends. It ends at the `horizon` at the latest.
 ///
 /// # Errors
-/// Where a search does not end, or leaves the range of numbers.
+/// If a search does not end, or a number overflows.
 pub fn first(
     now: &Hybrid<'_>,
     motion: &mut dyn Motion,

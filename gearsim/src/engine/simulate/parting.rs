@@ -1,5 +1,5 @@
-//! Which flanks have parted: an impact counts only if they have. A flank that rests at its edge under no load separates by rounding errors,
-//! and whether it does depends on the method.
+//! Detects which flanks have parted. An impact counts only if the flanks parted before it. Without load, a flank at rest at its edge can
+//! separate by rounding errors, which depend on the method; this does not count as parting.
 
 use smallvec::SmallVec;
 
@@ -9,11 +9,12 @@ use crate::engine::motion::Motion;
 use crate::engine::record::State;
 use crate::engine::switch::{self, Guards};
 
-/// Where a motion is looked at, beside its ends [relative to its length].
+/// Times at which a motion is examined, besides its start and its end [relative to its duration].
 const PLACES: [f64; 3] = [0.5, 0.25, 0.75];
 
-/// The switches that have not parted before, and are away from the modes whose entry counts by more than rounding errors somewhere in a
-/// `motion`. It begins in the state of `now`, and ends in the state `last` after the time `t` \[s\].
+/// The switches that part in a `motion`. They have not parted before, and at one of the examined times they are away from the modes whose
+/// entry counts, by more than rounding errors. The motion begins in the state of `now`, and ends in the state `last` after the time `t`
+/// \[s\].
 #[inline]
 pub fn parted(now: &Hybrid<'_>, motion: &mut dyn Motion, (t, last): (f64, &State)) -> SmallVec<[usize; 2]> {
     let waits = |i: &usize| {
@@ -30,8 +31,8 @@ pub fn parted(now: &Hybrid<'_>, motion: &mut dyn Motion, (t, last): (f64, &State
         .collect()
 }
 
-/// Forgets the parting of flanks that rest at their edges after a sudden change. Example: a step of a transmission error moves the edge away
-/// from a flank at rest, and another step moves it back.
+/// Forgets the parting of flanks that rest at their edges after a sudden change. Example: a step of a transmission error moves the edge
+/// away from a flank at rest, and another step moves it back.
 pub fn forget(now: &mut Hybrid<'_>) {
     for i in 0..now.switches.len() {
         if now.switches[i].parted && rests_at_edge(now, i) {
@@ -65,8 +66,8 @@ fn is_away(now: &Hybrid<'_>, switch: usize, state: &State, t: f64) -> bool {
     })
 }
 
-/// The value of a guard up to which its deflection is at the edge: its rounding error, and the way that the rate `rest` makes in the time
-/// `elapsed` \[s\] since the mode began. Rounding errors of the speeds move flanks at rest by less.
+/// The value of a guard up to which its deflection is at the edge: its rounding error, plus the distance covered at the rate `rest` in the
+/// time `elapsed` \[s\] since the mode began. Rounding errors of the speeds move flanks at rest by less.
 fn edge(guard: &Affine, k: &[f64], elapsed: f64, rest: f64) -> f64 {
     equations::rounding(guard, k) + elapsed * rest
 }

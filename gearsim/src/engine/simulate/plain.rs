@@ -26,7 +26,7 @@ impl Simulation<'_> {
         }
     }
 
-    /// Passes the next step, if the kernel can; else changes nothing. Returns whether it has.
+    /// Passes the next step if the kernel can, otherwise changes nothing. Returns whether it has passed the step.
     #[inline]
     pub(super) fn pass_plain(&mut self, recording: &mut Option<Recording<'_, '_>>) -> bool {
         let Some(mut kernel) = self.kernel.take().unwrap_or_else(|| alone::of(self)) else {
@@ -53,7 +53,7 @@ impl Simulation<'_> {
         located.is_some()
     }
 
-    /// Records the samples that are due within the time `t` \[s\], in the cell as it is.
+    /// Records the samples that are due within the time `t` \[s\], in the present cell.
     fn samples_until(&mut self, t: f64, recording: &mut Option<Recording<'_, '_>>) {
         let Some(recording) = recording else { return };
         let at = recording.due();

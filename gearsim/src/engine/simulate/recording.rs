@@ -6,24 +6,24 @@ use crate::engine::motion::Motion;
 use crate::engine::record::Recorder;
 use crate::trajectory::Moment;
 
-/// A recorder at work: samples at a rate, and the limits at events if asked for.
+/// A recorder in use: it records samples at a rate and, if requested, the limits at events.
 pub struct Recording<'r, 'e> {
     recorder: &'r mut Recorder<'e>,
-    /// Samples a second \[1/s\].
+    /// Sampling rate \[1/s\].
     rate: f64,
-    /// Whether the left and right limits at events are noted.
+    /// Whether the left and right limits at events are recorded.
     events: bool,
     /// The number of the next sample.
     next: u64,
 }
 
 impl<'r, 'e> Recording<'r, 'e> {
-    /// Records by `recorder` samples at `rate` \[1/s\] and, if `events`, the limits at events.
+    /// Records samples with `recorder` at `rate` \[1/s\] and, if `events`, the limits at events.
     pub fn new(recorder: &'r mut Recorder<'e>, rate: f64, events: bool) -> Self {
         Recording { recorder, rate, events, next: 0 }
     }
 
-    /// The recorder, where events are noted.
+    /// The recorder, if events are recorded.
     pub fn of_events(&mut self) -> Option<&mut Recorder<'e>> {
         self.events.then_some(&mut *self.recorder)
     }

@@ -1,11 +1,11 @@
-//! Static equilibrium: the coordinates at which the generalised forces on them vanish, less the forces that accelerate the rigid motions. If
-//! the torques are not in balance, the rotors speed up together with constant deflections between them: (1 - M R Rᵀ) F = 0, with the rigid
-//! motions R, RᵀM R = 1.
+//! Static equilibrium: the coordinates at which the generalised forces on them are zero, without the part that accelerates the rigid
+//! motions. With the rigid motions R, RᵀM R = 1, this is (1 - M R Rᵀ) F = 0. If the torques are not in balance, the rotors speed up
+//! together, with constant deflections between them.
 //!
-//! Newton's method on F(q, q'; k(s)) = 0, for the free coordinates. Its matrix is the exact derivative of the forces,
-//! [`Equations::jacobian`]. A law whose phase is free is followed from cell to cell. A step of the iteration ends at the first boundary
-//! that it meets; the law enters the next cell there, and the iteration continues with the stiffness of this cell. If the forces of both
-//! cells push a phase towards the boundary between them, the phase is in equilibrium on that boundary.
+//! The equations F(q, q'; k(s)) = 0 for the free coordinates are solved by Newton's method. Its matrix is the exact derivative of the
+//! forces, [`Equations::jacobian`]. A law whose phase is free is followed from cell to cell. A step of the iteration ends at the first
+//! boundary that it meets; the law enters the next cell there, and the iteration continues with the stiffness of this cell. If the forces
+//! of both cells push a phase towards the boundary between them, the phase is in equilibrium on that boundary.
 
 use std::f64::consts::PI;
 
@@ -23,13 +23,13 @@ use crate::model::Coordinate;
 use crate::scene::Scene;
 use crate::tolerance::start;
 
-/// The problem of the equilibrium of the coordinates `free`, with the others given.
+/// The equilibrium problem of the coordinates `free`, with the others given.
 pub struct Equilibrium<'a> {
     pub equations: &'a dyn Equations,
     pub scene: &'a Scene,
     /// Indices of the coordinates in equilibrium.
     pub free: &'a [usize],
-    /// Speeds at the start (N). Forces that depend on speeds, e.g. of a motor or a damper, act as at the start.
+    /// Speeds at the start (n). Forces that depend on speeds, e.g. of a motor or a damper, act as at the start.
     pub q_dot: Vector,
 }
 
@@ -47,17 +47,17 @@ pub struct Settled {
 /// A state, the laws in their cells, and the switches in their modes.
 type Configuration<'a> = (&'a State, &'a [LawState], &'a [Switch]);
 
-/// A step of the iteration (N); zero for the coordinates that do not move.
+/// A step of the iteration (n). It is zero for the coordinates that do not move.
 struct NewtonStep {
     step: Vector,
-    /// The diagonal of the stiffness matrix, absolute values (N).
+    /// The diagonal of the stiffness matrix, absolute values (n).
     stiffness: Vector,
     /// Whether V is convex here.
     stable: bool,
 }
 
 impl Equilibrium<'_> {
-    /// The equilibrium found from the coordinates `guess` (N), with the switches in their present modes.
+    /// The equilibrium found from the coordinates `guess` (n), with the switches in their present modes.
     ///
     /// # Errors
     /// [`Refusal::NoEquilibrium`] if the iteration finds none; those of [`LawState::begin`].
@@ -106,15 +106,16 @@ impl Equilibrium<'_> {
         Err(self.refusal())
     }
 
-    /// The state at the coordinates `q` (N), with each law in its cell. All phases move during the iteration. Phases that the scene freezes
-    /// are frozen at its end.
+    /// The state at the coordinates `q` (n), with each law in its cell. All phases move during the iteration. Phases that the scene freezes
+    /// are frozen at the end of the iteration.
     fn begin(&self, q: Vector) -> Result<(State, Vec<LawState>), Refusal> {
         let mut state = State::new(q, self.q_dot.clone());
         let laws = LawState::moving(self.equations, self.scene, &mut state)?;
         Ok((state, laws))
     }
 
-    /// The laws at the start of the motion. A phase on a boundary is in the cell into which it moves. Phases that the scene freezes stay here.
+    /// The laws at the start of the motion. A phase on a boundary is in the cell into which it moves. Phases that the scene freezes are
+    /// frozen here.
     fn settled(
         &self,
         (mut state, mut laws): (State, Vec<LawState>),
@@ -143,7 +144,7 @@ impl Equilibrium<'_> {
             return Some(NewtonStep { step, stiffness: diagonal, stable: true });
         }
         let (force, external, stiffness) = self.balance(place);
-        // The forces along rigid motions do not depend on the deflections: the derivative of the difference is that of the forces.
+        // The forces along rigid motions do not depend on the deflections, so subtracting them does not change the derivative.
         let force = rigid.without(force, &external);
         let stiffness = DMatrix::from_fn(moving.len(), moving.len(), |i, j| stiffness[(moving[i], moving[j])]);
         let force = DVector::from_fn(moving.len(), |i, _| force[moving[i]]);
@@ -168,8 +169,8 @@ impl Equilibrium<'_> {
         Some(NewtonStep { step, stiffness: diagonal, stable })
     }
 
-    /// The generalised forces (N), the same without those of the slopes of laws, and minus the derivatives of the forces by the coordinates
-    /// (N x N).
+    /// The generalised forces (n), the same forces without those of the slopes of laws (n), and minus the derivatives of the forces by the
+    /// coordinates (n x n).
     fn balance(&self, (state, laws, switches): Configuration<'_>) -> (Vector, Vector, Matrix) {
         let [mut k, dk, ddk] = courses(self.scene, state, laws);
         switches.iter().for_each(|switch| switch.write(&mut k));
@@ -185,7 +186,7 @@ impl Equilibrium<'_> {
         (self.equations.force(q, v, &k, &dk), external, -slopes)
     }
 
-    /// The rigid motions at a place, and what holds them. Springs are those of constant laws.
+    /// The rigid motions at a state, and the holds that prevent a part of them. The laws count as constant.
     fn rigid_motions(&self, state: &State, laws: &[LawState], switches: &[Switch]) -> RigidMotions {
         let [mut k, mut flat, _] = courses(self.scene, state, laws);
         switches.iter().for_each(|switch| switch.write(&mut k));
@@ -198,7 +199,7 @@ impl Equilibrium<'_> {
             let [by_q, _] = self.equations.jacobian(&state.q, &rest, &k, &flat, &flat);
             -by_q
         };
-        // Dampers may cancel the forces without speeds, or one another.
+        // Forces of dampers may cancel forces that do not depend on speeds, or one another.
         let (at_rest, damping) = (self.equations.force(&state.q, &rest, &k, &flat), self.equations.damping(&k));
         let damped = |i: usize| (0..rest.len()).map(|j| (damping[(i, j)] * self.q_dot[j]).abs()).sum::<f64>();
         let sizes = Vector::from_fn(rest.len(), |i| at_rest[i].abs() + damped(i));
@@ -213,8 +214,8 @@ impl Equilibrium<'_> {
 
     /// Other equilibria, found from guesses around `settled`, in order of their distance from `guess`.
     ///
-    /// A linear cell in given modes of the switches has one equilibrium. Others are sought only if phases are free (in the neighbouring cells),
-    /// or if cells are not linear.
+    /// A linear cell in given modes of the switches has one equilibrium. Others are sought only if phases are free (in the neighbouring
+    /// cells), or if cells are not linear.
     pub fn others(&self, settled: &Settled, guess: &Vector, switches: &[Switch]) -> Vec<Settled> {
         let linear = self.scene.effects.nonlinear(self.scene.model).is_empty();
         let (at, mut found) = (settled.absolute(), vec![settled.clone()]);
@@ -256,7 +257,7 @@ impl Equilibrium<'_> {
         self.free.iter().all(|&i| (a[i] - b[i]).abs() <= start::SAME * a[i].abs().max(b[i].abs()))
     }
 
-    /// The message on the equilibria `found` besides the one that is taken; `None` if there is nothing to say.
+    /// The message about the equilibria `found` besides the one that is taken; `None` if there are no others and this one is stable.
     pub fn describe(&self, taken: &Settled, found: &[Settled]) -> Option<String> {
         let place = |settled: &Settled| {
             let at = settled.absolute();
@@ -287,7 +288,7 @@ impl Equilibrium<'_> {
 }
 
 impl Settled {
-    /// The coordinates, with their whole turns (N).
+    /// The coordinates, with their whole turns (n).
     pub fn absolute(&self) -> Vector {
         self.state.unwrapped(&law::turn_lengths(self.state.q.len(), &self.laws))
     }
@@ -304,7 +305,7 @@ pub fn courses(scene: &Scene, state: &State, laws: &[LawState]) -> [Vec<f64>; 3]
     [scene.model.in_contact(courses.iter().map(|course| course[0])), padded(1), padded(2)]
 }
 
-/// The first boundary on the way from `state` along `step`: the fraction of the step up to it, its law and its side.
+/// The first boundary on the path from `state` along `step`: the fraction of the step up to it, its law and its side.
 fn first_boundary(laws: &[LawState], state: &State, step: &Vector) -> Option<(f64, usize, Side)> {
     let moved = |law: &LawState| law.switching != Switching::Never && law.next_switch().is_none();
     let ways = laws.iter().enumerate().filter(|(_, law)| moved(law) && step[law.phase] != 0.0);

@@ -1,8 +1,9 @@
 //! Rigid motions: motions that no spring resists. At the start of a run they may accelerate, while nothing vibrates.
 //!
-//! With the rigid motions R, RᵀM R = 1, the external forces F accelerate them by c = RᵀF, and M R c of the forces does this. Friction and clutches
-//! that hold rates, with the gradients N, prevent a part of these motions by the forces -N r. The rest is held if Nᵀ R c = 0:
-//! c = RᵀF - G r, with G = RᵀN and r the solution of G r = RᵀF by least squares. Holds that share a force share it by the least squares too.
+//! The external forces F accelerate the rigid motions R, RᵀM R = 1, by c = RᵀF; the part M R c of the forces causes this. Friction and
+//! clutches that hold rates, with the gradients N, prevent a part of these motions by the forces -N r. The held rates stay constant if
+//! Nᵀ R c = 0. This gives c = RᵀF - G r, with G = RᵀN and r the solution of G r = RᵀF by least squares. If several holds can resist the
+//! same force, least squares distributes it among them.
 
 use nalgebra::{DMatrix, DVector};
 
@@ -23,10 +24,11 @@ pub struct RigidMotions {
 }
 
 impl RigidMotions {
-    /// The rigid motions at the coordinates `q` (N), by the matrix K of all potentials there. They are sought among the motions of one of the
-    /// coordinates that are not `free`, and among those by which a scene may state its speeds. Of the latter those count that do not
-    /// deform `springs`, K without nonlinear potentials: gravity resists the rotation of a crank, but does not hold it. `sizes` are those of
-    /// the forces (N), before they cancel one another.
+    /// The rigid motions at the coordinates `q` (n). There are two kinds of candidates. The first are motions of one coordinate that is not
+    /// `free`; they count if they do not deform `stiffness`, the matrix K of all potentials at `q`. The second are the rigid motions that
+    /// the model declares for `[start]`; they count if they do not deform `springs`, K without nonlinear potentials. Example: gravity
+    /// resists the rotation of a crank, but does not hold it. `sizes` are the absolute values of the forces (n) before they cancel one
+    /// another.
     pub fn at(
         (equations, scene): (&dyn Equations, &Scene),
         q: &Vector,
@@ -49,7 +51,7 @@ impl RigidMotions {
         rigid
     }
 
-    /// Adds what of a motion is not among those before, if that is more than a rounding error.
+    /// Adds the part of a motion that is independent of the motions before, if it is more than a rounding error.
     fn add(&mut self, motion: Vector, mass: &Matrix) {
         let size = motion.dot(&(mass * &motion));
         let mut rest = motion;
@@ -64,7 +66,7 @@ impl RigidMotions {
         }
     }
 
-    /// Lets a switch hold the rate with the gradient `normal` (N), if rigid motions take part in it.
+    /// Lets a switch hold the rate with the gradient `normal` (n), if rigid motions take part in it.
     pub fn hold(&mut self, switch: usize, normal: Vector, mobility: &Matrix) {
         let compliance = normal.dot(&(mobility * &normal));
         let of_rigid: f64 = self.motions.iter().map(|motion| motion.dot(&normal).powi(2)).sum();
@@ -87,7 +89,7 @@ impl RigidMotions {
                 DMatrix::from_fn(self.motions.len(), self.holds.len(), |i, j| self.motions[i].dot(&self.holds[j].1));
             let svd = holds.clone().svd(true, true);
             let least = start::TAKES_PART.sqrt() * svd.singular_values.max();
-            // It fails only where U or V were not computed.
+            // It fails only if U or V were not computed.
             let r = svd.solve(&along, least).unwrap_or_else(|_| DVector::zeros(self.holds.len()));
             along -= holds * &r;
             reactions = self.holds.iter().zip(r.iter()).map(|((switch, _), r)| (*switch, *r)).collect();
@@ -96,7 +98,7 @@ impl RigidMotions {
         (along, reactions)
     }
 
-    /// The sum of the forces (N) and the forces of the holds, minus the forces M R c. With M R c the `external` forces accelerate the rigid
+    /// The sum of the forces (n) and the forces of the holds, minus the part M R c, by which the `external` forces accelerate the rigid
     /// motions. In a static start the sum is zero at the static coordinates.
     pub fn without(&self, mut force: Vector, external: &Vector) -> Vector {
         let (accelerations, reactions) = self.balance(external);
@@ -110,8 +112,8 @@ impl RigidMotions {
     }
 }
 
-/// Whether a motion does not deform the springs. Their energy in it is then a rounding error, compared with the terms of this energy, and with
-/// the energy of the stiffest coordinate at the same kinetic energy.
+/// Whether a motion does not deform the springs. Its strain energy is then only a rounding error: of the terms of this energy, or of the
+/// energy of the stiffest coordinate at the same kinetic energy.
 fn is_free(stiffness: &Matrix, mass: &Matrix, motion: &Vector) -> bool {
     let n = motion.len();
     let (mut energy, mut size) = (0.0, 0.0);

@@ -1,10 +1,10 @@
-//! What equations that are not linear are linearised about: an equilibrium, a steady motion, or a place of a motion.
+//! The motion about which nonlinear equations are linearised: an equilibrium, a steady motion, or a place of a motion.
 //!
 //! | motion | when | matrices |
 //! | --- | --- | --- |
 //! | [`LinearisedAbout::Equilibrium`] | nothing turns, and F(q, 0) = 0 | constant |
 //! | [`LinearisedAbout::Steady`] | M and F do not change as the coordinates move on at the speeds of the start | constant |
-//! | [`LinearisedAbout::Place`] | otherwise, e.g. a crank turns, or is released from a place that is no equilibrium | those of one instant |
+//! | [`LinearisedAbout::Place`] | otherwise, e.g. a crank turns, or is released out of equilibrium | those of one instant |
 
 use crate::engine::equations::{Equations, Known};
 use crate::engine::error::Refusal;
@@ -16,7 +16,7 @@ use crate::profile::Profile;
 use crate::scene::Scene;
 use crate::tolerance::analysis::{AT_EQUILIBRIUM, SAME_EQUATIONS};
 
-/// What the equations are linearised about.
+/// The kind of motion about which the equations are linearised.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum LinearisedAbout {
     /// A state of rest in which all forces vanish.
@@ -47,7 +47,7 @@ pub struct Steady {
 }
 
 impl Steady {
-    /// Whether the matrices change along the motion: they are those of one place of it.
+    /// Whether the matrices change along the motion. They are then those of one place of the motion.
     pub fn moves(&self) -> bool {
         self.motion == LinearisedAbout::Place
     }
@@ -70,7 +70,7 @@ impl Steady {
             .filter(|(_, output)| is_force(output.unit) && scene.effects.activate(output.with, model) && !output.known);
         let value = |i: usize| equations.output(i, &q, &q_dot, &k, &Known::default());
         let outputs = outputs.map(|(i, output)| (output.name, output.unit, value(i))).collect();
-        // Where a pair touches at the pitch point, its friction has no arm: the mean arm shows whether the flanks are told apart.
+        // At the pitch point the friction of a tooth pair has no lever arm. With the mean arm, the derivatives show which flank is loaded.
         let is_friction = |law: &Law| matches!(law.role, Role::Side | Role::Arm);
         let mut typical = k;
         for ((_, given), value) in scene.present().zip(&mut typical).filter(|((law, _), _)| is_friction(law)) {
@@ -94,7 +94,7 @@ fn find(equations: &dyn Equations, scene: &Scene, means: &[f64]) -> Result<(Line
     if is_balanced(equations, &q, (&begun.levels(scene), &flat)) {
         return Ok((LinearisedAbout::Equilibrium, begun));
     }
-    // The stated values, from which all coordinates may move to an equilibrium.
+    // Otherwise all coordinates may move from their stated values to an equilibrium.
     if let Ok(settled) = start::begin(equations, &settling(scene, |_| true))
         && is_balanced(equations, &settled.absolute(), (&settled.levels(scene), &flat))
     {

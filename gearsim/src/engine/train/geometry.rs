@@ -11,19 +11,20 @@ use crate::engine::vector::Vector;
 use crate::tolerance::scene::CANCELLED;
 use crate::train::{Factor, RotationForm, Row, Train};
 
-/// R of each part (its coordinates x those of the train), the displacements of the products among the outputs by the coordinates of the
-/// train, and the speeds of each rigid motion, in numbers of type R.
+/// The kinematics of a train, in numbers of type `R`. `rows` has the matrix R of each part (number of its coordinates x n). `products` has,
+/// for each output that is a product with a speed, the slopes of the displacement along the coordinates of the train (n). `motions` has the
+/// speeds of each rigid motion (n).
 pub(super) struct Geometry<R> {
     pub rows: Vec<DMatrix<R>>,
     pub products: Vec<Vec<R>>,
-    /// The factors of the multiples among the outputs.
+    /// The factors of the outputs that are multiples of other outputs.
     pub multiples: Vec<R>,
     pub motions: Vec<Vector>,
 }
 
 impl<R: Sized64> Geometry<R> {
-    /// The kinematics for these values of the parameters. Where they leave a coordinate undetermined, the numbers are NaN, and the engine
-    /// refuses the inertia.
+    /// The kinematics for these values of the parameters. If they leave a coordinate undetermined, the numbers are NaN, and the engine
+    /// refuses the mass matrix.
     pub fn of(train: &Train, parameters: &[R]) -> Geometry<R> {
         let n = train.coordinates.len();
         let dense = |form: &RotationForm| dense(form, n, parameters);
@@ -87,7 +88,7 @@ fn product<R: Sized64>(a: &[R], b: impl Fn(usize) -> R) -> R {
     if sum.rounded().abs() <= CANCELLED * size { R::from(0.0) } else { sum }
 }
 
-/// The inverse of a square matrix, by Gauss and Jordan with the largest pivot of each column, rows scaled to 1.
+/// The inverse of a square matrix, by Gauss-Jordan elimination with the largest pivot of each column. Rows are scaled to a size of about 1.
 fn inverse<R: Sized64>(rows: &[Vec<R>]) -> Vec<Vec<R>> {
     let n = rows.len();
     let (zero, one) = (R::from(0.0), R::from(1.0));

@@ -23,7 +23,7 @@ impl Sparse {
     #[inline]
     pub fn dot_both(&self, q: &[f64], q_dot: &[f64]) -> (f64, f64) {
         let (mut x, mut x_dot) = (0.0, 0.0);
-        // Of one length, which saves the second check of an index.
+        // With equal lengths the compiler leaves out the second bounds check.
         let q_dot = &q_dot[..q.len()];
         for &(i, factor) in &*self.0 {
             x += factor * q[i as usize];
@@ -75,7 +75,7 @@ struct Spring {
     damping: f64,
 }
 
-/// The springs and dampers of all these parts.
+/// The springs, dampers and loads of all parts with constant factors.
 #[derive(Debug)]
 pub(super) struct ConstantParts {
     springs: Vec<Spring>,
@@ -123,7 +123,8 @@ impl ConstantParts {
 pub(super) struct Inertias(Vec<(f64, Sparse)>);
 
 impl Inertias {
-    /// Those of parts with the mass matrices `m` and the rows R. With m = L D L^T, the energy of a part is the sum of D_i (L^T R q')_i^2/2.
+    /// The inertias of parts with the mass matrices m and the matrices R. With m = L D L^T, the energy of a part is the sum of
+    /// D_i (L^T R q')_i^2/2.
     pub fn of<'a>(parts: impl Iterator<Item = (Matrix, &'a Matrix)>) -> Inertias {
         let mut squares = vec![];
         for (mut m, rows) in parts {

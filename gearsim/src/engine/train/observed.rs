@@ -65,7 +65,7 @@ impl<'a> Observer<'a> {
         if value.is_nan() { self.output(i) } else { value }
     }
 
-    // Within `output`, for the many outputs of one part: a call of its own takes a fifth more instructions.
+    // Inlined into `output`, because a part has many outputs: a separate call takes a fifth more instructions.
     #[inline(always)]
     fn of_part(&mut self, of: &OfPart) -> f64 {
         let p = &self.assembly.parts[of.part];
@@ -82,8 +82,8 @@ impl<'a> Observer<'a> {
 }
 
 impl Assembly {
-    /// An output that depends on what is known of the switches and the torques of its part. These are few, and their copy of what is known
-    /// would need the stack of every output.
+    /// An output that depends on the reactions of switches and the powers of torques of its part. It is not inlined, because such outputs
+    /// are few and the copies of these numbers would need stack space for every output.
     #[inline(never)]
     fn known_output(&self, of: &OfPart, [x, x_dot, values]: [&[f64]; 3], known: &Known) -> f64 {
         let p = &self.parts[of.part];

@@ -18,7 +18,7 @@ pub(super) struct Placed {
     pub rows: Vec<Sparse>,
     /// R as a matrix, for sums of matrices.
     pub matrix: Matrix,
-    /// Where its x, x' and values are among those of all parts.
+    /// Index of the first of its numbers x, x' and values among those of all parts.
     pub place: usize,
     /// Whether its forces are linear in x and x', with constant factors.
     pub is_constant: bool,
@@ -35,7 +35,7 @@ impl Placed {
         Placed { part, equations, rows: sparse, matrix: rows.clone(), place: 0, is_constant, is_linear }
     }
 
-    /// How many numbers its x, x' and values are.
+    /// Total number of its x, x' and values.
     pub fn numbers(&self) -> usize {
         2 * self.rows.len() + self.part.values.len()
     }
@@ -59,7 +59,7 @@ impl Placed {
     }
 
     /// Writes x, x' and the values of its laws and symbols at a state of the train [q, q', values].
-    // As a call it takes one percent more instructions for a row of outputs.
+    // Inlined: as a call it takes one percent more instructions for a row of outputs.
     #[inline(always)]
     pub fn localise(&self, [q, q_dot, k]: [&[f64]; 3], numbers: &mut [f64]) {
         let n = self.rows.len();
@@ -68,7 +68,7 @@ impl Placed {
         for i in 0..n {
             (x[i], x_dot[i]) = self.rows[i].dot_both(q, q_dot);
         }
-        // By its number: a `zip` of the two slices is not inlined here, and takes longer than the copies.
+        // By index: a `zip` of the two slices is not inlined here, and takes longer than the copies.
         for (i, &value) in self.part.values.iter().enumerate() {
             values[i] = k[value];
         }
@@ -119,7 +119,7 @@ impl Placed {
         self.equations.mass(&Vector::zeros(self.rows.len()))
     }
 
-    /// The work of its torque `i`, without what varies, per displacement of each of the `n` coordinates of the train.
+    /// The work of its torque `i`, without the part that varies, per displacement of each of the `n` coordinates of the train.
     pub fn work(&self, i: usize, n: usize) -> Sparse {
         let own = self.rows.len();
         let unit = |j: usize| Vector::from_fn(own, |i| f64::from(u8::from(i == j)));

@@ -21,7 +21,7 @@ fn contact_ratio_of_the_gears_of_oh_2005() {
     assert!((contact.reference[0] - 76.2e-3).abs() < 1e-12 && (contact.centre_distance - 0.381).abs() < 1e-12);
 }
 
-/// If the gears are exchanged, approach and recess are exchanged. Contact begins at the tip of gear 2 and ends at the tip of gear 1.
+/// If the two gears are exchanged, so are approach and recess. Contact begins at the tip of gear 2 and ends at the tip of gear 1.
 #[test]
 fn the_contact_is_symmetric_in_the_gears() {
     let (one, two) = (standard(24.0, 96.0).contact().unwrap(), standard(96.0, 24.0).contact().unwrap());
@@ -49,7 +49,7 @@ fn shifted_gears_mesh_without_backlash() {
     };
     let ((s1, pitch), (s2, same)) = (thickness(0), thickness(1));
     assert!((pitch - same).abs() < 1e-15 && (s1 + s2 - pitch).abs() < 1e-12, "{s1} {s2} {pitch}");
-    // Given this centre distance explicitly, the pair is the same.
+    // If this centre distance is given explicitly, the contact is the same.
     let told = Gears { centre_distance: Some(contact.centre_distance), ..gears }.contact().unwrap();
     assert!((told.ratio() - contact.ratio()).abs() < 1e-9);
 }
@@ -64,7 +64,7 @@ fn a_ring_with_many_teeth_is_a_rack() {
     let near = ring(99.0).contact().unwrap();
     assert!(near.ratio() > outside && near.tip[1] < near.reference[1] && near.root[1] > near.reference[1]);
     assert!((near.centre_distance - 6.35e-3 * 31.5).abs() < 1e-12);
-    assert!(ring(30.0).contact().unwrap_err().what.contains("no room"));
+    assert!(ring(30.0).contact().unwrap_err().what.contains("too small"));
 }
 
 /// Example 1 of ISO/TR 6336-30: 17 and 103 teeth, 8 mm, helix angle 15.8 deg, face width 100 mm, centre distance 500 mm. The transverse
@@ -92,7 +92,7 @@ fn gears_that_do_not_mesh_are_refused() {
         (Gears { centre_distance: Some(0.3), ..standard(24.0, 96.0) }, "overlap"),
         (Gears { centre_distance: Some(0.392), ..standard(24.0, 96.0) }, "the contact ratio is"),
         (Gears { addendum: [1.1; 2], dedendum: [1.0; 2], ..standard(60.0, 96.0) }, "tips and roots overlap"),
-        (Gears { profile_shift: [-3.0, -3.0], ..standard(24.0, 96.0) }, "no pressure angle"),
+        (Gears { profile_shift: [-3.0, -3.0], ..standard(24.0, 96.0) }, "no working pressure angle"),
         (Gears { addendum: [-4.0, 1.0], ..standard(24.0, 96.0) }, "within its base circle"),
     ];
     for (gears, said) in cases {

@@ -1,4 +1,4 @@
-//! Tests of outlines against closed forms, and that the flanks touch where the line of action is.
+//! Outlines against closed forms; flanks touch on the line of action.
 
 use std::f64::consts::PI;
 
@@ -16,7 +16,7 @@ fn shifted() -> Gears {
     Gears { profile_shift: [0.3, 0.1], addendum: [0.95; 2], ..standard(22.0, 41.0) }
 }
 
-/// The point of a flank at a radius, on the straight lines between the points of an outline.
+/// The angle of an outline at a radius \[rad\], by linear interpolation between its points.
 fn between(half: &[[f64; 2]], radius: f64) -> f64 {
     let i = half.iter().rposition(|point| point[0] <= radius).unwrap().min(half.len() - 2);
     let ([r0, a0], [r1, a1]) = (half[i], half[i + 1]);
@@ -70,8 +70,8 @@ fn outlines_of_24_and_96_teeth_have_their_contact_ratio() {
     assert!((ratio - 1.724_91).abs() < 5e-6, "{ratio}");
 }
 
-/// Where a pair touches at X, its flanks pass through the point of the line of action at X: the pitch point plus X (sin, cos) of the
-/// working pressure angle. Both of external gears, with and without profile shift, and of a ring.
+/// If a pair touches at X, its flanks pass through the point of the line of action at X: the pitch point plus X (sin, cos) of the working
+/// pressure angle. This is tested for external gears with and without profile shift, and for a ring.
 #[test]
 fn flanks_touch_on_the_line_of_action() {
     for gears in

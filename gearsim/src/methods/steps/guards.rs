@@ -13,22 +13,23 @@ use crate::tolerance::events::GRAZE_DEPTH;
 
 use super::motion::Step;
 
-/// Number of values that interpolate a guard that is not linear in the state: the largest number of coefficients of a dense output.
+/// Number of values through which a guard is interpolated if it is not linear in the state. It is the largest number of coefficients of a
+/// dense output.
 const NODES: usize = 8;
 
-/// The places of these values: the Chebyshev points of the interval \[0, 1\], including its ends.
+/// The points of these values, as fractions of the step: the Chebyshev points of \[0, 1\], including its ends.
 fn node(i: usize) -> f64 {
     0.5 * (1.0 - (std::f64::consts::PI * i as f64 / (NODES - 1) as f64).cos())
 }
 
-/// The coefficients of the polynomial through values at the nodes (NODES x NODES).
+/// The matrix that turns values at the nodes into the coefficients of the polynomial through them (NODES x NODES).
 static THROUGH: LazyLock<Matrix> = LazyLock::new(|| {
     let powers = Matrix::from_fn(NODES, NODES, |i, j| node(i).powi(j as i32));
     powers.try_inverse().expect("the nodes are distinct")
 });
 
 impl Step<'_, '_> {
-    /// Where a guard is met in the step: sides, and fractions of the step.
+    /// The first root of a guard in the step, for each side: the side and the fraction of the step.
     pub(super) fn crossings(&mut self, guard: Guard, cost: &mut Cost) -> SmallVec<[(Side, f64); 2]> {
         let mut crossings = SmallVec::new();
         let mut note = |side, found: Found| {
@@ -52,7 +53,7 @@ impl Step<'_, '_> {
                     let left = self.solver.field.left(guard, side, 0.0, &self.start);
                     self.interpolated(guard, side, left.max(0.0) + self.now.slack_of(exit))
                 };
-                // The rounding of a guard is sixteen units of its last place.
+                // `rounding` is 16 eps of the terms of the guard. The tolerance of the root search is 4 eps, as for a phase.
                 note(side, root::first(&gap, 0.25 * self.now.rounding(&exit.guard, self.solver.fastest)));
             }
             Guard::Hold(which) => {
@@ -65,7 +66,7 @@ impl Step<'_, '_> {
         crossings
     }
 
-    /// The value of a guard at a side as a polynomial in the fraction of the step; `left` is the value at the start of the step.
+    /// The guard for `side` as a polynomial in the fraction of the step. `left` is its value at the start of the step.
     fn interpolated(&mut self, guard: Guard, side: Side, left: f64) -> Polynomial {
         let mut values = [left; NODES];
         for (i, value) in values.iter_mut().enumerate() {

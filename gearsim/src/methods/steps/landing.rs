@@ -8,11 +8,11 @@ use crate::tolerance::methods::LANDING;
 
 use super::motion::{Found, Step};
 
-/// Trials of a landing.
+/// Largest number of steps tried in a landing.
 const MOST_TRIALS: usize = 8;
 
 impl Step<'_, '_> {
-    /// The step that ends at an event: its length \[s\] and its end.
+    /// The step that ends at the event `found`: its length \[s\] and its trial.
     pub(super) fn land(&mut self, found: Found) -> (f64, Trial) {
         let Found { guard, side, x, t } = found;
         if x == 0.0 {
@@ -30,7 +30,7 @@ impl Step<'_, '_> {
             }
             let slope = self.slope(found, taken, left, &trial);
             let dt = -left / slope;
-            // The guard does not reach zero, or its slope changes sign before: use the root of the dense output.
+            // If Newton's method fails (the guard does not decrease, or the correction is too long), use the root of the dense output.
             if !(slope < 0.0 && taken + dt > 0.0 && dt.abs() <= 0.5 * self.h) {
                 break;
             }
@@ -47,8 +47,8 @@ impl Step<'_, '_> {
         (t, Trial { end, rate, error: 0.0, stiffness: 0.0 })
     }
 
-    /// The rate of the guard at the end of a trial that took the time `t`; its value there is `left` [unit of the guard/s]. For a phase it
-    /// is the speed, otherwise a difference quotient along the motion.
+    /// The rate of the guard [unit of the guard/s] at the end of a trial that took the time `t` \[s\]. `left` is the value of the guard
+    /// there. For a phase the rate is the negative speed towards the boundary, otherwise a difference quotient along the motion.
     fn slope(&mut self, found: Found, t: f64, left: f64, trial: &Trial) -> f64 {
         if let Guard::Phase(law) = found.guard {
             return -found.side.sign() * self.now.laws[law].surface.normal.dot(&trial.end.v);

@@ -17,17 +17,17 @@ use super::{BySteps, Events};
 pub struct Step<'s, 'f> {
     pub solver: &'s mut BySteps<'f>,
     pub now: &'s Hybrid<'s>,
-    /// The state as the method has it, and its rate.
+    /// The state at the start of the step, and its rate.
     pub start: Flow,
     pub rate: Flow,
-    /// Length of the step \[s\], where it leads, and the motion within it.
+    /// Length of the step \[s\], its trial, and its dense output.
     pub h: f64,
     pub trial: Trial,
     pub dense: Dense,
-    /// The event that was found last.
+    /// The event that was found last. It is the earliest so far, because each search ends at the earliest event found before.
     pub found: Option<Found>,
-    /// The work of torques that vary, and the loss of switches if their forces change within a mode, from the start of the step to the end of the
-    /// motion. `None` until it is needed.
+    /// The work of varying torques, and the loss of switches if their forces change within a mode, from the start of the step to the end of
+    /// the motion. `None` until it is needed.
     pub work: Option<Work>,
 }
 
@@ -42,7 +42,8 @@ pub struct Found {
 }
 
 impl Step<'_, '_> {
-    /// The state of the run after the time `t` \[s\], where the method has reached `y`. The motion takes at most the time `length` \[s\].
+    /// The state of the run after the time `t` \[s\]; `y` is the state of the method there. The motion lasts at most the time `length`
+    /// \[s\].
     fn reached(&mut self, y: Flow, t: f64, length: f64) -> Reached {
         let mut work = self.work(t, length);
         let by_switches = match self.now.steps_only() {

@@ -2,14 +2,15 @@
 //!
 //! The power P of a torque is evaluated at the nodes s_i of Gauss's rule with six points, weights w_i, from the start of the step to an
 //! end T. The polynomial through these values is sum c_j L_j(u) with Legendre polynomials L_j, u = 2 t/T - 1 and
-//! c_j = (2j + 1)/2 sum w_i P(s_i) L_j(u_i). Its integral is known at every time of the step, so that samples need no powers of their own:
+//! c_j = (2j + 1)/2 sum w_i P(s_i) L_j(u_i). Its integral is known at every time of the step, so the power need not be evaluated again for
+//! samples:
 //!
 //! ```text
 //! W(t) = T/2 (d_0 (1 + u) + sum_{j > 0} d_j (L_{j+1}(u) - L_{j-1}(u))),     d_j = c_j/(2j + 1)
 //! ```
 //!
-//! At T it is Gauss's rule, exact to order 11: what the rule leaves out is far below the error of the step, which is of order 8 at most in
-//! the motion. Before T it is the integral of a polynomial of order 5 in t.
+//! At T the integral equals Gauss's rule, which is exact for polynomials up to degree 11. Its error is far below that of the step: the
+//! motion has at most order 8. Before T it is the integral of a polynomial of degree 5 in t.
 
 use std::array::from_fn;
 use std::sync::LazyLock;
@@ -25,7 +26,7 @@ const GAUSS_6: [(f64, f64); 3] = [
 /// Number of nodes.
 const NODES: usize = 6;
 
-/// The nodes u_i, and w_i L_j(u_i)/2 of each.
+/// For each node: u_i, and w_i L_j(u_i)/2.
 static RULE: LazyLock<[(f64, [f64; NODES]); NODES]> = LazyLock::new(|| {
     from_fn(|i| {
         let (node, weight) = GAUSS_6[i / 2];
@@ -91,7 +92,7 @@ fn legendre(u: f64) -> [f64; NODES + 1] {
 mod tests {
     use super::*;
 
-    /// A power of degree 5 at every time; one of degree 11 at the end.
+    /// The work is exact at every time if the power is a polynomial of degree 5, and at the end if its degree is 11.
     #[test]
     fn work_is_exact_to_the_degree_of_the_rule() {
         let length = 0.3;
@@ -108,7 +109,7 @@ mod tests {
         assert!((last.1.until(0.15)[1] - exact(last.0, 0.15)).abs() > 1e-9, "degree 11 is beyond the polynomial");
     }
 
-    /// Torques that do not vary have no work here.
+    /// Without varying torques, and in a step of length zero, the power is not evaluated.
     #[test]
     fn without_torques_nothing_is_evaluated() {
         let work = Work::new(1.0, 0, |_, _| panic!("there is no torque"));

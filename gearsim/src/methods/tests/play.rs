@@ -1,4 +1,4 @@
-//! Play by methods by steps: every change of mode, of flanks and of clipped dampers, is an event.
+//! Numerical methods on play: every change of mode, of flanks and of clipped dampers, is an event.
 
 use super::{difference, run};
 
@@ -11,8 +11,8 @@ const PLAY: [&str; 5] = [
     "run.t_end=\"5 ms\"",
 ];
 
-/// The error falls with the tolerance, through the kinks of the force where dampers begin and cease to be clipped. The events are
-/// those of the exact solver: their rows are compared too.
+/// The error falls with the tolerance, although the force has kinks where clipping of the dampers begins and ends. The events are those of
+/// the exact solver: their rows are compared too.
 #[test]
 fn errors_follow_the_tolerance() {
     let exact = run(&PLAY);
@@ -30,10 +30,10 @@ fn errors_follow_the_tolerance() {
     }
 }
 
-/// A flank that rests at its edge under no load separates by rounding errors and meets again. These contacts are no impacts.
+/// A flank that rests at its edge without load separates and meets again by rounding errors. These contacts do not count as impacts.
 #[test]
 fn a_flank_that_rests_at_its_edge_has_no_impacts() {
-    // A step of the error moves the edge away from the flank, and another one moves it back. Torques are absent.
+    // A step of the transmission error moves the edge away from the flank, and another step moves it back. There are no torques.
     let rests = [
         "effects=[\"stiffness_step\", \"backlash\", \"transmission_error\"]",
         "parameters.b=\"0.0014082247039156367 rad\"",
@@ -41,7 +41,7 @@ fn a_flank_that_rests_at_its_edge_has_no_impacts() {
         "start.speed=\"-471.238898038469 rad/s\"",
         "start.theta=\"-11.371696024151538 rad\"",
     ];
-    // Here the error steps back until the flank touches its edge.
+    // Here a step of the transmission error moves the edge back until the flank touches it.
     let touches = [
         "effects=[\"damping\", \"backlash\", \"transmission_error\", \"stiffness_step\"]",
         "parameters.b=\"1e-3 rad\"",

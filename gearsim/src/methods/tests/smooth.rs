@@ -9,8 +9,8 @@ use crate::trajectory::Trajectory;
 
 const FOURIER: &str = r#"laws.k={mean="2.1 kN*m", harmonics=[{order=1, amplitude="0.6 kN*m", phase="0.4 rad"}, {order=2, amplitude="0.1 kN*m"}]}"#;
 
-/// Steps as the limit of ramps, with transmission and with reflection. The difference is O(eps): halving eps four times reduces
-/// it by 16, up to the next order in eps.
+/// Ramps of width eps converge to the jump rule of a step, with transmission and with reflection. The difference is O(eps): halving eps
+/// four times reduces it by 16, up to the next order in eps.
 #[test]
 fn ramps_converge_to_the_jump_rule_in_first_order() {
     // Start and end are far from any ramp. The motion passes one step, or is reflected by it and then passes it.
@@ -69,8 +69,8 @@ fn end(run: &Trajectory) -> [f64; 4] {
     [last(&run.q[0]), last(&run.q[1]), last(&run.q_dot[0]), last(&run.q_dot[1])]
 }
 
-/// A Fourier law by every method against the hand-written equations, with moving and with frozen phase. The scan finds k_mid to
-/// 1e-9, which is the error of the damping.
+/// A Fourier law by every method against the hand-written equations, with moving and with frozen phase. The scan finds k_mid with an error
+/// of 1e-9, which is therefore the error of the damping.
 #[test]
 fn a_fourier_law_matches_hand_written_equations() {
     for (frozen, effects) in [
@@ -137,7 +137,7 @@ fn the_method_depends_on_the_scene() {
     assert!(method == "radau" && why.contains("dop853 until t ="), "{method}: {why}");
     let explicit = run(&[&stiff[..], &["run.method=\"dop853\""]].concat());
     assert!(explicit.solver.steps > 5 * outcome.solver.steps, "{:?} {:?}", explicit.solver, outcome.solver);
-    // With such damping phi moves slowly, at speeds a hundred times below those that count as zero, and has two digits less.
+    // With such damping the speeds of phi are a hundred times smaller than those that count as zero. So phi has two digits less.
     let error = difference(&outcome.trajectory, &explicit.trajectory);
     assert!(error < 1e-4, "{error:e}");
 }

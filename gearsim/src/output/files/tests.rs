@@ -42,7 +42,7 @@ fn a_result_appears_when_it_is_whole_and_replaces_the_earlier_one() {
 
 /// Results with other names stay beside each other; one that shares a file is removed with all its files.
 #[test]
-fn a_result_that_loses_a_file_loses_all() {
+fn a_result_that_shares_a_file_is_removed_whole() {
     let root = tempfile::tempdir().unwrap();
     result(root.path(), "modes.json", &["shapes.svg"], "modes").unwrap();
     result(root.path(), "compare.json", &["trajectory_exact.parquet", "energy.svg"], "compare").unwrap();
@@ -51,7 +51,7 @@ fn a_result_that_loses_a_file_loses_all() {
     assert_eq!(names(root.path()), expected);
 }
 
-/// A page goes with the result to which it belongs, whether the index of that lists it or not, and with no other.
+/// A page is removed together with its own result, even if the index of that result does not list the page. Another result leaves it.
 #[test]
 fn a_page_is_replaced_with_its_result() {
     let root = tempfile::tempdir().unwrap();
@@ -108,7 +108,7 @@ fn a_folder_in_the_place_of_a_file_is_refused_before_anything_changes() {
     assert_eq!(std::fs::read_to_string(root.path().join("a.svg")).unwrap(), "1");
 }
 
-/// With a fault in every operation on a file, and with a death at every operation: the earlier result, or the new one, or a marker.
+/// A fault in any operation on a file, or the end of the process there, leaves the earlier result, the new result, or a marker.
 #[test]
 fn at_every_fault_the_folder_holds_one_whole_result_or_says_that_it_does_not() {
     let (old, new) = (["a.svg", "b.svg"], ["b.svg", "c.svg"]);

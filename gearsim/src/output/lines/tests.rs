@@ -1,4 +1,5 @@
-//! A damaged tooth of a sun or a ring meets the planets with the speed of its gear relative to the carrier: so far apart are its sidebands.
+//! A damaged tooth of a sun or a ring meets the planets with the speed of its gear relative to the carrier. This speed is the distance of
+//! its sidebands.
 
 use super::*;
 use crate::scene::Scene;
@@ -47,10 +48,10 @@ fn sidebands_of_a_planet_set_are_those_of_speeds_relative_to_the_carrier() {
         let run = scene.run().unwrap().outcome.trajectory;
         let lines = Lines::of(&run, &scene.output.spectrum).unwrap().unwrap();
         let apart = 10.0 * teeth_of_other / 126.0;
-        // Of the three planets together only multiples of three passages remain.
+        // In the sum over the three planets only multiples of three passages remain.
         for (output, step) in [(force, 1.0), ("shaft_torque_s", 3.0)] {
             let found = largest(&lines, output);
-            // The tenth sideband of the ring cannot be told from the third of the sun: they are 0.1 Hz apart, in a window of 4 s.
+            // A window of 4 s does not separate the tenth sideband of the ring from the third of the sun: they are 0.1 Hz apart.
             let named = found[..4].iter().filter(|(rotor, ..)| *rotor == gear).count();
             assert!(named >= 3, "{output}: {found:?}");
             for (.., frequency) in &found[..4] {

@@ -1,4 +1,4 @@
-//! What is evaluated of a run in `summary.json`: rows, meshes, load spectra, sounds.
+//! Parts of `summary.json`: rows, meshes, load spectra, sounds.
 
 use serde::{Deserialize, Serialize};
 
@@ -8,8 +8,8 @@ use crate::analysis::from_teeth::FromTeeth;
 use crate::profile::Step;
 use crate::trajectory::Trajectory;
 
-/// Rows of the trajectory by their kind. Evenly spaced samples alone are those with `moment == "sample"`; at an event two more rows have
-/// the same time.
+/// Rows of the trajectory by their kind. The rows with `moment == "sample"` are the evenly spaced samples. At an event there are two more
+/// rows of the same time.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Rows {
@@ -20,7 +20,7 @@ pub struct Rows {
 }
 
 impl Rows {
-    /// Those of a run.
+    /// The rows of a run.
     pub fn of(run: &Trajectory) -> Self {
         let samples = run.samples().count();
         Rows { samples: samples as u64, at_events: (run.len() - samples) as u64 }
@@ -60,7 +60,7 @@ pub struct Level {
 }
 
 impl LawFromTeeth {
-    /// That of a law.
+    /// The summary of a law that is computed from teeth.
     pub fn of(of: &FromTeeth<'_>) -> Self {
         let (min, max) = of.profile.extremes();
         let level = |step: &Step| Level { value: Number(step.value), width: Number(step.width) };
@@ -96,7 +96,7 @@ pub struct Mesh {
 }
 
 impl Mesh {
-    /// That of a dynamic factor, and the reason for each of its values that does not exist, by its name.
+    /// The load of the mesh of a dynamic factor. Also returns the reason for each value that does not exist, with the name of the value.
     pub fn of(of: &DynamicFactor) -> (Self, Vec<(&'static str, String)>) {
         let mut reasons = vec![];
         let mut number = |name: &'static str, value: &Result<f64, String>| match value {

@@ -29,7 +29,7 @@ pub struct Observed {
 }
 
 impl Observed {
-    /// Those of the recorded outputs of a run that has samples, from the time `from` \[s\] on, by name.
+    /// The statistics of the recorded outputs of a run from the time `from` \[s\] on, by name. Empty if the run has no samples there.
     pub fn all(run: &Trajectory, from: f64) -> IndexMap<String, Self> {
         let begin = run.row_from(from);
         let statistics = |(output, column): &(&Output, Vec<f64>)| {

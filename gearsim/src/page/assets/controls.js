@@ -2,7 +2,7 @@
 
 const choice = { values: {}, effects: null, solver: null };
 const rows = new Map();
-// Places of a slider.
+// Number of places of a slider.
 const PLACES = 1000;
 
 const byId = (id) => document.getElementById(id);
@@ -37,7 +37,7 @@ class Row {
     return whole ? Math.round(x) : rounded(x);
   }
 
-  /** The place of a number. */
+  /** The place of a number on the slider. */
   place(x) {
     const { low, high, log } = this.control;
     const part = log ? Math.log(x / low) / Math.log(high / low) : (x - low) / (high - low);
@@ -68,7 +68,7 @@ class Row {
     this.slider.setAttribute("aria-valuetext", `${this.field.value} ${this.control.unit}`);
   }
 
-  /** Takes what the scene says, unless a person has just set it. */
+  /** Shows the number of the scene, unless a person has set another one. */
   renew(control) {
     this.control = control;
     if (!(control.key in choice.values)) this.show(control.value); else this.mark();
@@ -100,7 +100,7 @@ function showValues(controls) {
   document.querySelectorAll("#values > details").forEach((group) => { if (!group.querySelector(".row")) group.remove(); });
 }
 
-/** The place for the rows of a group. Large groups are closed at first. */
+/** The element for the rows of a group. Large groups are closed at first. */
 function groupOf(title, controls) {
   const known = [...document.querySelectorAll("#values > details")].find((group) => group.dataset.title === title);
   if (known) return known;
@@ -135,7 +135,7 @@ function showEffects(effects) {
 const ADAPTIVE = ["dopri5", "dop853", "radau"];
 const FIXED = ["rk4", "rk4_grid"];
 
-/** Shows the menu of methods, and the field that the method has. */
+/** Shows the menu of methods, and the field for the tolerance or the step of the chosen method. */
 function showSolver({ methods, method, tolerance, step }, used) {
   if (!byId("menu")) buildSolver(methods);
   if (choice.solver === null) {
@@ -179,7 +179,7 @@ function chooseSolver() {
   changed();
 }
 
-/** Shows each mistake beside its control, and those of none above the plots. */
+/** Shows each mistake beside its control, and mistakes without a control above the plots. */
 function showMistakes(mistakes) {
   rows.forEach((row) => row.say(""));
   const places = new Map([["effects", byId("wrong-effects")], ["solver", byId("wrong-solver")]]);

@@ -4,11 +4,11 @@
 const BLOCK = 1024;
 // Counts in a group, as in pack.rs.
 const GROUP = 64;
-// Rows whose lowest and highest value are known ahead: the level above the rows themselves.
+// Number of rows for which the lowest and the highest value are computed in advance.
 const STEP = 64;
 
 const decoded = new Map();
-// Columns in base64 that came after the page: a page that shows run after run has them here, and not in elements.
+// Columns in base64 that came after the page was loaded. A page that shows many runs in turn has them here, not in elements.
 const received = new Map();
 
 /** The column of a specification: its values, and the indices of the extremes of every STEP values. Decoded once, when first drawn. */
@@ -30,14 +30,15 @@ function column({ id, length, bits }) {
   return decoded.get(id);
 }
 
-/** The counts that pack.rs has packed, from a byte on. */
+/** Unpacks `length` counts that pack.rs has packed, from the byte `at` on. */
 function unpack(bytes, at, length) {
   const counts = new Uint32Array(length);
   let last = 0, before = 0;
   for (let i = 0; i < length;) {
     const end = Math.min(length, i + GROUP), order = bytes[at] >> 6, width = bytes[at] & 63;
     at++;
-    // Bits that are read and not taken yet, as a number; where an entry is wide they are more than the 32 of bitwise operators.
+    // The bits that are read but not yet used, as a number, and how many they are. If entries are wide, they may be more than 32 bits,
+    // which is too many for bitwise operators.
     let open = 0, have = 0;
     const wide = width > 24, size = 2 ** width;
     for (; i < end; i++) {
@@ -81,7 +82,7 @@ function level(values) {
   return { low, high };
 }
 
-/** The indices of the lowest and of the highest value from a to before b; a where no value is a number. */
+/** The indices of the lowest and of the highest value from a to before b; a if no value is a number. */
 function scan(values, a, b) {
   let low = a, high = a;
   for (let i = a + 1; i < b; i++) {
@@ -91,7 +92,7 @@ function scan(values, a, b) {
   return [low, high];
 }
 
-/** The indices of the extremes from a to before b, by the level of steps where it applies. */
+/** The indices of the extremes from a to before b, from the extremes computed in advance where possible. */
 function extremes({ values, low, high }, a, b) {
   const first = Math.ceil(a / STEP), last = Math.floor(b / STEP);
   if (first >= last) return scan(values, a, b);
@@ -115,7 +116,7 @@ function lowerBound(values, x) {
   return a;
 }
 
-/** The index of the value nearest to x; of equal ones the last, which is the state after an event. */
+/** The index of the value nearest to x; of equal values the last, which is the state after an event. */
 function nearest(values, x) {
   let i = Math.min(lowerBound(values, x), values.length - 1);
   if (i > 0 && x - values[i - 1] < values[i] - x) i--;

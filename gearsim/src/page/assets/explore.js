@@ -1,8 +1,8 @@
 // Sends each choice, and shows the run that comes back.
 
-// After this time [ms] a newer choice ends the run of an older one; before, it waits for it.
+// Before this time [ms] a newer choice waits for the run of an older one. After it, the newer choice ends that run.
 const PATIENCE = 250;
-// Time [ms] without a change after which what is not seen follows, after which a run is judged, and after which advice begins.
+// Time [ms] without a change before the invisible sections are requested, before the run is judged, and before advice begins.
 const REST = 150, QUIET = 120, CALM = 700;
 
 let flight = null;
@@ -33,8 +33,8 @@ function changed() {
 }
 
 /**
- * Sends the choice. While an answer is under way, only the newest choice waits for it. The first answer to a long run has its beginning; then the
- * `whole` is asked for.
+ * Sends the choice. While an answer is under way, only the newest choice waits for it. The first answer to a long run has only the
+ * beginning of the run; the `whole` run is requested after it.
  */
 async function send(whole = false) {
   waiting = false;
@@ -57,7 +57,7 @@ async function send(whole = false) {
   if (answer?.run) timer = setTimeout(rest, REST);
 }
 
-/** Asks for what is not seen of the run. */
+/** Requests the parts of the run that are not visible. */
 async function rest() {
   const mine = number;
   let parts = null;
@@ -97,7 +97,7 @@ function show(answer, from) {
   else if (beginning) showSections(byId("sections"), beginning.page, `beginning${choice.number}-`);
   else status("the plots are those of the last choice without a mistake");
   requestAnimationFrame(() => setTimeout(() => {
-    // Of a long run, until its beginning is on the screen.
+    // The latency of a long run is the time until its beginning is on the screen.
     document.body.dataset.latency ??= String(performance.now() - from);
     document.body.dataset.shown = beginning ? String(beginning.reached / beginning.length) : "1";
     if (beginning) return;
@@ -142,7 +142,7 @@ async function judge() {
   let judgement = null;
   try { judgement = await (await post("judge")).json(); } catch (error) { if (mine === number) lost(error); return; }
   if (mine !== number || flight) return;
-  // Not beside the judgement, which measures time. A newer choice ends it.
+  // Advice begins after the judgement, because the judgement measures time. A newer choice cancels the advice.
   timer = setTimeout(advise, CALM);
   if (!judgement || "superseded" in judgement) {
     put("error", "-", judgement?.superseded ? "" : "the reference takes too long");
@@ -171,7 +171,7 @@ async function advise() {
   if (advice?.rows) advised(advice);
 }
 
-/** Shows which effects matter: a table, and a word beside each check box. Without advice, what is shown is marked as old. */
+/** Shows which effects matter: a table, and a word beside each check box. Without advice, the advice on the page is marked as old. */
 function advised(advice) {
   document.body.classList.toggle("unadvised", !advice);
   byId("advising").textContent = "";
@@ -195,7 +195,7 @@ function advised(advice) {
     const name = label.querySelector("input").name;
     const row = advice.rows.find(({ effect }) => effect === name || name.startsWith(`${effect}_`));
     const verdict = label.querySelector(".verdict");
-    // These two effects leave terms out: what is needed are the terms.
+    // These two effects leave terms out. The verdict is on the terms, not on the effect.
     const terms = row?.without.startsWith("jump terms") ? "terms " : "";
     verdict.textContent = row ? terms + says(row) : "";
     verdict.title = row?.without ?? "";

@@ -1,6 +1,6 @@
 // The gears of a run, drawn as they stand at the cursor of the plots over time.
 
-// Height of the drawing in base pitches; null: all of both gears.
+// Height of the drawing in base pitches; null: both gears are drawn whole.
 const VIEWS = [["the mesh", 4], ["one pair", 1.6], ["whole gears", null]];
 // Base pitches of a step, and time [ms] between steps for readers who prefer no motion.
 const TENTH = 0.1, STILL = 600;
@@ -8,10 +8,10 @@ const TENTH = 0.1, STILL = 600;
 const DRAWN = 0.12, MOST = 0.5;
 // Mesh cycles a second at first.
 const CYCLES = 0.4;
-// Colours of forces from none to the largest: viridis, which grows in lightness alone too.
+// Colours of forces from zero to the largest: viridis, whose lightness increases steadily.
 const FORCES = ["#440154", "#414487", "#2a788e", "#22a884", "#7ad151", "#fde725"];
 
-/** 1, 2 or 5 times a power of ten that is at most x. */
+/** The largest number that is 1, 2 or 5 times a power of ten and at most x. */
 function round125(x) {
   const power = 10 ** Math.floor(Math.log10(x) + 1e-9);
   return power * [5, 2, 1].find((n) => n * power <= x * (1 + 1e-9));
@@ -34,7 +34,7 @@ function forceColour(share) {
 }
 
 class Gears {
-  // What a reader chose, for the same drawing of another run.
+  // The choices of the reader, kept for the same drawing of another run.
   static chosen = { mesh: null, view: 0, slower: null, magnified: null, playing: false };
 
   constructor(figure) {
@@ -104,7 +104,7 @@ class Gears {
     this.draw();
   }
 
-  /** What the colours of the contacts mean. */
+  /** Explains the colours of the contacts. */
   legend() {
     const { force } = this.mesh;
     this.scale.hidden = !force;
@@ -157,7 +157,7 @@ class Gears {
         this.t >= end ? this.point(this.fraction(0)) : this.step(1);
         return;
       }
-      // A page in the background has no frames; it goes on where it was.
+      // A page in the background gets no frames. Limit the time, so that the motion continues where it stopped.
       const passed = Math.min(now - last, 100) / 1000;
       last = now;
       this.point(this.t >= end ? this.fraction(0) : this.t + passed / Number(this.slow.value));
@@ -171,7 +171,7 @@ class Gears {
     this.button.title = this.button.ariaLabel = "Play";
   }
 
-  /** Ends it, for a drawing in its place. */
+  /** Stops the drawing before another one replaces it. */
   leave() {
     this.playing = false;
     this.observer.disconnect();
@@ -186,7 +186,7 @@ class Gears {
     event.preventDefault();
   }
 
-  /** What is drawn now. */
+  /** The state of the mesh at the present time. */
   now() {
     return instant(this.mesh, this.times, this.t, Number(this.magnify.value));
   }
@@ -210,7 +210,7 @@ class Gears {
     new Picture(context, this.mesh, state, VIEWS[this.view.selectedIndex][1], [width, height]).draw();
   }
 
-  /** The instant in numbers. */
+  /** Shows the state in numbers. */
   tell({ t, rotation, lead, force, contacts, coasts }) {
     const { mesh } = this;
     const number = (x, unit, largest) => {

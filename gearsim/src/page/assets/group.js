@@ -5,7 +5,7 @@ const groups = new Map();
 const STILL_FOR = 120;
 
 class Group {
-  /** The group of a panel, which joins it. A plot without a group is alone in its own. */
+  /** The group of a panel, with the panel added. A plot without a group is alone in a group of its own. */
   static of(panel) {
     const name = panel.plot.group ?? panel.figure;
     if (!groups.has(name)) groups.set(name, new Group(panel.plot.x));
@@ -17,7 +17,7 @@ class Group {
     this.x = x;
     this.panels = [];
     this.bars = [];
-    // What else moves with the cursor.
+    // Functions to call when the cursor moves.
     this.followers = [];
     this.cursor = null;
     this.revision = 0;
@@ -118,7 +118,7 @@ class Group {
     return element("div", { className: "bar", role: "toolbar", ariaLabel: `View over ${this.x.label}` }, ...buttons, readout);
   }
 
-  /** Draws once a frame, however often the view changed in between, and in all detail once it rests. */
+  /** Draws at most once per frame, however often the view changes. Draws in all detail when the view has not changed for some time. */
   later() {
     clearTimeout(this.detail);
     this.detail = setTimeout(() => {
@@ -134,7 +134,7 @@ class Group {
     });
   }
 
-  /** Draws its panels in parts of so many pixels. */
+  /** Draws its panels with curves reduced to parts of `part` pixels. */
   draw(part) {
     const before = Panel.part;
     Panel.part = part;

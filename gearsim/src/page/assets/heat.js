@@ -1,6 +1,6 @@
 // A map: values as colours over two axes. Drawn by plotly.js when it is first in sight.
 
-/** The middles of cells between edges that lie half-way between neighbouring middles. */
+/** The middles of cells, from edges that lie half-way between neighbouring middles. */
 function middles(edges) {
   const found = [(edges[0] + edges[1]) / 2];
   for (let i = 1; i + 1 < edges.length; i++) found.push(2 * edges[i] - found[i - 1]);

@@ -1,10 +1,11 @@
 // The geometry of a mesh at an instant: where its outlines are, and where they touch. Lengths in the unit of the mesh; the driving gear
 // turns about the origin, counterclockwise, and the centre of the other gear is on the x axis, as in gear/outline.rs.
 
-// A mesh with less than this share of its largest force is not in contact; forces are embedded to 1/131,000 of a block.
+// A mesh with less than this share of its largest force is not in contact. Embedded forces have rounding errors of 1/131,000 of the range
+// of a block.
 const NO_FORCE = 1e-4;
 
-/** The value at x, on straight lines between the rows; at the time of an event, after it. */
+/** The value at `at`, by linear interpolation between the rows; at the time of an event, the value after it. */
 function between(x, values, at) {
   const i = lowerBound(x, at);
   if (i === 0 || i === x.length || x[i] === at) return values[nearest(x, at)];
@@ -12,7 +13,7 @@ function between(x, values, at) {
   return values[i - 1] + part * (values[i] - values[i - 1]);
 }
 
-/** The angles of both gears, the place of their flanks, and their contacts at a time; deflection and play `magnified`. */
+/** The angles of both gears, the positions of their flanks and their contacts at the time t; deflection and play `magnified` times. */
 function instant(mesh, times, t, magnified) {
   const row = (of) => between(times, column(of).values, t);
   const [rotation, lead] = [row(mesh.rotation), row(mesh.lead)];
@@ -27,7 +28,7 @@ function instant(mesh, times, t, magnified) {
   const touches = force !== null ? Math.abs(force) > NO_FORCE * mesh.force.largest : mesh.play === null || Math.abs(lead) >= mesh.play / 2;
   const state = { t, rotation, lead, force, angles, thin, coasts, contacts: [] };
   if (!touches || !Number.isFinite(angles[0] + angles[1])) return state;
-  // The middle between both flanks as drawn; pairs touch where it is without magnification.
+  // The middle between both flanks, `magnified` times. The pairs in contact are found without magnification.
   const middle = (magnified) => coasts
     ? -(x[0] + 2 * one.place * one.base) - taken(mesh, magnified).coast + magnified * (mesh.play / 2 + lead) / 2
     : x[0] - magnified * lead / 2;
@@ -38,7 +39,10 @@ function instant(mesh, times, t, magnified) {
   return state;
 }
 
-/** The length that play takes off each flank: half of it off each gear. The teeth may have some of it already, on the coast side. */
+/**
+ * The length by which each flank is thinned for the play: half of the play for each gear, shared by its two flanks. The given teeth may
+ * already have some play (`clearance`), which is subtracted on the coast side.
+ */
 function taken(mesh, magnified) {
   if (mesh.play === null) return { drive: 0, coast: 0 };
   const quarter = magnified * mesh.play / 4;
@@ -51,7 +55,7 @@ function onLine(mesh, x, coasts) {
   return [pitchPoint + x * Math.sin(mesh.angle), (coasts ? -1 : 1) * x * Math.cos(mesh.angle)];
 }
 
-/** Where the axis of gear i meets the drawing, on the x axis. */
+/** The x coordinate of the axis of gear i. */
 function centre(mesh, i) {
   const [one, two] = mesh.gears.map(({ base }) => base / Math.cos(mesh.angle));
   return i === 0 ? 0 : mesh.internal ? one - two : one + two;
@@ -67,8 +71,8 @@ function place(mesh, i, radius, angle) {
 function outline(mesh, i, state, reach) {
   const gear = mesh.gears[i], ring = i === 1 && mesh.internal;
   const { drive, coast } = state.thin;
-  // The flank behind and the one ahead: the driving gear presses with the one ahead, the driven gear is pressed on the one behind, and a
-  // ring on the one ahead of its space. Less tooth is more space.
+  // Shifts of the flank behind and of the flank ahead. The driving gear is loaded on its flank ahead, the driven gear on its flank behind,
+  // and a ring on the flank ahead of its space. A thinner tooth of a ring is a wider space.
   const [behind, ahead] = i === 0 ? [coast, -drive] : ring ? [-coast, drive] : [drive, -coast];
   const pitch = 2 * Math.PI / gear.teeth;
   const all = reach >= Math.PI;

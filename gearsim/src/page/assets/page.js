@@ -4,7 +4,7 @@ const panels = [...document.querySelectorAll("figure.plot")].map((figure) => new
 const maps = [...document.querySelectorAll("figure.map")].map((figure) => new HeatMap(figure));
 for (const group of groups.values()) group.begin();
 
-// One bar a group in each section, before its first plot there.
+// One bar per group in each section, before the first plot of the group there.
 for (const section of document.querySelectorAll("section")) {
   const seen = new Set();
   for (const panel of panels.filter((panel) => section.contains(panel.figure))) {

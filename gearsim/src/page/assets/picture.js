@@ -1,7 +1,7 @@
 // Draws a mesh at an instant on a canvas.
 
 class Picture {
-  /** `high`: height in base pitches about the pitch point; null: all of both gears. */
+  /** `high`: height in base pitches about the pitch point; null: both gears are drawn whole. */
   constructor(context, mesh, state, high, [width, height]) {
     Object.assign(this, { context, mesh, state, width, height });
     const pitchPoint = mesh.gears[0].base / Math.cos(mesh.angle);
@@ -15,7 +15,7 @@ class Picture {
       this.scale = 0.96 * Math.min(width / (end - low), height / (2 * Math.max(...reach)));
       this.middle = [(low + end) / 2, 0];
     }
-    // What of a gear is in view: as an angle about its centre, with a margin.
+    // The part of each gear that is in view, as an angle about its centre [rad], with a margin.
     const diagonal = 0.55 * Math.hypot(width, height) / this.scale;
     this.reach = mesh.gears.map(({ base }) => {
       const radius = base / Math.cos(mesh.angle);

@@ -12,7 +12,7 @@ const UNITS = {
   "J": [["J", 1], ["mJ", 1e3], ["kJ", 1e-3], ["MJ", 1e-6]],
 };
 
-/** The unit in which the numbers up to `largest` (SI) are from 1 to 1000; else the SI unit. */
+/** The unit in which the number `largest` (SI) is from 1 to 1000; else the SI unit. */
 function suitable(units, largest) {
   const end = units.indexOf(null);
   const sized = end < 0 ? units : units.slice(0, end);
@@ -22,17 +22,17 @@ function suitable(units, largest) {
 // Dashes of the curves, so that they differ without colours too.
 const DASHES = ["solid", "7px,3px", "2px,4px", "8px,3px,2px,3px", "12px,4px"];
 const COLOURS = 7;
-// While a view or a run changes, curves are drawn in parts of this many pixels: plotly.js takes half the time.
+// While a view or a run changes, curves are reduced to parts of this many pixels. plotly.js then takes half the time.
 const COARSE = 4;
 // Labels of vertical lines: their font, the height of a row of them [px], and most rows.
 const LABELS = { font: 11, row: 14, rows: 4 };
-// Height of the frames, and above and below them.
+// Height of the frames, and of the space above and below them [px].
 const HEIGHT = 196, TOP = 10, BOTTOM = 44;
 // Most height of the frame of a plot whose axes have the same scale.
 const SQUARE = 420;
 // Size of the numbers and names at the axes, and of their titles.
 const FONT = 12, TITLE = 14;
-// Least width of a name along x that stands upright.
+// Least width of an upright name along x [px].
 const UPRIGHT = 18;
 // Screens narrower than this [px] are those of phones.
 const NARROW = 600;
@@ -41,15 +41,15 @@ const MARGIN = 78;
 // Width right of them: half of a number of five digits, which stands below the end of a frame.
 const RIGHT = 20;
 
-/** `text` with what stands in `_{...}` as an index, for plotly.js, which reads some HTML. */
+/** `text` with the content of `_{...}` as a subscript, in the HTML that plotly.js reads. */
 const formula = (text) => text.replaceAll("&", "&amp;").replaceAll("<", "&lt;").replace(/_\{([^}]*)\}/g, "<sub>$1</sub>");
-/** The same as elements. */
+/** The same as elements of the page. */
 const formulaElements = (text) => text.split(/_\{([^}]*)\}/).map((part, i) => i % 2 ? element("sub", { textContent: part }) : part);
 
 const css = (name) => getComputedStyle(document.documentElement).getPropertyValue(name).trim();
-/** The colour of a style: the number of one of the page, or a CSS colour. */
+/** The CSS colour of a style. A number stands for one of the colours of curves of the page. */
 const colour = (which) => typeof which === "number" ? css(`--curve-${which % COLOURS}`) : which;
-/** How the i-th curve looks if it does not say so itself. */
+/** The default style of the i-th curve. */
 const styleOf = (i) => ({ colour: i % COLOURS, dash: DASHES[i % DASHES.length], width: i === 0 ? 1.7 : 1.3, marker: null });
 
 // Outlines of the markers, about the middle of a field of 22 by 10 pixels.
@@ -58,7 +58,7 @@ const OUTLINES = {
   "triangle-up": "M11 0.8l4.4 7.6h-8.8Z", "x-thin-open": "M7.8 1.8l6.4 6.4m0 -6.4l-6.4 6.4",
 };
 
-/** How a curve looks, as SVG: its line and its marker, of points alone the marker. */
+/** A sample of a curve as SVG: its line and its marker; only the marker if the curve has no line. */
 function pattern({ colour, dash, width, marker }) {
   const ink = typeof colour === "number" ? `var(--curve-${colour % COLOURS})` : colour;
   const dashes = dash === "solid" ? "none" : dash.replaceAll("px", "");
@@ -81,7 +81,7 @@ function textWidth(text, size) {
   return textWidth.context.measureText(text).width;
 }
 
-/** Places at least `gap` apart, near those wanted, which rise, and from `low` to `high` if they fit there. */
+/** Places at least `gap` apart, near the `wanted` ones, which are in ascending order, and between `low` and `high` if they fit there. */
 function apart(wanted, gap, low, high) {
   const places = [];
   for (const at of wanted) places.push(Math.max(at, places.length ? places.at(-1) + gap : low));
@@ -102,11 +102,11 @@ function element(name, properties = {}, ...children) {
 class Panel {
   /** Further settings of axes. */
   static axis = {};
-  /** Pixels in each part of which a curve has its lowest and its highest value. */
+  /** Width [px] of the parts in each of which a curve has its lowest and its highest value. */
   static part = 1;
   /** End of the axes over time while the beginning of a run is shown. */
   static until = -Infinity;
-  /** Draws the curves of a plot that looks almost as before without plotly.js; whether it could. */
+  /** Draws the curves of a plot without plotly.js if it looks almost as before. Returns whether it did. */
   static sketch = () => false;
 
   constructor(figure) {
@@ -132,7 +132,7 @@ class Panel {
   build() {
     const caption = this.figure.querySelector("figcaption");
     this.values = [];
-    // A few descriptions stand beside their curves, more of them in a list that opens.
+    // Up to two descriptions stand beside their curves; more are in a list that opens.
     const inline = this.plot.curves.length <= 2;
     const boxes = this.plot.curves.map((curve, i) => {
       if (!curve.name) return null;
@@ -181,14 +181,14 @@ class Panel {
     return this.menu;
   }
 
-  /** Takes a unit of the menu. */
+  /** Selects a unit of the menu. */
   choose([name, factor]) {
     [this.unit, this.factor] = [name, factor];
     this.menu.value = name;
     this.yRevision++;
   }
 
-  /** Takes the unit that suits the curves that are drawn. */
+  /** Selects the unit that suits the curves that are drawn. */
   suit() {
     let largest = 0;
     this.plot.curves.filter((_, i) => this.shown[i]).forEach((curve) => {
@@ -223,7 +223,7 @@ class Panel {
     this.frame.hidden = !this.shown.some((shown) => shown);
     if (this.menu) this.menu.hidden = this.frame.hidden;
     if (this.stale || this.frame.hidden) return;
-    // What a person did not see when the run was asked for follows in a second answer.
+    // Curves that were not visible when the run was requested have no values yet. They follow in a second answer.
     this.stale = this.plot.curves.some((curve, i) => this.shown[i] && curve.y.length < curve.x.length);
     if (this.stale) return;
     this.part = Panel.part;
@@ -267,7 +267,7 @@ class Panel {
     return { x, y, name: formula(curve.name), mode, marker, line, cliponaxis: !style.marker, hoverinfo: "skip" };
   }
 
-  /** The texts at the last points of curves, as notes.rs places them. */
+  /** The texts at the last points of curves, placed as in notes.rs. */
   notes() {
     const noted = this.plot.curves.map((curve, i) => [curve, i]).filter(([{ note }, i]) => note && this.shown[i]).map(([curve, i]) => {
       const [x, y] = [column(curve.x).values.at(-1), column(curve.y).values.at(-1)];
@@ -303,7 +303,7 @@ class Panel {
     return Math.max(HEIGHT, 2 * LABELS.row * Math.max(before, this.after().length));
   }
 
-  /** The part of the width that is as wide as the frame is high. */
+  /** The middle part of the width, as wide as the frame is high [relative to the width]. */
   middle() {
     const half = this.height() / this.pixels() / 2;
     return [0.5 - half, 0.5 + half];
@@ -325,14 +325,14 @@ class Panel {
     return lines;
   }
 
-  /** The height that names along x need if they stand upright, since side by side they would cover each other; 0 if they do not. */
+  /** The height [px] of the names along x if they stand upright, because they would cover each other side by side; 0 if they do not. */
   upright() {
     const widest = Math.max(0, ...(this.plot.x.names ?? []).map((name) => textWidth(name.replace(/_\{([^}]*)\}/g, "$1"), FONT)));
     return (widest + 8) * this.plot.x.names?.length > this.pixels() ? widest : 0;
   }
 
-  /** The labels of vertical lines, which are in a linear range. Each is right of its line, or left of it where the frame ends, in the first
-   * row in which it covers no other label. What finds no row has no label: its line remains, and the table below has its number. */
+  /** The labels of vertical lines on a linear axis. Each label is right of its line, or left of it at the end of the frame, in the first
+   * row in which it covers no other label. If there is no such row, the line has no label; the table below has its number. */
   labels(lines, [from, to]) {
     const pixels = this.pixels();
     const rows = Array.from({ length: LABELS.rows }, () => []);
@@ -351,7 +351,7 @@ class Panel {
     }).filter((label) => label);
   }
 
-  /** The marks of events: one a pixel at most. One line whose way from mark to mark is below the plot: it is drawn faster than many marks. */
+  /** The marks of events, at most one per pixel. They are a single line that runs below the plot from mark to mark: it is drawn faster. */
   events([from, to], pixels) {
     if (!this.plot.events) return [];
     const t = column(this.plot.events).values;
@@ -379,7 +379,7 @@ class Panel {
     if (this.plot.y.log) Object.assign(y, logarithmic);
     if (this.plot.y.range) y.range = this.plot.y.range.map((value) => this.plot.y.log ? Math.log10(this.factor * value) : this.factor * value);
     if (this.plot.square) {
-      // Zooms of x are those of y, about its middle.
+      // A zoom of x also zooms y, about the middle of y.
       const [low, high] = this.plot.y.range;
       const half = (high - low) / 2 * (range[1] - range[0]) / (this.group.all[1] - this.group.all[0]);
       Object.assign(y, { range: [(low + high) / 2 - half, (low + high) / 2 + half], uirevision: this.group.revision });
@@ -431,7 +431,7 @@ class Panel {
   }
 }
 
-// plotly.js measures the time between clicks when it takes them. A page that is busy with drawing takes the second one late.
+// plotly.js measures the time between two clicks when it handles them. A page that is busy with drawing handles the second click late.
 const settings = { displaylogo: false, responsive: true, scrollZoom: false, doubleClick: false, doubleClickDelay: 600, showTips: false, modeBarButtons: [["zoom2d", "pan2d", "toImage"]] };
 
 /** Whether fingers are the pointer: a finger scrolls the page, and buttons zoom. */

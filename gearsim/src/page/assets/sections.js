@@ -1,13 +1,13 @@
-// Sections that show run after run: plots that stay keep their view, all else is replaced.
+// Sections that show many runs in turn. Plots with the same curves keep their view; everything else is replaced.
 
 const panels = [];
-// What the identifiers of the arrays of each section begin with: others are forgotten.
+// The prefix of the identifiers of the arrays of each section. Arrays with other prefixes are deleted.
 const names = new Map();
 let drawings = [];
-// To look for labels that are cut off takes a quarter of the time of drawing.
+// By default plotly.js looks for labels that are cut off, which takes a quarter of the time of drawing.
 Panel.axis = { ticklabeloverflow: "allow" };
 
-/** The names of what a plot shows; a plot of the same names stays. */
+/** The title, the unit and the names of the curves of a plot, as one text. A plot with the same text is kept. */
 const subject = (plot) => [plot.title, plot.y.unit, plot.y.log, ...plot.curves.map((curve) => curve.name)].join("\n");
 
 /** The identifiers of the sections on the screen. */
@@ -16,22 +16,25 @@ function inSight(main) {
   return seen.length ? seen.map(({ id }) => id) : ["motion"];
 }
 
-/** What a person sees of the plots, for an answer with that alone; null where none is seen. */
+/** The visible part of the plots, for an answer with only this part; null if no plot is visible. */
 function inView() {
   const seen = panels.filter((panel) => panel.drawn && onScreen(panel));
   if (seen.length === 0) return null;
-  // The common limits of spectra over frequency follow from all of them.
+  // The common limits of spectra over frequency depend on all spectra.
   const wanted = panels.filter((panel) => seen.includes(panel) || panel.plot.group === "frequency");
   const curves = wanted.flatMap(({ plot, shown }) => plot.curves.filter((_, i) => shown[i]).map(({ name }) => [plot.title, name]));
   const { range, first } = seen.find(({ plot }) => plot.group === "time")?.group ?? {};
-  // Another run may be longer: the whole of this one means the whole of that one.
+  // The next run may have another length. If the whole of this run is in view, the whole of the next run is requested.
   const whole = !range || (range[0] === first[0] && range[1] === first[1]);
   const tables = [...document.querySelectorAll("main table")].filter((table) => onScreen({ figure: table }));
   const captions = tables.map((table) => table.caption?.textContent ?? "");
   return { range: whole ? null : range, parts: Math.max(...seen.map((panel) => panel.pixels())), curves, tables: captions };
 }
 
-/** Shows some sections of a run, `of` the whole in its `order`, in place of those of the run before. `name` begins the identifiers of their arrays. */
+/**
+ * Shows the sections `of` a run in place of those of the run before. `order` has the identifiers of all sections from top to bottom. The
+ * identifiers of the arrays begin with `name`.
+ */
 function showSections(main, { order, of, html, arrays }, name) {
   of.forEach((id) => names.set(id, name));
   const used = new Set(names.values());
@@ -63,12 +66,12 @@ function showSections(main, { order, of, html, arrays }, name) {
   drawAll(panels.filter(({ figure, part }) => part > Panel.part || own.some((section) => section.contains(figure))));
 }
 
-// By how much the ends of an axis [its length] may be off while a run changes; the view that rests has them in their places.
+// Largest error of the ends of an axis while a run changes [relative to its length]. When the run no longer changes, they are exact.
 const OFF = 0.1;
 
 Panel.sketch = (panel, traces, look) => Panel.part === COARSE && alike(panel, look) && sketch(panel.canvas, traces);
 
-/** Whether a plot looks as it is drawn now, but for less than a pixel along x and a little of the range of y. */
+/** Whether a plot looks as it is drawn now, except for less than a pixel along x and a small part of the range of y. */
 function alike(panel, look) {
   if (look === panel.look) return true;
   const looks = [look, panel.look].map((text) => JSON.parse(text));
@@ -82,7 +85,10 @@ function alike(panel, look) {
   return near(along, alongBefore, (along[1] - along[0]) / panel.pixels()) && near(up, upBefore, OFF * (upBefore[1] - upBefore[0]));
 }
 
-/** Gives the lines of a plot new points, and their markers new places, if its axes suit them. plotly.js would take ten times as long. */
+/**
+ * Gives the lines of a plot new points, and their markers new places, if its axes suit them. Returns whether it did. plotly.js would take
+ * ten times as long.
+ */
 function sketch(canvas, traces) {
   const { xaxis, yaxis, yaxis2 } = canvas._fullLayout;
   const paths = canvas.querySelectorAll(".scatterlayer path.js-line");
@@ -99,7 +105,7 @@ function sketch(canvas, traces) {
   return true;
 }
 
-/** Whether an axis shows all of some curves, and these are not small in it. */
+/** Whether an axis shows all of some curves, and they take at least half of it. A fixed axis always suits. */
 function suits(axis, traces) {
   if (!axis.autorange) return true;
   let [low, high] = [Infinity, -Infinity];
@@ -124,11 +130,11 @@ const onScreen = ({ figure }) => {
   return bottom > 0 && top < innerHeight;
 };
 
-// Time [ms] for the screen and for input before a plot that is not seen is drawn.
+// Pause [ms] before a plot that is not visible is drawn. The browser uses it to paint and to handle input.
 const PAUSE = 50;
 let turn = null;
 
-/** Draws those of some plots that are on the screen at once, and those near it once these are seen. */
+/** Of the plots `some`, draws those on the screen at once, and those near the screen later, one after the other. */
 function drawAll(some) {
   const near = some.map((panel) => [panel, onScreen(panel)]);
   near.filter(([, here]) => here).forEach(([panel]) => panel.draw());
@@ -147,12 +153,12 @@ function drawAll(some) {
   turn = setTimeout(next, PAUSE);
 }
 
-/** Makes a section like a fresh one; plots of the same subject stay where they are, and get the new curves. */
+/** Gives a section the content of a new one. Plots with the same `subject` stay where they are, and get the new curves. */
 function renew(old, section) {
   const open = new Set([...old.querySelectorAll(":scope > details[open] > summary")].map((summary) => summary.textContent));
   const known = panels.filter(({ figure }) => old.contains(figure));
   const wanted = [...section.children].map((child) => {
-    // A table that is not seen comes with the next answer.
+    // A table that is not visible comes with the next answer; until then the old table stays.
     if (child.dataset.later) return [...old.children].find((known) => known.querySelector("caption")?.textContent === child.dataset.later) ?? child;
     if (child.matches("details")) child.open = open.has(child.querySelector("summary").textContent);
     if (!child.matches("figure.plot")) return child;
@@ -181,7 +187,7 @@ function leave() {
   for (const [name, group] of groups) if (group.panels.length === 0) groups.delete(name);
 }
 
-/** Finds the limits of a group anew. A view that a reader chose stays as far as there are data. */
+/** Finds the limits of a group again. A view that a reader chose is kept as far as there are data. */
 function regroup(group) {
   const [range, first] = [group.range, group.first];
   group.begin();
@@ -193,7 +199,7 @@ function regroup(group) {
   if (!range || range[0] !== group.range[0] || range[1] !== group.range[1]) group.revision++;
 }
 
-/** One bar a group in each section, before its first plot there. */
+/** One bar per group in each section, before the first plot of the group there. */
 function bars(main) {
   for (const section of main.children) {
     const before = new Map();

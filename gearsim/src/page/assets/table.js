@@ -1,4 +1,4 @@
-// Tables that are sorted by the column whose head is pressed.
+// Tables that are sorted by the column whose head is clicked.
 
 function sortable(table) {
   const heads = [...table.querySelectorAll("th")];
@@ -14,7 +14,7 @@ function sortable(table) {
   }));
 }
 
-/** Numbers by value, what is not a number last; texts by the alphabet. */
+/** Compares numbers by value, with those that are NaN last, and texts alphabetically. */
 function compare(a, b) {
   if (!("value" in a.dataset) || !("value" in b.dataset)) return a.textContent.localeCompare(b.textContent, "en", { numeric: true });
   const [x, y] = [Number(a.dataset.value), Number(b.dataset.value)];

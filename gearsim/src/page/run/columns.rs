@@ -8,7 +8,7 @@ use crate::plot::outputs::{is_further_planet, same};
 use crate::plot::rotates;
 use crate::trajectory::Trajectory;
 
-/// What a column is.
+/// The kind of a column.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) enum ColumnKind {
     /// An output of the model: a force, a transmission error, the speed of a rotor.
@@ -17,7 +17,7 @@ pub(super) enum ColumnKind {
     Speed,
     /// A coordinate that does not rotate.
     Deflection,
-    /// Its rate.
+    /// The rate of a coordinate that does not rotate.
     Rate,
     /// A coordinate that rotates.
     Rotation,
@@ -38,14 +38,14 @@ pub(super) struct NamedColumn<'a> {
     pub name: Cow<'static, str>,
     pub doc: String,
     pub values: Cow<'a, [f64]>,
-    /// Whether a column of the group before it is the same curve.
+    /// Whether an earlier column of the group is the same curve.
     pub again: bool,
 }
 
 /// Units of outputs in the order in which people look at them: speeds, forces, transmission errors, loss of contact. Others follow.
 const UNITS: [&str; 6] = ["rad/s", "N", "N*m", "m", "rad", "1"];
 
-/// Curves of a group that are drawn at first.
+/// Maximum number of curves of a group that are drawn at first.
 const FIRST: usize = 4;
 
 /// The parts of the energy account, with their descriptions.
@@ -59,7 +59,7 @@ const ENERGIES: [(&str, &str); 6] = [
 ];
 
 impl ColumnGroup<'_> {
-    /// A title for people.
+    /// The title of its plot.
     pub fn title(&self) -> &'static str {
         match (self.kind, &*self.unit) {
             (ColumnKind::Speed, _) => "Speeds of coordinates",
@@ -85,8 +85,8 @@ impl ColumnGroup<'_> {
         }
     }
 
-    /// The unit of its plot, and the factor to it from the SI unit: speeds of rotors in revolutions a minute, else what suits the size of the
-    /// curves that are drawn at first.
+    /// The unit of its plot, and the factor to it from the SI unit. Speeds of rotors are in revolutions a minute, other angular speeds in
+    /// rad/s. Other columns have the unit that suits the size of the curves that are drawn at first.
     pub fn shown_unit(&self) -> (&str, f64) {
         if self.unit == "rad/s" && self.kind != ColumnKind::Signal {
             return ("rad/s", 1.0);
@@ -96,8 +96,8 @@ impl ColumnGroup<'_> {
         readable(&self.unit, largest)
     }
 
-    /// Whether the `index`-th of its columns is drawn at first: the first few that vary, of kinds that people look at
-    /// first. Of those that are the same curve the first one.
+    /// Whether the column `index` is drawn at first: one of the first few columns that vary, but no rate and no rotation. Of columns that
+    /// are the same curve, only the first is drawn.
     pub fn shown(&self, index: usize) -> bool {
         let varies = |column: &NamedColumn<'_>| !column.again && column.values.iter().any(|x| *x != column.values[0]);
         let before = self.columns[..index].iter().filter(|column| varies(column)).count();
@@ -105,8 +105,8 @@ impl ColumnGroup<'_> {
     }
 }
 
-/// The columns of the run, in groups of one kind and unit. The groups are in the order of [`ColumnKind`]. In each group the columns of meshes
-/// come first; of several planets, those of the first one do.
+/// The columns of the run, in groups of one kind and unit. The groups are in the order of [`ColumnKind`]. In each group the columns of
+/// meshes come first, and the columns of the first of several planets come before those of the others.
 ///
 /// Errors: [`OutputError::Ragged`] if they differ in length.
 pub(super) fn groups(trajectory: &Trajectory) -> Result<Vec<ColumnGroup<'_>>, OutputError> {

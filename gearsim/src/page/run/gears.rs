@@ -35,7 +35,7 @@ struct Mesh {
     clearance: f64,
     /// Play of the model; `None`: its flanks always touch.
     play: Option<f64>,
-    /// X of a pair of teeth less the way of the driving gear's base circle.
+    /// X - r_b1 theta_1 of a pair of teeth, as in [`Engaged`].
     begin: f64,
     /// Rotation of the driving gear \[rad\].
     rotation: Column,
@@ -46,13 +46,13 @@ struct Mesh {
     force: Option<Force>,
     /// Mesh cycles a second, for the speed of the animation \[Hz\].
     frequency: f64,
-    /// What of the drawing is assumed.
+    /// What is assumed in the drawing, in words.
     note: String,
 }
 
 #[derive(Serialize)]
 struct Gear {
-    /// What it is called.
+    /// Its name, with its number of teeth.
     name: String,
     teeth: f64,
     base: f64,
@@ -163,7 +163,7 @@ fn note(engaged: &Engaged<'_>, ratio: f64) -> String {
         note += " Rotations are relative to the line through both centres, as the mesh phase counts them.";
     }
     if engaged.has_error {
-        note += " Its transmission error is not drawn: pairs touch when their flanks are as far ahead as it says.";
+        note += " Its transmission error is not drawn: pairs touch when the lead is equal to this error.";
     }
     match engaged.force {
         Some(_) => note += " The force of the mesh is divided equally among the pairs in contact.",

@@ -1,6 +1,7 @@
 //! Losses by cause: the recorded powers that are lost, integrated over the run.
 //!
-//! The trapezoidal rule between the recorded rows. Both sides of an event are rows at one time, so that no interval contains a jump.
+//! The integrals use the trapezoidal rule between the recorded rows. Both sides of an event are rows at one time, so that no interval
+//! contains a jump.
 
 use super::Report;
 use crate::output::number::short;

@@ -39,7 +39,7 @@ const SECTIONS: &[Section] = &[
     Section { id: "provenance", title: "Provenance", fill: provenance },
 ];
 
-/// The sections whose plots are over time, and show the beginning of a run as they show the whole.
+/// The sections with plots over time. They can show the beginning of a run.
 pub const OVER_TIME: [&str; 2] = ["motion", "energy"];
 
 /// A section of the page of a run.
@@ -60,17 +60,17 @@ pub struct Run<'a> {
     pub summary: &'a Summary,
 }
 
-/// What sections are made of: the run, its columns, and the rows that the page has of them.
+/// The data of the sections: the run, its columns, and the rows that the page contains.
 struct Report<'a> {
     run: &'a Run<'a>,
     groups: Vec<ColumnGroup<'a>>,
     all: Source<'a>,
-    /// What the plots have instead of `all`.
+    /// The visible curves and rows, which the plots have instead of `all`.
     seen: Option<Source<'a>>,
 }
 
 impl<'a> Report<'a> {
-    /// Which curves the plots have, and where those over time have their rows.
+    /// The curves that the plots have, and the rows of the curves over time.
     fn plotted(&self) -> &Source<'a> {
         self.seen.as_ref().unwrap_or(&self.all)
     }
@@ -81,9 +81,9 @@ pub fn page(run: &Run<'_>) -> Result<Page, OutputError> {
     filled(run, shared::begin(run.scene), SECTIONS.iter(), None)
 }
 
-/// The wanted sections of a page that shows run after run, whose arrays have identifiers that begin with `name`; `None` if `goes_on` ended
-/// it. Plots have only what is in `view`, if there is one. Without the first section: `gearsim explore` shows the result beside
-/// the plots. Errors: as of [`page`].
+/// The wanted sections of the page of `gearsim explore`; `None` if `goes_on` ended it. The identifiers of their arrays begin with `name`.
+/// If there is a `view`, plots have only its content. The first section is left out, because that page shows the result beside the plots.
+/// Errors: those of [`page`].
 pub fn live(
     run: &Run<'_>,
     name: String,

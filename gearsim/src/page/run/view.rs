@@ -1,4 +1,4 @@
-//! What a person sees of the plots over time, orders and frequencies. `gearsim explore` first sends that alone.
+//! The visible part of the plots over time, orders and frequencies. `gearsim explore` first sends only this part.
 
 use std::cell::OnceCell;
 
@@ -13,7 +13,7 @@ use crate::page::shared::rows::Rows;
 pub struct View {
     /// The times between which the plots are seen \[s\]; `None`: the whole run.
     range: Option<(f64, f64)>,
-    /// In how many parts of this range a curve has its lowest and its highest value: the pixels of a plot.
+    /// The number of parts of this range in each of which a curve has its lowest and its highest value: the width of a plot in pixels.
     parts: usize,
     /// The curves that are drawn: title of the plot and name.
     curves: Vec<(String, String)>,
@@ -37,7 +37,7 @@ impl<'a> Source<'a> {
         Source { view: None, rows, times: OnceCell::new() }
     }
 
-    /// What is seen of a run with the times `t`.
+    /// The part of a run with the times `t` that is in `view`.
     pub(super) fn seen(view: &'a View, t: &[f64]) -> Self {
         let (from, to) = view.range.unwrap_or((f64::NEG_INFINITY, f64::INFINITY));
         // One row beyond each end, so that the curves reach the frame.

@@ -1,4 +1,4 @@
-//! A figure as interactive plots, one a panel, with the limits of x and the cursor in common.
+//! A figure as interactive plots, one per panel, with common limits of x and a common cursor.
 
 use super::rows::{MOST, Rows};
 use crate::page::data::Counts;
@@ -45,7 +45,7 @@ fn curves(html: &mut Html, figure: &Figure, panel: &plot::Panel, rows: &Rows) ->
     for (i, series) in panel.series.iter().enumerate() {
         let style = style(series.style);
         let name = legend.series.get(i).map_or("", |series| &series.label);
-        // What has no name belongs to the named curve of its colour.
+        // A curve without a name belongs to the named curve of the same colour.
         let of_its_colour = |curve: &PageCurve| curve.style.as_ref().is_some_and(|other| other.colour == style.colour);
         let with = curves.iter().rposition(|curve| !curve.name.is_empty() && of_its_colour(curve));
         let (x, y) = points(series, &figure.x, &panel.y);
@@ -64,7 +64,8 @@ fn has_points(series: &plot::Series) -> bool {
     series.x.iter().zip(&series.y).any(|(x, y)| x.is_finite() && y.is_finite())
 }
 
-/// The points of a curve in rising order of x, as logarithms where an axis is logarithmic. A point without x is a gap at the one before.
+/// The points of a curve in rising order of x, as logarithms where an axis is logarithmic. A point whose x is not finite makes a gap after
+/// the point before it.
 fn points(series: &plot::Series, x: &plot::Axis, y: &plot::Axis) -> (Vec<f64>, Vec<f64>) {
     let on = |axis: &plot::Axis, value: f64| if axis.scale == Scale::Log10 { value.log10() } else { value };
     let mut points: Vec<(f64, f64)> = vec![];
@@ -80,7 +81,7 @@ fn points(series: &plot::Series, x: &plot::Axis, y: &plot::Axis) -> (Vec<f64>, V
     points.into_iter().unzip()
 }
 
-/// An axis of a page like one of a figure, with `label` in place of its own.
+/// The axis of a page for an axis of a figure, with another `label`.
 pub(super) fn axis(axis: &plot::Axis, label: String) -> Axis {
     Axis {
         log: axis.scale == Scale::Log10,

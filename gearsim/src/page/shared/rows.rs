@@ -5,12 +5,13 @@ use std::ops::Range;
 /// Most numbers that a page embeds of a result: 80 MB as base64 where they do not pack well.
 pub const MOST: usize = 30_000_000;
 
-/// How many rows of the result one step of the page covers.
+/// The rows of a result that a page contains.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Rows {
-    /// 1: every row is in the page. Otherwise two rows stand for this many: the lowest and the highest value of each column, in order.
+    /// 1: every row is in the page. Otherwise two rows stand for this many rows: they have the lowest and the highest value of each column,
+    /// in the order of the rows.
     pub every: usize,
-    /// The rows that are wanted; of those before and after there are the first and the last. `None`: all.
+    /// The rows that are wanted; `None`: all rows. Of the rows before and after them, the page has only the first and the last row of all.
     within: Option<Range<usize>>,
 }
 
@@ -21,7 +22,7 @@ impl Rows {
         Rows { every: if rows <= allowed { 1 } else { (2 * rows).div_ceil(allowed) }, within: None }
     }
 
-    /// The extremes of some rows in each of `parts` parts.
+    /// The given rows, as the extremes in each of `parts` parts.
     pub fn within(rows: Range<usize>, parts: usize) -> Self {
         let every = rows.len().div_ceil(parts.max(1));
         Rows { every: if every <= 2 { 1 } else { every }, within: Some(rows) }

@@ -20,7 +20,7 @@ pub fn panels(runs: &[Run<'_>]) -> (Vec<Panel>, usize) {
     let mut shown = first(&all);
     let lengths = all.iter().any(|output| output.unit == "m");
     for output in &all {
-        // Angles, such as twists, only where no length tells as much.
+        // Angles, such as twists, are drawn only if no output is a length, which would show the same.
         let told = output.unit == "rad" && lengths;
         if !told && !shown.iter().any(|other| (other.unit, other.is_power()) == (output.unit, output.is_power())) {
             shown.push(output);

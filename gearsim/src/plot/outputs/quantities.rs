@@ -9,7 +9,7 @@ use crate::plot::{Run, coordinate_index, motion};
 
 /// A quantity of several runs.
 pub struct Quantity {
-    /// What it is.
+    /// Its name, e.g. `mesh_force_12 mean`.
     pub name: String,
     /// The unit of the numbers.
     pub unit: String,
@@ -18,7 +18,7 @@ pub struct Quantity {
 }
 
 /// Mean and rms of the outputs at which engineers look first, then each coordinate and its speed at the end. Each number has the unit of
-/// its plot: that of the largest value of all runs.
+/// its plot, which suits the largest value of all runs.
 pub fn quantities(runs: &[Run<'_>], summaries: &[Summary]) -> Vec<Quantity> {
     let Some(run) = runs.first() else { return vec![] };
     let mut all = vec![];

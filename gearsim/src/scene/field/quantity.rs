@@ -55,7 +55,7 @@ pub(in crate::scene) fn out_of_range(path: &str, node: &Node, must: &str, what: 
 }
 
 fn unreadable(path: &str, node: &Node, text: &str, error: UnitError, report: &mut Report) {
-    // The error's byte range is one of the file, unless the string contains escapes: then `find` fails and the whole value is marked.
+    // The byte range of the error is moved to the file. If the string contains escapes, `find` fails, and the whole value is marked.
     let place = match report.text(&node.place).find(text) {
         Some(offset) => {
             let start = node.place.span.start + offset;

@@ -18,7 +18,7 @@ pub(crate) struct Key {
 }
 
 impl Key {
-    /// The same key, of an effect.
+    /// The same key, which does nothing without `effect`.
     pub(in crate::scene) const fn with(self, effect: &'static str) -> Key {
         Key { effect: Some(effect), ..self }
     }

@@ -53,7 +53,7 @@ pub(super) fn missing(keys: &[(&str, String)], title: &str, place: &Place, repor
     report.add(place, message, "add here", format!("add\n{lines}"));
 }
 
-/// Reports keys that tables of parts lack: of each table once, whatever the number of values that follow from a key.
+/// Reports keys that tables of parts lack. Each key of a table is reported once, even if several values follow from it.
 pub(super) fn missing_in_parts(lacking: Vec<(Home, String)>, report: &mut Report) {
     let mut tables: IndexMap<String, (Place, IndexMap<&str, String>)> = IndexMap::new();
     for (Home { title, key, place }, line) in lacking {
@@ -66,7 +66,7 @@ pub(super) fn missing_in_parts(lacking: Vec<(Home, String)>, report: &mut Report
 
 /// The largest number of names that a message lists.
 const MANY: usize = 60;
-/// The number of names that it shows of more.
+/// The number of names that a message shows if there are more than [`MANY`].
 const SHOWN: usize = 12;
 
 /// Help for an unknown name: the nearest allowed name, and all allowed names.
@@ -74,7 +74,7 @@ pub(super) fn choices(word: &str, allowed: &[&str]) -> String {
     let all = match allowed {
         [] => "nothing is allowed here".to_string(),
         [only] => format!("allowed: `{only}`"),
-        // The rotors of a large train, for example: so many names are not read.
+        // For example the rotors of a large train: nobody reads so many names.
         _ if allowed.len() > MANY => {
             let some: Vec<_> = allowed[..SHOWN].iter().map(|name| format!("`{name}`")).collect();
             format!(

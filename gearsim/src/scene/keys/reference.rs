@@ -22,7 +22,7 @@ pub(crate) fn reference() -> String {
 
 struct Reference {
     text: String,
-    /// Tables written so far: where, and keys.
+    /// Tables written so far: heading and keys.
     written: Vec<(String, Vec<Key>)>,
 }
 
@@ -62,7 +62,7 @@ impl Reference {
         }
     }
 
-    /// Writes the tables of which a value may be one, below one heading.
+    /// Writes the tables for a value that may be one of several tables, below one heading.
     fn one_of(&mut self, title: &str, path: &str, tables: &[&[&[Key]]]) {
         let _ = write!(self.text, "\n## {title}\n\nOne of {} tables.\n", tables.len());
         let mut all = vec![];

@@ -25,7 +25,7 @@ pub(crate) fn schema(models: &[&Model]) -> Value {
 
 /// What the names of a model allow: its effects, parameters, laws and coordinates.
 fn of_model(model: &Model) -> Value {
-    // Those of a train follow from its parts.
+    // The names of a train follow from its parts.
     if !model.elements.is_empty() {
         return json!({});
     }

@@ -1,4 +1,5 @@
-//! What the tables of a train state. Their values are moved to `[parameters]` and `[laws]`; messages name the keys that the author wrote.
+//! The keys of values in the tables of a train. These values are moved to `[parameters]` and `[laws]`, but messages name the keys that the
+//! author wrote.
 
 use std::collections::HashMap;
 
@@ -9,7 +10,7 @@ use crate::scene::document::Place;
 pub(crate) struct Stated {
     /// `shafts.ab.stiffness` for `parameters.k_ab`.
     keys: HashMap<String, String>,
-    /// Where values belong that no table states.
+    /// The tables to which values belong that no table states.
     homes: HashMap<String, Home>,
 }
 
@@ -60,7 +61,7 @@ impl Stated {
         parts.collect::<Vec<_>>().join("`")
     }
 
-    /// A help, which may begin with what the parameter of a message is: "`k_ab` is the stiffness of the shaft".
+    /// A help text. A parameter at its beginning, as in "`k_ab` is the stiffness of the shaft", is replaced by its key.
     pub fn explained(&self, help: String) -> String {
         let name =
             help.strip_prefix('`').and_then(|rest| rest.split_once('`')).filter(|(_, rest)| rest.starts_with(" is "));
@@ -70,14 +71,14 @@ impl Stated {
         }
     }
 
-    /// A name, or the name of something in it: `laws.k_m.steps.0.value`.
+    /// The key for a name in backquotes, which may go on below a known name: `laws.k_m.steps.0.value`.
     fn quoted(&self, name: &str) -> String {
         let ends = name.match_indices('.').map(|(at, _)| at).chain([name.len()]);
         let within = ends.rev().find_map(|end: usize| Some(format!("{}{}", self.key(&name[..end])?, &name[end..])));
         within.unwrap_or_else(|| name.into())
     }
 
-    /// A text without names in backquotes: `[laws.k_m]`.
+    /// A text without backquotes in which titles such as `[laws.k_m]` are replaced.
     fn titles(&self, text: &str) -> String {
         let Some((before, rest)) = text.split_once("[laws.") else { return text.into() };
         let Some((name, after)) = rest.split_once(']') else { return text.into() };

@@ -1,4 +1,4 @@
-//! Scenes that are no scenes: too long, too deep, with control characters, or no files.
+//! Hostile input: files that are too long, too deep or have control characters, and paths that are no files.
 
 use super::fixture::{SCENE, parse};
 use crate::scene::Template;

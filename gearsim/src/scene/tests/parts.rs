@@ -7,7 +7,7 @@ fn rendered(text: &str, set: &[&str]) -> String {
     parse(text, set).expect_err(text)
 }
 
-/// Three rotors with a shaft, and what else is stated.
+/// Two rotors with a shaft. The text `more` follows the keys of the shaft.
 fn shafts(effects: &str, more: &str) -> String {
     format!(
         "model = \"train\"\neffects = {effects}\n[rotors]\na = \"1 kg*m^2\"\nb = \"2 kg*m^2\"\n[shafts.s]\nbetween = [\"a\", \"b\"]\n{more}\n\
@@ -123,7 +123,7 @@ fn an_unknown_effect_of_a_large_train_is_answered_in_few_lines() {
     assert!(shown.contains("there is no rotor `x`") && shown.len() < 1500, "{shown}");
 }
 
-/// What is described without its effect would be absent without a word.
+/// A part without its effect would be absent without any message.
 #[test]
 fn torques_without_their_effect_are_named_in_a_warning() {
     let warned = |effects: &str, more: &str| parse(&shafts(effects, &format!("{STIFF}{more}")), &[]).unwrap().warnings;
@@ -149,11 +149,11 @@ fn torques_without_their_effect_are_named_in_a_warning() {
     // One of the two kinds of friction is active.
     let both = "[bearings.q]\nrotor = \"a\"\nfriction = \"1 N*m\"\nviscous = \"1 N*m*s/rad\"\n";
     assert_eq!(warned("[\"viscous_friction\"]", both), [""; 0]);
-    // Zero says that there is none.
+    // A torque of 0 states that there is none.
     assert_eq!(warned("[]", "[loads.t]\nrotor = \"b\"\ntorque = 0\n"), [""; 0]);
 }
 
-/// A law for what is constant, stated besides or not.
+/// A law for a value that is constant is refused, whether the constant value is stated too or not.
 #[test]
 fn a_law_of_a_shaft_is_refused_with_its_constant_stiffness() {
     let law = "[laws.k_s]\nsteps = [{ value = \"1 kN*m/rad\" }]";
@@ -178,7 +178,7 @@ fn a_name_with_a_dot_is_refused() {
     assert!(shown.contains("did you mean `stiffness`?") && !shown.contains("a name has no dots"), "{shown}");
 }
 
-/// The keys that do nothing without an effect: what an unknown effect of a train could have been meant for.
+/// The keys that do nothing without an effect. The help for an unknown effect of a train names them.
 #[test]
 fn keys_know_their_effects() {
     let of = |effect: &str| keys_of(effect).join(" ");

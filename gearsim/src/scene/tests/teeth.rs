@@ -147,7 +147,7 @@ fn whole_pitches_of_a_phase_shift_a_damaged_tooth() {
     assert_eq!([healthy("9"), healthy("{ sun = 27, at = \"120 deg\" }")], [0.0; 2]);
 }
 
-/// A law over several pitches written out is the law of damaged teeth.
+/// The law of damaged teeth equals a law over several pitches that is written out.
 #[test]
 fn a_stiffness_over_several_pitches_is_that_of_damaged_teeth() {
     let [low, high] = ["{ value = \"10 N*m\", width = \"1.73 rad\" }", "{ value = \"20 N*m\", width = \"W rad\" }"];
@@ -173,7 +173,7 @@ fn value(law: &Profile, s: f64) -> f64 {
     f64::NAN
 }
 
-/// Helical teeth meet a damaged tooth at a phase of its own in each section: the law is the mean of the laws of sections.
+/// Each section of helical gears meets a damaged tooth at another phase. The law is the mean of the laws of the sections.
 #[test]
 fn a_damaged_tooth_of_helical_gears_is_that_of_all_sections() {
     let damage = "\ndamage = [{ tooth = 3, of = 24, loss = 0.4 }]\nmethod = \"energy\"\ncourse = \"curves\"";
@@ -195,7 +195,7 @@ fn a_damaged_tooth_of_helical_gears_is_that_of_all_sections() {
 
 /// A series or a table does not say where pairs enter contact. Damage is refused there.
 #[test]
-fn damage_is_not_left_out_in_silence() {
+fn damage_in_a_series_or_table_is_refused() {
     let damage = "damage = [{ tooth = 1, of = 24, loss = 0.5 }]";
     let series = "mean = \"10 N*m\"\nharmonics = [{ order = 1, amplitude = \"1 N*m\" }]";
     let table = "table = [{ at = 0, value = \"10 N*m\" }, { at = \"3 rad\", value = \"12 N*m\" }]";

@@ -8,7 +8,7 @@ use crate::scene::mistake::{Report, list};
 use crate::scene::{field, keys};
 use crate::tolerance::scene::HISTORY_ENTRIES;
 
-/// A value of the parameter.
+/// Kind of a value of the parameter.
 const VALUE: Kind = Kind::ValueIn("unit of the parameter");
 
 /// Keys of the table.
@@ -131,7 +131,8 @@ impl HistoryReader<'_> {
         Some(items)
     }
 
-    /// Reads the quantities of a table with the keys `all`. Those named in `needed` must be there too. One that is not given is `None`.
+    /// Reads the quantities of a table with the keys `all`. The required keys and those in `needed` must be there. A key that is not given
+    /// is `None`.
     fn quantities<const K: usize>(
         &self,
         of: &str,

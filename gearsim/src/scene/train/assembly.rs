@@ -1,7 +1,8 @@
 //! Whether the planets of a set can be assembled, and whether there is room for each of them.
 //!
-//! The phases that follow from teeth and places hold for planets that fit, counted from a planet at 0 deg: others are refused. Where no
-//! phase follows, they give a warning: papers take planets that do not fit, with constant stiffnesses.
+//! The phases that are computed from teeth and places hold only for planets that fit, with angles counted from a planet at 0 deg. Other
+//! planets are refused if phases are computed. Otherwise they give a warning, because papers use planets that do not fit, with constant
+//! stiffnesses.
 
 use super::item::Item;
 use super::read::Reader;
@@ -40,7 +41,7 @@ impl Reader<'_> {
     }
 }
 
-/// Whether the phase of the law of a set follows from teeth and places.
+/// Whether the phase of a law of a set is computed from teeth and places.
 fn follows(law: &Node) -> bool {
     matches!(&law.value, Value::Table(entries) if keys::get(entries, "phase").is_none())
 }

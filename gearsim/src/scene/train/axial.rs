@@ -50,7 +50,7 @@ impl Reader<'_> {
         self.part(item, "element_thrust_bearing", name, vec![vec![Term::new(z, 1.0, &[])]]);
     }
 
-    /// Notes the helix of the mesh that was added last, whose first gear has the `hand` of an item times `sense`.
+    /// Notes the helix of the mesh that was added last. The hand of its first gear is the `hand` of an item times `sense`.
     pub(super) fn helix(&mut self, item: &Item<'_>, sense: f64, internal: bool) {
         let Some(node) = item.get("helix_angle") else {
             if let Some(node) = item.get("hand") {

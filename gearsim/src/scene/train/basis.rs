@@ -16,7 +16,7 @@ pub(super) struct Chosen {
     pub name: String,
     pub unit: &'static str,
     pub doc: String,
-    /// Whether it starts at zero; else in static equilibrium.
+    /// Whether it starts at zero. Otherwise it starts in static equilibrium.
     pub fixed: bool,
     /// Whether no deflection depends on it.
     pub rolling: bool,
@@ -28,16 +28,16 @@ pub(super) struct Basis {
     /// The rotors that move independently.
     pub free: Vec<usize>,
     pub coordinates: Vec<Chosen>,
-    /// The coordinate that the row of a part is: part, row, coordinate.
+    /// The rows of parts that are coordinates: (part, row) and the index of the coordinate.
     pub of_rows: HashMap<(usize, usize), usize>,
-    /// Rigid motions: the rotor whose speed is 1; independent forms with their speeds.
+    /// Rigid motions: the rotor whose speed is 1, and independent forms with their speeds.
     pub motions: Vec<(usize, Vec<(Terms, f64)>)>,
 }
 
 /// Chooses the coordinates and rigid motions of a train.
 ///
 /// # Errors
-/// The index of a group of gears that has no phase of its own.
+/// The index of a group of gears whose phase depends on those of other groups.
 pub(super) fn choose(draft: &Draft, values: &HashMap<String, f64>) -> Result<Basis, usize> {
     let free: Vec<usize> = (0..draft.rotors.len()).filter(|&i| draft.rotors[i].of.is_none()).collect();
     let dense = |form: &Terms| {
@@ -112,13 +112,13 @@ pub(super) fn choose(draft: &Draft, values: &HashMap<String, f64>) -> Result<Bas
     let independent: Vec<Terms> =
         elastic.into_iter().filter(|(_, vector)| held.add(vector)).map(|(form, _)| form).collect();
     let vectors: Vec<Vec<f64>> = coordinates.iter().map(|chosen: &Chosen| dense(&chosen.form)).collect();
-    // Stops hold no rotor, but their forces depend on its rotation.
+    // End stops hold no rotor, but their forces depend on its rotation.
     let mut acting = held.clone();
     for part in draft.parts.iter().filter(|part| part.element == "element_end_stop") {
         acting.add(&dense(&resolved(&part.rows[0])));
     }
     for (i, chosen) in coordinates.iter_mut().enumerate().take(draft.groups.len()) {
-        // Along a phase that rolls, all other coordinates and all deflections stay as they are.
+        // A phase rolls if it can change while all other coordinates and all deflections stay the same.
         let mut others = acting.clone();
         vectors.iter().enumerate().filter(|(j, _)| *j != i).for_each(|(_, vector)| {
             others.add(vector);
@@ -203,7 +203,7 @@ impl Span {
         if size == 0.0 || !size.is_finite() {
             return false;
         }
-        // Twice: one pass leaves rounding errors along the vectors before.
+        // The vector is orthogonalised twice: one pass leaves rounding errors along the vectors before.
         for basis in self.0.iter().chain(&self.0) {
             let along: f64 = basis.iter().zip(&rest).map(|(a, b)| a * b).sum();
             rest.iter_mut().zip(basis).for_each(|(x, b)| *x -= along * b);

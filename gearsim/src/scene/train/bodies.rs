@@ -133,7 +133,7 @@ impl Reader<'_> {
 
     pub(super) fn spring(&mut self, item: &Item<'_>, element: &'static str, ends: [Option<usize>; 2]) {
         if self.not_elastic(item, ends) {
-            // Further mistakes in the part are found.
+            // A valid value in place of the refused one, so that further mistakes in the part are found.
             let value = Value::Text("1 N*m/rad".into());
             self.value(named("k", item.name), Some(&Node { value, place: item.place.clone() }));
         } else {

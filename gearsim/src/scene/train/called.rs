@@ -6,7 +6,7 @@ use crate::scene::document::{KeyEntry, Node, Place, Value};
 use crate::scene::keys;
 use crate::scene::mistake::{Home, Report};
 
-/// Keys and what is written there, by their places.
+/// The keys and values of the tables, by their places in the text.
 pub(super) type Places = HashMap<(usize, usize, usize), (String, Node)>;
 
 /// The keys of the values in the tables.
@@ -32,8 +32,8 @@ fn of_place(place: &Place) -> (usize, usize, usize) {
     (place.source, place.span.start, place.span.end)
 }
 
-/// Messages about a value that was moved shall name its key in the tables. This gives these keys to the report. A parameter that is overridden
-/// keeps its own name.
+/// Gives the report the keys of the moved values, so that messages name the keys in the tables. A parameter that is overridden keeps its
+/// own name.
 pub(super) fn call(
     names: Vec<(String, Node)>,
     homes: Vec<(String, Home)>,
@@ -46,10 +46,11 @@ pub(super) fn call(
         let table = path.next().and_then(|table| keys::get(entries, table));
         let Some(Node { value: Value::Table(table), .. }) = table else { continue };
         let used = path.next().and_then(|key| keys::get(table, key));
-        // An override of the parameter stands elsewhere.
+        // An override of the parameter has another source.
         let stays = used.is_some_and(|node| node.place.source == moved.place.source);
         let Some((key, stated)) = places.get(&of_place(&moved.place)).filter(|_| stays) else { continue };
-        // A base radius that follows from a module is another value than the one that is written. Laws of planets have their phase besides.
+        // A base radius that is computed from a module is not the value at the key, and keeps its own name. Laws of planets have an
+        // additional phase.
         let is_table = [&stated.value, &moved.value].iter().any(|value| matches!(value, Value::Table(_)));
         if is_table || stated.is_same(&moved) {
             report.stated.written(name, key.clone());

@@ -14,8 +14,8 @@ use crate::train::{Factor, RotationForm, Row, Train};
 
 type Composed = (&'static Model, Arc<Train>);
 
-/// Models refer to their texts for as long as the program runs. A train that is read again, at another point of a sweep for example, has
-/// the model that it had before.
+/// The models composed so far, by their content. Models are never freed. A train that is read again, for example at another point of a
+/// sweep, gets the model that it had before.
 static KNOWN: OnceLock<Mutex<HashMap<String, Composed>>> = OnceLock::new();
 
 /// The model of a train. `bare` is the model without parts.
@@ -63,16 +63,16 @@ pub(super) struct Composer<'a> {
     pub(super) draft: &'a Draft,
     pub(super) basis: &'a Basis,
     pub(super) parameters: Vec<Parameter>,
-    /// The part that has brought a parameter.
+    /// The part from which a parameter comes.
     pub(super) owners: HashMap<&'static str, String>,
     pub(super) effects: Vec<Effect>,
     pub(super) laws: Vec<(Law, [usize; 2])>,
     pub(super) switches: Vec<Switch>,
     pub(super) torques: Vec<Torque>,
     pub(super) outputs: Vec<Output>,
-    /// Outputs that are products: the output, another output, and the displacement with whose rate that is multiplied.
+    /// Outputs that are products: the output, and its two factors, another output and the rate of a displacement.
     pub(super) products: Vec<(usize, usize, Terms)>,
-    /// Outputs that are multiples: the output, another output, and the parameter by which that is multiplied.
+    /// Outputs that are multiples: the output, and its two factors, another output and a parameter.
     pub(super) multiples: Vec<(usize, usize, String)>,
     pub(super) nonlinear_with: Vec<(&'static [&'static str], &'static str)>,
 }
@@ -128,7 +128,7 @@ impl<'a> Composer<'a> {
         if report.len() > before {
             return None;
         }
-        // Stiffnesses first, then transmission errors, then friction; the parts count them in their own order.
+        // Stiffnesses first, then transmission errors, then friction. The parts have their laws in another order, and get these indices.
         let rank = |law: &Law| match law.role {
             Role::Stiffness => 0,
             Role::Error => 1,

@@ -4,12 +4,12 @@ use crate::model::GearData;
 use crate::scene::document::{Node, Place};
 use crate::scene::mistake::Home;
 
-/// A product of powers of parameters, by their names.
+/// The motion of a rotor times a number and powers of parameters.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Term {
     /// The rotor.
     pub rotor: usize,
-    /// A number.
+    /// The number.
     pub number: f64,
     /// Parameters and their exponents.
     pub powers: Vec<(String, i32)>,
@@ -27,9 +27,9 @@ pub(super) type Terms = Vec<Term>;
 /// A rotor.
 pub(super) struct Rotor {
     pub name: String,
-    /// Its rotation as that of another rotor, if it is geared rigidly.
+    /// Its rotation as a multiple of that of another rotor, if it is geared rigidly.
     pub of: Option<Term>,
-    /// The rotor along whose axis it is the motion [m]; `None` for a rotation.
+    /// `None` for a rotation [rad]. For an axial motion [m]: the rotor along whose axis it moves.
     pub along: Option<usize>,
 }
 
@@ -57,14 +57,14 @@ pub(super) struct DraftPart {
     pub element: &'static str,
     pub name: String,
     pub place: Place,
-    /// Parameters of the element with a name of their own, by the ends of their names.
+    /// Parameters of the element whose names do not follow from the name of the part: name in the element, name in the train.
     pub renamed: Vec<(&'static str, String)>,
     pub rows: Vec<Terms>,
     /// The displacement of its first end, for the power that enters there.
     pub driving: Terms,
-    /// Names of its coordinates, where they can be coordinates of the train.
+    /// Name of its displacement, if that can be a coordinate of the train; else empty.
     pub called: String,
-    /// An effect of the element that its table does not call for.
+    /// An effect of the element that the part does not have, because its table does not state the values.
     pub without: Option<&'static str>,
 }
 
@@ -83,11 +83,11 @@ pub(super) struct GearGroup {
     pub phases: Vec<Terms>,
     /// The gears: rotor, carrier, number of teeth.
     pub gears: Vec<DraftGear>,
-    /// The base radius of its first gear.
+    /// The parameter that is the base radius of its first gear.
     pub radius: String,
-    /// Pairs of gears that mesh.
+    /// Pairs of gears that mesh, as indices into `gears`.
     pub meshes: Vec<[usize; 2]>,
-    /// The table of each of its meshes, and whether the second gear is a ring.
+    /// The title of the table of each mesh, and whether the second gear is a ring.
     pub stated: Vec<(String, bool)>,
     /// Indices of its meshes among the parts.
     pub parts: Vec<usize>,
@@ -99,13 +99,13 @@ pub(super) struct DraftGear {
     /// `None`: fixed to the ground.
     pub rotor: Option<usize>,
     pub carrier: Option<usize>,
-    /// Name of its number of teeth.
+    /// The parameter that is its number of teeth.
     pub teeth: String,
     /// -1 if its pitch count falls while that of the first gear of the group rises.
     pub sense: f64,
 }
 
-/// Two rotors that a part joins, for the senses of rotation; `None` is the ground.
+/// Two rotors that a part joins, for the senses of rotation. A part between a rotor and the ground makes no joint.
 pub(super) struct Joint {
     pub ends: [usize; 2],
     /// Whether they turn in opposite directions, seen from one side.
@@ -136,15 +136,15 @@ pub(super) struct Draft {
     pub axial: Vec<Axial>,
     /// Helical meshes, by their names, with the parameter that is the axial force over the mesh force.
     pub axial_forces: Vec<(String, String)>,
-    /// Ring meshes: where they stand, and the numbers of teeth of the gear and of the ring.
+    /// Ring meshes: place, title of the table, and the parameters that are the numbers of teeth of the gear and of the ring.
     pub rings: Vec<(Place, String, [String; 2])>,
     /// Parameters from which other values of the tables follow: the parameter, and the key that states it.
     pub fixed: Vec<(String, String)>,
-    /// Values that stand in the tables: parameter, and what is written.
+    /// Values that the tables state: name of the parameter, and the value as written.
     pub values: Vec<(String, Node)>,
     /// Values that no table states: `parameters.NAME` or `laws.NAME`, and the table to which it belongs.
     pub homes: Vec<(String, Home)>,
-    /// Laws that stand in the tables.
+    /// Laws that the tables state.
     pub laws: Vec<(String, Node)>,
     /// Laws that hold if the scene does not state them in `[laws]`.
     pub usual_laws: Vec<(String, Node)>,

@@ -130,7 +130,7 @@ impl Reader<'_> {
             let (Some(given), Some(before)) = (given, self.draft.values.iter().find(|value| value.0 == own)) else {
                 return own;
             };
-            // A second gear on the rotor, with another number of teeth, has a name of its own.
+            // The number of teeth of a second gear on the rotor has another name, if it differs.
             if same(&before.1, given[i]) { own } else { named("N", &format!("{rotor}_{}", item.name)) }
         });
         for (i, name) in names.iter().enumerate() {

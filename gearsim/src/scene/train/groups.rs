@@ -66,7 +66,8 @@ impl Reader<'_> {
         // The rotation of the first gear relative to the second. A carrier turns both alike.
         let turns = |gear: &DraftGear, sign: f64| gear.rotor.map(|rotor| Term::new(rotor, sign * gear.sense, &[]));
         let psi = [turns(&gears[0], 1.0), turns(&gears[1], if internal { -1.0 } else { 1.0 })];
-        // The power is that of the gear that turns about a fixed axis: its flank moves by r theta. A ring meshes with planets as second gear.
+        // The power is given by the gear that turns about a fixed axis: its flank moves by r theta. In a mesh with planets this is the sun,
+        // which is the first gear, or the ring, which is the second.
         let given = usize::from(internal && gears[0].carrier.is_some());
         let flank = [&[(gears[given].teeth.as_str(), 1)], &h[..]].concat();
         let side = [1.0, -1.0][given] * gears[given].sense;
@@ -74,7 +75,7 @@ impl Reader<'_> {
         let driving = driving.into_iter().collect();
         // The phase is set when all meshes of the group are known.
         let rows = vec![vec![], s, psi.into_iter().flatten().collect()];
-        // An angle that the part states is its own.
+        // A part that states an angle has its own parameter for the pressure angle.
         let angle =
             item.get("pressure_angle").or(item.get("helix_angle")).map(|_| ("alpha", named("alpha", item.name)));
         of.parts.push(self.draft.parts.len());
@@ -158,7 +159,7 @@ impl Reader<'_> {
             None => Some(usual),
         };
         let (pressure, helix) = (angle("pressure_angle", 20f64.to_radians())?, angle("helix_angle", 0.0)?);
-        // Numbers of teeth and the face width do not count here.
+        // Numbers of teeth and the face width have no influence here.
         Some(Gears { helix_angle: helix, ..Gears::standard([1.0; 2], module, pressure, 1.0) })
     }
 }

@@ -28,14 +28,14 @@ impl Item<'_> {
         keys::get(self.entries, key)
     }
 
-    /// The effect of the damper of its element, if the table has no damper.
+    /// The effect of the damper of the element, if the table states no damping. The part does not have this effect.
     pub fn undamped(&self) -> Option<&'static str> {
         self.get("damping").is_none().then_some("viscous_friction_x")
     }
 }
 
 impl Reader<'_> {
-    /// Reports unknown keys of an item. A dot before one may have been meant as a part of the item's name.
+    /// Reports unknown keys of an item. If there is a dot before a key, the help says that names have no dots.
     pub fn known(&mut self, item: &Item<'_>, allowed: &[Key]) {
         let (name, allowed) = (item.name, keys::names(&[allowed]));
         for KeyEntry { key, place, .. } in keys::unknown(item.entries, &allowed) {
@@ -57,12 +57,12 @@ impl Reader<'_> {
         node
     }
 
-    /// A value that is a parameter: it is read with `[parameters]`.
+    /// Notes the value of a parameter, which is then read with `[parameters]`.
     pub fn value(&mut self, parameter: String, node: Option<&Node>) {
         self.draft.values.extend(node.map(|node| (parameter, node.clone())));
     }
 
-    /// The value of a key of an item, which is a parameter.
+    /// Notes the value of a parameter that a key of an item states, or the table that lacks it.
     pub fn stated(&mut self, parameter: String, item: &Item<'_>, key: &'static str) {
         match item.get(key) {
             Some(node) => self.value(parameter, Some(node)),
@@ -70,12 +70,12 @@ impl Reader<'_> {
         }
     }
 
-    /// Notes where a value that is not stated belongs.
+    /// Notes the table to which a value belongs that is not stated.
     pub fn lacking(&mut self, name: String, item: &Item<'_>, key: &'static str) {
         self.draft.homes.push((name, Home { title: item.title(), key, place: item.place.clone() }));
     }
 
-    /// The laws of an item: the names of their quantities, the keys, and what is stated.
+    /// Notes the laws of an item. `laws` has their quantities, their keys and the stated values.
     pub fn laws(&mut self, item: &Item<'_>, mesh: &str, laws: [(&str, &'static str, Option<Node>); 2]) {
         for (quantity, key, stated) in laws {
             let name = named(quantity, mesh);

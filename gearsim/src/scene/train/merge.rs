@@ -1,4 +1,4 @@
-//! What the element of a part brings to the description of a train, under the names of the part.
+//! Adds the parameters, laws, effects and outputs of the element of a part to the description of a train, under the names of the part.
 
 use std::f64::consts::TAU;
 
@@ -135,7 +135,7 @@ impl Composer<'_> {
         })
     }
 
-    /// Adds the power that enters a part at its first end. `outputs` are those of its element `model`, in the train.
+    /// Adds the power that enters a part at its first end. `outputs` are the indices in the train of the outputs of its element `model`.
     fn power(&mut self, part: &DraftPart, model: &Model, outputs: &[usize]) {
         let forces = model.outputs.iter().zip(outputs);
         let found = forces.filter(|_| !part.driving.is_empty()).find_map(|(output, &index)| {

@@ -10,11 +10,11 @@ const LAWS: [&str; 3] = ["k", "side", "arm"];
 
 /// A mesh, by the names of its parameters.
 struct NamedMesh {
-    /// Where it stands.
+    /// Title of its table.
     title: String,
     /// Numbers of teeth of its gears.
     teeth: [String; 2],
-    /// Base radius of the first gear of all that mesh with one another, and number of teeth of that gear.
+    /// Base radius and number of teeth of the first gear of its group of gears that mesh with one another.
     radius: [String; 2],
     angle: String,
     /// Tangent of the base helix angle, if the mesh states a helix angle.

@@ -55,14 +55,14 @@ const SET: &[Key] = &[
 ];
 const ROTOR_OR_GROUND: Kind = Kind::Name("a rotor or \"ground\"");
 
-/// What to write in place of a model `planetary_N` that there is not; `None` for any other name.
+/// What to write in place of a model `planetary_N` that does not exist; `None` for any other name.
 pub(crate) fn in_place_of(model: &str) -> Option<String> {
     let planets: u32 = model.strip_prefix("planetary_")?.parse().ok()?;
     let said = || format!("planets in torsion: `model = \"train\"` and `[planets.NAME]` with `count = {planets}`");
     (1.0..=PLANETS).contains(&planets.into()).then(said)
 }
 
-/// Any stiffness, so that a refused one gives no further mistakes.
+/// An arbitrary stiffness in place of a refused one, so that it causes no further mistakes.
 fn in_place_of_rigid(node: &Node) -> Node {
     Node { value: Value::Text("1 N/m".into()), place: node.place.clone() }
 }
@@ -127,7 +127,7 @@ impl Reader<'_> {
                 let doc = format!("base radius of the sun of {set}");
                 let radius = Geometry { name: r_s.clone(), unit: "m", gear_data: Some(GearData::BaseRadius), doc };
                 self.geared(name, item, gears, radius, with == "r");
-                // The planets have the other hand than the sun, and that of the ring.
+                // The planets have the opposite hand of the sun, and the same hand as the ring.
                 self.helix(item, if with == "s" { 1.0 } else { -1.0 }, with == "r");
             }
         }

@@ -14,7 +14,7 @@ pub(in crate::scene) struct OfTrain(HashMap<String, Result<f64, String>>);
 
 impl Radii for OfTrain {
     fn radius(&self, parameter: &Parameter, _: &dyn Fn(&str) -> Option<f64>) -> Result<f64, String> {
-        let none = || Err(format!("no one gear belongs to `{}`", parameter.name));
+        let none = || Err(format!("`{}` belongs to no single gear", parameter.name));
         self.0.get(parameter.name).cloned().unwrap_or_else(none)
     }
 }

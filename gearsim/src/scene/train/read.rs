@@ -8,10 +8,10 @@ use crate::scene::mistake::Report;
 use crate::scene::{field, keys};
 use crate::tolerance::scene::ROTORS;
 
-/// The name of what does not turn.
+/// The name of the ground, which does not turn.
 pub(super) const GROUND: &str = "ground";
 
-/// Reads all tables. `None` if a mistake was reported that leaves no train.
+/// Reads all tables. `None` if a mistake was reported.
 pub(super) fn draft(entries: &[KeyEntry], root: &Place, report: &mut Report) -> Option<Draft> {
     let before = report.len();
     if keys::get(entries, "rotors").is_none() {
@@ -33,13 +33,13 @@ pub(super) fn draft(entries: &[KeyEntry], root: &Place, report: &mut Report) -> 
         };
         let Some(items) = items else {
             match table {
-                // No part could name a rotor.
+                // Without rotors no other part can be read.
                 "rotors" => return None,
                 _ => continue,
             }
         };
         let mut items: Vec<&KeyEntry> = items.iter().collect();
-        // In the order of the text: a table of TOML has none of its own.
+        // The entries of a TOML table have no order: take the order of the text.
         items.sort_by_key(|item| (item.place.source, item.place.span.start));
         for item in items {
             if reader.is_name(table, item) {

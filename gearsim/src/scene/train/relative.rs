@@ -4,7 +4,7 @@ use super::compose::leak;
 use super::draft::{Draft, PlanetSet, named};
 use crate::model::Relative;
 
-/// Those of all planet sets of a train. The planets of a set turn alike; the first stands for them.
+/// The relative rotations of all planet sets of a train. The planets of a set turn alike, so only the first one is listed.
 pub(super) fn of(draft: &Draft) -> Vec<Relative> {
     draft.planet_sets.iter().flat_map(|set| of_set(draft, set)).collect()
 }

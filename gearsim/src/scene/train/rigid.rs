@@ -5,11 +5,11 @@ use super::read::Reader;
 use crate::scene::document::{Node, Value};
 use crate::scene::keys::Key;
 
-/// How a stiffness is said to be infinite.
+/// Words for an infinite stiffness.
 const RIGID: [&str; 5] = ["rigid", "inf", "+inf", "infinite", "infinity"];
 
 impl Reader<'_> {
-    /// Refuses a shaft or a support that is stated to be rigid.
+    /// Refuses a shaft or a support that is stated to be rigid. Returns whether it is.
     pub(super) fn not_elastic(&mut self, item: &Item<'_>, ends: [Option<usize>; 2]) -> bool {
         let rigid = |node: &&Node| match &node.value {
             Value::Number(k) => k.is_infinite(),
@@ -33,7 +33,7 @@ impl Reader<'_> {
         true
     }
 
-    /// Reports unknown keys; `rigid` has a message of its own.
+    /// Reports unknown keys other than `rigid`, which has its own message.
     pub(super) fn known_but_rigid(&mut self, item: &Item<'_>, allowed: &[Key]) {
         let others: Vec<_> = item.entries.iter().filter(|entry| entry.key != "rigid").cloned().collect();
         self.known(&Item { entries: &others, ..*item }, allowed);

@@ -36,7 +36,7 @@ pub(super) fn check(draft: &Draft, report: &mut Report) -> Option<()> {
     None
 }
 
-/// Whether each rotor turns as the first of its part of the train, and the first joint that contradicts this.
+/// Whether each rotor turns in the direction of the first rotor connected with it, and the first joint that contradicts these directions.
 fn follow(draft: &Draft) -> (Vec<bool>, Option<usize>) {
     let n = draft.rotors.len();
     let mut sense: Vec<Option<bool>> = vec![None; n];

@@ -25,7 +25,7 @@ pub(super) fn fill(mut draft: Draft, entries: &mut Vec<KeyEntry>, end: &Place, r
     }
     for (name, node) in &values {
         let name = format!("parameters.{name}");
-        // The radius of a value per squared radius stands beside it.
+        // A value per squared radius is a table, which also has the radius.
         if let Value::Table(entries) = &node.value {
             let inner = entries.iter().map(|entry| (format!("{name}.{}", entry.key), entry.node.clone()));
             names.extend(inner);

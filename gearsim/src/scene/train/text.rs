@@ -1,5 +1,5 @@
-//! The equations of a train for reading: what each coordinate is, the displacements of its parts, and what each kind of part adds, as
-//! derived.
+//! The equations of a train as text: the definition of each coordinate, the displacements of its parts, and the derived terms of each kind
+//! of part.
 
 use super::basis::{Basis, resolve};
 use super::compose::element;
@@ -58,14 +58,15 @@ fn title(element: &str) -> String {
     element.trim_start_matches("element_").replace('_', " ")
 }
 
-/// What an element adds to the equations, from its derived text: without the inertias `J_` of its coordinates, which trains do not have.
+/// The terms that an element adds to the equations, from its derived text, without the inertias `J_` of its coordinates, which trains do
+/// not have.
 fn kind(model: &Model) -> Vec<String> {
     let mut lines = vec![];
     for block in model.equations.split("\n\n") {
         if block.starts_with("at a step") || block.starts_with("between two steps") {
             continue;
         }
-        // What T, V and D say already.
+        // These accelerations follow from T, V and D.
         if block.contains("'' =") && !block.contains("J_") {
             continue;
         }
@@ -127,9 +128,9 @@ mod tests {
     use super::*;
     use gearsim_generated::TRAIN;
 
-    /// Each parameter and law of an element acts in it, so that a text that leaves out a term leaves out a name.
+    /// The text names each parameter and law of an element. A missing term would be a missing name.
     #[test]
-    fn the_text_of_each_element_names_all_that_acts_in_it() {
+    fn the_text_of_each_element_names_all_parameters_and_laws() {
         for model in TRAIN.elements {
             let text = kind(model).join("\n");
             let words: Vec<&str> = text.split(|c: char| !(c.is_alphanumeric() || c == '_')).collect();

@@ -1,8 +1,9 @@
 //! Limits, and how probable it is that they are broken: `mesh_force_12_max <= 5 kN`.
 //!
 //! The interval of 95 % is exact for independent points (C. J. Clopper, E. S. Pearson, Biometrika 26 (1934), 404-413). For the points of
-//! the designs `latin-hypercube` and `sobol` it is usually wider than necessary. Of the design `saltelli` only the points of the samples A
-//! and B are counted: the others repeat all values of these but one. Points of a grid are chosen, not drawn: they have no probability.
+//! the designs `latin-hypercube` and `sobol` it is usually wider than necessary. For the design `saltelli` only the points of the samples A
+//! and B are counted: each other point repeats all values of a point of A but one. Points of a grid are chosen, not drawn: they have no
+//! probability.
 
 use std::borrow::Cow;
 
@@ -17,7 +18,7 @@ use crate::sweep::{Error, impossible};
 
 /// File name of the table.
 pub const FILE: &str = "limits.csv";
-/// Whether a value keeps a limit.
+/// Function that returns whether a value keeps a limit.
 type Keeps = fn(&f64, &f64) -> bool;
 /// The comparisons, longer ones first.
 const SIGNS: [(&str, Keeps); 4] = [("<=", f64::le), (">=", f64::ge), ("<", f64::lt), (">", f64::gt)];
@@ -39,7 +40,7 @@ pub struct Broken {
     pub broken: usize,
     /// Number of points that have the quantity.
     pub points: usize,
-    /// Number of points that did not run to their end or do not have the quantity: they count neither way.
+    /// Number of points that did not run to their end or do not have the quantity. They count neither as kept nor as broken.
     pub unknown: usize,
     /// Whether the points are drawn at random. Otherwise there is no probability.
     pub drawn: bool,

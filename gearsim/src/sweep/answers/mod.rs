@@ -1,5 +1,5 @@
-//! Results of a finished sweep with random axes: statistics of each quantity, probabilities that limits are broken, and indices of
-//! sensitivity. Each is computed at every point of the grid of the other axes, from the table of the points alone.
+//! Results of a finished sweep with random axes: statistics of each quantity, probabilities that limits are broken, and sensitivity
+//! indices. Each is computed at every point of the grid of the other axes, from the table of the points alone.
 
 pub mod limit;
 pub mod sensitivity;
@@ -31,7 +31,7 @@ impl<'a> Block<'a> {
         (0..rows.len()).step_by(size).map(block).collect()
     }
 
-    /// The same without the samples of the design that repeat values of others.
+    /// The block without the samples of the design that repeat values of other samples.
     pub fn independent(&self, layout: &Layout) -> Block<'a> {
         let rows = self.rows.iter().enumerate().filter(|(i, _)| layout.plan.sampler.is_independent(*i));
         Block { values: self.values.clone(), rows: rows.map(|(_, row)| *row).collect() }
@@ -49,7 +49,7 @@ impl<'a> Block<'a> {
     }
 }
 
-/// Whether an axis is the same in a block.
+/// Whether an axis has one value in each block.
 fn is_of_grid(layout: &Layout, axis: &Axis) -> bool {
     layout.plan.is_random() && axis.count().is_some()
 }

@@ -1,4 +1,4 @@
-//! Indices of sensitivity: which share of the variance of a quantity each random axis causes.
+//! Sensitivity indices: which share of the variance of a quantity each random axis causes.
 //!
 //! The first-order index S of an axis is the share of the variance that its value alone explains. The total index T is the share that
 //! would remain if all others were known: it counts interactions too. With the points A, B and A_i (A with the value of axis i from B)
@@ -55,8 +55,8 @@ pub struct Indices {
     pub total: Index,
 }
 
-/// The indices of all random axes, and the number of base samples that they are from. Samples of which a point did not run to its end
-/// are left out. `None` if fewer than two are left, or the quantity does not vary.
+/// The indices of all random axes, and the number of base samples used. A base sample is left out if one of its points did not run to its
+/// end. `None` if fewer than two base samples are left, or the quantity does not vary.
 pub fn of(layout: &Layout, block: &Block<'_>, column: usize) -> Option<(Vec<Indices>, usize)> {
     let axes: Vec<&Axis> = layout.plan.axes.iter().filter(|axis| axis.count().is_none()).collect();
     let number = |row: &Option<&crate::sweep::row::Row>| row.map(|row| row.numbers[column]).filter(|x| x.is_finite());
@@ -70,7 +70,7 @@ pub fn of(layout: &Layout, block: &Block<'_>, column: usize) -> Option<(Vec<Indi
 /// First-order and total index of each axis, from samples f(A), f(A_1), .., f(A_d), f(B).
 fn estimate(samples: &[Vec<f64>]) -> Option<Vec<(Index, Index)>> {
     let d = samples.first()?.len() - 2;
-    // Not by the variance: the mean of equal numbers has a rounding error.
+    // The values are compared, because the computed variance of equal numbers may differ from 0: their mean has a rounding error.
     if samples.len() < 2 || samples.iter().all(|f| f[0] == samples[0][0] && f[d + 1] == samples[0][0]) {
         return None;
     }
@@ -87,7 +87,7 @@ fn estimate(samples: &[Vec<f64>]) -> Option<Vec<(Index, Index)>> {
     Some((1..=d).map(both).collect())
 }
 
-/// The indices of all quantities that vary, a row an axis, quantity and point of the grid.
+/// The indices of all quantities that vary, one row per axis, quantity and grid point.
 ///
 /// # Errors
 /// [`OutputError`].
@@ -151,7 +151,7 @@ mod tests {
                 inside += usize::from((total.value - t).abs() <= total.bound);
             }
         }
-        // 95 % of 120 is 114. The bounds are for independent points; those of a Sobol' sequence are better.
+        // 95 % of 120 is 114. The bounds are for independent points; the estimates from a Sobol' sequence are usually closer.
         assert!(inside >= 112, "{inside} of 120");
     }
 

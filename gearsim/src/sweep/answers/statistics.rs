@@ -10,7 +10,7 @@ use crate::sweep::manifest::Layout;
 /// File name of the table.
 pub const FILE: &str = "statistics.csv";
 
-/// Shares of the points for which a percentile is given, and their names.
+/// The percentiles: column name, and share of the points.
 const SHARES: [(&str, f64); 7] =
     [("p01", 0.01), ("p05", 0.05), ("p25", 0.25), ("p50", 0.5), ("p75", 0.75), ("p95", 0.95), ("p99", 0.99)];
 
@@ -50,7 +50,7 @@ pub fn of(block: &Block<'_>, column: usize) -> Option<Spread> {
     Spread::of(block.numbers(column).collect())
 }
 
-/// The statistics of all quantities, a row a quantity and point of the grid.
+/// The statistics of all quantities, one row per quantity and grid point.
 ///
 /// # Errors
 /// [`OutputError`].

@@ -37,7 +37,8 @@ fn statistics_are_those_of_the_distribution() {
     assert!((p05 - 18.355e-3).abs() < 0.1e-3 && (p95 - 21.645e-3).abs() < 0.1e-3, "{spread:?}");
 }
 
-/// A normal distribution exceeds its mean by more than a deviation with the probability 0.1587. Points that cannot run count neither way.
+/// A normal distribution exceeds its mean by more than a deviation with the probability 0.1587. Points that cannot run
+/// are not counted.
 #[test]
 fn limits_are_broken_as_often_as_the_distribution_says() {
     let (layout, mut rows) = swept(&["run.t_end=normal:20 ms:1 ms"], Design::LatinHypercube, 200);
@@ -85,7 +86,7 @@ fn indices_name_the_axis_that_matters_at_each_point_of_the_grid() {
     assert_eq!(rows.len(), 2 * 32 * 4);
     let blocks = Block::all(&layout, &rows);
     assert_eq!(blocks[1].name(&layout), "start.speed = 300 rpm");
-    // Of A, A_1, A_2 and B the points of A and B are independent.
+    // Each base sample has the points A, A_1, A_2 and B. Only A and B are independent.
     let limit = Limit::read("t_end < 2 ms", &layout).unwrap();
     assert_eq!(limit.count(&layout, &blocks[0]).points, 2 * 32);
     for block in &blocks {

@@ -1,4 +1,5 @@
-//! The number of digits left of the end state. A second run of the point, the companion, starts a few roundings away.
+//! The number of digits left of the end state. The start of a second run of the point, the companion, differs by rounding
+//! errors.
 
 use super::{Column, Ended, Group, column};
 use crate::model::Model;

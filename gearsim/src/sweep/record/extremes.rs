@@ -1,5 +1,5 @@
 //! Range of coordinates and speeds: minimum and maximum over samples and both sides of events; mean, and root mean square about the
-//! mean, over the time. Only the speeds of coordinates that rotate continuously.
+//! mean, over the time. For coordinates that rotate continuously, only the speeds are recorded.
 
 use super::{Column, Ended, Group, column, row_from, with_rotation};
 use crate::analysis::statistics::Statistics;

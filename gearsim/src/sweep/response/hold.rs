@@ -4,15 +4,15 @@
 //!
 //! ```text
 //! dp/dt = z.F = r      measured: the change of p over whole periods, divided by their time; springs do not contribute
-//! c = -d(z.F)/du       by differences at the wanted speed v: governors, motors, fans, dampers to the ground
+//! c = -d(z.F)/du       by differences at the mean speed u: governors, motors, fans, dampers to the ground
 //! b = d(z.F)/dP        of the parameter P, in which forces are linear
 //! ```
 //!
-//! At the speed v the force would be r - c (v - u). The parameter P + (c (v - u) - r)/b makes it zero: Newton's method, one step a run. A
-//! part of v - u is the effect of the force until the middle of the measured time; the speed at the start is shifted by the rest.
+//! At the wanted speed v the force would be r - c (v - u). The parameter P + (c (v - u) - r)/b makes it zero: Newton's method, one step a
+//! run. A part of v - u is the effect of the force until the middle of the measured time; the speed at the start is shifted by the rest.
 //!
-//! A run that loses its speed before the measured time, under dry friction for example, has r = 0 while it stands. Its r is that from the
-//! start until half of the speed is lost.
+//! A run may lose its speed before the measured time, for example under dry friction. It has r = 0 while it is at rest. Its r is measured
+//! from the start until half of the speed is lost.
 
 use super::motion::UnitMotion;
 use super::span::Span;
@@ -22,7 +22,7 @@ use crate::model::{Parameter, Varies};
 use crate::output::number::short;
 use crate::run::Entry;
 use crate::scene::Scene;
-use crate::tolerance::analysis::{HELD_SPEED, HELD_STEADY};
+use crate::tolerance::analysis::{CAME_TO_REST, HELD_SPEED, HELD_STEADY};
 use crate::trajectory::{Trajectory, place};
 
 /// How a response curve holds the speed.
@@ -39,7 +39,7 @@ pub enum Hold {
 }
 
 impl Hold {
-    /// As people name it: a parameter, or `nothing`; without a name, [`Hold::Own`].
+    /// The hold with a name: that of a parameter, or `nothing`; without a name, [`Hold::Own`].
     pub fn named(name: Option<&str>) -> Hold {
         match name {
             None => Hold::Own,
@@ -52,7 +52,7 @@ impl Hold {
 /// A parameter that can hold the speed.
 #[derive(Debug, Clone)]
 pub(super) struct Handle {
-    /// Its index.
+    /// Index of the parameter.
     pub parameter: usize,
     /// Force on the motion per unit of the parameter, b.
     unit: f64,
@@ -65,15 +65,16 @@ pub(super) struct Speed {
     pub mean: f64,
     /// Force on the motion, r.
     force: f64,
-    /// J and c.
+    /// Inertia of the motion, J.
     inertia: f64,
+    /// Decrease of the force with the speed, c.
     drag: f64,
     /// Length of the measured time, and the time of its middle \[s\].
     times: [f64; 2],
 }
 
 impl Handle {
-    /// The parameters of a scene that can hold the speed `motion`, the best one first.
+    /// The parameters of a scene that can hold the speed of `motion`, the best one first. `speed` is that of the scene \[SI\].
     pub(super) fn all(scene: &Scene, entry: &Entry, motion: &UnitMotion, speed: f64) -> Vec<Handle> {
         let active = |p: &Parameter| p.varies == Varies::AsLoad && scene.effects.activate(p.with, scene.model);
         let of = |parameter: usize| {
@@ -96,21 +97,21 @@ impl Handle {
         all
     }
 
-    /// Gives the parameter `more` than the scene says, at all times.
+    /// Adds `more` \[SI\] to the value of the parameter at all times.
     pub(super) fn add(&self, scene: &mut Scene, more: f64) {
         scene.parameters[self.parameter] += more;
         let own = scene.time_histories.iter_mut().filter(|(p, _)| *p == self.parameter);
         own.flat_map(|(_, history)| &mut history.pieces).for_each(|piece| piece.value += more);
     }
 
-    /// The change of the parameter after which a run of speed `speed` would have had the speed `wanted`, and that of the speed at its start.
+    /// The changes of the parameter and of the speed at the start with which a run of speed `speed` would have had the speed `wanted`.
     pub(super) fn step(&self, speed: &Speed, wanted: f64) -> [f64; 2] {
         let Speed { mean, force, inertia, drag, times: [_, middle] } = *speed;
         let imbalance = force - drag * (wanted - mean);
         // The effect of the imbalance until the middle of the measured time.
         let relaxed = drag * middle / inertia;
         let done = if relaxed.abs() < 1e-6 { middle / inertia } else { -(-relaxed).exp_m1() / drag };
-        // A shift at the start that fades away is of no use.
+        // A shift that decays before the middle of the measured time is left out.
         let shift = if relaxed < 1.0 { wanted - (mean - imbalance * done) } else { 0.0 };
         [-imbalance / self.unit, shift]
     }
@@ -156,9 +157,9 @@ impl Speed {
         self.force * self.times[0] / (self.inertia * self.mean)
     }
 
-    /// Why it is not held, in words.
+    /// Why the speed is not held, in words.
     pub(super) fn unheld(&self, wanted: f64) -> String {
-        if (self.mean / wanted).abs() < HELD_STEADY {
+        if (self.mean / wanted).abs() < CAME_TO_REST {
             return "the train comes to rest: what holds the speed does not overcome what brakes it".into();
         }
         format!(
@@ -169,7 +170,7 @@ impl Speed {
         )
     }
 
-    /// Whether it is steady, and the `wanted` one.
+    /// Whether the speed is steady and has the value `wanted`.
     pub(super) fn is_held(&self, wanted: f64) -> bool {
         self.drift().abs() <= HELD_STEADY && (self.mean / wanted - 1.0).abs() <= HELD_SPEED
     }

@@ -1,4 +1,4 @@
-//! What is measured of an output at a point of a response. One more measure: one file here, and one line in [`MEASURES`].
+//! The measures of an output at a point of a response. To add a measure, add one file here and one line in [`MEASURES`].
 
 mod dynamic_factor;
 mod statistics;

@@ -9,11 +9,12 @@ use crate::scene::Scene;
 use crate::tolerance::analysis::HELD_PART;
 use crate::trajectory::{Trajectory, value_at};
 
-/// A motion of the model: the speeds of unit size, and the coordinate by which its size is measured.
+/// A rigid motion of the model. `unit` has the speeds of the coordinates at unit speed of the motion. `by` is the coordinate by which the
+/// speed is measured.
 pub(super) struct UnitMotion {
     pub unit: Vector,
     by: usize,
-    /// Its number, if its speed is varied.
+    /// Index of the motion, if its speed is varied.
     pub varied: Option<usize>,
 }
 
@@ -46,7 +47,7 @@ impl UnitMotion {
         (place[last] - value_at(&run.t, place, span.begin)) / span.time() / self.unit[self.by]
     }
 
-    /// The time from the start of a run until less than [`HELD_PART`] of the speed `wanted` is left; `None` if it keeps it.
+    /// The time from the start of a run until less than [`HELD_PART`] of the speed `wanted` is left; `None` if the run keeps more.
     pub(super) fn until_lost(&self, run: &Trajectory, wanted: f64) -> Option<Span> {
         let speeds = run.q_dot[self.by].iter().map(|speed| speed / self.unit[self.by]);
         let lost = speeds.take(run.len()).position(|speed| speed / wanted < HELD_PART)?;
@@ -54,7 +55,7 @@ impl UnitMotion {
         (end > begin).then_some(Span { begin, end, periods: 0, of: "" })
     }
 
-    /// The generalised force on it at the speed `speed`, with all deflections zero.
+    /// The generalised force on the motion at the speed `speed`, with all deflections zero and the mid stiffnesses.
     pub(super) fn force(&self, scene: &Scene, equations: &dyn Equations, speed: f64) -> f64 {
         let still = Vector::zeros(self.unit.len());
         let q_dot = &self.unit * speed;
@@ -62,14 +63,14 @@ impl UnitMotion {
         dot(&self.unit, &equations.force(&still, &q_dot, &k, &flat))
     }
 
-    /// Begins a scene where the run `before` it has ended, with the motion faster by `more`.
+    /// Sets the start of a scene to the end of the run `before`, with the speed of the motion higher by `more`.
     pub(super) fn go_on(&self, scene: &mut Scene, before: &Trajectory, more: f64) {
         let last = |column: &Vec<f64>| column[column.len() - 1];
         scene.start.q = before.q.iter().map(|column| Start::At(last(column))).collect();
         scene.start.q_dot = before.q_dot.iter().zip(&*self.unit).map(|(v, unit)| Some(last(v) + more * unit)).collect();
     }
 
-    /// Begins a scene faster by `more` than it states.
+    /// Raises the start speed that a scene states by `more`.
     pub(super) fn faster(&self, scene: &mut Scene, more: f64) {
         if let Some(speed) = scene.start.motions.get_mut(self.varied.unwrap_or(0)) {
             *speed += more;

@@ -13,9 +13,9 @@ use crate::trajectory::Trajectory;
 /// The quantity by which periods are counted.
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum Clock {
-    /// A coordinate, by its number, after this way \[unit of the coordinate\].
+    /// A coordinate, by its index, and its change in a period \[unit of the coordinate\].
     Phase(usize, f64),
-    /// The time, after this time \[s\].
+    /// The time, and the length of a period \[s\].
     Time(f64),
 }
 
@@ -25,7 +25,7 @@ pub(super) struct Excitations(Vec<(&'static str, Clock)>);
 /// The measured part of a run.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Span {
-    /// Its start \[s\], which lies between two samples.
+    /// Its start \[s\], which may lie between two samples.
     pub begin: f64,
     /// Its end, the end of the run \[s\].
     pub end: f64,
@@ -66,7 +66,7 @@ impl Excitations {
         };
         let moving = self.0.iter().filter(|(_, clock)| passed(clock) > 0.0);
         let Some((of, clock)) = moving.min_by(|a, b| passed(&a.1).total_cmp(&passed(&b.1))) else { return all };
-        // A phase that falls short of a whole period by rounding has passed it.
+        // A period that is incomplete only by rounding errors counts as whole.
         let periods = (passed(clock) * (1.0 + 1e-12)).floor();
         if periods < 1.0 {
             return Span { of, ..all };

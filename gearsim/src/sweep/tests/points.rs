@@ -191,7 +191,7 @@ fn dynamic_factors_are_those_of_single_runs_from_the_time_of_the_sweep_on() {
     assert!(row[0] > 1.0 && sweep.point(1).numbers[0] != row[0]);
 }
 
-/// The group `outputs` has columns of the outputs that some point records: none of those whose effect no point has.
+/// The group `outputs` has columns for the outputs that at least one point records. Outputs whose effect no point has get no columns.
 #[test]
 fn outputs_without_their_effect_have_no_columns() {
     let columns = |vary: &[&str], set: &[&str]| {

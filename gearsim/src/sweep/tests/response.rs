@@ -51,7 +51,7 @@ fn a_linear_response_is_that_of_the_closed_form_on_both_ways() {
         let amplitude = error / ((1.0 - r * r).powi(2) + (2.0 * zeta * r).powi(2)).sqrt();
         let expected = 2.0 * amplitude / 24.0 / 2.0_f64.sqrt();
         let found = point.observed[0].unwrap().rms;
-        // The rest of the transient, exp(-zeta w0 0.04 s), and what the samples do not resolve.
+        // The tolerance covers the rest of the transient, exp(-zeta w0 0.04 s), and the error of sampling.
         assert!((found / expected - 1.0).abs() < 1e-3, "r = {r}: {found}, not {expected}");
         assert!((point.speed / point.value - 1.0).abs() < 1e-3);
         let span = point.span.unwrap();
@@ -141,9 +141,9 @@ fn steps_between_samples_do_not_shift_the_mean_force() {
     }
 }
 
-/// Without damping vibrations change the mean force on the rotation from run to run.
+/// Without damping, vibrations change the mean force on the rotation from run to run.
 #[test]
-fn a_speed_that_is_not_held_is_said() {
+fn a_speed_that_is_not_held_has_its_own_status() {
     let sets = ["output.record=[\"mesh_force_12\"]", "run.t_end=0.15 s"];
     let response = response("two_stage", "start.speed=1000 rpm:2000 rpm:3", 0.1, &sets);
     let held =
@@ -178,8 +178,8 @@ fn a_response_has_the_dynamic_factor_of_the_sweep() {
     assert_eq!((figure.panels.len(), labels), (1, vec!["upward", "downward", "K_v of ISO 6336-1, method B"]));
 }
 
-/// Dry friction of twice the torque of the drive stops the train before the measured time. The torque that holds the speed is then that of
-/// the load and the friction, 210 N m/2: known from how fast the train was braked.
+/// Dry friction of twice the torque of the drive stops the train before the measured time. The torque that holds the speed is that of the
+/// load and the friction, 210 N m/2. It is found from the deceleration of the train.
 #[test]
 fn a_train_that_dry_friction_stops_is_held() {
     let text = "model = \"train\"\neffects = [\"stiffness_step\", \"damping\", \"torques\", \"dry_friction\"]\n\

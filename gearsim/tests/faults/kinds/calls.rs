@@ -1,4 +1,4 @@
-//! Calls of the system that concern files of the result fail, each in turn, or end the program.
+//! Faults at system calls for files of the result: each call in turn fails, or the program is killed at it.
 
 use crate::fault::Fault;
 use crate::prepared::Prepared;
@@ -31,7 +31,7 @@ pub fn failing(prepared: &Prepared) -> Vec<Fault> {
     let writes: Vec<&Call> = calls.iter().filter(|call| call.name == "write").collect();
     for call in spread(&writes, MOST) {
         let on = format!("error=ENOSPC:when={}+", call.ordinal);
-        // The message is a write too, and fails. What a full disk says is tested by `disk.rs`.
+        // The message is a write too, and fails. The message about a full disk is tested by `disk.rs`.
         faults.push(Fault { succeeds: Some(false), ..injecting(call, &on) });
     }
     faults

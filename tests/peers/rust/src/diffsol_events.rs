@@ -1,8 +1,9 @@
 //! diffsol with its root finding, restarted at every root.
 //!
-//! Fair: one solver object for the whole run, stepped by hand. The stiffness is in a `Cell` that the closures share, so nothing is
-//! rebuilt. At a root the state returns to the root, jumps and keeps its step size. Small dense matrices of nalgebra. Absolute
-//! tolerances by the sizes of the coordinates. diffsol's roots have no direction: the index says which end of the cell was met.
+//! For a fair comparison one solver object does the whole run and is stepped by hand. The stiffness is in a `Cell` that the closures
+//! share, so nothing is rebuilt. At a root the solver returns to the root, the jump is applied, and the step size is kept. The matrices
+//! are small dense ones of nalgebra. Absolute tolerances are proportional to the sizes of the coordinates. diffsol's roots have no
+//! direction: the index says which end of the cell was met.
 
 use std::cell::Cell;
 

@@ -1,6 +1,6 @@
-//! The crate ivp, a solve_ivp for Rust, restarted at terminal events.
+//! The crate ivp, a Rust version of SciPy's solve_ivp, restarted at terminal events.
 //!
-//! Fair: two events with directions, no dense output, absolute tolerances by the sizes of the coordinates.
+//! For a fair comparison: two events with directions, no dense output, absolute tolerances proportional to the sizes of the coordinates.
 
 use anyhow::{anyhow, bail};
 use ivp::prelude::*;

@@ -64,7 +64,7 @@ impl Scene {
         out.copy_from_slice(&[v[1], self.m1 * pull, v[3], self.m2 * pull]);
     }
 
-    /// Absolute tolerances by the sizes of the coordinates.
+    /// Absolute tolerances: `tolerance` times the size of each coordinate.
     pub fn atol(&self, tolerance: f64) -> Vec<f64> {
         self.sizes.iter().map(|size| tolerance * size).collect()
     }

@@ -111,7 +111,7 @@ fn compare(reference: &Reference, met: Option<f64>, root: Option<((f64, f64), bo
                 error if error <= MULTIPLE => Verdict::Crossed(error),
                 _ if late > 0.0 => missed(reference, t, tangency, Some(met)),
                 _ if is_false(met) => Verdict::Wrong(format!("a false crossing at {met:e}, before {t:e}")),
-                // An earlier crest reaches the level to rounding.
+                // An earlier crest reaches the level within the rounding error.
                 _ => Verdict::Shallow,
             }
         }

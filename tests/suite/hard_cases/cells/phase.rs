@@ -15,7 +15,7 @@ impl<const N: usize> Phase<N> {
         })
     }
 
-    /// The time between two times at which the phase turns, and its height there.
+    /// The time between `left` and `right` at which the phase turns, and the phase there.
     pub fn top(&self, mut left: f64, mut right: f64) -> (f64, f64) {
         for _ in 0..60 {
             let middle = 0.5 * (left + right);

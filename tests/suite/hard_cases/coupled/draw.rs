@@ -92,7 +92,7 @@ impl<const N: usize> Drawn<N> {
         }
     }
 
-    /// The error over the effect of rounding such matrices.
+    /// The error divided by the factor by which rounding errors are amplified.
     pub fn judged(&self, error: f64) -> f64 {
         let judged = error / self.amplified();
         if judged.is_nan() || judged >= 1e3 {

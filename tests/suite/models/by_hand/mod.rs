@@ -49,7 +49,7 @@ fn compare<D: Derived>(numbers: &[(&str, f64)], by_hand: &ByHand, absolute: impl
     compare_with::<D>(&[], numbers, by_hand, absolute);
 }
 
-/// The same of the model with effects.
+/// [`compare`] for the model with these effects.
 fn compare_with<D: Derived>(
     effects: &[&str],
     numbers: &[(&str, f64)],

@@ -6,9 +6,9 @@
 //! S = DR + (f+ - DR f-) grad g / (grad g . f-)
 //! ```
 //!
-//! (M. di Bernardo et al., Piecewise-smooth Dynamical Systems, 2008, Sec. 2.5). R is the identity at exits of switches and where a law steps
-//! without an impulse. At a step of a stiffness it is the jump rule, v+ = v- + d (w - n.v-) with m = M⁻¹n, G = n.m, d = m/G and
-//! w² = (n.v-)² - 2 G dV. All of these depend on q: dG = n.dm, dm = -M⁻¹ d(M m), dw = (n.v- n.dv- - dV dG - G d(dV))/w.
+//! (M. di Bernardo et al., Piecewise-smooth Dynamical Systems, 2008, Sec. 2.5). R is the identity at exits of switches and where a law
+//! steps without an impulse. At a step of a stiffness it is the jump rule, v+ = v- + d (w - n.v-) with m = M⁻¹n, G = n.m, d = m/G and w² =
+//! (n.v-)² - 2 G dV. All of these depend on q: dG = n.dm, dm = -M⁻¹ d(M m), dw = (n.v- n.dv- - dV dG - G d(dV))/w.
 
 use nalgebra::{DMatrix, DVector, RowDVector};
 
@@ -18,7 +18,7 @@ use crate::engine::motion::End;
 use crate::engine::switch::Guards;
 use crate::engine::vector::{Vector, dot};
 
-/// An event that a motion has come to.
+/// The event at which a motion ends.
 #[derive(Debug, Clone)]
 pub struct Event {
     /// Gradient of the guard by coordinates and speeds (n each).
@@ -36,7 +36,7 @@ impl Event {
     /// its rate do not change at the event, or if the event is at a given time.
     ///
     /// # Errors
-    /// If it holds or releases a phase or a deflection, in words.
+    /// In words, if the event holds or releases a phase or a deflection.
     pub fn at(
         now: &Hybrid<'_>,
         end: End,
@@ -69,7 +69,7 @@ impl Event {
     /// S (2n x 2n); `now` is the state after the event, with these slopes of the laws and accelerations.
     ///
     /// # Errors
-    /// In words, if the guard is only touched.
+    /// In words, if the motion only grazes the guard.
     pub fn saltation(
         &self,
         now: &Hybrid<'_>,
@@ -90,7 +90,7 @@ impl Event {
         let (gradient, rate) = (joined(&self.guard[0], &self.guard[1]), joined(v, a));
         let along = gradient.dot(&rate);
         if along == 0.0 || !along.is_finite() {
-            return Err("a step or a flank is only touched");
+            return Err("the motion only grazes a step or a flank");
         }
         let apart = (joined(after, acceleration) - &map * &rate) / along;
         Ok(map + apart * gradient.transpose())
@@ -115,7 +115,7 @@ impl Event {
         let far = potential_force(now, q, (&now.k, slopes), frictions);
         let dv_by = (column(&near) - column(&far)).transpose();
         let direction_by = (m_by - &direction * &g_by) / g;
-        // w, by coordinates and by speeds: (n.v-)² - 2 G dV = w² where the step is passed, w = -n.v- where it turns the motion back.
+        // The derivatives of w by coordinates and by speeds. In a transmission w² = (n.v-)² - 2 G dV, in a reflection w = -n.v-.
         let (w_by_q, w_by_v) = if before * after < 0.0 {
             (RowDVector::zeros(n), -normal_column.transpose())
         } else {

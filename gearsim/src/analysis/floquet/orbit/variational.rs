@@ -1,7 +1,7 @@
 //! A solver by steps that carries small disturbances along: Phi' = A(t) Phi, with A = [[0, 1], [dq''/dq, dq''/dq']] along the motion.
 //!
 //! Within a step A follows the dense output of the motion, and Phi advances by the Magnus expansion ([`super::super::magnus`]). At
-//! events Phi takes the saltation matrix ([`super::saltation`]).
+//! an event Phi is multiplied by the saltation matrix ([`super::saltation`]).
 
 use std::cell::RefCell;
 use std::rc::Rc;
@@ -27,11 +27,12 @@ use crate::tolerance::analysis::MAGNUS_STEPS;
 pub struct Carried {
     /// Phi (2n x 2n) in the units below.
     pub phi: DMatrix<f64>,
-    /// Units of a disturbance (2n): of coordinates with the kinetic energy, of speeds by the fastest rate.
+    /// Units of a disturbance (2n) \[SI\]. A unit of speed has the kinetic energy 1/2; a unit of a coordinate is that unit of speed over
+    /// the fastest rate.
     pub units: DVector<f64>,
     /// Why there is no result, in words.
     pub trouble: Option<&'static str>,
-    /// The event that the last motion has come to.
+    /// The event at which the last motion ended.
     event: Option<Event>,
 }
 
@@ -45,13 +46,13 @@ impl Carried {
         Rc::new(RefCell::new(Carried { phi, units, trouble: None, event: None }))
     }
 
-    /// A matrix of disturbances in their units.
+    /// A matrix that acts on disturbances, in the units of disturbances.
     fn scaled(&self, a: &DMatrix<f64>) -> DMatrix<f64> {
         DMatrix::from_fn(a.nrows(), a.ncols(), |i, j| a[(i, j)] * self.units[j] / self.units[i])
     }
 }
 
-/// The solver.
+/// A solver that advances Phi along the motions of `inner`.
 pub struct Variational<'a> {
     inner: BySteps<'a>,
     field: Field<'a>,

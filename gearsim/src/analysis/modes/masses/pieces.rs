@@ -1,18 +1,18 @@
 //! The pieces of an inertia that several bodies have in common, such as the planets of a set.
 //!
-//! Each planet has coordinates of its own, and shares the others with all planets: A = sum_i A_i. If the coordinates K belong to piece i
-//! alone, then A_i = A[:, K] A[K, K]⁻¹ A[K, :]. The coordinates K are those that hang together in A after the most coupled coordinates have
-//! been taken away. Pieces count only if their sum is A.
+//! Each planet has coordinates that belong to it alone, and shares the others with all planets: A = sum_i A_i. If the coordinates K belong
+//! to piece i alone, then A_i = A[:, K] A[K, K]⁻¹ A[K, :]. The sets K are the groups of coupled coordinates that remain after the most
+//! coupled coordinates have been removed from A. Pieces are accepted only if their sum is A.
 
 use nalgebra::DMatrix;
 
-/// Entries of the sum of the pieces differ from those of the whole by less than this, over the largest one.
+/// Largest accepted difference between the sum of the pieces and the whole [relative to the largest entry].
 const ROUNDING: f64 = 1e-9;
 
-/// A piece: its first own coordinate, and its part of the inertia (n x n).
+/// A piece: the index of the first coordinate that belongs to it alone, and its part of the inertia (n x n).
 pub type InertiaPart = (usize, DMatrix<f64>);
 
-/// The pieces of `whole`, which is positive semidefinite; empty if there is one.
+/// The pieces of `whole`, which is positive semidefinite; empty if it is one body.
 pub fn of(whole: &DMatrix<f64>) -> Vec<InertiaPart> {
     let largest = whole.amax();
     let coupled = |i: usize, j: usize| whole[(i, j)].abs() > ROUNDING * largest;
@@ -29,14 +29,14 @@ pub fn of(whole: &DMatrix<f64>) -> Vec<InertiaPart> {
             }
         }
         let degree = |&i: &usize| own.iter().filter(|&&j| coupled(i, j)).count();
-        // The first of the most coupled ones.
+        // The first of the most coupled coordinates.
         let most = (0..own.len()).rev().max_by_key(|&at| degree(&own[at])).unwrap_or(0);
         own.remove(most);
     }
     best
 }
 
-/// The groups of the coordinates `own` that hang together.
+/// The groups of coupled coordinates among `own`.
 fn groups(own: &[usize], coupled: &dyn Fn(usize, usize) -> bool) -> Vec<Vec<usize>> {
     let mut groups: Vec<Vec<usize>> = vec![];
     for &i in own {
@@ -74,7 +74,7 @@ fn the_inertias_of_planets_are_separate_and_one_body_is_whole() {
     }
     let one = DMatrix::from_fn(1, 3, |_, j| j as f64 + 1.0);
     assert!(of(&(one.transpose() * one)).is_empty());
-    // Another body that turns with the shared rotation is no planet.
+    // With another body on the shared rotation, the planets do not sum to the whole.
     let mut more = whole;
     more[(0, 0)] += 5.0;
     assert!(of(&more).is_empty());

@@ -1,9 +1,9 @@
-//! A model of 24 effects that do not depend on one another: each of its 2^24 sets is admissible, and none has code of its own.
+//! A model of 24 independent effects. Each of the 2^24 sets of effects is admissible, and no set has separate code.
 
 use super::set;
 use crate::engine::equations::Derived;
 
-/// Effect i is a spring of 2^i N/m. Those of the set `effects` have the stiffness `effects` [N/m] together.
+/// Effect i is a spring of 2^i N/m. The springs of the set `effects`, whose bits are the effects, have the total stiffness `effects` [N/m].
 mod springs {
     gearsim::equations! {
         model springs "A mass on 24 springs, each an effect";

@@ -1,4 +1,5 @@
-//! Parameters whose factors depend on the state, against the equations with the value that the parameter has at the time.
+//! Parameters that vary in time and whose factors depend on the state. The equations at a time are compared with those for the constant
+//! value that the parameter has at this time.
 
 use super::*;
 use crate::engine::equations::{Equations, Exit, Known, varying_by_steps};
@@ -98,7 +99,7 @@ fn numbers(scene: &Scene, e: &dyn Equations, k: &[f64]) -> Vec<(String, f64)> {
 }
 
 #[test]
-fn equations_are_those_of_the_present_value() {
+fn varying_equations_equal_those_with_the_present_value() {
     for case in VARYING {
         let [scene, present] = scenes(case);
         let (derived, parameter) = (derived(case.0), case.3);
@@ -106,7 +107,7 @@ fn equations_are_those_of_the_present_value() {
         forcing.enter(0.4);
         assert_eq!(forcing.moves_guards(), parameter.starts_with("T") && parameter != "Tb_motor", "{parameter}");
         let mut k = scene.model.in_contact(scene.mids());
-        // So that no symbol of a switch removes a term.
+        // The symbols of switches are 1, so that none of them removes a term.
         k[scene.model.laws.len()..].fill(1.0);
         k.push(0.0);
         let varying = derived.equations(&scene).unwrap();
@@ -145,9 +146,9 @@ fn parameters_of_absent_effects_do_not_matter() {
     assert_eq!(outcome.solver.method, "exact", "{}", outcome.solver.why);
 }
 
-/// A clutch in a train that engages, as of a model: the slip is 30 rad/s - (1 N*m t + 5 N*m/s t²) (1/I1 + 1/I2).
+/// A train with a clutch that engages while its capacity rises: the slip is 30 rad/s - (1 N*m t + 5 N*m/s t²) (1/I1 + 1/I2).
 #[test]
-fn parts_of_trains_have_parameters_that_vary() {
+fn a_clutch_of_a_train_may_have_a_varying_capacity() {
     let outcome = run_of(TRAIN, &[]);
     let t = &outcome.trajectory;
     for (i, time) in t.t.iter().enumerate() {

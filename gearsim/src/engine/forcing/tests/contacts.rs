@@ -2,7 +2,7 @@
 
 use super::{ALL, residual, run, run_of};
 
-/// The same gears on shafts between a motor and a load. Torques, damping, start and end are set by each test.
+/// The same gear pair on shafts between a motor and a load. Torques, damping, start and end are set by each test.
 const TRAIN: &str = r#"
 model = "gear_pair_shafts"
 effects = ["stiffness_step", "damping", "torques"]
@@ -108,7 +108,7 @@ fn a_rising_torque_releases_a_held_contact() {
     );
     assert!(held.counts.reflections > 0 && held.counts.holds > 0, "{:?}", held.counts);
     let t = &held.trajectory;
-    // It is held when the ramp begins, and until the torques are in balance at 0.3 s.
+    // The phase is held when the ramp begins, and stays held until the torques are in balance at 0.3 s.
     let speed = |at: f64| t.q_dot[0][t.t.iter().position(|t| *t >= at).unwrap()];
     assert!(speed(0.1).abs() < 1e-15, "{:e} {:?}", speed(0.1), held.counts);
     assert!(

@@ -34,29 +34,29 @@ pub(super) struct PhasePoint {
     pub(super) v: f64,
     /// y''.
     pub(super) a: f64,
-    /// Size of the terms of s, which have rounding errors.
+    /// Sum of the absolute values of the terms of s. The rounding error of s is proportional to it.
     pub(super) size: f64,
     /// e^{-sigma t}.
     pub(super) decay: f64,
 }
 
-/// A step of time from a place to where s has another value.
+/// A step in time from a point of the phase towards a target value of s.
 pub(super) struct SearchStep {
-    /// Newton's step: it does not overshoot a root from which the phase bends away \[s\].
+    /// Newton's step \[s\]. It does not overshoot a root from which the phase bends away.
     pub(super) newton: f64,
-    /// The root of the series of s, if it is close enough for the search to end there \[s\].
+    /// The step to the root of the series of s \[s\], if this is close enough for the search to end there.
     pub(super) root: Option<f64>,
 }
 
 impl Phase {
-    /// Whether the steady speed exceeds the largest speed of the vibration: then the phase never turns back.
+    /// Whether the steady speed exceeds the largest speed of the vibration. The phase then never turns back.
     #[inline(always)]
     pub(super) fn is_monotone(&self) -> bool {
         let fastest = (self.v[0] * self.v[0] + self.v[1] * self.v[1]).sqrt();
         self.drift.abs() > self.part.abs() * fastest * (1.0 + BOUND_MARGIN)
     }
 
-    /// The step from a place to where the phase is `target`.
+    /// The step from `place` towards the time at which the phase is `target`; `fastest` bounds the rates \[1/s\].
     #[inline(always)]
     pub(super) fn step(&self, place: &PhasePoint, target: f64, fastest: f64) -> SearchStep {
         let per_rate = 1.0 / place.rate;

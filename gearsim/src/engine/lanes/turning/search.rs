@@ -94,7 +94,7 @@ impl Phase {
     }
 
     /// The crossing within an interval in which the phase bends away from the upper boundary (`up`) or from the lower one, with |s''| <=
-    /// `bend`. `None` if rounding errors could decide it.
+    /// `bend`. `None` if rounding errors could decide it; `Some(None)` if there is no crossing.
     #[inline(always)]
     fn within(
         &self,
@@ -111,12 +111,12 @@ impl Phase {
         if (end - edge).abs() <= near || (end + other).abs() <= near {
             return None;
         }
-        // Not beyond the point where the tangents at both ends of the interval meet.
+        // The phase does not go beyond `peak`, where the tangents at both ends of the interval intersect.
         let start = mirror * from.s;
         let peak = start + rate * (end - start - mirror * to.rate * (to.t - from.t)) / (rate - mirror * to.rate);
         if rate > 0.0 && (end > edge || peak > edge - near) {
-            // Towards the edge, from which the phase bends away. The phase crosses it if the interval ends beyond it, or if Newton's method
-            // finds a root.
+            // The phase moves towards the edge and bends away from it. It crosses the edge if the interval ends beyond the edge, or if
+            // Newton's method finds a root.
             let mut place = from;
             for i in 0.. {
                 let speed = mirror * place.rate;

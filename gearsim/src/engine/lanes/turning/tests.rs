@@ -29,7 +29,7 @@ fn draw(seed: &mut u64, fastest: f64, most: f64) -> (Phase, [f64; 2]) {
         start: y,
     };
     let (width, place) = (even(4.0).abs() + 1e-3, even(1.0));
-    // A third of them leave the boundary that they start on.
+    // A third of the phases start on a boundary and leave it.
     let inwards = drift + part * v;
     let down = match place {
         p if p.abs() > 0.33 => width * p.abs(),
@@ -45,11 +45,11 @@ fn first_crossings_are_those_of_a_scan() {
 }
 
 #[test]
-fn slow_phases_cross_after_many_vibrations_where_a_scan_finds_it() {
+fn slow_phases_cross_where_a_scan_finds_the_crossing() {
     agrees_with_scans(400, 0.01, 0.002, 1000.0);
 }
 
-/// The first crossing of a random phase is that which a scan until the time `until` finds. This is checked for `count` phases.
+/// Checks for `count` random phases that the first crossing is the one that a scan up to the time `until` finds.
 fn agrees_with_scans(count: usize, fastest: f64, damping: f64, until: f64) {
     let (mut seed, mut found, mut left, mut late) = (1, 0usize, 0usize, 0usize);
     let steps = (until / 5e-3) as u32;
@@ -66,7 +66,7 @@ fn agrees_with_scans(count: usize, fastest: f64, damping: f64, until: f64) {
         };
         found += 1;
         late += usize::from(t > until / 4.0);
-        // It lies where it was found, whether or not it is deep enough for the scan.
+        // The phase is at the boundary at the time found. This holds also for a crossing that is too shallow for the scan.
         assert!(!phase.is_monotone() || up == (phase.drift > 0.0), "a monotone phase goes one way, {gaps:?}");
         let there = phase.at(t);
         let (gap, speed) = if up { (gaps[1] - there.s, there.rate) } else { (gaps[0] + there.s, -there.rate) };

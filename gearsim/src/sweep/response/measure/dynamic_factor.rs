@@ -1,5 +1,5 @@
-//! The dynamic factor of a mesh, and beside it K_v of ISO 6336-1 \[1\], as in the group `meshes` of sweeps. The static force is that at the
-//! torques of the point, with the parameter that holds its speed.
+//! The dynamic factor of a mesh, and beside it K_v of ISO 6336-1 \[1\], as in the group `meshes` of sweeps. The static force is computed
+//! with the torques of the point, including the value of the parameter that holds its speed.
 
 use super::Measure;
 use crate::analysis::orders::force;

@@ -37,7 +37,7 @@ const GEARSIM: [(&str, bool, &str); 4] = [
 /// Builds gearsim from scratch in the release profile.
 ///
 /// # Errors
-/// If it does not build, or if the system does not tell processor times.
+/// If gearsim does not build, or if the system does not report processor times.
 pub fn gearsim() -> anyhow::Result<Build> {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..").canonicalize()?;
     let folder = models::folder()?.join("scratch");

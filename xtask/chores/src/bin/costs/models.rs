@@ -21,7 +21,7 @@ pub struct Compiled {
     pub code: u64,
 }
 
-/// Numbers of effects of the models that differ in it.
+/// Numbers of effects of the models that [`of_effects`] compiles.
 const EFFECTS: [usize; 4] = [6, 12, 24, 48];
 
 /// Compiles the file of each model.
@@ -30,13 +30,13 @@ const EFFECTS: [usize; 4] = [6, 12, 24, 48];
 /// If one does not compile.
 pub fn all() -> anyhow::Result<Vec<Compiled>> {
     let generated = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../gearsim/generated/src");
-    // The model `train` is no derived file: it is a part of the library.
+    // The model `train` has no derived file: it is a part of the library.
     let each = gearsim::models().iter().map(|entry| entry.model).filter(|model| model.name != "train");
     each.map(|model| compile(model.name, model.coordinates.len(), &generated.join(format!("{}.rs", model.name))))
         .collect()
 }
 
-/// Compiles models that differ in the number of effects alone.
+/// Compiles models that differ only in the number of effects.
 ///
 /// # Errors
 /// If one does not compile.

@@ -8,7 +8,7 @@ use gearsim::scene::{Profile, Scene, Step};
 
 use crate::row::Row;
 
-/// The stage of models/scenes/planetary_3.toml as a train, but for its planets' number and laws.
+/// The stage of models/scenes/planetary_3.toml as a train. The number of planets is appended, and the stiffness laws are replaced.
 const STAGE: &str = r#"
 model = "train"
 effects = ["stiffness_step", "torques"]

@@ -5,7 +5,7 @@ use anyhow::Context;
 /// User and system time of all child processes that have ended, and of their child processes [s], each in steps of 0.01 s.
 ///
 /// # Errors
-/// If the system does not tell it: only Linux does.
+/// If the system does not report it: only Linux does.
 pub fn of_children() -> anyhow::Result<f64> {
     let stat = std::fs::read_to_string("/proc/self/stat")
         .context("cannot read /proc/self/stat: processor times of child processes are measured on Linux only")?;

@@ -19,7 +19,7 @@ pub struct System {
     pub measure: fn() -> anyhow::Result<Row>,
 }
 
-/// Systems that differ in n alone: one table each.
+/// A group of systems that differ only in n, the number of coordinates. Each group has a table.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Group {
     Undamped,
@@ -111,7 +111,7 @@ impl Row {
         format!("{n} {change} {evaluations} {prepare} {memory}")
     }
 
-    /// The row of such a line; `None` if it is none.
+    /// The row from a line that [`Row::line`] wrote; `None` if it is not such a line.
     pub fn parse(line: &str) -> Option<Row> {
         let mut words = line.split_whitespace();
         let n = words.next()?.parse().ok()?;

@@ -4,7 +4,7 @@ use crate::format::{exponent, memory, time};
 use crate::row::{Group, ROWS, Row};
 use crate::threads::Gain;
 
-/// All of it, with the title of the file.
+/// The whole part, with the title of the file.
 pub fn write(rows: &[Row], gains: &[Gain]) -> String {
     format!(
         "# How costs grow\n\n\

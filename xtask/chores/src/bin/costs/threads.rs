@@ -18,7 +18,7 @@ pub struct Gain {
 /// Repetitions of each sweep, alternately on one thread and on two; the time is that of the fastest.
 const TURNS: usize = 5;
 
-/// Measures a sweep that records ends only, which runs in SIMD lanes, and one that needs samples.
+/// Measures a sweep that records only the final states, which runs in SIMD lanes, and one that needs samples.
 ///
 /// # Errors
 /// If one does not run.

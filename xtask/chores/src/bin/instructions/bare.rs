@@ -1,7 +1,7 @@
 //! The gear pair as derived from energies that declare stiffness steps and torques only. Its right-hand side must cost as much
 //! as that of `gear_pair` in a scene without the other effects.
 //!
-//! Once without outputs, and once with those of a gear pair: outputs that a scene does not record must cost nothing.
+//! There are two versions: one without outputs, and one with those of a gear pair. Outputs that a scene does not record must cost nothing.
 
 macro_rules! pair {
     ($name:ident $(, $outputs:ident)?) => {

@@ -19,7 +19,7 @@ pub struct Path {
     pub compared_with: Option<&'static str>,
     /// Largest ratio to that path that is allowed.
     pub at_most: Option<f64>,
-    /// Prepares it. The job that it returns is counted; the job returns its number of items.
+    /// Prepares the path. Only the returned job is counted; it returns its number of items.
     pub prepare: fn() -> Job,
 }
 
@@ -35,7 +35,7 @@ const fn path(
     Path { name, what, compared_with, at_most: None, prepare }
 }
 
-/// A path of a train, beside the derived model of the same drivetrain.
+/// A path of a train, compared with the derived model of the same drivetrain.
 const fn as_train(name: &'static str, what: &'static str, derived: &'static str, prepare: fn() -> Job) -> Path {
     Path { name, what, compared_with: Some(derived), at_most: Some(1.5), prepare }
 }
@@ -61,7 +61,7 @@ pub const PATHS: &[Path] = &[
         None,
         || recorded::<BarePair>(None),
     ),
-    // What is left is the preparation of a model that declares outputs.
+    // The difference that remains is the preparation of a model that declares outputs.
     Path {
         at_most: Some(1.002),
         ..path(
@@ -179,7 +179,7 @@ fn of_model<D: Derived>(name: &str, t_end: &str, overrides: &[&str]) -> Scene {
     Scene::load_with(path.as_ref(), &all, &[&D::MODEL]).unwrap_or_else(|e| panic!("{}", e.render(100, false)))
 }
 
-/// A run by a method by steps; its items are the steps.
+/// A run by a method by steps; its items are the steps, accepted and rejected.
 fn steps<D: Derived>(name: &str, overrides: &[&str]) -> Job {
     let scene = of_model::<D>(name, "0.02 s", overrides);
     Box::new(move || {
@@ -232,7 +232,7 @@ fn equations(scene: &Scene) -> &'static dyn Equations {
 }
 
 fn simulation(scene: Scene) -> Simulation<'static> {
-    // Kept to the end of the program, as its equations are: the compensated solver looks up its laws.
+    // The scene is kept to the end of the program, like its equations: the compensated solver looks up its laws.
     let scene: &'static Scene = Box::leak(Box::new(scene));
     let mut simulation = Simulation::new(equations(scene), scene).expect("the scene is sound");
     if scene.solver.precision == gearsim::scene::Precision::Compensated {

@@ -8,7 +8,7 @@ use crate::text::{Part, fixed, number, table, which};
 
 /// T0 of the table [N m].
 const TORQUES: [f64; 10] = [1.0, 2.0, 5.0, 10.0, 20.0, 30.0, 50.0, 100.0, 200.0, 500.0];
-/// Rises of U up to this are taken for rounding errors [J].
+/// Rises of U up to this value count as rounding errors [J].
 const ROUNDING: f64 = 1e-12;
 /// Changes of U over a tooth pitch up to this fraction of U count as none.
 const LEVEL: f64 = 1e-4;

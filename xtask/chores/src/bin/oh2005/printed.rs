@@ -23,7 +23,7 @@ fn closed_form(pair: &GearPair, k: f64, from: &State, t: f64) -> State {
     let (ratio, c, rest) = (pair.m1() / pair.m2(), 2.0 * pair.zeta * pair.w0(), pair.t0 / k);
     let change = (s.phi_dot - from.phi_dot) + c * (s.phi - from.phi);
     let drift = from.theta_dot - ratio * (from.phi_dot + c * from.phi);
-    let area = rest * t - change / (pair.m2() * k); // of phi over time
+    let area = rest * t - change / (pair.m2() * k); // the integral of phi over time
     let theta = from.theta + drift * t + ratio * ((s.phi - from.phi) + c * area);
     State { theta, theta_dot: from.theta_dot + ratio * change, ..s }
 }

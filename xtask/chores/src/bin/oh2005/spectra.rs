@@ -52,7 +52,7 @@ impl Spectra {
         self.when(|row| row.exact <= AGREE)
     }
 
-    /// The values of T0 at which it does not.
+    /// The values of T0 at which the exact spectrum differs from the classical one.
     pub fn exact_differs(&self) -> String {
         self.when(|row| row.exact > AGREE)
     }
@@ -67,7 +67,7 @@ impl Spectra {
         self.when(|row| row.rigid <= AGREE)
     }
 
-    /// The values of T0 at which all three agree.
+    /// The values of T0 at which the exact and the rigid kinematic spectrum both agree with the classical one.
     pub fn all_agree(&self) -> String {
         self.when(|row| row.exact <= AGREE && row.rigid <= AGREE)
     }

@@ -102,7 +102,7 @@ pub fn pair(scene: &Scene) -> GearPair {
     }
 }
 
-/// Its state at the start: theta = 0, the speed of the scene, and phi in equilibrium under T0 in the first cell.
+/// The state of the gear pair at the start: theta = 0, the speed of the scene, and phi in equilibrium under T0 in the first cell.
 pub fn start(scene: &Scene, pair: &GearPair) -> State {
     let theta_dot = pair.n1 * scene.start.motions[0];
     State { theta: 0.0, theta_dot, phi: pair.t0 / pair.k1, phi_dot: 0.0 }

@@ -1,8 +1,8 @@
-//! A scene with its reference, as JSON: the result of the engine with 50 digits, and of the same engine with 70 digits, which
-//! gives the reference's own error.
+//! A scene with its reference, as JSON. The reference is the result of the engine with 50 digits; its difference from the result with 70
+//! digits is the error of the reference.
 //!
 //! Errors are relative to the scales of the motion: theta to a pitch, theta' to its value at the start, phi to T0/k1, phi' to
-//! w0 T0/k1. The growth of a disturbance of the start tells how many digits the scene itself loses.
+//! w0 T0/k1. The growth of a disturbance of the initial state shows how many digits any method loses in the scene.
 
 use gearsim_tests::oh2005::{GearPair, Kind, PITCH, State};
 use gearsim_tests::precise::scene::{Run, scene};

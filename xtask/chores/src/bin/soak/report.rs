@@ -37,7 +37,7 @@ fn verdict(growth: &Growth) -> String {
     if faults.is_empty() { "holds".into() } else { faults.join("; ") }
 }
 
-/// The same as JSON, with samples at increasing distances.
+/// The same results as JSON, with samples at increasing distances.
 pub fn json(walk: &Walk, growth: &Growth, command: &str) -> serde_json::Value {
     let samples: Vec<_> = walk.spread().map(|i| json!([walk.events[i], walk.error[i]])).collect();
     json!({

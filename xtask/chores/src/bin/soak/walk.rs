@@ -37,7 +37,7 @@ const QUIET: u32 = 1000;
 pub struct Walk {
     /// Number of events, cell changes and reflections, up to each sample.
     pub events: Vec<u64>,
-    /// T + V - W less its value at the start, relative to T + V at the start.
+    /// T + V - W minus its value at the start, relative to T + V at the start.
     pub error: Vec<f64>,
     /// Number of reflections among the events.
     pub reflections: u64,

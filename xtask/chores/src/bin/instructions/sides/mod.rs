@@ -27,11 +27,11 @@ pub struct Side<const N: usize> {
 const EVALUATIONS: u64 = 10_000;
 
 impl<const N: usize> Side<N> {
-    /// The job that evaluates the generated one.
+    /// The job that evaluates the generated right-hand side.
     pub fn generated(self) -> Job {
         self.assert_agreement();
         let Side { generated, q, q_dot, k, dk, .. } = self;
-        // As for `ByHand`: accelerations of pairs, but forces of trains.
+        // As in [`ByHand`]: accelerations of a gear pair, but forces of a train.
         let mobility = generated.mobility(&vec![0.0; generated.coordinates()]);
         let force = move |q: &[f64; N], v: &[f64; N], k: &[f64], dk: &[f64]| {
             let mut force = [0.0; N];
@@ -51,7 +51,7 @@ impl<const N: usize> Side<N> {
         }
     }
 
-    /// The job that evaluates the one by hand, through a pointer like the generated one.
+    /// The job that evaluates the right-hand side written by hand, through a pointer like the generated one.
     pub fn by_hand(self) -> Job {
         self.assert_agreement();
         let Side { by_hand, q, q_dot, k, dk, .. } = self;
