@@ -22,7 +22,7 @@ use crate::scene::Scene;
 Prints the scene's dimensionless groups. Then estimates, for each of its effects, how far the
 recorded quantities would change without it: from the settled motion in steady rotation, which needs
 no run, or from a short run if that motion cannot be computed. Then runs the scene with and without
-each effect, and prints the true deviation, and the change of the computing time, below the estimate.
+each effect, and prints the true deviation and the change of the time, below the estimate.
 
 Writes advise.json if --out or --html is given.
 
