@@ -79,8 +79,10 @@ pub fn words(measured: &WorkPrecision) -> String {
             _ => None,
         });
         said.push(match priced.min_by(|a, b| a.0.total_cmp(&b.0)) {
-            Some((seconds, label)) => format!("By steps, {target:e} costs {} at least ({label}).", time(seconds)),
-            None => format!("No method by steps reaches {target:e}."),
+            Some((seconds, label)) => {
+                format!("With time steps, an error of {target:e} costs at least {} ({label}).", time(seconds))
+            }
+            None => format!("No method with time steps reaches an error of {target:e}."),
         });
     }
     for curve in measured.curves.iter().filter(|curve| curve.kind == Kind::Equations) {

@@ -56,8 +56,8 @@ fn the_text_states_the_measurements() {
     let words = table::words(&measured);
     assert_eq!(
         words,
-        "Exact cells cost 300 µs for an error of 1e-12. By steps, 1e-6 costs 10 ms at least (steps). No method by steps \
-         reaches 1e-9. The classical equations cost 100 µs and are wrong by 4.0 %."
+        "Exact cells cost 300 µs for an error of 1e-12. With time steps, an error of 1e-6 costs at least 10 ms (steps). No method \
+         with time steps reaches an error of 1e-9. The classical equations cost 100 µs and are wrong by 4.0 %."
     );
     let text = table::markdown(&measured);
     assert!(text.contains("never"), "{text}");
@@ -98,7 +98,9 @@ fn errors_of_a_scene_without_exact_cells() {
     assert!(measured.curves.iter().all(|curve| !curve.label.contains("exact")));
     let words = table::words(&measured);
     assert!(
-        words.starts_with("Cells are not linear here: there is no exact solution. By steps, 1e-6 costs"),
+        words.starts_with(
+            "Cells are not linear here: there is no exact solution. With time steps, an error of 1e-6 costs at least"
+        ),
         "{words}"
     );
 }
