@@ -24,7 +24,7 @@ pub use meshes::{Mesh, Rotor, force, meshes, term};
 
 use realfft::RealFftPlanner;
 
-use crate::analysis::spectrum::{SpectrumError, hann, highest, uniform_samples};
+use crate::analysis::spectrum::{SpectrumError, hann, highest, uniform_samples_from};
 use crate::model::Output;
 use crate::trajectory::Trajectory;
 
@@ -143,11 +143,10 @@ impl Turning {
     ///
     /// # Errors
     /// [`SpectrumError::NotTurning`] if the output is not recorded, or if the shaft stands or turns back; those of
-    /// [`uniform_samples`].
+    /// [`uniform_samples_from`].
     pub fn of(run: &Trajectory, shaft: &str, from: f64) -> Result<Turning, SpectrumError> {
         let not_turning = || SpectrumError::NotTurning { shaft: shaft.to_owned() };
-        let (mut rows, rate) = uniform_samples(run)?;
-        rows.retain(|&row| run.t[row] >= from);
+        let (rows, rate) = uniform_samples_from(run, from)?;
         if rows.len() < 4 {
             return Err(SpectrumError::TooShort { samples: rows.len() });
         }

@@ -5,15 +5,14 @@
 //! error there: for a component of the coordinate with the angular frequency w and the amplitude A it is at most 2 A (sin x - x cos x), x =
 //! w h/2. This is 0.04 A at eight samples a period, 0.3 A at four, 2 A at two, and more with fewer samples.
 
-use crate::analysis::spectrum::uniform_samples;
+use crate::analysis::spectrum::uniform_samples_from;
 use crate::tolerance::analysis::{FOLDED, STILL};
 use crate::trajectory::Trajectory;
 
 /// The first coordinate whose samples from the time `from` \[s\] on are too far apart, and the rate \[Hz\] of the samples; `None` if there
 /// is no such coordinate.
 pub fn too_far_apart(run: &Trajectory, from: f64) -> Option<(&'static str, f64)> {
-    let (mut rows, rate) = uniform_samples(run).ok()?;
-    rows.retain(|&row| run.t[row] >= from);
+    let (rows, rate) = uniform_samples_from(run, from).ok()?;
     let missed = |i: &usize| {
         let (q, v) = (&run.q[*i], &run.q_dot[*i]);
         let steps = rows.windows(2).map(|pair| {

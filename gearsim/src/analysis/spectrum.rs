@@ -195,6 +195,16 @@ pub(crate) fn hann(n: usize) -> Vec<f64> {
     (0..n).map(|i| (std::f64::consts::PI * i as f64 / n as f64).sin().powi(2)).collect()
 }
 
+/// As [`uniform_samples`], from the time `from` \[s\] on. The rows may then be few.
+///
+/// # Errors
+/// As [`uniform_samples`].
+pub fn uniform_samples_from(run: &Trajectory, from: f64) -> Result<(Vec<usize>, f64), SpectrumError> {
+    let (mut rows, rate) = uniform_samples(run)?;
+    rows.retain(|&row| run.t[row] >= from);
+    Ok((rows, rate))
+}
+
 /// The rows of `run` that are evenly spaced samples, and their rate \[Hz\].
 ///
 /// The last row is left out if the end of the run is not at a multiple of the sampling interval.

@@ -6,7 +6,7 @@ use std::f64::consts::TAU;
 use super::cascade::{RunPart, Subject, content, lines, panel};
 use super::outputs::sized;
 use super::{Axis, Figure, Plot, PlotError, Run, first_run, scene_names};
-use crate::analysis::spectrum::{SpectrumError, uniform_samples, welch};
+use crate::analysis::spectrum::{SpectrumError, uniform_samples_from, welch};
 
 /// The entry in [`super::PLOTS`].
 pub const PLOT: Plot = Plot { name: "run_up", draw };
@@ -61,8 +61,7 @@ fn mesh_order(run: &crate::trajectory::Trajectory, shaft: &str, mesh: f64) -> f6
 
 /// The spectra of the parts of a run.
 fn parts(run: &Run<'_>, column: &[f64], speed: &[f64]) -> Result<Vec<RunPart>, SpectrumError> {
-    let (mut rows, rate) = uniform_samples(run.trajectory)?;
-    rows.retain(|&row| run.trajectory.t[row] >= run.asked.spectrum.from);
+    let (rows, rate) = uniform_samples_from(run.trajectory, run.asked.spectrum.from)?;
     let length = (2 * rows.len() / (PARTS + 1) / 2 * 2).max(LEAST.min(rows.len()));
     let part = |rows: &[usize]| {
         let x: Vec<f64> = rows.iter().map(|&row| column[row]).collect();

@@ -13,7 +13,7 @@ use super::marks::{HARMONICS, MarkedCurve, marks};
 use super::outputs::of_unit;
 use super::{Axis, Figure, Panel, Plot, PlotError, Run, Series, first_run, rotates, scene_names};
 use crate::analysis::orders::{Mesh, meshes};
-use crate::analysis::spectrum::{Spectrum, SpectrumError, segment_length, uniform_samples, welch};
+use crate::analysis::spectrum::{Spectrum, SpectrumError, segment_length, uniform_samples_from, welch};
 use crate::trajectory::Trajectory;
 use scale::Shown;
 
@@ -129,8 +129,7 @@ pub(crate) fn reach(highest: impl Iterator<Item = f64>, mesh: f64, longest: f64)
 /// Power spectral density of a column of `run`, from its evenly spaced samples.
 fn density(run: &Run<'_>, column: &[f64]) -> Result<Spectrum, SpectrumError> {
     let trajectory: &Trajectory = run.trajectory;
-    let (mut rows, rate) = uniform_samples(trajectory)?;
-    rows.retain(|&row| trajectory.t[row] >= run.asked.spectrum.from);
+    let (rows, rate) = uniform_samples_from(trajectory, run.asked.spectrum.from)?;
     let x: Vec<f64> = rows.iter().map(|&row| column[row]).collect();
     welch(&x, rate, segment_length(x.len()))
 }

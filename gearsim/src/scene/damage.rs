@@ -220,7 +220,8 @@ mod tests {
         assert!(apart.into_iter().all(|apart| apart < 1e-14), "{law:?}");
     }
 
-    /// With a contact ratio of 2.25 a pair is in contact for 2.25 pitches: as one of three pairs, of two, of three, of two, and of three.
+    /// With a contact ratio of 2.25 a pair is in contact for 2.25 pitches. During this time three, two, three, two and three pairs are in
+    /// contact, one after the other.
     #[test]
     fn a_pair_of_three_loses_a_third() {
         let law = Profile::stepping(vec![Step { value: 20.0, width: 0.75 }, Step { value: 30.0, width: 0.25 }]);

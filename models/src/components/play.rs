@@ -38,8 +38,8 @@ pub fn play(m: &mut Model, part: &str, what: &str, unit: &str, delta: Expr) -> P
     play_of(m, part, what, unit, Flanks::alike(delta))
 }
 
-/// As [`play`], with the unit m, for a mesh whose centres move: each flank has its own line of action, and the play opens with the distance
-/// of the centres. Also declares the names `flank`, `drive`, `coast` and `opening`. If no play is left, one flank at a time bears the load.
+/// The play of a mesh whose centres move, as a length \[m\]; otherwise as [`play`]. Each flank has its own line of action. The play grows with
+/// the distance of the centres. Also declares the names `flank`, `drive`, `coast` and `opening`. If no play is left, one flank at a time bears the load.
 pub fn play_in_plane(m: &mut Model, part: &str, what: &str, flanks: Flanks) -> Play {
     play_of(m, part, what, "m", flanks)
 }

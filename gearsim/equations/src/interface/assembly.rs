@@ -29,8 +29,8 @@ pub fn add_product<R: Real>(v: &mut [R], n: usize, k: R, g: &[(usize, R)], h: &[
     }
 }
 
-/// Adds to `v`, the derivatives of N forces by coordinates and by speeds (N x N each), the derivatives through D deflections, by the chain
-/// rule. `by` has the derivatives of the forces by the deflections and by their rates (D x N each). `gradients` has the gradients of the
+/// The chain rule for forces that are written in deflections. `v` has the derivatives of N forces by coordinates and by speeds (N x N each).
+/// The derivatives through D deflections are added to it. `by` has the derivatives of the forces by the deflections and by their rates (D x N each). `gradients` has the gradients of the
 /// deflections.
 pub fn add_through<const N: usize, const D: usize>(
     v: &mut [[[f64; N]; N]; 2],

@@ -5,7 +5,7 @@ use std::f64::consts::TAU;
 use super::Report;
 use super::columns::{ColumnGroup, ColumnKind, NamedColumn};
 use crate::analysis::orders::{Mesh, meshes};
-use crate::analysis::spectrum::{Spectrum, SpectrumError, frequencies, segment_length, uniform_samples, welch};
+use crate::analysis::spectrum::{Spectrum, SpectrumError, frequencies, segment_length, uniform_samples_from, welch};
 use crate::output::number::short;
 use crate::page::data::Counts;
 use crate::page::html::Html;
@@ -60,8 +60,7 @@ pub(super) fn fill(report: &Report<'_>, html: &mut Html) {
 
 /// The rows of the samples from the time `from` \[s\] on, and their rate \[Hz\].
 fn samples(run: &Trajectory, from: f64) -> Result<(Vec<usize>, f64), SpectrumError> {
-    let (mut rows, rate) = uniform_samples(run)?;
-    rows.retain(|&row| run.t[row] >= from);
+    let (rows, rate) = uniform_samples_from(run, from)?;
     match rows.len() {
         samples @ 0..4 => Err(SpectrumError::TooShort { samples }),
         _ => Ok((rows, rate)),
