@@ -40,7 +40,7 @@ fn search(simulation: &Simulation<'_>, starts: &[Start], guaranteed: bool) -> (V
     for Start { cell, q, q_dot, bounds: (lower, upper) } in starts {
         let prepared = &cells[*cell];
         let flight = prepared.cell.flight(q, q_dot);
-        let signal = Signal { flight: &flight, on_moved: &prepared.participation[0], on_speed: None };
+        let signal = Signal { flight: &flight, on_moved: &prepared.participation[0], on_speed: None, direct: None };
         let search = Search { signal, rate: q_dot[0], down: q[0] - lower, up: upper - q[0], horizon: f64::MAX };
         let (lateness, mut point) = (&mut lateness[*cell], flight.begin());
         met.push(match guaranteed {

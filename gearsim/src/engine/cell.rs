@@ -10,18 +10,24 @@ use crate::engine::conserved::Conserved;
 use crate::engine::coupling::Coupling;
 use crate::engine::equations::Equations;
 use crate::engine::error::Refusal;
-use crate::engine::forcing::linear::LinearCell;
 use crate::engine::modal::{Coupled, Matrices, Modal, inverse_root};
 use crate::engine::mode::Mode;
 use crate::engine::real::Sized64;
 use crate::engine::switch::Switch;
 use crate::engine::vector::{Matrix, Vector, transposed};
+use crate::tolerance::events::BALANCED_RATES;
 
+mod driven;
 mod flight;
+mod gains;
 mod matrices;
+mod speeds;
 
+pub use driven::{Driven, Varying};
 pub use flight::{Flight, Point};
+pub use gains::Gains;
 pub use matrices::matrices;
+pub use speeds::{Speed, Sum, Term, derivative, moment, rate_of};
 
 /// The modes of one cell.
 #[derive(Debug, Clone)]
@@ -62,35 +68,17 @@ impl Cell {
         Ok(Self::from_modal(&modal, &modal.shapes, &modal.momentum, &modal.springs))
     }
 
-    /// The cell in which the speeds along `normals` (one column of n numbers per held motion) are zero, and the same cell for loads that
-    /// vary in time.
+    /// The cell in which the speeds along `normals` (one column of n numbers per held motion) are zero.
     ///
     /// # Errors
     /// Those of [`Modal::of`].
     pub fn held(
         equations: &dyn Equations,
-        (switches, k): (&[Switch], &[f64]),
+        values: (&[Switch], &[f64]),
         normals: &DMatrix<f64>,
-    ) -> Result<(Self, LinearCell), Refusal> {
-        let full = matrices(equations, switches, k)?;
-        // Z is a basis of the remaining motions: q' = Z u, where u are the speeds of some of the coordinates. M, C, K and f are
-        // projected onto it.
-        let (z, free) = remaining(normals);
-        let select = DMatrix::from_fn(free.len(), z.nrows(), |c, i| f64::from(u8::from(free[c] == i)));
-        let seen = |a: &DMatrix<f64>| z.transpose() * a * &z;
-        let mass = seen(&full.mass);
-        let inverse = inverse_root(&mass)?;
-        let modal = Modal::of(&Matrices {
-            mobility: inverse.transpose() * inverse,
-            mass,
-            damping: seen(&full.damping),
-            stiffness: seen(&full.stiffness),
-            load: z.transpose() * &full.load,
-        })?;
-        let shapes = &z * &modal.shapes;
-        let (momentum, springs) = (&modal.momentum * select, shapes.transpose() * full.stiffness);
-        let linear = LinearCell::seen(&modal, &shapes, &momentum, &springs);
-        Ok((Self::from_modal(&modal, &shapes, &momentum, &springs), linear))
+    ) -> Result<Self, Refusal> {
+        let HeldModes { modal, shapes, momentum, springs } = HeldModes::of(equations, values, normals)?;
+        Ok(Self::from_modal(&modal, &shapes, &momentum, &springs))
     }
 
     /// Assembles the cell; `shapes`, `momentum` and `springs` are those of the undamped modes.
@@ -149,7 +137,7 @@ impl Cell {
             speed += &coupling.speed(q);
             force += &coupling.force(q_dot);
         }
-        Flight { cell: self, speed, force }
+        Flight { cell: self, speed, force, driven: None }
     }
 
     /// The same motion from the known generalised forces `f` (n) at `q`, without forces that depend on speeds. The forces on the vibrations
@@ -176,12 +164,22 @@ impl Cell {
 
     /// The same motion with the generalised forces `f` (n) in addition to the load.
     #[cold]
-    pub fn pushed(&self, flight: Flight<'_>, f: &Vector) -> Flight<'_> {
+    pub fn pushed<'a>(&'a self, flight: Flight<'a>, f: &Vector) -> Flight<'a> {
         let [speed, force] = match &self.coupling {
             Some(coupling) => coupling.push(f),
             None => [Vector::zeros(self.modes.len()), transposed(&self.shapes, f)],
         };
-        Flight { cell: self, speed: flight.speed + &speed, force: flight.force + &force }
+        Flight { speed: flight.speed + &speed, force: flight.force + &force, ..flight }
+    }
+
+    /// The same motion, with forces on the modes that cancel to rounding errors set to zero. `q` are the coordinates at its start. A rounding
+    /// error would separate flanks that just touch.
+    #[cold]
+    pub fn balanced<'a>(&'a self, mut flight: Flight<'a>, q: &Vector) -> Flight<'a> {
+        let sizes = self.load.abs() + &(&self.springs.abs() * &q.abs());
+        flight.force =
+            flight.force.zip_map(&sizes, |force, size| if force.abs() <= BALANCED_RATES * size { 0.0 } else { force });
+        flight
     }
 
     /// The motion of the difference (dq, dq') of two motions. No load acts on it.
@@ -189,7 +187,7 @@ impl Cell {
         let Flight { speed, force, .. } = self.flight(dq, dq_dot);
         let still = Vector::zeros(dq.len());
         let loaded = self.flight(&still, &still);
-        Flight { cell: self, speed: speed - &loaded.speed, force: force - &loaded.force }
+        Flight { speed: speed - &loaded.speed, force: force - &loaded.force, ..loaded }
     }
 
     /// The slopes of the function c.q + d.q' with respect to the modal displacements (one per mode), and with respect to the modal speeds
@@ -214,6 +212,45 @@ impl Cell {
     /// The slopes n.X of the phase n.q with respect to the modal displacements (one per mode).
     pub fn participation(&self, normal: &Vector) -> Vector {
         transposed(&self.shapes, normal)
+    }
+}
+
+/// The undamped modes of a cell in which motions are held; `shapes`, `momentum` and `springs` refer to all coordinates.
+pub struct HeldModes {
+    pub modal: Modal,
+    pub shapes: Matrix,
+    momentum: Matrix,
+    springs: Matrix,
+}
+
+impl HeldModes {
+    /// The modes with zero speeds along `normals` (one column of n numbers per held motion).
+    ///
+    /// # Errors
+    /// Those of [`Modal::of`].
+    pub fn of(
+        equations: &dyn Equations,
+        (switches, k): (&[Switch], &[f64]),
+        normals: &DMatrix<f64>,
+    ) -> Result<Self, Refusal> {
+        let full = matrices(equations, switches, k)?;
+        // Z is a basis of the remaining motions: q' = Z u, where u are the speeds of some of the coordinates. M, C, K and f are
+        // projected onto it.
+        let (z, free) = remaining(normals);
+        let select = DMatrix::from_fn(free.len(), z.nrows(), |c, i| f64::from(u8::from(free[c] == i)));
+        let seen = |a: &DMatrix<f64>| z.transpose() * a * &z;
+        let mass = seen(&full.mass);
+        let inverse = inverse_root(&mass)?;
+        let modal = Modal::of(&Matrices {
+            mobility: inverse.transpose() * inverse,
+            mass,
+            damping: seen(&full.damping),
+            stiffness: seen(&full.stiffness),
+            load: z.transpose() * &full.load,
+        })?;
+        let shapes = &z * &modal.shapes;
+        let (momentum, springs) = (&modal.momentum * select, shapes.transpose() * full.stiffness);
+        Ok(HeldModes { modal, shapes, momentum, springs })
     }
 }
 

@@ -3,11 +3,13 @@
 //!
 //! X and Y are the two shapes of a pair of eigenvalues ([`modal::coupled`](crate::engine::modal::coupled)).
 
-use crate::engine::cell::Flight;
+use crate::engine::cell::{Driven, Speed};
 use crate::engine::modal::Coupled;
 use crate::engine::vector::{Matrix, Vector};
 
-mod loss;
+use exponentials::Exponentials;
+
+mod exponentials;
 
 /// The coupling of one cell.
 #[derive(Debug, Clone)]
@@ -20,8 +22,8 @@ pub struct Coupling {
     speed: (Vector, Matrix),
     /// Matrices that give speeds of the modes and forces on them from generalised forces.
     loading: [Matrix; 2],
-    /// The dissipated energy.
-    loss: loss::Loss,
+    /// The dissipated energy; `None` if the two eigenvalues of a mode coincide.
+    exponentials: Option<Exponentials>,
     /// X1, X2 and G in the undamped modes (m x m each, for m modes).
     modal: [Matrix; 3],
     /// Condition number of the modes [1]: a mode can be this much larger than the motion.
@@ -40,7 +42,15 @@ impl Coupling {
         loading: [Matrix; 2],
     ) -> Self {
         let modal = [&coupled.by_speed, &coupled.by_acceleration, &coupled.damping].map(Clone::clone);
-        Coupling { shapes, force, speed, loading, loss: loss::Loss::new(coupled), modal, condition: coupled.condition }
+        Coupling {
+            shapes,
+            force,
+            speed,
+            loading,
+            exponentials: Exponentials::new(coupled),
+            modal,
+            condition: coupled.condition,
+        }
     }
 
     /// Contribution of the forces at `q` to the speeds of the modes.
@@ -58,10 +68,21 @@ impl Coupling {
         self.loading.each_ref().map(|by| by * f)
     }
 
-    /// Energy dissipated on a flight of the duration `t` [s], an integral of the speeds \[J\].
-    pub fn dissipated(&self, flight: &Flight<'_>, t: f64) -> f64 {
-        let begin = flight.begin();
-        let rates: Vec<(f64, f64)> = (0..self.modal[0].ncols()).map(|i| flight.rates(i, &begin)).collect();
-        self.loss.until(&rates, t)
+    /// The matrices that give them.
+    pub fn loading(&self) -> &[Matrix; 2] {
+        &self.loading
+    }
+
+    /// Energy dissipated on a flight of the duration `t` \[s\] with these speeds of the modes \[J\]; `None` if the two eigenvalues of a mode
+    /// coincide.
+    pub fn lost(&self, speeds: &[Speed], driven: Option<&Driven>, t: f64) -> Option<f64> {
+        Some(self.exponentials.as_ref()?.lost(speeds, driven, t))
+    }
+
+    /// Power that damping takes, from the speeds and accelerations of the modes \[W\].
+    pub fn power(&self, v: &[f64], a: &[f64]) -> f64 {
+        let [by_speed, by_acceleration, damping] = &self.modal;
+        let u = by_speed * &Vector::from(v) + &(by_acceleration * &Vector::from(a));
+        u.dot(&(damping * &u))
     }
 }

@@ -111,9 +111,14 @@ impl Search<'_> {
         point: &mut Point,
         cost: &mut Cost,
     ) -> Result<Option<Side>, SearchError> {
-        let (drift, oscillation) = self.signal.drift_and_oscillation();
+        let span = self.span();
+        let (drift, oscillation) = self.signal.drift_and_oscillation(span);
         if drift.abs() > oscillation * (1.0 + events::BOUND_MARGIN) {
-            return Ok(self.monotone(drift, oscillation, lateness, point, cost));
+            let gap = if drift > 0.0 { self.up } else { self.down };
+            // The bounds hold until the phase has crossed.
+            if span == self.horizon || gap < span * (drift.abs() - oscillation) {
+                return Ok(self.monotone(drift, oscillation, lateness, point, cost));
+            }
         }
         self.march(point, cost)
     }
@@ -121,13 +126,25 @@ impl Search<'_> {
     /// The crossing that Newton's method finds from the same guess, without a bound, without a proof that it is the first, and
     /// without a bracket. It serves to measure the cost of the guarantee.
     pub fn newton_alone(&self, lateness: &mut Delay, point: &mut Point, cost: &mut Cost) -> Option<Side> {
-        let drift = self.signal.drift_and_oscillation().0;
+        let drift = self.signal.drift_and_oscillation(self.horizon).0;
         let (side, gap) = if drift > 0.0 { (Side::Upper, self.up) } else { (Side::Lower, self.down) };
         let steady = gap / drift.abs();
         self.go(point, lateness.guess(side, steady), cost);
         let met = self.newton(side, gap, (0.0, 4.0 * steady), point, cost);
         lateness.note(side, steady, point.t);
         met
+    }
+
+    /// The time for which the motion is bounded at once \[s\]. A free motion is bounded for all times. Loads that vary can change the motion
+    /// without limit; at its present rate the phase crosses in half of this time.
+    #[inline]
+    fn span(&self) -> f64 {
+        if self.signal.flight.driven().is_none() {
+            return self.horizon;
+        }
+        let gap = if self.rate > 0.0 { self.up } else { self.down };
+        let crossed = 2.0 * gap / self.rate.abs();
+        if crossed < self.horizon { crossed } else { self.horizon }
     }
 
     /// Depth of a graze [unit of the signal]: a boundary passed by less than this is not crossed.

@@ -1,7 +1,6 @@
 //! The exact solver: linear cells, in closed form where torques are constant, else in windows of a power series.
 
 use std::collections::HashMap;
-use std::collections::hash_map::Entry;
 use std::sync::Arc;
 
 use crate::engine::cell::Cell;
@@ -9,7 +8,7 @@ use crate::engine::cells::{Cells, Number, Prepared};
 use crate::engine::contact::{Contact, StateForm};
 use crate::engine::crossing::{Delay, Side};
 use crate::engine::error::{Refusal, Stop};
-use crate::engine::forcing::linear::LinearCell;
+use crate::engine::forcing::Onward;
 use crate::engine::hybrid::Hybrid;
 use crate::engine::law;
 use crate::engine::motion::{Motion, Solver};
@@ -20,17 +19,13 @@ use crate::scene::Scene;
 use crate::tolerance::events::HELD_CELLS;
 
 mod flight;
-mod window;
 
 use flight::InFlight;
-use window::InWindow;
 
 /// The solver of runs whose cells are linear.
 #[derive(Debug, Clone)]
 pub struct Exact {
     cells: Cells,
-    /// The cells in their undamped modes, for windows, by their numbers.
-    linear: HashMap<Number, LinearCell>,
     /// The present cell with what is held in it.
     held: Option<Held>,
     /// The cells met so far in which something was held, by their numbers and the phases held.
@@ -46,7 +41,6 @@ type CellKey = (Number, Vec<(usize, Side)>);
 #[derive(Debug, Clone)]
 struct HeldCell {
     cell: Prepared,
-    linear: LinearCell,
 }
 
 /// The present cell with what is held in it.
@@ -73,7 +67,7 @@ impl Exact {
         }
         let cells = Cells::new(now.equations, scene.model.motions.len(), (&now.laws, &now.switches, &now.k))?;
         let lateness = vec![Delay::default(); now.laws.first().map_or(1, |law| law.pitch.cells())];
-        Ok(Exact { cells, linear: HashMap::new(), held: None, met: HashMap::new(), lateness })
+        Ok(Exact { cells, held: None, met: HashMap::new(), lateness })
     }
 }
 
@@ -102,11 +96,6 @@ impl Solver for Exact {
     #[inline]
     fn enter(&mut self, now: &mut Hybrid<'_>) -> Result<(), Refusal> {
         self.cells.meet(now.equations, (&now.laws, &now.switches, &now.k))?;
-        if now.forcing.is_some()
-            && let Entry::Vacant(place) = self.linear.entry(now.cell())
-        {
-            place.insert(LinearCell::new(now.equations, &now.switches, &now.k)?);
-        }
         self.held = match &now.contact {
             Some(contact) => Some(Held::new(self.meet_held(now, contact)?, now, contact)),
             None => None,
@@ -118,27 +107,29 @@ impl Solver for Exact {
     }
 
     fn solve<'s>(&'s mut self, now: &'s Hybrid<'_>, horizon: f64) -> Result<Box<dyn Motion + 's>, Stop> {
-        let Exact { cells, linear, held, lateness, .. } = self;
+        let Exact { cells, held, lateness, .. } = self;
         let (here, watches) = here(cells, held);
-        if let Some(forcing) = &now.forcing
-            && !forcing.is_flat()
-        {
-            let linear = held.as_ref().map_or_else(|| &linear[&now.cell()], |held| &held.here.linear);
-            return Ok(Box::new(InWindow::begin(now, forcing, linear, (&here.exits, watches), horizon)));
-        }
         let State { q, q_dot, .. } = &now.state;
-        let mut flight = match now.switches.is_empty() && !now.state.is_at_rest() {
-            true => here.cell.flight(q, q_dot),
-            false => here.cell.flight_under(q, q_dot, &now.force_at_rest()),
+        let balanced = !now.switches.is_empty() || now.state.is_at_rest();
+        let mut flight = match balanced {
+            false => here.cell.flight(q, q_dot),
+            true => here.cell.flight_under(q, q_dot, &now.force_at_rest()),
         };
-        if now.forcing.is_some() {
-            flight = here.cell.pushed(flight, &now.further_load());
+        let onward = now.forcing.as_ref().map_or(vec![], |forcing| forcing.onward(&now.clock));
+        if !onward.is_empty() {
+            flight = here.cell.pushed(flight, &Onward::force(&onward, q.len()));
+            if balanced {
+                flight = here.cell.balanced(flight, q);
+            }
+            if let Some((frequencies, force)) = Onward::varying(&onward, q.len()) {
+                flight = here.cell.driven(flight, frequencies, force);
+            }
         }
         let lateness = match &now.laws[..] {
             [law] => Some(&mut lateness[law.cell]),
             _ => None,
         };
-        Ok(Box::new(InFlight::new(now, here, watches, flight, lateness)))
+        Ok(Box::new(InFlight::new(now, here, watches, flight, lateness, (onward, horizon))))
     }
 
     fn rate(&self) -> f64 {
@@ -153,9 +144,9 @@ impl Solver for Exact {
 impl HeldCell {
     fn new(now: &Hybrid<'_>, contact: &Contact) -> Result<Self, Refusal> {
         let (equations, k) = (now.equations, &now.k);
-        let (cell, linear) = Cell::held(equations, (&now.switches, k), &contact.normals)?;
+        let cell = Cell::held(equations, (&now.switches, k), &contact.normals)?;
         let cell = Prepared::new(cell, equations, (&now.laws, &now.switches, k));
-        Ok(HeldCell { cell, linear })
+        Ok(HeldCell { cell })
     }
 }
 

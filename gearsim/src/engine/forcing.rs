@@ -1,27 +1,25 @@
 //! Torques that vary in time: the generalised forces beyond those of the start, sum over p of B_p (T_p(t) - T_p(0)).
 //!
 //! The equations of a scene are those with T_p(0). While all T_p are constant, the cells are solved as without forcing, with another load
-//! ([`Forcing::load`]). While one is linear in time or harmonic, the motion is computed in windows of a power series ([`window`]). A
-//! breakpoint of a time history is an event: the present piece is part of the state, as the cell of a stiffness is.
+//! ([`Forcing::load`]). While one is linear in time or harmonic, the motion is that of a driven flight ([`Driven`](crate::engine::cell::Driven)).
+//! A breakpoint of a time history is an event: the present piece is part of the state, as the cell of a stiffness is.
 //!
 //! Where B_p depends on the state, or guards depend on p, only methods by steps compute the motion. The equations are then those of
 //! [`varying`](crate::engine::equations). They read from the law values how far each such parameter has changed.
 
 use std::sync::Arc;
 
+use nalgebra::Complex;
 use smallvec::SmallVec;
 use xprec::Df64;
 
+use crate::engine::cell::Varying;
 use crate::engine::clock::Clock;
 use crate::engine::equations::{DerivedModel, Equations, varying_by_steps};
 use crate::engine::vector::Vector;
 use crate::model::Varies;
+use crate::scene::time_history::{Harmonic, LinearPiece};
 use crate::scene::{Scene, TimeHistory};
-
-pub mod linear;
-pub mod window;
-
-use window::TERMS;
 
 /// The parameters that vary.
 #[derive(Debug, Clone)]
@@ -35,6 +33,19 @@ pub struct Forcing {
     pieces: SmallVec<[usize; 4]>,
     /// Number of external torques of the scene.
     torques: usize,
+}
+
+/// A parameter that varies, from a time on: now + slope t + sum of Re(swing (e^{i W t} - 1)), beyond its value at the start of the run.
+#[derive(Debug, Clone)]
+pub struct Onward<'a> {
+    pub now: f64,
+    pub slope: f64,
+    /// W \[rad/s\], and the complex amplitude.
+    pub swings: SmallVec<[(f64, Complex<f64>); 2]>,
+    /// Generalised forces per unit (n).
+    pub load: &'a Vector,
+    /// Power of each torque of the scene per unit, as factors of the speeds (n each).
+    pub power: &'a [Vector],
 }
 
 /// A parameter that varies.
@@ -179,9 +190,9 @@ impl Forcing {
         power
     }
 
-    /// Power series of T_p(t) - T_p(0) about the clock's time. The variable is the time since then, divided by `width` \[s\].
-    fn series(&self, clock: &Clock, width: f64) -> Vec<[f64; TERMS]> {
-        self.in_pieces().map(|(d, piece)| d.series(piece, clock, width)).collect()
+    /// The parameters from the clock's time on.
+    pub fn onward(&self, clock: &Clock) -> Vec<Onward<'_>> {
+        self.in_pieces().map(|(drive, piece)| drive.onward(piece, clock)).collect()
     }
 }
 
@@ -189,26 +200,52 @@ impl Forcing {
 pub(crate) const TURN: (f64, f64) = (std::f64::consts::TAU, 2.449_293_598_294_706_4e-16);
 
 impl Drive {
-    fn series(&self, piece: usize, clock: &Clock, width: f64) -> [f64; TERMS] {
-        let mut c = [0.0; TERMS];
-        let piece = self.course.pieces[piece];
-        c[0] = piece.value - self.at_start + piece.slope * (clock.0 - piece.begin).hi();
-        c[1] = piece.slope * width;
-        for h in &self.course.harmonics {
+    fn onward(&self, piece: usize, clock: &Clock) -> Onward<'_> {
+        let LinearPiece { begin, value, slope } = self.course.pieces[piece];
+        let swing = |h: &Harmonic| {
             // Whole turns are removed exactly, so the phase keeps its digits at any time.
             let angle = Df64::from(h.omega) * clock.0;
             let turns = (angle.hi() / TURN.0).round();
-            let (sin, cos) = ((angle - Df64::from(TURN.0) * turns - TURN.1 * turns) + h.phase).hi().sin_cos();
-            // a cos(phi + z x) = a sum of (i z x)^n/n! times e^(i phi).
-            let z = h.omega * width;
-            let (mut real, mut imaginary) = (h.amplitude * cos, h.amplitude * sin);
-            for (n, c) in c.iter_mut().enumerate() {
-                *c += real;
-                let by = z / (n + 1) as f64;
-                (real, imaginary) = (-imaginary * by, real * by);
+            let angle = (angle - Df64::from(TURN.0) * turns - TURN.1 * turns) + h.phase;
+            (h.omega, Complex::from_polar(h.amplitude, angle.hi()))
+        };
+        let swings: SmallVec<[_; 2]> = self.course.harmonics.iter().map(swing).collect();
+        let steady = value - self.at_start + slope * (clock.0 - begin).hi();
+        let now = swings.iter().fold(steady, |sum, (_, swing)| sum + swing.re);
+        Onward { now, slope, swings, load: &self.load, power: &self.power }
+    }
+}
+
+impl Onward<'_> {
+    /// The generalised forces of parameters at the start of a motion (n), beyond those at the start of the run.
+    pub fn force(all: &[Self], n: usize) -> Vector {
+        all.iter().fold(Vector::zeros(n), |mut sum, of| {
+            sum.add_times(of.now, of.load);
+            sum
+        })
+    }
+
+    /// Work of each torque of the scene beyond that of its value at the start of the run, along `dq` (n), if they are constant \[J\].
+    pub fn work(all: &[Self], dq: &Vector) -> Vec<f64> {
+        let mut work = vec![0.0; all.first().map_or(0, |of| of.power.len())];
+        for Onward { now, power, .. } in all {
+            work.iter_mut().zip(*power).for_each(|(sum, row)| *sum += now * row.dot(dq));
+        }
+        work
+    }
+
+    /// How they vary from then on, and the frequencies of their swings \[rad/s\]; `None` if they are constant.
+    pub fn varying(all: &[Self], n: usize) -> Option<(Vec<f64>, Varying)> {
+        let mut varying = Varying { slope: Vector::zeros(n), swings: vec![] };
+        let mut frequencies = vec![];
+        for Onward { slope, swings, load, .. } in all {
+            varying.slope.add_times(*slope, load);
+            for (frequency, swing) in swings.iter().filter(|(frequency, _)| *frequency != 0.0) {
+                frequencies.push(*frequency);
+                varying.swings.push(load.iter().map(|load| swing * *load).collect());
             }
         }
-        c
+        (varying.slope.amax() > 0.0 || !frequencies.is_empty()).then_some((frequencies, varying))
     }
 }
 

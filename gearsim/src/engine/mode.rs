@@ -107,6 +107,14 @@ impl Mode {
         }
     }
 
+    /// Lower bound of its decay rate \[1/s\].
+    pub fn slowest(&self) -> f64 {
+        match self.kind {
+            Kind::Over { slow, .. } => slow,
+            _ => self.sigma,
+        }
+    }
+
     /// Coefficients of dt², ..., dt⁶ in the series of S1(dt).
     pub fn series(&self) -> [f64; 5] {
         self.series
@@ -222,6 +230,17 @@ impl Mode {
         }
     }
 
+    /// An upper bound of ∫|S1| dt over the time `span` \[s²\]: the displacement under a load that is at most 1.
+    pub fn effect(&self, span: f64) -> f64 {
+        let limited = (0.5 * span * span).min(self.gain * span);
+        match self.kind {
+            Kind::Rigid | Kind::Undamped { .. } => limited,
+            Kind::Under { per_w, .. } => limited.min(per_w / self.sigma),
+            // S1 >= 0, and its integral is S2.
+            Kind::Critical { .. } | Kind::Over { .. } => limited.min(self.per_omega2),
+        }
+    }
+
     /// An upper bound of |y(t)| for all t >= 0, where y'' + 2 sigma y' + omega² y = 0, y(0) = `y` and y'(0) = `y_dot`. It is
     /// cheap to compute.
     #[inline]
@@ -247,7 +266,9 @@ fn decayed(rate: f64, t: f64) -> f64 {
     if rate * t == 0.0 { t } else { -(-rate * t).exp_m1() / rate }
 }
 
+mod driven;
 mod loss;
+pub use driven::exp_m1;
 pub(crate) use loss::GAUSS_16;
 #[cfg(test)]
 mod tests;

@@ -1,11 +1,13 @@
 //! A linear function of the motion on a flight, minus its value at the start: a phase, or the reaction of a held contact.
 
-use crate::engine::cell::{Flight, Point};
+use crate::engine::cell::{Flight, Point, Varying};
 use crate::engine::mode::Mode;
 use crate::engine::vector::dot;
 use crate::tolerance::events;
 
-/// s(t) = c.dxi(t) + d.dxi'(t).
+mod driven;
+
+/// s(t) = c.dxi(t) + d.dxi'(t), plus a multiple of the loads that vary in time.
 #[derive(Debug, Clone, Copy)]
 pub struct Signal<'a> {
     /// The flight.
@@ -14,6 +16,8 @@ pub struct Signal<'a> {
     pub on_moved: &'a [f64],
     /// d: the contribution of the speed of each mode (one per mode); `None` if there is none.
     pub on_speed: Option<&'a [f64]>,
+    /// Contribution of the loads of the flight that vary in time, one entry; `None` if there is none.
+    pub direct: Option<&'a Varying>,
 }
 
 /// A signal from a point on, as a steady drift and an oscillation about it.
@@ -72,12 +76,17 @@ impl Signal<'_> {
     /// The value at a point.
     #[inline]
     pub fn value(&self, point: &Point) -> f64 {
-        dot(self.on_moved, &point.moved) + self.on_speed.map_or(0.0, |d| dot(d, &point.gained))
+        let direct = self.direct.map_or(0.0, |direct| direct.value(0, point.t, &point.phases));
+        dot(self.on_moved, &point.moved) + self.on_speed.map_or(0.0, |d| dot(d, &point.gained)) + direct
     }
 
-    /// The steady part of its rate, and an upper bound of the rate of the oscillations. Both are cheap to compute.
+    /// The steady part of its rate, and an upper bound of the rate of the oscillations. Both are cheap to compute. Under loads that vary
+    /// they hold for the time `span` \[s\], otherwise for all times.
     #[inline]
-    pub fn drift_and_oscillation(&self) -> (f64, f64) {
+    pub fn drift_and_oscillation(&self, span: f64) -> (f64, f64) {
+        if let Some(driven) = self.flight.driven() {
+            return self.driven_drift(driven, span);
+        }
         let (mut drift, mut oscillation) = (0.0, 0.0);
         for i in 0..self.flight.n() {
             let (mode, c) = (self.flight.mode(i), self.on_moved[i]);
@@ -111,6 +120,9 @@ impl Signal<'_> {
     /// The value at a point and its first four derivatives.
     #[inline]
     pub fn derivatives(&self, point: &Point) -> [f64; 5] {
+        if let Some(driven) = self.flight.driven() {
+            return self.driven_derivatives(driven, point);
+        }
         let mut sum = [0.0; 5];
         for i in 0..self.flight.n() {
             let (mode, c) = (self.flight.mode(i), self.on_moved[i]);
@@ -140,8 +152,12 @@ impl Signal<'_> {
         }
     }
 
-    /// Upper bounds of its second, third and fourth derivative from a point on.
-    pub fn bounds(&self, point: &Point) -> [f64; 3] {
+    /// Upper bounds of its second, third and fourth derivative from a point on. Under loads that vary they hold for the time `span` \[s\],
+    /// otherwise for all times.
+    pub fn bounds(&self, point: &Point, span: f64) -> [f64; 3] {
+        if let Some(driven) = self.flight.driven() {
+            return self.driven_bounds(driven, point, span);
+        }
         let mut sum = [0.0; 3];
         for i in 0..self.flight.n() {
             let (mode, c) = (self.flight.mode(i), self.on_moved[i]);
@@ -180,11 +196,15 @@ impl Signal<'_> {
             }
         }
         let [value, rate, acceleration, jerk] = sum;
-        Rounding { value, rate, acceleration, jerk }
+        let free = Rounding { value, rate, acceleration, jerk };
+        self.flight.driven().map_or(free, |driven| self.driven_rounding(driven, point, free))
     }
 
-    /// Its power series at the start.
-    pub fn series(&self) -> PowerSeries {
+    /// Its power series at the start. Under loads that vary, the bound holds for the time `span` \[s\].
+    pub fn series(&self, span: f64) -> PowerSeries {
+        if let Some(driven) = self.flight.driven() {
+            return self.driven_series(driven, span);
+        }
         let mut series = PowerSeries { derivatives: [0.0; TERMS], rounding: [0.0; TERMS], bound: 0.0 };
         for i in 0..self.flight.n() {
             let mode = self.flight.mode(i);
@@ -211,6 +231,9 @@ impl Signal<'_> {
 
     /// The drift from a point on, and the oscillation about it.
     pub fn reach(&self, point: &Point) -> Reach {
+        if let Some(driven) = self.flight.driven() {
+            return self.driven_reach(driven, point);
+        }
         let mut reach = Reach { drift: 0.0, amplitude: 0.0, deviation: 0.0 };
         for i in 0..self.flight.n() {
             let mode = self.flight.mode(i);

@@ -142,17 +142,14 @@ pub(crate) const EDGE_ROUNDING: f64 = 16.0 * f64::EPSILON;
 /// table. Larger: runs wait for cells that they never enter.
 pub(crate) const CELLS_IN_ADVANCE: usize = 100_000;
 
-/// Rounding error of a sum over the modes in a window [relative to the sum of absolute values]. Mode shapes have some hundred roundings.
-/// Smaller: flanks separate by the rounding errors of balanced forces. Larger: weak forces are neglected.
-pub(crate) const WINDOW_ROUNDING: f64 = 1024.0 * f64::EPSILON;
+/// Rounding error of a sum over the modes at the start of a motion under loads that vary [relative to the sum of absolute values]. Mode shapes
+/// have some hundred roundings. Smaller: flanks separate by the rounding errors of balanced forces. Larger: weak forces are neglected.
+pub(crate) const BALANCED_RATES: f64 = 1024.0 * f64::EPSILON;
 
-/// Longest window [1]: time times the fastest rate of cell and load. After its 28 terms, the remainder is 2²⁸/28! < 1e-21 of the motion.
+/// Longest window of a power series in double-double numbers [1]: time times the fastest rate of cell and load. After its 40 terms, the
+/// remainder is 2⁴⁰/40! < 2e-36 of the motion.
 /// Larger: digits are lost to cancellation. Smaller: more windows.
 pub(crate) const WINDOW_SPAN: f64 = 2.0;
-
-/// A window in which a phase would go far beyond its cell is shortened. This is the smallest factor by which one such cut multiplies its
-/// length [1]. It decides the cost, not the result.
-pub(crate) const WINDOW_CUT: f64 = 1e-3;
 
 /// A phase within this distance of a boundary at the end of the run has reached it [rounding errors of the phase]. The distance that the
 /// phase covers in half a unit in the last place of the time is added. Smaller: a run that is split at this time loses an event. Larger: an

@@ -4,6 +4,9 @@
 /// cancellation at 0.5. Smaller: they lose more digits. Larger: the series becomes long. The kernel of plain events has no series, and
 /// leaves such short flights to the general loop.
 pub(crate) const SERIES_SPAN: f64 = 0.5;
+/// Below this product of the fastest rate and time [1] the response to a load that varies in time is computed by its power series: 32 terms
+/// leave 2³²/32! = 2e-26. The closed forms of a ramp lose a digit to cancellation there. Smaller: they lose more. Larger: more terms.
+pub(crate) const DRIVEN_SERIES_SPAN: f64 = 2.0;
 /// The same for double-double numbers [1]: above 0.01 the closed forms lose up to four of 32 digits.
 pub(crate) const COMPENSATED_SERIES_SPAN: f64 = 1e-2;
 /// Largest product of rate and time in the kernel of plain events [1]: its reduction of the arguments of sine and cosine is exact
@@ -31,6 +34,15 @@ pub(crate) const OVERDAMPED: f64 = 0.5;
 /// Smallest distance of a mode's two eigenvalues [relative to their size] for which its dissipated energy is computed in closed
 /// form. For a smaller distance, the closed form divides by it twice and would lose more than two digits, so quadrature is used.
 pub(crate) const EIGENVALUES_APART: f64 = 0.1;
+/// Sum of the sizes of the terms of which the speeds of a driven flight consist, relative to the speeds \[1\], up to which its energy account
+/// is computed from them. Their squares lose twice as many digits, relative to the energy of the flight. Larger: the account loses digits.
+/// Smaller: quadrature, at a higher cost.
+pub(crate) const CANCELLING_TERMS: f64 = 30.0;
+/// Product of rate and time \[1\] below which the speed of a mode is a power series in the energy account of a driven flight. Its
+/// [`SLOW_TERMS`] terms leave 0.1¹⁰/10! = 3e-17. Larger: they leave more. Smaller: the exponentials of slow modes cancel.
+pub(crate) const SLOW_SPAN: f64 = 0.1;
+/// Number of these terms.
+pub(crate) const SLOW_TERMS: usize = 10;
 /// Decay times after which a motion no longer contributes to the dissipated energy [1]: the power has fallen to e⁻⁸⁰ = 2e-35.
 pub(crate) const DECAYED: f64 = 40.0;
 /// Length of a panel of the quadrature of dissipated energy [rad]: the fastest rate times the time. The error of the 16-point

@@ -108,7 +108,7 @@ pub fn first(
     horizon: f64,
 ) -> Result<Met, SearchError> {
     let (mut point, mut cost): (Point, Cost) = (flight.begin(), Cost::default());
-    let signal = Signal { flight, on_moved: participation, on_speed: None };
+    let signal = Signal { flight, on_moved: participation, on_speed: None, direct: None };
     let search = Search { signal, rate: signal.derivatives(&point)[1], down, up, horizon };
     let side = search.first(&mut point, &mut cost)?;
     Ok(Met { side, t: if side.is_some() { point.t } else { horizon }, cost })

@@ -2,9 +2,11 @@
 //!
 //! Loops over modes are loops over an index, for the reason that `vector.rs` gives.
 
+use nalgebra::Complex;
 use smallvec::SmallVec;
 
 use super::Cell;
+use super::driven::Driven;
 use crate::engine::conserved::Conserved;
 use crate::engine::mode::{Mode, Response};
 use crate::engine::vector::Vector;
@@ -17,6 +19,8 @@ pub struct Flight<'a> {
     pub(super) speed: Vector,
     /// Modal forces g - omega² xi at the start (one per mode).
     pub(super) force: Vector,
+    /// Loads that vary in time, beyond those at the start.
+    pub(super) driven: Option<Box<Driven>>,
 }
 
 /// The motion at one instant of a flight.
@@ -25,7 +29,9 @@ pub struct Point {
     /// Time since the start of the flight \[s\].
     pub t: f64,
     /// Responses of each mode to a unit speed and to a unit force.
-    responses: SmallVec<[Response; 10]>,
+    pub(super) responses: SmallVec<[Response; 10]>,
+    /// e^{i W t} - 1 of each swing of a load that varies.
+    pub phases: Vec<Complex<f64>>,
     /// xi(t) - xi(0).
     pub moved: Vector,
     /// xi'(t) - xi'(0).
@@ -36,6 +42,12 @@ impl<'a> Flight<'a> {
     /// The modes of its cell.
     pub fn modes(&self) -> &'a [Mode] {
         &self.cell.modes
+    }
+
+    /// Its loads that vary in time.
+    #[inline]
+    pub fn driven(&self) -> Option<&Driven> {
+        self.driven.as_deref()
     }
 
     /// The number of its modes.
@@ -62,7 +74,8 @@ impl<'a> Flight<'a> {
     pub fn rates(&self, i: usize, point: &Point) -> (f64, f64) {
         let mode = &self.cell.modes[i];
         let v = self.speed[i] + point.gained[i];
-        (v, self.force[i] - mode.omega2 * point.moved[i] - 2.0 * mode.sigma * v)
+        let load = self.driven.as_ref().map_or(0.0, |driven| driven.on_modes.value(i, point.t, &point.phases));
+        (v, self.force[i] - mode.omega2 * point.moved[i] - 2.0 * mode.sigma * v + load)
     }
 
     /// The point at the start.
@@ -71,7 +84,8 @@ impl<'a> Flight<'a> {
         let still = Response { s1: 0.0, s2: 0.0, decay: 0.0 };
         let n = self.speed.len();
         let (moved, gained) = (Vector::zeros(n), Vector::zeros(n));
-        Point { t: 0.0, responses: SmallVec::from_elem(still, n), moved, gained }
+        let phases = self.driven.as_ref().map_or(vec![], |driven| vec![Complex::from(0.0); driven.frequencies.len()]);
+        Point { t: 0.0, responses: SmallVec::from_elem(still, n), phases, moved, gained }
     }
 
     /// The point after the time `t` [s].
@@ -107,12 +121,15 @@ impl<'a> Flight<'a> {
             point.moved[i] = v * s1 + f * s2;
             point.gained[i] = (f - 2.0 * mode.sigma * v) * s1 - mode.omega2 * s2 * v;
         }
+        if let Some(driven) = &self.driven {
+            self.push(driven, point);
+        }
     }
 
-    /// Upper bound of the rates of its modes [1/s].
+    /// Upper bound of the rates of its modes and loads [1/s].
     #[inline]
     pub fn rate(&self) -> f64 {
-        self.cell.rate
+        self.driven.as_ref().map_or(self.cell.rate, |driven| self.cell.rate.max(driven.fastest()))
     }
 
     /// Increments of q and q' since the start, at a point (n each).
@@ -124,18 +141,18 @@ impl<'a> Flight<'a> {
             dv.add_times(-on_gained.dot(gained), motion);
         }
         let Some(coupling) = &self.cell.coupling else { return (shapes * moved, dv) };
-        let further = Vector::from_fn(moved.len(), |i| self.cell.modes[i].next(moved[i], gained[i]));
+        let [along, further] = self.further(point);
         for Conserved { motion, on_further, .. } in &self.cell.conserved {
             dv.add_times(-on_further.as_ref().map_or(0.0, |on_further| on_further.dot(&further)), motion);
         }
-        (shapes * moved + &(&coupling.shapes * gained), dv + &(&coupling.shapes * &further))
+        (shapes * moved + &(&coupling.shapes * &along), dv + &(&coupling.shapes * &further))
     }
 
     /// Energy dissipated from the start to a point [J], an integral of the speeds.
     #[inline]
     pub fn dissipated(&self, point: &Point) -> f64 {
-        if let Some(coupling) = &self.cell.coupling {
-            return coupling.dissipated(self, point.t);
+        if self.cell.coupling.is_some() {
+            return self.lost_by_coupled(point);
         }
         let mut dissipated = 0.0;
         for i in 0..self.speed.len() {

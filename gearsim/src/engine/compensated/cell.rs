@@ -10,7 +10,8 @@ use xprec::Df64;
 use crate::engine::cell::remaining;
 use crate::engine::compensated::mode::Mode;
 use crate::engine::equations::Matrices;
-use crate::engine::forcing::linear::LinearCell;
+use crate::engine::modal::Modal;
+use crate::engine::vector::Matrix;
 use crate::tolerance::modes::{COMPENSATED_COUPLED, COMPENSATED_JACOBI, COMPENSATED_UNDAMPED};
 
 /// The modes of one cell.
@@ -40,18 +41,22 @@ pub struct Cell {
 const MOST_SWEEPS: usize = 20;
 
 impl Cell {
-    /// The cell with the given matrices, refined from its `plain` modes. The motions along `held` (one column of n numbers per motion) are
-    /// held.
-    pub fn new(matrices: Matrices<Df64>, plain: &LinearCell, held: Option<&DMatrix<Df64>>) -> Self {
+    /// The cell with the given matrices, refined from its plain modes and their shapes. The motions along `held` (one column of n numbers per
+    /// motion) are held.
+    pub fn new(
+        matrices: Matrices<Df64>,
+        (plain, plain_shapes): (&Modal, &Matrix),
+        held: Option<&DMatrix<Df64>>,
+    ) -> Self {
         let Matrices { mass, damping, stiffness, load, .. } = &matrices;
         let z = held.map(remaining);
         let seen = |a: &DMatrix<Df64>| z.as_ref().map_or_else(|| a.clone(), |(z, _)| z.transpose() * a * z);
-        let plain_shapes = plain.shapes.map(Df64::from);
+        let plain_shapes = plain_shapes.map(Df64::from);
         let mut x = z.as_ref().map_or_else(|| plain_shapes.clone(), |(_, free)| plain_shapes.select_rows(free));
         for _ in 0..2 {
             x = orthonormal(&seen(mass), &x);
         }
-        let is_rigid = |i: usize| plain.omega2[i] == 0.0;
+        let is_rigid = |i: usize| plain.modes[i].omega2 == 0.0;
         let omega2 = diagonal(x.transpose() * seen(stiffness) * &x, &mut x, is_rigid);
         let shapes = z.as_ref().map_or_else(|| x.clone(), |(z, _)| z * &x);
         let modal = shapes.transpose() * damping * &shapes;
@@ -63,16 +68,26 @@ impl Cell {
         let omega2: Vec<Df64> = (0..n).map(|i| if is_rigid(i) { zero } else { omega2[i] }).collect();
         let springs = shapes.transpose() * stiffness;
         let springs = DMatrix::from_fn(n, springs.ncols(), |i, j| if is_rigid(i) { zero } else { springs[(i, j)] });
-        let modes = (plain.by_itself && !are_coupled(&damping))
+        let modes = (plain.coupled.is_none() && !are_coupled(&damping))
             .then(|| (0..n).map(|i| Mode::new(damping[(i, i)] * 0.5, omega2[i])).collect());
         let (momentum, load) = (shapes.transpose() * mass, shapes.transpose() * load);
-        Cell { rate: plain.rate, matrices, shapes, momentum, springs, load, omega2, damping, modes }
+        Cell { rate: rate(plain), matrices, shapes, momentum, springs, load, omega2, damping, modes }
     }
 
     /// X Xᵀ: M⁻¹, or the mobility of the remaining motions if motions are held.
     pub fn mobility(&self) -> DMatrix<Df64> {
         &self.shapes * self.shapes.transpose()
     }
+}
+
+/// Bound on the rates of the modes, with any damping between them \[1/s\].
+fn rate(plain: &Modal) -> f64 {
+    let strongest = match &plain.coupled {
+        // The largest sum of absolute values in a row is an upper bound of the eigenvalues of a symmetric matrix.
+        Some(coupled) => coupled.damping.row_iter().map(|row| row.abs().sum()).fold(0.0, f64::max),
+        None => plain.modes.iter().map(|mode| 2.0 * mode.sigma).fold(0.0, f64::max),
+    };
+    plain.modes.iter().map(|mode| mode.omega2.sqrt()).fold(0.0, f64::max) + strongest
 }
 
 /// Whether the modal damping couples modes.

@@ -9,15 +9,15 @@ use xprec::Df64;
 use super::cell::Cell;
 use super::held::{self, Held};
 use super::step::StiffnessStep;
-use crate::engine::cell;
+use crate::engine::cell::{self, HeldModes};
 use crate::engine::cells::Number;
 use crate::engine::contact::Contact;
 use crate::engine::crossing::Side;
 use crate::engine::equations::ExactCells;
 use crate::engine::error::Refusal;
-use crate::engine::forcing::linear::LinearCell;
 use crate::engine::hybrid::Hybrid;
 use crate::engine::law;
+use crate::engine::modal::Modal;
 use crate::engine::switch::Switch;
 
 /// The cells.
@@ -101,8 +101,8 @@ impl Cells {
         }
         let k = values(exact, &now.switches, &now.k);
         let normals = held::normals(exact, now, contact, &k);
-        let (_, plain) = cell::Cell::held(now.equations, (&now.switches, &now.k), &contact.normals)?;
-        let cell = Cell::new(self.here.matrices.clone(), &plain, Some(&normals));
+        let plain = HeldModes::of(now.equations, (&now.switches, &now.k), &contact.normals)?;
+        let cell = Cell::new(self.here.matrices.clone(), (&plain.modal, &plain.shapes), Some(&normals));
         let steps = contact.laws.iter().map(|&(law, side)| self.step(exact, now, law, side).cloned()).collect();
         let held = Arc::new(Held::new(cell, &self.here, &normals, steps).ok_or(Refusal::Mass)?);
         self.held.insert(place, held.clone());
@@ -145,7 +145,8 @@ impl Cells {
 /// A cell with these switches and law values.
 fn cell(exact: &dyn ExactCells, now: &Hybrid<'_>, (switches, k): (&[Switch], &[f64])) -> Result<Cell, Refusal> {
     let matrices = exact.matrices(&values(exact, switches, k));
-    Ok(Cell::new(matrices, &LinearCell::new(now.equations, switches, k)?, None))
+    let modal = Modal::of(&cell::matrices(now.equations, switches, k)?)?;
+    Ok(Cell::new(matrices, (&modal, &modal.shapes), None))
 }
 
 /// The law values in double-double precision: the levels of the laws as given in the scene, and the values of the modes of switches.

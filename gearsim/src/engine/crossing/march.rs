@@ -7,6 +7,10 @@ use super::{Cost, Search, SearchError, Side};
 use crate::engine::cell::Point;
 use crate::tolerance::events::SEARCH_STEPS;
 
+/// Time for which the motion is bounded [time until the horizon]. A root that is proved to be the only one of its bracket is then before the
+/// horizon, or the bracket is within this time: it ends at most at 1 + sqrt(1.99) times its begin ([`Approach::single`]).
+const SINGLE_SPAN: f64 = 2.5;
+
 impl Search<'_> {
     /// Advances by steps that contain no crossing.
     pub(super) fn march(&self, point: &mut Point, cost: &mut Cost) -> Result<Option<Side>, SearchError> {
@@ -24,7 +28,7 @@ impl Search<'_> {
             cost.steps += 1;
             let t = point.t;
             let [moved, rates @ ..] = self.signal.derivatives(point);
-            let bounds = self.signal.bounds(point);
+            let bounds = self.signal.bounds(point, SINGLE_SPAN * (self.horizon - t));
             if bounds.iter().chain(&rates).any(|x| !x.is_finite()) {
                 return Err(SearchError::Overflow);
             }

@@ -1,10 +1,11 @@
-//! The motion in closed form, in a linear cell under constant torques.
+//! The motion in closed form, in a linear cell.
 
 use xprec::Df64;
 
-use crate::engine::cell::{Flight, Point};
+use crate::engine::cell::{Flight, Gains, Point};
 use crate::engine::cells::Prepared;
 use crate::engine::crossing::{Cost, Delay, Search, SearchError, Side};
+use crate::engine::forcing::Onward;
 use crate::engine::hybrid::Hybrid;
 use crate::engine::motion::{End, Guard, Motion, Reached};
 use crate::engine::record::State;
@@ -23,6 +24,10 @@ pub struct InFlight<'s> {
     lateness: Option<&'s mut Delay>,
     /// The event that was found last.
     found: Option<Point>,
+    /// The torques that vary.
+    onward: Vec<Onward<'s>>,
+    /// The energy account under torques that vary.
+    gains: Option<Gains>,
 }
 
 impl<'s> InFlight<'s> {
@@ -33,15 +38,20 @@ impl<'s> InFlight<'s> {
         held: &'s [Watch],
         flight: Flight<'s>,
         lateness: Option<&'s mut Delay>,
+        (onward, horizon): (Vec<Onward<'s>>, f64),
     ) -> Self {
-        InFlight { now, here, held, flight, lateness, found: None }
+        let gains = flight.driven().map(|driven| Gains::new(&flight, driven, &onward, horizon));
+        InFlight { now, here, held, flight, lateness, found: None, onward, gains }
     }
 
     fn reached(&self, point: &Point, state: impl FnOnce(&State, &Vector, &Vector) -> State) -> Reached {
         let (dq, dv) = self.flight.increments(point);
-        let dissipated = self.flight.dissipated(point) + self.now.lost_by_switches(&dq);
-        let work = self.now.forcing.as_ref().map(|forcing| forcing.power(self.now.clock.now(), &dq));
-        Reached { state: state(&self.now.state, &dq, &dv), dissipated, work: work.unwrap_or_default() }
+        let (lost, work) = match (&self.gains, self.flight.driven()) {
+            (Some(gains), Some(driven)) => gains.until(&self.flight, driven, point),
+            _ => (self.flight.dissipated(point), Onward::work(&self.onward, &dq)),
+        };
+        let dissipated = lost + self.now.lost_by_switches(&dq);
+        Reached { state: state(&self.now.state, &dq, &dv), dissipated, work }
     }
 }
 
@@ -59,7 +69,12 @@ impl Motion for InFlight<'_> {
                 let law = &now.laws[i];
                 let (lower, upper) = law.bounds();
                 let s = now.state.q[law.phase];
-                let signal = Signal { flight, on_moved: &here.participation[i], on_speed: here.on_speed[i].as_deref() };
+                let direct = flight.driven().and_then(|driven| {
+                    let on_force = here.cell.follow_force(&law.surface.normal, None)?;
+                    Some(driven.force.along(&on_force))
+                });
+                let (on_moved, on_speed) = (&here.participation[i], here.on_speed[i].as_deref());
+                let signal = Signal { flight, on_moved, on_speed, direct: direct.as_ref() };
                 let rate = law.surface.normal.dot(&now.state.q_dot);
                 let search = Search { signal, rate, down: s - lower, up: upper - s, horizon: until };
                 match &mut self.lateness {

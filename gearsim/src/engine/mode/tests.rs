@@ -4,6 +4,8 @@ use gearsim_tests::precise::cell::{Law, Motion};
 use gearsim_tests::precise::number::{Real, Scalar};
 
 use super::*;
+use nalgebra::Complex;
+
 use crate::tolerance::modes::SHIFT_SPAN;
 
 type Digits = Real<192>;
@@ -130,4 +132,73 @@ fn bounds_hold_and_the_tight_bound_is_reached() {
     }
     assert_eq!(Mode::new(0.0, 0.0).bound(1.0, 1e-300), f64::INFINITY);
     assert_eq!(Mode::new(0.0, 0.0).bound(1.0, 0.0), 1.0);
+}
+
+/// The responses to a ramp and to a swing by their power series in 150 digits: S3; the real and imaginary parts of the displacement and of
+/// the speed under e^{i W t} - 1.
+fn driven_by_series(sigma: f64, omega2: f64, w: f64, t: f64) -> [f64; 5] {
+    type Many = Real<512>;
+    let (t, w) = (Many::exact(t), Many::exact(w));
+    let (a, b) = (Many::exact(2.0 * sigma) * t.clone(), Many::exact(omega2) * t.clone() * t.clone());
+    // The terms of the load: tⁿ (i W)ⁿ/n!; a ramp has only the second. The unit of the last pair of terms is t².
+    let series = |ramp: bool, imaginary: bool| {
+        let zero = Many::exact(0.0);
+        let (mut before, mut term, mut load) = (zero.clone(), zero.clone(), Many::exact(1.0));
+        let (mut sum, mut rate) = (zero.clone(), zero.clone());
+        for n in 0..420u32 {
+            let sign = if n % 4 >= 2 { -1.0 } else { 1.0 };
+            let acts = n > 0 && if ramp { n == 1 } else { (n % 2 == 1) == imaginary };
+            let own = if ramp { t.clone() } else { load.clone() * Many::exact(sign) };
+            let push = if acts { own * t.clone() * t.clone() } else { zero.clone() };
+            let drag = term.clone() * a.clone() * Many::exact(f64::from(n + 1));
+            let next = (push - drag - before.clone() * b.clone()).over((n + 2) * (n + 1));
+            (before, term) = (term, next);
+            load = (load * w.clone() * t.clone()).over(n + 1);
+            sum = sum + term.clone();
+            rate = rate + term.clone() * Many::exact(f64::from(n + 2));
+        }
+        [sum.approx(), (rate / t.clone()).approx()]
+    };
+    let [s3, _] = series(true, false);
+    let ([re, re_rate], [im, im_rate]) = (series(false, false), series(false, true));
+    [s3, re, im, re_rate, im_rate]
+}
+
+/// Ramps and swings at every damping: slow and fast, on resonance and at any distance from it, for short and for long times.
+#[test]
+fn driven_responses_match_their_series() {
+    let mut worst = [0.0f64; 3];
+    let mut place = [const { String::new() }; 3];
+    let near_critical = powers(-12, -1).step_by(3).flat_map(|d| [1.0 - d, 1.0 + d]);
+    let ratios = [0.0, 1e-9, 1e-3, 0.05, 0.5, 0.9, 0.99, 1.0, 1.01, 1.2, 5.0, 1e3].into_iter().chain(near_critical);
+    let modes = ratios.map(|zeta| (zeta * 3.0, 9.0));
+    for (sigma, omega2) in modes.chain([(0.0, 0.0), (1.5, 0.0), (1.5, 1e-12)]) {
+        let mode = Mode::new(sigma, omega2);
+        let near = powers(-16, -1).step_by(3).flat_map(|d| [1.0 - d, 1.0 + d]);
+        for w in powers(-8, 1).step_by(2).chain(near).map(|part| part * mode.damped_frequency().max(1.0)) {
+            for t in powers(-6, 0).flat_map(|t| [t, 2.7 * t, 7.1 * t]) {
+                if mode.rate.max(w) * t > 40.0 {
+                    continue;
+                }
+                let at = mode.response(t);
+                let [moved, rate] = mode.swing(w, t, exp_m1(Complex::new(0.0, w * t)), &at);
+                let got = [mode.ramp(t, &at), moved.re, moved.im, rate.re, rate.im];
+                let want = driven_by_series(sigma, omega2, w, t);
+                let roundings = (1.0 + (mode.damped_frequency() + w) * t) * f64::EPSILON;
+                let effect = mode.effect(t);
+                let sizes = [want[0].abs(), effect, effect, t.min(w * effect), t.min(w * effect)];
+                for k in 0..5 {
+                    let error = (got[k] - want[k]).abs() / (roundings * sizes[k]);
+                    let kind = [0, 1, 1, 2, 2][k];
+                    if !(error <= worst[kind]) {
+                        worst[kind] = error;
+                        place[kind] =
+                            format!("sigma {sigma:e}, omega² {omega2:e}, W {w:e}, t {t:e}: {got:?}, not {want:?}");
+                    }
+                }
+            }
+        }
+    }
+    println!("largest errors: {worst:.1?} roundings\n{}", place.join("\n"));
+    assert!(worst.iter().all(|worst| *worst < 60.0), "{worst:?} roundings\n{}", place.join("\n"));
 }

@@ -1,0 +1,190 @@
+//! The speeds of the modes on a flight, as sums of terms c tᵏ e^{nu t}: the eigenvalues of the modes, 0 and ± i W are nu. The integrals of
+//! their products have a closed form ([`moment`]).
+
+use nalgebra::Complex;
+use smallvec::SmallVec;
+
+use super::{Driven, Flight, Point, Varying};
+use crate::engine::mode::exp_m1;
+use crate::tolerance::modes::{CANCELLING_TERMS, SERIES_SPAN, SLOW_SPAN, SLOW_TERMS};
+
+/// tᵏ e^{nu t}.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Term {
+    /// nu \[1/s\].
+    pub rate: Complex<f64>,
+    /// k.
+    pub power: usize,
+}
+
+/// A sum of terms, each with its factor.
+pub type Sum = SmallVec<[(Term, Complex<f64>); 6]>;
+
+/// The speed of a mode.
+#[derive(Debug, Clone, Default)]
+pub struct Speed {
+    /// The steady motion under its load.
+    pub steady: Sum,
+    /// The free motion about it: both eigenvalues, each with its factor.
+    pub free: [(Complex<f64>, Complex<f64>); 2],
+}
+
+impl Speed {
+    /// All terms that are not zero.
+    fn terms(&self) -> Sum {
+        let free = self.free.iter().filter(|(_, factor)| *factor != Complex::from(0.0));
+        let free = free.map(|(rate, factor)| (Term { rate: *rate, power: 0 }, *factor));
+        self.steady.iter().copied().chain(free).collect()
+    }
+}
+
+/// The speeds a' of the modes on a flight.
+#[derive(Debug)]
+pub struct Speeds {
+    of_modes: Vec<Speed>,
+    /// All terms of each.
+    pub terms: Vec<Sum>,
+}
+
+impl Speeds {
+    /// Those of `flight` until the time `horizon` \[s\]; `None` if the two eigenvalues of a mode coincide.
+    pub fn new(flight: &Flight<'_>, horizon: f64) -> Option<Self> {
+        let of_modes: Vec<Speed> = (0..flight.n()).map(|i| speed(flight, i, horizon)).collect::<Option<_>>()?;
+        Some(Speeds { terms: of_modes.iter().map(Speed::terms).collect(), of_modes })
+    }
+
+    /// Whether the terms are not much larger than the speeds from the start to a `point`.
+    pub fn keep_digits(&self, flight: &Flight<'_>, point: &Point) -> bool {
+        let size = |(term, factor): &(Term, Complex<f64>)| factor.norm() * point.t.powi(term.power as i32);
+        let (mut terms, mut speeds) = (0.0, 0.0);
+        for (i, sum) in self.terms.iter().enumerate() {
+            let (before, after) = (flight.speed[i], flight.speed[i] + point.gained[i]);
+            terms += sum.iter().map(size).sum::<f64>().powi(2);
+            speeds += before * before + after * after;
+        }
+        terms <= CANCELLING_TERMS * CANCELLING_TERMS * speeds
+    }
+
+    /// Energy that damping has taken until the time `t` \[J\]; `None` if the eigenvalues of a mode of the cell coincide.
+    pub fn lost(&self, flight: &Flight<'_>, t: f64) -> Option<f64> {
+        if let Some(coupling) = &flight.cell.coupling {
+            return coupling.lost(&self.of_modes, flight.driven(), t);
+        }
+        let of_mode = |(i, sum): (usize, &Sum)| match flight.mode(i).sigma {
+            0.0 => 0.0,
+            sigma => 2.0 * sigma * product(sum, sum, t),
+        };
+        Some(self.terms.iter().enumerate().map(of_mode).sum())
+    }
+}
+
+/// The speed of mode `i` until the time `horizon` \[s\]: the steady motion under its load, and the free motion about it. `None` if its eigenvalues coincide.
+fn speed(flight: &Flight<'_>, i: usize, horizon: f64) -> Option<Speed> {
+    let (mode, driven) = (flight.mode(i), flight.driven());
+    let slope = driven.map_or(0.0, |driven| driven.on_modes.slope[i]);
+    let (v, a) = flight.rates_at_start(i);
+    let mut speed = Speed::default();
+    let mut add = |rate: Complex<f64>, power: usize, factor: Complex<f64>| {
+        if factor != Complex::from(0.0) {
+            speed.steady.push((Term { rate, power }, factor));
+        }
+    };
+    let zero = Complex::from(0.0);
+    // Steady speed and acceleration at the start, and the constant part of the load.
+    let (mut steady, mut constant) = ((0.0, 0.0), flight.force[i]);
+    let swings = driven.iter().flat_map(|driven| driven.on_modes.swings.iter().zip(&driven.frequencies));
+    for (swing, w) in swings.map(|(swing, w)| (swing[i], w)) {
+        let iw = Complex::new(0.0, *w);
+        let of_speed = swing * iw / mode.stiffness_at(*w);
+        add(iw, 0, of_speed * 0.5);
+        add(-iw, 0, of_speed.conj() * 0.5);
+        steady = (steady.0 + of_speed.re, steady.1 + (of_speed * iw).re);
+        constant -= swing.re;
+    }
+    if mode.is_rigid() {
+        add(zero, 0, (v - steady.0).into());
+        add(zero, 1, constant.into());
+        add(zero, 2, (0.5 * slope).into());
+        return Some(speed);
+    }
+    let (v, a) = (v - steady.0, a - steady.1);
+    if mode.rate * horizon <= SLOW_SPAN {
+        // Its power series: the exponentials of slow eigenvalues cancel.
+        let (mut y, mut next, mut size) = (v, a, 1.0);
+        for k in 0..SLOW_TERMS {
+            add(zero, k, (y * size).into());
+            size /= k as f64 + 1.0;
+            (y, next) = (next, mode.next(y, next) + if k == 0 { slope } else { 0.0 });
+        }
+        return Some(speed);
+    }
+    let (drift, growth) = match mode.omega2 > 0.0 {
+        true => (slope / mode.omega2, 0.0),
+        false => ((constant - slope / (2.0 * mode.sigma)) / (2.0 * mode.sigma), slope / (2.0 * mode.sigma)),
+    };
+    add(zero, 0, drift.into());
+    add(zero, 1, growth.into());
+    let (v, a) = (v - drift, a - growth);
+    let [first, second] = mode.eigenvalues()?;
+    speed.free =
+        [(first, second), (second, first)].map(|(own, other)| (own, (Complex::from(a) - other * v) / (own - other)));
+    Some(speed)
+}
+
+/// The rate of entry `i` of a vector that varies.
+pub fn rate_of(of: &Varying, driven: &Driven, i: usize) -> Sum {
+    let mut sum: Sum = [(Term { rate: 0.0.into(), power: 0 }, of.slope[i].into())].into_iter().collect();
+    for (swing, w) in of.swings.iter().zip(&driven.frequencies) {
+        let (iw, half) = (Complex::new(0.0, *w), swing[i] * 0.5);
+        sum.extend([(Term { rate: iw, power: 0 }, half * iw), (Term { rate: -iw, power: 0 }, (half * iw).conj())]);
+    }
+    sum
+}
+
+/// The derivative of a sum.
+pub fn derivative(sum: &Sum) -> Sum {
+    let of = |(term, factor): &(Term, Complex<f64>)| {
+        let lower = (Term { power: term.power.saturating_sub(1), ..*term }, factor * term.power as f64);
+        [(*term, factor * term.rate), lower]
+    };
+    sum.iter().flat_map(of).filter(|(_, factor)| *factor != Complex::from(0.0)).collect()
+}
+
+/// The value of a sum at the time `t`.
+pub fn at(sum: &Sum, t: f64) -> f64 {
+    sum.iter().map(|(term, factor)| (factor * (term.rate * t).exp()).re * t.powi(term.power as i32)).sum()
+}
+
+/// ∫ of the product of two sums over 0 to `t`.
+pub fn product(a: &Sum, b: &Sum, t: f64) -> f64 {
+    let mut sum = 0.0;
+    for (x, by) in a {
+        for (y, factor) in b {
+            sum += (by * factor * moment(x.rate + y.rate, x.power + y.power, t)).re;
+        }
+    }
+    sum
+}
+
+/// ∫ sᵏ e^{nu s} ds over 0 <= s <= `t`.
+pub fn moment(nu: Complex<f64>, k: usize, t: f64) -> Complex<f64> {
+    let x = nu * t;
+    if x.norm() >= SERIES_SPAN + k as f64 {
+        let mut moment = exp_m1(x) / nu;
+        let end = x.exp();
+        for power in 1..=k {
+            moment = (end * t.powi(power as i32) - moment * power as f64) / nu;
+        }
+        return moment;
+    }
+    // The sum of xⁿ/(n! (n + k + 1)).
+    let (mut term, mut sum) = (Complex::from(1.0), Complex::from(1.0 / (k as f64 + 1.0)));
+    for n in 1..40 {
+        term *= x / n as f64;
+        sum += term / (n + k + 1) as f64;
+        if term.norm() < 1e-18 {
+            break;
+        }
+    }
+    sum * t.powi(k as i32 + 1)
+}
