@@ -27,7 +27,7 @@ pub use driven::{Driven, Varying};
 pub use flight::{Flight, Point};
 pub use gains::Gains;
 pub use matrices::matrices;
-pub use speeds::{Speed, Sum, Term, derivative, moment, rate_of};
+pub use speeds::{Moments, Speed, Sum, derivative, rate_of};
 
 /// The modes of one cell.
 #[derive(Debug, Clone)]

@@ -21,7 +21,7 @@ pub(crate) const HARMONIC_ORDER: f64 = 1000.0;
 /// Largest number of points of a table [points].
 pub(crate) const TABLE_POINTS: usize = 1000;
 /// Largest number of entries in a list of a time history [entries].
-pub(crate) const HISTORY_ENTRIES: usize = 10_000;
+pub(crate) const HISTORY_ENTRIES: usize = 1_000_000;
 /// Largest number of pitches in one period of a law [pitches].
 pub(crate) const LAW_PITCHES: f64 = 10_000.0;
 /// Largest number of cells of a law with damaged teeth [cells].

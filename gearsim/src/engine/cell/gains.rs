@@ -143,7 +143,10 @@ fn by_quadrature(flight: &Flight<'_>, t: f64, mut also: impl FnMut(f64, &Point, 
 fn value(of: &Onward<'_>) -> Sum {
     let constant = of.now - of.swings.iter().map(|(_, swing)| swing.re).sum::<f64>();
     let term = |w: f64, power| Term { rate: Complex::new(0.0, w), power };
-    let mut sum: Sum = [(term(0.0, 0), constant.into()), (term(0.0, 1), of.slope.into())].into_iter().collect();
+    let mut sum: Sum = [(term(0.0, 0), constant.into())].into_iter().collect();
+    if of.slope != 0.0 {
+        sum.push((term(0.0, 1), of.slope.into()));
+    }
     for (w, swing) in &of.swings {
         sum.extend([(term(*w, 0), swing * 0.5), (term(-*w, 0), swing.conj() * 0.5)]);
     }

@@ -1,12 +1,12 @@
 //! The speeds of the modes on a flight, as sums of terms c tᵏ e^{nu t}: the eigenvalues of the modes, 0 and ± i W are nu. The integrals of
-//! their products have a closed form ([`moment`]).
+//! their products have a closed form ([`Moments`]).
 
 use nalgebra::Complex;
 use smallvec::SmallVec;
 
 use super::{Driven, Flight, Point, Varying};
 use crate::engine::mode::exp_m1;
-use crate::tolerance::modes::{CANCELLING_TERMS, SERIES_SPAN, SLOW_SPAN, SLOW_TERMS};
+use crate::tolerance::modes::{CANCELLING_TERMS, SERIES_SPAN, SERIES_TERM, SLOW_SPAN, SLOW_TERMS};
 
 /// tᵏ e^{nu t}.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -66,6 +66,7 @@ impl Speeds {
     }
 
     /// Energy that damping has taken until the time `t` \[J\]; `None` if the eigenvalues of a mode of the cell coincide.
+    #[inline]
     pub fn lost(&self, flight: &Flight<'_>, t: f64) -> Option<f64> {
         if let Some(coupling) = &flight.cell.coupling {
             return coupling.lost(&self.of_modes, flight.driven(), t);
@@ -111,9 +112,15 @@ fn speed(flight: &Flight<'_>, i: usize, horizon: f64) -> Option<Speed> {
     if mode.rate * horizon <= SLOW_SPAN {
         // Its power series: the exponentials of slow eigenvalues cancel.
         let (mut y, mut next, mut size) = (v, a, 1.0);
+        let mut reached = 1.0;
         for k in 0..SLOW_TERMS {
             add(zero, k, (y * size).into());
             size /= k as f64 + 1.0;
+            reached *= mode.rate * horizon / (k as f64 + 1.0);
+            // The first three terms have the speed, the acceleration and the slope of the load.
+            if k > 2 && reached < SERIES_TERM {
+                break;
+            }
             (y, next) = (next, mode.next(y, next) + if k == 0 { slope } else { 0.0 });
         }
         return Some(speed);
@@ -160,31 +167,54 @@ pub fn product(a: &Sum, b: &Sum, t: f64) -> f64 {
     let mut sum = 0.0;
     for (x, by) in a {
         for (y, factor) in b {
-            sum += (by * factor * moment(x.rate + y.rate, x.power + y.power, t)).re;
+            let power = x.power + y.power;
+            sum += (by * factor * Moments::of(x.rate + y.rate, power + 1, t).0[power]).re;
         }
     }
     sum
 }
 
-/// ∫ sᵏ e^{nu s} ds over 0 <= s <= `t`.
-pub fn moment(nu: Complex<f64>, k: usize, t: f64) -> Complex<f64> {
-    let x = nu * t;
-    if x.norm() >= SERIES_SPAN + k as f64 {
-        let mut moment = exp_m1(x) / nu;
-        let end = x.exp();
-        for power in 1..=k {
-            moment = (end * t.powi(power as i32) - moment * power as f64) / nu;
+/// ∫ sᵏ e^{nu s} ds over 0 to t, for k = 0, 1, ...
+pub struct Moments(pub [Complex<f64>; 2 * SLOW_TERMS + 4]);
+
+impl Moments {
+    /// The first `count` of them, at least one, for nu = `rate`.
+    pub fn of(rate: Complex<f64>, count: usize, t: f64) -> Self {
+        let mut moments = [Complex::from(0.0); 2 * SLOW_TERMS + 4];
+        let (x, last) = (rate * t, count - 1);
+        if x == Complex::from(0.0) {
+            let mut power = t;
+            for (k, moment) in moments.iter_mut().enumerate().take(count) {
+                *moment = (power / (k as f64 + 1.0)).into();
+                power *= t;
+            }
+            return Moments(moments);
         }
-        return moment;
-    }
-    // The sum of xⁿ/(n! (n + k + 1)).
-    let (mut term, mut sum) = (Complex::from(1.0), Complex::from(1.0 / (k as f64 + 1.0)));
-    for n in 1..40 {
-        term *= x / n as f64;
-        sum += term / (n + k + 1) as f64;
-        if term.norm() < 1e-18 {
-            break;
+        let first = exp_m1(x);
+        if x.norm_sqr() >= (SERIES_SPAN + last as f64).powi(2) {
+            moments[0] = first / rate;
+            let mut end = first + 1.0;
+            for k in 1..count {
+                end *= t;
+                moments[k] = (end - moments[k - 1] * k as f64) / rate;
+            }
+            return Moments(moments);
         }
+        // The last one by its series, the sum of xⁿ/(n! (n + k + 1)); those before it by the recurrence downwards.
+        let (mut term, mut sum) = (Complex::from(1.0), Complex::from(1.0 / count as f64));
+        for n in 1..80 {
+            term *= x / n as f64;
+            sum += term / (n + count) as f64;
+            if term.norm_sqr() < 1e-36 {
+                break;
+            }
+        }
+        moments[last] = sum * t.powi(count as i32);
+        let mut end = (first + 1.0) * t.powi(last as i32);
+        for k in (1..count).rev() {
+            moments[k - 1] = (end - rate * moments[k]) / k as f64;
+            end /= t;
+        }
+        Moments(moments)
     }
-    sum * t.powi(k as i32 + 1)
 }
