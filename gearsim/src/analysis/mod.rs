@@ -9,6 +9,7 @@ pub mod floquet;
 pub(crate) mod from_teeth;
 pub mod modes;
 pub mod orders;
+pub(crate) mod pulling;
 pub mod rainflow;
 pub(crate) mod sampling;
 pub mod sound;

@@ -20,7 +20,7 @@ mod planets;
 pub use cuts::{Cut, Window, cuts, windows};
 pub(crate) use lines::in_lobe;
 pub use lines::{APART, Line, lines};
-pub use meshes::{Mesh, Rotor, force, meshes, term};
+pub use meshes::{Mesh, Rotor, force, meshes, play, term};
 
 use realfft::RealFftPlanner;
 

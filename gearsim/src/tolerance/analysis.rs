@@ -77,6 +77,9 @@ pub(crate) const COMPANION_TOLERANCE: f64 = 10.0;
 /// with two samples per period and a quarter of the variation. Smaller: resolved vibrations give a warning. Larger: lines are wrong by more
 /// than a quarter without a warning.
 pub(crate) const FOLDED: f64 = 0.5;
+/// Samples per period in a rate that is recommended for a frequency that the samples cannot show [1]: its first four multiples are then
+/// below half the rate. Larger: files are larger than needed. Smaller: multiples of a mesh frequency still fold.
+pub(crate) const SHOWN: f64 = 10.0;
 /// A coordinate counts as not varying if its squared distances from a straight line are below this [relative to the sum of its squares].
 /// They are then rounding errors.
 pub(crate) const STILL: f64 = 1e-24;
@@ -84,6 +87,10 @@ pub(crate) const STILL: f64 = 1e-24;
 /// A mesh force in static equilibrium below this counts as zero [relative to the largest force of the run]. Smaller: a rounding error
 /// counts as a static load. Larger: a light load has no dynamic factor.
 pub(crate) const STATIC_LOAD: f64 = 1e-12;
+
+/// A force against the load of a mesh counts as pulling above this [relative to the largest force of the run]. Smaller: the rounding error
+/// of an unloaded flank counts. Larger: a mesh that lifts off its flanks for a moment is not named.
+pub(crate) const PULL: f64 = 1e-9;
 
 /// Largest number of intervals of constant stiffness in a period of a settled motion [intervals]. With more, the computation of the settled
 /// motion takes longer than a run, so nothing is estimated from it.

@@ -190,6 +190,7 @@ fn sidebands_are_lines_of_their_own() {
     let mesh = |frequency: f64, rotor: f64| Mesh {
         name: "k",
         frequency,
+        fastest: frequency,
         steady: true,
         force: None,
         rotors: vec![Rotor { name: "rotor_speed", frequency: rotor, teeth: 23.0, meets: 1 }],
