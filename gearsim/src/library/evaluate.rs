@@ -15,6 +15,7 @@ pub(crate) fn write(folder: &mut OutputFolder, scene: &Scene, outcome: &Outcome)
     match Lines::of(run, &asked.spectrum) {
         Ok(Some(lines)) => {
             folder.write("lines.csv", |sink| csv::write(&lines.table(&asked.spectrum)?, sink))?;
+            done.remarks.extend(lines.remark());
             done.lines = Some(lines);
         }
         Ok(None) => {}
