@@ -1,5 +1,6 @@
 //! Analysis of trajectories after a run, and of the equations without a run.
 
+pub(crate) mod absurd;
 pub(crate) mod advise;
 pub(crate) mod digits;
 pub mod dynamic_factor;

@@ -13,7 +13,9 @@ use crate::trajectory::Trajectory;
 /// How a mesh pulls.
 #[derive(Debug, Clone, Copy)]
 pub struct Pulling {
-    /// The output that is the force of the mesh, or its torque.
+    /// The stiffness law of the mesh.
+    pub law: &'static Law,
+    /// The output that is its force, or its torque.
     pub force: &'static Output,
     /// Mean force over the time \[N or N m\].
     pub mean: f64,
@@ -32,7 +34,7 @@ pub fn of(scene: &Scene, run: &Trajectory, from: f64) -> Vec<Pulling> {
 }
 
 /// The pulling of the mesh with the stiffness `law`; `None` if its force is not recorded, or no time passes.
-pub fn of_mesh(scene: &Scene, run: &Trajectory, law: &Law, from: f64) -> Option<Pulling> {
+pub fn of_mesh(scene: &Scene, run: &Trajectory, law: &'static Law, from: f64) -> Option<Pulling> {
     let force = force(scene.model, law.name)?;
     let begin = run.row_from(from);
     let (t, x) = (&run.t[begin..], &run.output(force.name)?[begin..]);
@@ -43,7 +45,7 @@ pub fn of_mesh(scene: &Scene, run: &Trajectory, law: &Law, from: f64) -> Option<
     }
     let mean = pieces().map(|(dt, a, b)| 0.5 * (a + b) * dt).sum::<f64>() / time;
     let switch = play(scene.model, law.name);
-    let none = Pulling { force, mean, share: 0.0, largest: 0.0, without: switch.map(|switch| switch.with) };
+    let none = Pulling { law, force, mean, share: 0.0, largest: 0.0, without: switch.map(|switch| switch.with) };
     if switch.is_some_and(|switch| scene.effects.has(switch.with, scene.model)) {
         return Some(none);
     }

@@ -9,10 +9,12 @@
 
 use std::f64::consts::TAU;
 
+use crate::analysis::modes;
 use crate::analysis::orders::meshes;
 use crate::analysis::spectrum::uniform_samples_from;
+use crate::known;
 use crate::scene::Scene;
-use crate::tolerance::analysis::{FOLDED, SHOWN, STILL};
+use crate::tolerance::analysis::{FOLDED, RESOLVED, SHOWN, STILL};
 use crate::trajectory::Trajectory;
 
 /// What the samples of a run cannot show.
@@ -40,7 +42,7 @@ pub fn folding(scene: &Scene, run: &Trajectory, from: f64) -> Option<Folding> {
         acts.map(move |harmonic| (format!("a harmonic of `{name}`"), harmonic.omega.abs() / TAU))
     });
     let frequencies: Vec<_> = meshes.chain(torques).filter(|(_, frequency)| *frequency > 0.5 * rate).collect();
-    let vibrates = vibrates_too_fast(run, from);
+    let vibrates = vibrates_too_fast(run, from).filter(|_| may_vibrate(scene, rate));
     let fastest = frequencies.iter().fold(0.0, |fastest: f64, (_, frequency)| fastest.max(*frequency));
     let enough = (SHOWN * fastest).max(if vibrates.is_some() { SHOWN * rate } else { 0.0 });
     (enough > 0.0).then(|| Folding { rate, frequencies, vibrates, enough: two_digits(enough) })
@@ -55,6 +57,15 @@ fn two_digits(x: f64) -> f64 {
 /// The frequency at which samples at `rate` show a vibration of the frequency `f` \[Hz\].
 pub fn folded(f: f64, rate: f64) -> f64 {
     (f - rate * (f / rate).round()).abs()
+}
+
+/// Whether a mode of the scene may vibrate too fast for samples at `rate` \[Hz\]: an overdamped one does not vibrate, although its speeds
+/// change within a sample. True for a scene whose modes are not known.
+fn may_vibrate(scene: &Scene, rate: f64) -> bool {
+    let system = known::of(scene).and_then(|entry| entry.system(scene).ok());
+    let modes =
+        system.and_then(|system| modes::of(&system, &scene.mid_stiffnesses(), &modes::Parts::default(), &|| {}).ok());
+    modes.is_none_or(|cell| cell.modes.iter().any(|mode| mode.damped > rate / RESOLVED))
 }
 
 /// The first coordinate whose samples from the time `from` \[s\] on are too far apart for its vibration; `None` if there is no such one.

@@ -1,10 +1,12 @@
-//! What a reader of a run's numbers must know, found in its rows: teeth that pull, and frequencies that its samples cannot show. Runs,
+//! What a reader of a run's numbers must know, found in its rows: teeth that pull, absurd deflections, and frequencies that its samples cannot
+//! show. Runs,
 //! sweeps, responses and comparisons have the same remarks. The words before the colon are the same in every run with the same finding.
 
 use indexmap::IndexMap;
 
 use super::number::short;
 use super::unit::in_words;
+use crate::analysis::absurd::{self, Absurd};
 use crate::analysis::pulling::{self, Pulling};
 use crate::analysis::sampling::{self, Folding};
 use crate::scene::Scene;
@@ -19,7 +21,7 @@ pub(crate) const BETWEEN: &str = " | ";
 /// The remarks on the rows of a run from the time `from` \[s\] on, a sentence each.
 pub(crate) fn of(scene: &Scene, run: &Trajectory, from: f64) -> Vec<String> {
     let pull = pull(pulling::of(scene, run, from));
-    pull.into_iter().chain(samples(scene, run, from)).collect()
+    pull.into_iter().chain(absurd(scene, run, from)).chain(samples(scene, run, from)).collect()
 }
 
 /// The meshes whose teeth pull.
@@ -47,6 +49,19 @@ fn pull(mut all: Vec<Pulling>) -> Option<String> {
     let found = format!("the teeth pull: {}", meshes.join("; "));
     (!all.is_empty())
         .then(|| format!("{found}. {why}: real teeth would rattle, so that forces, losses and spectra differ"))
+}
+
+/// Deflections that no drivetrain has.
+fn absurd(scene: &Scene, run: &Trajectory, from: f64) -> Option<String> {
+    let all = absurd::of(scene, run, from);
+    let one = |absurd: &Absurd| match absurd {
+        Absurd::Teeth(force, modules) => format!("`{}` bends its teeth by {} modules", force.name, short(*modules)),
+        Absurd::Twist(twist, turns) => format!("`{}` reaches {} turns", twist.name, short(*turns)),
+    };
+    let more = all.len().checked_sub(NAMED).filter(|more| *more > 0).map(|more| format!("{more} more"));
+    let named: Vec<String> = all.iter().take(NAMED).map(one).chain(more).collect();
+    let check = "Real parts break before: check torques, stiffnesses and their units";
+    (!all.is_empty()).then(|| format!("absurd deflections: {}. {check}", named.join("; ")))
 }
 
 /// What the samples cannot show.
