@@ -12,6 +12,7 @@
 use nalgebra::DMatrix;
 
 use super::orders::{SHAFT, force};
+use super::pulling::{self, Pulling};
 use crate::engine::equations::Known;
 use crate::engine::system::System;
 use crate::gear::{Gears, InternalDynamics, Iso6336};
@@ -32,6 +33,8 @@ pub struct DynamicFactor {
     pub largest: f64,
     /// Magnitude in static equilibrium \[N or N m\].
     pub at_rest: Result<f64, String>,
+    /// How it pulls; `None` if no time passes.
+    pub pulling: Option<Pulling>,
     /// Largest over static \[1\].
     pub factor: Result<f64, String>,
     /// K_v of ISO 6336-1, method B \[1\].
@@ -54,7 +57,8 @@ pub fn of(scene: &Scene, entry: &Entry, run: &Trajectory, from: f64) -> Vec<Dyna
         });
         let factor = at_rest.clone().map(|at_rest| largest / at_rest);
         let iso6336 = at_rest.clone().and_then(|at_rest| iso6336(scene, entry, (run, from), i, at_rest));
-        all.push(DynamicFactor { law, force, largest, at_rest, factor, iso6336 });
+        let pulling = pulling::of_mesh(scene, run, law, from);
+        all.push(DynamicFactor { law, force, largest, at_rest, pulling, factor, iso6336 });
     }
     all
 }

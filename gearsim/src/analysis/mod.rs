@@ -1,5 +1,6 @@
 //! Analysis of trajectories after a run, and of the equations without a run.
 
+pub(crate) mod absurd;
 pub(crate) mod advise;
 pub(crate) mod digits;
 pub mod dynamic_factor;
@@ -9,6 +10,7 @@ pub mod floquet;
 pub(crate) mod from_teeth;
 pub mod modes;
 pub mod orders;
+pub(crate) mod pulling;
 pub mod rainflow;
 pub(crate) mod sampling;
 pub mod sound;

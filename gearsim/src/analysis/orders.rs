@@ -14,13 +14,15 @@
 
 mod cuts;
 mod lines;
+mod listed;
 mod meshes;
 mod planets;
 
 pub use cuts::{Cut, Window, cuts, windows};
 pub(crate) use lines::in_lobe;
 pub use lines::{APART, Line, lines};
-pub use meshes::{Mesh, Rotor, force, meshes, term};
+pub use listed::Listed;
+pub use meshes::{Mesh, Rotor, force, meshes, play, term};
 
 use realfft::RealFftPlanner;
 
@@ -166,6 +168,11 @@ impl Turning {
     /// The mean number of revolutions a second of the shaft \[Hz\].
     pub fn frequency(&self) -> f64 {
         self.angle[self.angle.len() - 1] * self.rate / (self.angle.len() - 1) as f64
+    }
+
+    /// The time of the record \[s\].
+    pub fn duration(&self) -> f64 {
+        (self.angle.len() - 1) as f64 / self.rate
     }
 
     /// Whole revolutions.

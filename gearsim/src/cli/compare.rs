@@ -11,6 +11,7 @@ use super::simulate::{Source, simulate};
 use super::{Verb, files, page, report, terminal};
 use crate::library::Results;
 use crate::library::equation_sets::{self, EquationSet};
+use crate::output::remarks;
 use crate::output::{OutputFolder, Summary, document};
 use crate::plot;
 use crate::scene::Scene;
@@ -86,13 +87,21 @@ impl Verb for Compare {
         let width = terminal::width();
         let text = || {
             let written = report::files(folder.path(), folder.files(), width);
-            format!("{}\n{}\n{written}", report::scene(&scene, width), table::render(&members, &summaries))
+            let notes: String = notes(&summaries).iter().map(|note| report::line("note", note, width)).collect();
+            let table = table::render(&members, &summaries);
+            format!("{}\n{table}{notes}\n{written}", report::scene(&scene, width))
         };
+        self.printing.warn(notes(&summaries).iter());
         self.printing.print(|| Ok::<_, Failure>(json), text)?;
         let verdict =
             |m: &ComparedRun| Failure::of(&format!("the {} run", m.set.label), &m.results.outcome, folder.path());
         members.iter().try_for_each(verdict)
     }
+}
+
+/// The remarks of the runs: for each finding, that of the first run that has it.
+fn notes(summaries: &[Summary]) -> Vec<String> {
+    remarks::counted("runs", summaries.iter().map(|summary| &summary.remarks[..]))
 }
 
 /// Writes the files, and returns the summaries of the runs and the content of `compare.json`.
@@ -111,8 +120,8 @@ fn write(
     }
     let before = folder.files().len();
     let runs: Vec<_> = members.iter().map(ComparedRun::to_draw).collect();
-    for warning in files::plots(folder, &plot::compared(&runs), &runs)? {
-        terminal::warn(&warning);
+    for remark in files::plots(folder, &plot::compared(&runs), &runs)? {
+        summaries.iter_mut().for_each(|summary: &mut Summary| summary.remarks.push(remark.clone()));
     }
     let entries = members.iter().zip(&summaries);
     let comparison = Comparison {

@@ -1,7 +1,7 @@
 //! Results of a run besides its statistics, as text: loads of meshes, lines, load spectra and sounds.
 
 use super::{number::short, report};
-use crate::analysis::orders::{Line, force, term};
+use crate::analysis::orders::{Line, Listed, force};
 use crate::library::evaluate::Evaluated;
 use crate::output::summary::{LoadSpectrum, Sound, Summary};
 use crate::output::unit::in_words;
@@ -28,12 +28,12 @@ pub(super) fn text(evaluated: &Evaluated, scene: &Scene, summary: &Summary, widt
     if let Some(lines) = &evaluated.lines {
         let meshes = scene.model.laws.iter().filter(|law| lines.lines.iter().any(|line| line.mesh == law.name));
         for output in meshes.filter_map(|law| force(scene.model, law.name)).take(MESHES) {
-            let line = |(line, amplitude): (Line, f64)| {
+            let line = |Listed { line, with, amplitude }: &Listed| {
                 let place = match lines.varying.contains(&line.mesh) {
                     true => format!("order {} of {}", short(line.order), lines.shaft.name),
                     false => format!("{} Hz", short(line.frequency)),
                 };
-                format!("{} at {place} ({})", in_words(amplitude, output.unit), words(&line))
+                format!("{} at {place} ({})", in_words(*amplitude, output.unit), words(line, with))
             };
             let all: Vec<String> = lines.largest(output, PRINTED).into_iter().map(line).collect();
             if !all.is_empty() {
@@ -77,14 +77,8 @@ fn the_playing_speed_of_a_sound_is_stated_with_the_change_of_frequencies() {
     assert_eq!(played(0.5), "played 2 times faster than it happens, so that each frequency is multiplied by 2");
 }
 
-/// A line in words: `2 × k12 - 1 rotor_speed_1`.
-fn words(line: &Line) -> String {
-    let multiple = format!("{} × {}", line.harmonic, line.mesh);
-    match line.rotor {
-        None => multiple,
-        Some(rotor) => {
-            let sign = if line.sideband < 0 { '-' } else { '+' };
-            format!("{multiple} {sign} {} {}", line.sideband.abs(), term(rotor))
-        }
-    }
+/// A line and the multiples of mesh orders that are not separated from it, in words.
+fn words(line: &Line, with: &[Line]) -> String {
+    let with = with.iter().filter(|with| with.rotor.is_none() || line.rotor.is_some());
+    [line].into_iter().chain(with).map(Line::words).collect::<Vec<_>>().join(" or ")
 }

@@ -136,11 +136,11 @@ pages! {
     sweep of "sweep.json" in WholeFiles(
         of: (&Manifest, &'static Model, Option<&str>),
         drawn: &[Drawn],
-        answers: (&str, &[(&'static str, Table)]),
+        answers: (&str, &[(&'static str, Table)], &[String]),
         points: &Table,
         files: &[String],
     ) => |_files| {
-        let ((manifest, model, text), (words, answers)) = (of, answers);
-        page::sweep::page(&page::sweep::Sweep { manifest, model, text, drawn, words, answers, points, files })
+        let ((manifest, model, text), (words, answers, remarks)) = (of, answers);
+        page::sweep::page(&page::sweep::Sweep { manifest, model, text, drawn, words, answers, remarks, points, files })
     };
 }

@@ -29,6 +29,13 @@ impl Printing {
         self.quiet.quiet
     }
 
+    /// Writes remarks on results to stderr if neither a report nor JSON has them.
+    pub(super) fn warn<'a>(&self, remarks: impl Iterator<Item = &'a String>) {
+        if self.quiet() && !self.json {
+            remarks.for_each(|remark| terminal::warn(remark));
+        }
+    }
+
     /// Prints the results.
     ///
     /// # Errors

@@ -180,10 +180,7 @@ pub(super) fn linearised(scene: &Scene, steady: Option<&Steady>, width: usize) -
 fn rare_lines(scene: &Scene, summary: &Summary, width: usize) -> String {
     let counts = &summary.counts;
     let mut text = String::new();
-    // The warnings about the scene were printed before the run.
-    for remark in
-        summary.remarks.iter().filter(|remark| !scene.warnings.contains(remark) && !scene.conversions.contains(remark))
-    {
+    for remark in summary.remarks.iter().filter(|remark| !scene.conversions.contains(remark)) {
         text += &line("note", remark, width);
     }
     if counts.holds > 0 {

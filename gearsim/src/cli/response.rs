@@ -75,7 +75,7 @@ pub(super) struct ResponseCommand {
 }
 
 /// Version of the format of --json.
-const VERSION: u32 = 2;
+const VERSION: u32 = 3;
 
 /// What --json prints.
 #[derive(Serialize)]
@@ -84,6 +84,8 @@ struct Report<'a> {
     /// The varied key.
     key: &'a str,
     unit: &'a str,
+    /// What a reader of the numbers must know: for each finding the number of points, and the remark of the first one.
+    remarks: Vec<String>,
     /// The rows of `response.csv`.
     points: Vec<Map<String, Value>>,
     /// Names of the files in the folder.
@@ -134,11 +136,13 @@ impl Verb for ResponseCommand {
                 scene: sweep.scene(),
                 key: &response.key,
                 unit: &response.unit,
+                remarks: response.remarks(),
                 points: document::records(&table),
                 files: folder.files(),
             };
             document::json("response", VERSION, &report)
         };
+        self.printing.warn(response.remarks().iter());
         self.printing.print(json, text)?;
         failure(&response, folder.path())
     }
@@ -179,6 +183,7 @@ fn facts(response: &ResponseCurve, measure: Measure) -> Vec<(String, String)> {
         let why = response.points.iter().find_map(|point| (measure.lacks)(point, i));
         facts.extend(why.map(|why| (output.name.into(), format!("no {words} at some points: {why}"))));
     }
+    facts.extend(response.remarks().into_iter().map(|remark| ("note".into(), remark)));
     facts
 }
 

@@ -70,7 +70,7 @@ impl Run {
     /// Writes the files, and prints the results.
     fn write(&self, folder: &mut OutputFolder, results: &Results, page: Option<page::Asked>) -> Result<(), Failure> {
         let scene = &results.scene;
-        let evaluated = results.write_to(folder, self.csv || scene.output.csv, terminal::warn)?;
+        let evaluated = results.write_to(folder, self.csv || scene.output.csv)?;
         let mut summary = results.summed(folder, &evaluated);
         if let Some(page) = page {
             page.run(folder, results, &mut summary)?;
@@ -85,6 +85,9 @@ impl Run {
                 + "\n"
                 + &report::files(folder.path(), folder.files(), width)
         };
+        // Those about the scene were written before the run.
+        let before = |remark: &&String| scene.warnings.contains(remark) || scene.conversions.contains(remark);
+        self.printing.warn(summary.remarks.iter().filter(|remark| !before(remark)));
         self.printing.print(|| summary.json(), text)
     }
 }

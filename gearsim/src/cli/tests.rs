@@ -5,6 +5,7 @@ mod faults;
 mod manual;
 mod page;
 mod refusals;
+mod remarks;
 mod runs;
 mod starters;
 mod sweeps;

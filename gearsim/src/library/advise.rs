@@ -9,6 +9,7 @@ use crate::analysis::advise::groups::Groups;
 use crate::analysis::advise::measures::coordinates;
 use crate::analysis::advise::orbit::{Steady, Unknown};
 use crate::analysis::advise::{self, Apart, Bands, Candidate, LIMITS, Measures, Way, expected, short_run};
+use crate::analysis::pulling;
 use crate::run::{Account, Outcome};
 use crate::scene::Scene;
 
@@ -137,12 +138,13 @@ impl Scene {
 
 /// The advice on `base`, a scene without effects that drop terms.
 fn of(base: &Scene, watch: &dyn Fn(f64)) -> Result<Advice, Error> {
-    let candidates = advise::candidates(base);
+    let mut candidates = advise::candidates(base);
     if candidates.is_empty() {
         let what = format!("scene {} has no effects: there is nothing to leave out", base.name);
         return Err(Error::impossible(what, "add effects to its list `effects`"));
     }
     let (outcome, seconds) = timed(base, watch)?;
+    candidates.extend(advise::with_play(base, &pulling::of(base, &outcome.trajectory, 0.0)));
     let system = base.entry()?.system(base).map_err(|refusal| refusal.to_string());
     let groups = system.as_ref().map_err(Clone::clone);
     let groups = groups.and_then(|system| Groups::of(base, system).map_err(|e| e.to_string()));

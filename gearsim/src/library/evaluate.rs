@@ -1,33 +1,25 @@
 //! Results of a run besides its statistics, as files: lines, load spectra and sounds.
 
-use crate::analysis::{rainflow, sampling, sound};
+use crate::analysis::{rainflow, sound};
 use crate::output::lines::Lines;
 use crate::output::summary::{Number, Sound};
-use crate::output::unit::in_words;
 use crate::output::{OutputError, OutputFolder, csv, load_spectrum, wav};
 use crate::run::Outcome;
 use crate::scene::Scene;
 
-/// Writes `lines.csv`, the load spectra and the sounds that the scene asks for. Returns the lines and the sounds, and a warning for each
+/// Writes `lines.csv`, the load spectra and the sounds that the scene asks for. Returns the lines and the sounds, and a remark for each
 /// file that cannot be made.
 pub(crate) fn write(folder: &mut OutputFolder, scene: &Scene, outcome: &Outcome) -> Result<Evaluated, OutputError> {
     let (run, asked) = (&outcome.trajectory, &scene.output);
     let mut done = Evaluated::default();
-    if let Some((coordinate, rate)) = sampling::too_far_apart(run, asked.from) {
-        done.warnings.push(format!(
-            "`{coordinate}` vibrates faster than samples at {} can show: spectra, lines, sounds and load cycles of them are \
-             wrong. Set a higher output.rate, for example \"{}\"",
-            in_words(rate, "Hz"),
-            in_words(10.0 * rate, "Hz")
-        ));
-    }
     match Lines::of(run, &asked.spectrum) {
         Ok(Some(lines)) => {
             folder.write("lines.csv", |sink| csv::write(&lines.table(&asked.spectrum)?, sink))?;
+            done.remarks.extend(lines.remark());
             done.lines = Some(lines);
         }
         Ok(None) => {}
-        Err(error) => done.warnings.push(format!("no table of lines: {error}")),
+        Err(error) => done.remarks.push(format!("no table of lines: {error}")),
     }
     for &name in &asked.rainflow {
         let Some((unit, column)) = run.signal(name) else { continue };
@@ -52,7 +44,7 @@ pub(crate) fn write(folder: &mut OutputFolder, scene: &Scene, outcome: &Outcome)
                 let entry = Sound { file, stretch: Number(of.stretch), unit: unit.into(), full_scale, mean };
                 done.sounds.push((name.to_owned(), entry));
             }
-            Err(error) => done.warnings.push(format!("no sound of `{name}`: {error}")),
+            Err(error) => done.remarks.push(format!("no sound of `{name}`: {error}")),
         }
     }
     Ok(done)
@@ -66,5 +58,5 @@ pub(crate) struct Evaluated {
     /// The sounds, each with its signal.
     pub(crate) sounds: Vec<(String, Sound)>,
     /// Why a file that was asked for could not be made.
-    pub(crate) warnings: Vec<String>,
+    pub(crate) remarks: Vec<String>,
 }

@@ -9,7 +9,7 @@ use crate::output::summary::{
     Counts, Digits, Energy, FORMAT, LawFromTeeth, LoadSpectrum, Mesh, Method, Named, Number, Observed, Rows, Summary,
     VERSION,
 };
-use crate::output::{OutputError, OutputFolder, Table, csv, parquet};
+use crate::output::{OutputError, OutputFolder, Table, csv, parquet, remarks};
 use crate::plot::{self, Figure, PlotError, Run};
 use crate::run::Outcome;
 use crate::scene::Scene;
@@ -37,20 +37,20 @@ pub(crate) fn trajectory(
     Ok(())
 }
 
-/// Writes the plots `names` of `runs` as SVG and PNG. A plot that cannot be drawn does not end the command: the return value has a warning
+/// Writes the plots `names` of `runs` as SVG and PNG. A plot that cannot be drawn does not end the command: the return value has a remark
 /// for each.
 pub(crate) fn plots(folder: &mut OutputFolder, names: &[String], runs: &[Run<'_>]) -> Result<Vec<String>, OutputError> {
-    let mut warnings = vec![];
+    let mut remarks = vec![];
     for name in names {
         match draw(name, runs) {
             Ok((svg, png)) => {
                 folder.write_bytes(&format!("{name}.svg"), svg.as_bytes())?;
                 folder.write_bytes(&format!("{name}.png"), &png)?;
             }
-            Err(error) => warnings.push(format!("no plot `{name}`: {error}")),
+            Err(error) => remarks.push(format!("no plot `{name}`: {error}")),
         }
     }
-    Ok(warnings)
+    Ok(remarks)
 }
 
 /// Writes a figure as SVG and PNG, and returns it. If it cannot be drawn, it only calls `warn`.
@@ -170,7 +170,9 @@ pub(crate) fn brief(scene: &Scene, outcome: &Outcome) -> Summary {
         digits: outcome
             .digits
             .map(|digits| Digits { at_end: Number(digits.at_end), none_from: digits.none_from.map(Number) }),
-        remarks: scene.conversions.iter().chain(&scene.warnings).chain(&outcome.remarks).cloned().collect(),
+        remarks: (scene.conversions.iter().chain(&scene.warnings).chain(&outcome.remarks).cloned())
+            .chain(remarks::of(scene, run, scene.output.from))
+            .collect(),
         cpu_seconds: Number(outcome.cpu_seconds),
         completed: outcome.stopped_by.is_none(),
         stopped_by: outcome.stopped_by.as_ref().map(|stop| stop.to_string()),

@@ -193,33 +193,31 @@ impl Results {
         more: impl FnOnce(&mut OutputFolder, &mut Summary) -> Result<(), Error>,
     ) -> Result<Vec<PathBuf>, Error> {
         let mut folder = OutputFolder::create(folder)?;
-        let evaluated = self.write_to(&mut folder, self.scene.output.csv, |_| {})?;
+        let evaluated = self.write_to(&mut folder, self.scene.output.csv)?;
         let mut summary = self.summed(&folder, &evaluated);
         more(&mut folder, &mut summary)?;
         finish(&mut folder, &summary)?;
         Ok(folder.files().iter().map(|name| folder.path().join(name)).collect())
     }
 
-    /// Writes the trajectory, the plots, the lines, the load spectra and the sounds. `warn` gets a message for each that cannot be made.
-    pub(crate) fn write_to(
-        &self,
-        folder: &mut OutputFolder,
-        csv: bool,
-        mut warn: impl FnMut(&str),
-    ) -> Result<Evaluated, Error> {
+    /// Writes the trajectory, the plots, the lines, the load spectra and the sounds.
+    pub(crate) fn write_to(&self, folder: &mut OutputFolder, csv: bool) -> Result<Evaluated, Error> {
         let Results { scene, outcome } = self;
         files::trajectory(folder, "trajectory", csv, scene, outcome)?;
         let runs = [self.drawn()];
-        files::plots(folder, &plot::chosen(&runs), &runs)?.iter().for_each(|warning| warn(warning));
-        let evaluated = evaluate::write(folder, scene, outcome)?;
-        evaluated.warnings.iter().for_each(|warning| warn(warning));
+        let no_plots = files::plots(folder, &plot::chosen(&runs), &runs)?;
+        let mut evaluated = evaluate::write(folder, scene, outcome)?;
+        evaluated.remarks.splice(0..0, no_plots);
         Ok(evaluated)
     }
 
     /// The summary of the run, with its files so far and what was evaluated.
     pub(crate) fn summed(&self, folder: &OutputFolder, evaluated: &Evaluated) -> Summary {
-        let sounds = evaluated.sounds.iter().cloned().collect();
-        Summary { files: folder.files().to_vec(), sounds, ..self.summary() }
+        let mut summary = self.summary();
+        summary.remarks.extend_from_slice(&evaluated.remarks);
+        summary.sounds.extend(evaluated.sounds.iter().cloned());
+        summary.files = folder.files().to_vec();
+        summary
     }
 
     /// Whether the run reached its end and its energy account closes.

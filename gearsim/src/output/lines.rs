@@ -4,8 +4,9 @@
 use std::borrow::Cow;
 
 use super::OutputError;
+use super::number::short;
 use super::table::{Table, Values};
-use crate::analysis::orders::{Line, Turning, lines, meshes, reference_shaft};
+use crate::analysis::orders::{Line, Listed, Turning, lines, meshes, reference_shaft};
 use crate::analysis::spectrum::SpectrumError;
 use crate::model::Output;
 use crate::scene::Spectrum;
@@ -14,6 +15,8 @@ use crate::trajectory::Trajectory;
 /// Units of the outputs in the table: forces, torques, transmission errors and twists.
 const UNITS: [&str; 4] = ["N", "m", "N*m", "rad"];
 
+/// Lines of a mesh force among which a remark looks for lines that are not separated, and most pairs that it names.
+const LARGEST: usize = 4;
 /// Orders with a smaller relative difference count as the same: they are means over a run, in which shafts twist.
 const SAME: f64 = 1e-4;
 
@@ -28,10 +31,10 @@ pub struct Lines {
     pub varying: Vec<&'static str>,
     /// The outputs in the table.
     pub outputs: Vec<&'static Output>,
-    /// Peak amplitudes (lines, outputs) [units of the outputs].
-    pub amplitudes: Vec<Vec<f64>>,
-    /// Whether an output has a line (outputs, lines). It has a sideband only if that stands out in its spectrum.
-    pub has: Vec<Vec<bool>>,
+    /// The lines of each output [unit of the output], by ascending order.
+    pub listed: Vec<Vec<Listed>>,
+    /// Length of the record \[s\].
+    pub duration: f64,
 }
 
 impl Lines {
@@ -50,37 +53,32 @@ impl Lines {
         };
         let turning = Turning::of(run, shaft.name, settings.from)?;
         let lines = lines(&turning, &meshes);
-        let amplitudes = turning.amplitudes(&columns, &lines);
-        let has = columns.iter().map(|column| turning.has(column, &lines)).collect();
+        let listed = turning.listed(&columns, &lines);
+        let duration = turning.duration();
         let varying = meshes.iter().filter(|mesh| !mesh.steady).map(|mesh| mesh.name).collect();
-        Ok(Some(Lines { shaft, lines, varying, outputs, amplitudes, has }))
-    }
-
-    /// The lines of the output number `o`, each with its peak amplitude.
-    fn of_output(&self, o: usize) -> impl Iterator<Item = (&Line, f64)> {
-        let all = self.lines.iter().zip(&self.amplitudes).zip(&self.has[o]);
-        all.filter(|(_, has)| **has).map(move |((line, amplitudes), _)| (line, amplitudes[o]))
+        Ok(Some(Lines { shaft, lines, varying, outputs, listed, duration }))
     }
 
     /// The table, a row for each output and line; the frequency is NaN where the speed of the mesh varies. Errors: [`OutputError::Ragged`].
     pub fn table(&self, settings: &Spectrum) -> Result<Table, OutputError> {
-        let (mut words, mut numbers) = ([(); 5].map(|()| vec![]), [(); 6].map(|()| vec![]));
-        for (o, output) in self.outputs.iter().enumerate() {
+        let (mut words, mut numbers) = ([(); 6].map(|()| vec![]), [(); 6].map(|()| vec![]));
+        for (output, listed) in self.outputs.iter().zip(&self.listed) {
             let (reference, value) = settings.reference(output.unit);
-            for (line, amplitude) in self.of_output(o) {
+            for Listed { line, with, amplitude } in listed {
                 let rotor = line.rotor.unwrap_or_default();
                 let texts = [output.name, output.unit, line.mesh, rotor].map(Cow::Borrowed);
-                let texts = texts.into_iter().chain([Cow::Owned(reference.clone())]);
+                let with = with.iter().map(Line::words).collect::<Vec<_>>().join(", ");
+                let texts = texts.into_iter().chain([reference.clone(), with].map(Cow::Owned));
                 words.iter_mut().zip(texts).for_each(|(column, text)| column.push(text));
                 let level = 20.0 * (amplitude / value).log10();
                 let (harmonic, sideband) = (line.harmonic as f64, f64::from(line.sideband));
                 // A line that moves with the speed has no fixed frequency.
                 let frequency = if self.varying.contains(&line.mesh) { f64::NAN } else { line.frequency };
-                let row = [harmonic, sideband, line.order, frequency, amplitude, level];
+                let row = [harmonic, sideband, line.order, frequency, *amplitude, level];
                 numbers.iter_mut().zip(row).for_each(|(column, number)| column.push(number));
             }
         }
-        let [signal, unit, mesh, rotor, reference] = words.map(Values::Text);
+        let [signal, unit, mesh, rotor, reference, with] = words.map(Values::Text);
         let [harmonic, sideband, order, frequency, amplitude, level] = numbers.map(Values::Number);
         let mut table = Table::default();
         table.push("signal", "", signal)?;
@@ -94,25 +92,49 @@ impl Lines {
         table.push("unit", "", unit)?;
         table.push("level", "dB", level)?;
         table.push("level_re", "", reference)?;
+        table.push("not_separated_from", "", with)?;
         Ok(table)
     }
 
-    /// The largest lines of an output, the largest first: each with its peak amplitude [unit of the output]. Only one of several
-    /// lines at the same order is kept, a multiple of a mesh order if there is one.
-    pub fn largest(&self, output: &Output, most: usize) -> Vec<(Line, f64)> {
+    /// The largest lines of an output, the largest first.
+    pub fn largest(&self, output: &Output, most: usize) -> Vec<&Listed> {
         let Some(o) = self.outputs.iter().position(|known| known.name == output.name) else { return vec![] };
-        let mut all: Vec<_> = self.of_output(o).map(|(line, amplitude)| (*line, amplitude)).collect();
-        all.sort_by_key(|(line, _)| line.rotor.is_some());
-        let mut apart: Vec<(Line, f64)> = vec![];
-        for (line, amplitude) in all {
-            if apart.iter().all(|(other, _)| (other.order - line.order).abs() > SAME * line.order) {
-                apart.push((line, amplitude));
+        let mut all: Vec<_> = self.listed[o].iter().collect();
+        all.sort_by(|a, b| b.amplitude.total_cmp(&a.amplitude));
+        all.truncate(most);
+        all
+    }
+
+    /// The largest lines of mesh forces that the record does not separate from others, as a remark; `None` if there are none.
+    pub fn remark(&self) -> Option<String> {
+        let forces = self.outputs.iter().filter(|output| output.name.starts_with("mesh_"));
+        let largest = forces.flat_map(|output| self.largest(output, LARGEST));
+        let pairs = largest.flat_map(|of| of.with.iter().map(move |with| (of.line, *with)));
+        let mut pairs: Vec<_> = pairs.filter(|(a, b)| (a.order - b.order).abs() > SAME * a.order).collect();
+        pairs.sort_by(|x, y| distance(x).total_cmp(&distance(y)));
+        let mut named: Vec<String> = vec![];
+        for (a, b) in &pairs {
+            let [first, second] = if a.frequency < b.frequency { [a, b] } else { [b, a] };
+            let says = format!("{} and {} ({} Hz apart)", first.words(), second.words(), short(distance(&(*a, *b))));
+            if !named.contains(&says) {
+                named.push(says);
             }
         }
-        apart.sort_by(|a, b| b.1.total_cmp(&a.1));
-        apart.truncate(most);
-        apart
+        let longer = 2.0 / distance(pairs.first()?);
+        named.truncate(LARGEST);
+        Some(format!(
+            "lines not separated: in a record of {} s lines closer than {} Hz are one line: {}. Record {} s to separate them",
+            short(self.duration),
+            short(2.0 / self.duration),
+            named.join(", "),
+            short(longer)
+        ))
     }
+}
+
+/// The distance of two lines \[Hz\].
+fn distance((a, b): &(Line, Line)) -> f64 {
+    (a.frequency - b.frequency).abs()
 }
 
 #[cfg(test)]

@@ -14,6 +14,7 @@ pub(crate) mod load_spectrum;
 pub(crate) mod marker;
 pub(crate) mod number;
 pub mod parquet;
+pub(crate) mod remarks;
 pub(crate) mod staging;
 pub mod summary;
 mod swap;

@@ -23,7 +23,7 @@ pub use observed::Observed;
 /// Name of the format of `summary.json`.
 pub const FORMAT: &str = "gearsim.summary";
 /// Version of the format. Files of version 0 have neither `format` nor `version`.
-pub const VERSION: u32 = 5;
+pub const VERSION: u32 = 6;
 
 /// The content of `summary.json`.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]

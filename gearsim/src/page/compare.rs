@@ -19,6 +19,9 @@ pub fn page(made: &Made<'_>, runs: &[Run<'_>], summaries: &[Summary]) -> Result<
             if let Some(refuted) = &summary.refuted {
                 html.note(&format!("The energy account of the {label} run does not close: {refuted}"));
             }
+            for remark in &summary.remarks {
+                html.note(&format!("The {label} run: {remark}"));
+            }
         }
         let head: Vec<&str> = ["quantity", "unit"].into_iter().chain(labels.iter().copied()).collect();
         html.table("The runs side by side", &head, &rows(runs, summaries));

@@ -23,6 +23,8 @@ pub struct Sweep<'a> {
     pub words: &'a str,
     /// The tables of its answers, by the names of their files.
     pub answers: &'a [(&'static str, Table)],
+    /// What a reader of its numbers must know.
+    pub remarks: &'a [String],
     /// One row per point.
     pub points: &'a Table,
     /// Names of the other files.
@@ -35,6 +37,7 @@ pub fn page(sweep: &Sweep<'_>) -> Result<Page, OutputError> {
     let varied = format!("{} points over {}", manifest.points, manifest.vary.join(", "));
     let mut page = Page::new(&manifest.scene, varied);
     page.section("result", "Result", |html| {
+        sweep.remarks.iter().for_each(|remark| html.note(remark));
         html.pairs(definition(manifest));
         for (i, drawn) in sweep.drawn.iter().enumerate() {
             match drawn {

@@ -239,6 +239,7 @@ fn plots_of_sweeps_have_their_labels_and_units() {
             point,
             status: Status::Done,
             reason: String::new(),
+            remarks: vec![],
             numbers: numbers(point),
             spectra: vec![spectrum(point)],
         };

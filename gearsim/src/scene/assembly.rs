@@ -45,9 +45,9 @@ pub(super) enum Narrow {
     Tips(String),
 }
 
-/// Checks the two nearest of the planets at `angles` [rad] between `sun` and `ring` teeth. `None` if there is room for both.
-pub(super) fn narrow([sun, ring]: [f64; 2], angles: &[f64], of: &str) -> Option<Narrow> {
-    let (centre, teeth) = ((sun + ring) / 4.0, (ring - sun) / 2.0);
+/// Checks the two nearest of the planets with `teeth` at `angles` [rad] between `sun` and `ring` teeth. `None` if there is room for both.
+pub(super) fn narrow([sun, ring, teeth]: [f64; 3], angles: &[f64], of: &str) -> Option<Narrow> {
+    let centre = (sun + ring) / 4.0;
     let pairs = (0..angles.len()).flat_map(|i| (0..i).map(move |j| (i, j)));
     // Distances of centres [modules].
     let apart = pairs.map(|(i, j)| (i, 2.0 * centre * (0.5 * (angles[i] - angles[j])).sin().abs()));
@@ -82,7 +82,7 @@ pub(super) fn check(scene: &Scene, report: &mut Report) {
     if let Some(found) = misfit([sun, ring], &angles, first, "the stage") {
         report.warn(format!("{}: {}", found.message, found.help));
     }
-    match narrow([sun, ring], &angles, "the stage") {
+    match narrow([sun, ring, (ring - sun) / 2.0], &angles, "the stage") {
         Some(Narrow::OnePlace(_)) => report.warn("the stage has two planets in one place".into()),
         Some(Narrow::Tips(said)) => report.warn(said),
         None => {}

@@ -4,7 +4,9 @@ use super::document::{KeyEntry, Node, Place};
 use super::keys::{Key, Kind, REQUIRED, key};
 use super::mistake::{Report, did_you_mean};
 use super::per_radius::{OfModel, Radii};
-use super::{Scene, assembly, effects, field, gear_data, keys, laws, meshes, output, parameters, solver, start, train};
+use super::{
+    Scene, assembly, effects, field, gear_data, inert, keys, laws, meshes, output, parameters, solver, start, train,
+};
 use crate::model::Model;
 
 /// Keys of the top level of a scene. A scene of `model = "train"` also has the keys [`train::KEYS`].
@@ -68,17 +70,19 @@ pub(super) fn scene(root: &Node, end: &Place, models: &[&'static Model], report:
     }
 
     let (effects, parameters, laws, gears, start) = of_model?;
-    let parameters = parameters?;
-    let scene = Scene {
+    let (model, effects, parameters, laws) = (model?, effects?, parameters?, laws?);
+    inert::warn(entries, model, &effects, (&parameters, &laws), report);
+    let mut scene = Scene {
         name: String::new(),
         about: about.unwrap_or_default().to_string(),
-        model: model?,
+        model,
         train: listed.as_ref().map(|listed| listed.train.clone()),
-        effects: effects?,
+        effects,
         parameters: parameters.values,
         time_histories: parameters.varying,
-        laws: laws?,
+        laws,
         gears,
+        modules: vec![],
         start: start?,
         t_end: t_end?,
         solver: solver?,
@@ -90,6 +94,7 @@ pub(super) fn scene(root: &Node, end: &Place, models: &[&'static Model], report:
         conversions: parameters.conversions,
         warnings: vec![],
     };
+    scene.modules = gear_data::modules(&scene, of_train);
     assembly::check(&scene, report);
     gear_data::check(&scene, entries, of_train, report);
     Some(scene)

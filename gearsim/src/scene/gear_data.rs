@@ -11,10 +11,27 @@ use super::teeth::TeethReader;
 use super::train::Meshes;
 use super::{Scene, damage, field, friction, keys};
 use crate::gear::Gears;
-use crate::model::{GearData, Model, Parameter};
+use crate::model::{GearData, Law, Model, Parameter, Role};
 use crate::tolerance::scene::{
-    BASE_RADIUS, MODULES, PRESSURE_ANGLES, TEETH, USUAL_ANGLES, USUAL_MODULES, WORKING_ANGLE,
+    BASE_RADIUS, MODULES, PRESSURE_ANGLES, TEETH, USUAL_ANGLES, USUAL_MODULES, USUAL_PLAY, WORKING_ANGLE,
 };
+
+/// The modules of the meshes of the laws of `scene` [m]. `train` has the meshes of a train.
+pub(super) fn modules(scene: &Scene, train: Option<&Meshes>) -> Vec<Option<f64>> {
+    let of_radius = |law: &Law| {
+        let mesh = meshes::of_law(law.name, scene.model, train, &|name| scene.parameter(name))?;
+        let mut gears = mesh.gears.iter();
+        let (z, r) = gears.find_map(|gear| Some((gear.teeth.as_ref()?.0, gear.radius.as_ref()?.1)))?;
+        Some(module(z, r)).filter(|module| module.is_finite())
+    };
+    let laws = scene.model.laws.iter().zip(&scene.gears);
+    laws.map(|(law, gears)| gears.as_ref().map(|gears| gears.module).or_else(|| of_radius(law))).collect()
+}
+
+/// The module of a gear with `z` teeth and the base radius `r` [m] at 20 deg [m].
+fn module(z: f64, r: f64) -> f64 {
+    2.0 * r / (z * 20f64.to_radians().cos())
+}
 
 /// Checks the gears of `scene`, which was read from `entries`. `train` has the meshes of a train.
 pub(super) fn check(scene: &Scene, entries: &[KeyEntry], train: Option<&Meshes>, report: &mut Report) {
@@ -26,6 +43,9 @@ pub(super) fn check(scene: &Scene, entries: &[KeyEntry], train: Option<&Meshes>,
             Some(GearData::PressureAngle) => checker.pressure_angle(parameter, *x, report),
             Some(GearData::Support) | None => {}
         }
+    }
+    for (law, module) in scene.model.laws.iter().zip(&scene.modules).filter(|(law, _)| law.role == Role::Stiffness) {
+        checker.play(law, *module, report);
     }
     for law in scene.model.laws {
         if let Some(KeyEntry { node, .. }) = checker.laws.iter().find(|entry| entry.key == law.name)
@@ -91,7 +111,7 @@ impl Checker<'_> {
         let Some(z) = ["N", "Z"].iter().find_map(|letter| self.scene.parameter(&format!("{letter}{gear}"))) else {
             return;
         };
-        let module = 2.0 * r / (z * 20f64.to_radians().cos());
+        let module = module(z, r);
         let (low, high) = (1e3 * MODULES.start(), 1e3 * MODULES.end());
         if !MODULES.contains(&module) {
             let must = format!(
@@ -118,6 +138,22 @@ impl Checker<'_> {
                 "`parameters.{}` is {degrees:.1} deg, which is rare for a pressure angle",
                 parameter.name
             ));
+        }
+    }
+
+    /// Warns of a play with which the gears of a stiffness would not mesh.
+    fn play(&self, law: &Law, module: Option<f64>, report: &mut Report) {
+        let name = format!("b{}", &law.name[1..]);
+        let Some((parameter, play)) =
+            self.scene.model.parameters.iter().zip(&self.scene.parameters).find(|(p, _)| p.name == name)
+        else {
+            return;
+        };
+        // A play in rad is one of the deflection of `gear_pair`, whose radian is a module and a little more.
+        let module = if parameter.unit == "rad" { Some(1.0) } else { module };
+        let modules = module.map_or(0.0, |module| play / module);
+        if modules > USUAL_PLAY {
+            report.warn(format!("`parameters.{name}` is a play of {modules:.1} modules: the teeth would not mesh"));
         }
     }
 

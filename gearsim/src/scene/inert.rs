@@ -1,50 +1,52 @@
 //! Warnings of values and parts that a scene states without the effect that they need.
 
-use std::collections::HashSet;
+use indexmap::{IndexMap, IndexSet};
 
-use super::document::KeyEntry;
+use super::document::{KeyEntry, Value};
 use super::mistake::Report;
+use super::parameters::Given;
 use super::{Effects, keys};
 use crate::model::Model;
-use indexmap::{IndexMap, IndexSet};
+use crate::profile::Profile;
 
 /// Tables of a train whose parts do nothing without an effect.
 const OF_EFFECTS: [&str; 5] = ["drives.", "loads.", "bearings.", "clutches.", "end_stops."];
 
-/// Warns of torques, and of parts of a train, that a scene describes without their effect. Other parameters of effects, such as a backlash,
-/// may stay in a scene whose effects change. `is_zero` says whether parameter `i` is 0 at all times; it then needs no warning.
+/// Warns of parameters, laws and parts of a train that a scene describes without their effect. A value that is 0 at all times needs no
+/// warning.
 pub(super) fn warn(
-    given: &[KeyEntry],
+    entries: &[KeyEntry],
     model: &Model,
-    effects: Option<&Effects>,
-    is_zero: &dyn Fn(usize) -> bool,
+    effects: &Effects,
+    (parameters, laws): (&Given, &[Profile]),
     report: &mut Report,
 ) {
-    let Some(effects) = effects else { return };
-    let is_part = |key: &str| OF_EFFECTS.iter().any(|table| key.starts_with(table));
-    let part = |key: &str| key.split('.').take(2).collect::<Vec<_>>().join(".");
-    // Parts with an active effect get no warning: a bearing with one kind of friction may state the other kind too.
-    let active = model.parameters.iter().filter(|p| p.with.is_some_and(|effect| effects.has(effect, model)));
-    let active: HashSet<_> =
-        active.filter_map(|p| report.stated.key(&format!("parameters.{}", p.name))).map(part).collect();
+    let lacks = |with: Option<&'static str>| with.filter(|effect| !effects.has(effect, model));
     let mut without: IndexMap<&str, IndexSet<String>> = IndexMap::new();
-    for (i, parameter) in model.parameters.iter().enumerate() {
-        let Some(effect) = parameter.with.filter(|effect| !effects.has(effect, model)) else { continue };
-        let name = format!("parameters.{}", parameter.name);
-        let inert = match (report.stated.key(&name), report.stated.home(&name)) {
-            _ if is_zero(i) => continue,
-            (Some(key), _) if active.contains(&part(key)) => continue,
-            (Some(key), _) if is_part(key) => format!("`{key}`"),
-            // A part that does not state a value that its effect requires.
-            (None, Some(home)) if parameter.default.is_none() && is_part(home.title.trim_start_matches('[')) => {
-                home.title.clone()
-            }
-            _ if keys::get(given, parameter.name).is_none() => continue,
-            _ if model.torques.iter().any(|torque| torque.with.contains(&effect)) => format!("`{name}`"),
-            _ => continue,
-        };
+    let mut inert = |effect: &'static str, what: String| {
         let of = model.effects.iter().find(|known| known.name == effect).and_then(|known| known.of);
-        without.entry(of.unwrap_or(effect)).or_default().insert(inert);
+        without.entry(of.unwrap_or(effect)).or_default().insert(what);
+    };
+    let is_zero = |i: usize| parameters.values[i] == 0.0 && !parameters.varying.iter().any(|(at, _)| *at == i);
+    // Data of gears belong to their meshes, whatever uses them.
+    let stated = model.parameters.iter().enumerate().filter(|(i, p)| !is_zero(*i) && p.gear_data.is_none());
+    for (_, parameter) in stated {
+        let Some(effect) = lacks(parameter.with) else { continue };
+        let name = format!("parameters.{}", parameter.name);
+        if is_given(entries, "parameters", parameter.name) {
+            inert(effect, format!("`{}`", report.stated.key(&name).unwrap_or(&name)));
+        } else if let Some(home) = report.stated.home(&name).filter(|_| parameter.default.is_none()) {
+            // A part that does not state a value that its effect requires.
+            if OF_EFFECTS.iter().any(|table| home.title.trim_start_matches('[').starts_with(table)) {
+                inert(effect, home.title.clone());
+            }
+        }
+    }
+    for (law, _) in model.laws.iter().zip(laws).filter(|(_, law)| law.extremes() != (0.0, 0.0)) {
+        if let Some(effect) = lacks(law.with).filter(|_| is_given(entries, "laws", law.name)) {
+            let name = format!("laws.{}", law.name);
+            inert(effect, format!("`{}`", report.stated.key(&name).unwrap_or(&name)));
+        }
     }
     for (effect, names) in without {
         let (does, them) = if names.len() == 1 { ("does", "it") } else { ("do", "them") };
@@ -52,4 +54,10 @@ pub(super) fn warn(
         let what = format!("add it to `effects`, or leave {them} out");
         report.warn(format!("{names} {does} nothing without the effect `{effect}`: {what}"));
     }
+}
+
+/// Whether the scene states the value `name` of a table.
+fn is_given(entries: &[KeyEntry], table: &str, name: &str) -> bool {
+    let Some(Value::Table(given)) = keys::get(entries, table).map(|node| &node.value) else { return false };
+    keys::get(given, name).is_some()
 }

@@ -128,7 +128,11 @@ impl Report {
 
     /// Adds a warning: the scene is allowed, but a reader may have meant something else.
     pub(crate) fn warn(&mut self, warning: String) {
-        self.warnings.push(self.stated.renamed(warning));
+        let warning = self.stated.renamed(warning);
+        // The meshes of a planet set have one table.
+        if !self.warnings.contains(&warning) {
+            self.warnings.push(warning);
+        }
     }
 
     pub(crate) fn into_warnings(self) -> Vec<String> {

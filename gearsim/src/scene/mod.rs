@@ -128,6 +128,9 @@ pub struct Scene {
     pub laws: Vec<Profile>,
     /// The gears of each law that is computed from teeth, in the order of `model.laws`.
     pub gears: Vec<Option<Gears>>,
+    /// Module of the gears of the mesh of each law \[m\], in the order of `model.laws`: that of the teeth, else from base radius and number
+    /// of teeth at 20 deg; `None` if the scene states neither.
+    pub modules: Vec<Option<f64>>,
     /// State at t = 0.
     pub start: InitialState,
     /// End time of the run \[s\]; infinite in a scene without `[run]`, which has modes and multipliers, but no run.

@@ -4,7 +4,7 @@ use super::document::{KeyEntry, Node, Value};
 use super::keys::{Kind, Named, each};
 use super::mistake::Report;
 use super::per_radius::{self, PerRadius, Radii};
-use super::{Effects, TimeHistory, field, inert, keys, time_history};
+use super::{Effects, TimeHistory, field, keys, time_history};
 use crate::model::{Model, Parameter, Range};
 
 /// Parameters that a scene may have.
@@ -86,8 +86,6 @@ pub(super) fn read(
         values[i] = x;
         conversions.push(says);
     }
-    let is_zero = |i: usize| values[i] == 0.0 && !varying.iter().any(|(at, _)| *at == i);
-    inert::warn(given, model, effects, &is_zero, report);
     let before = report.len();
     ordered(given, model, &values, report);
     (report.len() == before).then_some(Given { values, varying, conversions })

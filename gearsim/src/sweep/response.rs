@@ -16,7 +16,7 @@ use crate::analysis::statistics::Statistics;
 use crate::model::{Model, Output};
 use crate::output::table::Values;
 use crate::output::unit::readable;
-use crate::output::{OutputError, Table};
+use crate::output::{OutputError, Table, remarks};
 use crate::run::Outcome;
 use crate::scene::{Scene, list};
 use crate::tolerance::analysis::{HELD_PART, SPEED_NOT_HELD};
@@ -76,6 +76,8 @@ pub struct ResponsePoint {
     pub status: Status,
     /// Why it is not `done`; else empty.
     pub reason: String,
+    /// What a reader of its numbers must know, a sentence each.
+    pub remarks: Vec<String>,
 }
 
 impl Sweep {
@@ -194,6 +196,7 @@ impl Sweep {
             let factors = dynamic_factor::of(&scene, &self.entry, &run, span.begin);
             let of = |output: &Output| factors.iter().find(|factor| factor.force.name == output.name).cloned();
             point.factors = run.outputs.iter().map(|(output, _)| of(output)).collect();
+            point.remarks = (scene.warnings.iter().cloned()).chain(remarks::of(&scene, &run, span.begin)).collect();
             if motion.unit.iter().all(|unit| *unit == 0.0) {
                 return Ok(Some(run));
             }
@@ -279,6 +282,7 @@ impl ResponsePoint {
             factors: vec![None; outputs],
             status: Status::Done,
             reason: String::new(),
+            remarks: vec![],
         }
     }
 
@@ -314,14 +318,20 @@ impl ResponseCurve {
         readable(&self.unit, largest)
     }
 
+    /// The remarks of its points: for each finding the number of points, and the remark of the first one.
+    pub fn remarks(&self) -> Vec<String> {
+        remarks::counted("points", self.points.iter().map(|point| &point.remarks[..]))
+    }
+
     /// The measures of an output.
     pub fn measures(&self, output: &Output) -> impl Iterator<Item = Measure> {
         MEASURES.into_iter().filter(|measure| (measure.is_of)(self.model, output))
     }
 
     /// The points as a table: `way`, the varied key, `mean_speed`, `speed_drift` over the measured time, the parameter that holds the
-    /// speed, `measured_time`, `periods` and their kind (`period_of`), `status`, `reason`, and for each output the mean, the root mean
-    /// square about the mean, and the peak-to-peak value; of the force of a mesh also its dynamic factor and K_v of ISO 6336-1.
+    /// speed, `measured_time`, `periods` and their kind (`period_of`), `status`, `reason`, `remarks`, and for each output the mean, the root
+    /// mean square about the mean, and the peak-to-peak value; of the force of a mesh also its dynamic factor, K_v of ISO 6336-1, and how
+    /// long and how hard the teeth pull.
     ///
     /// # Errors
     /// [`OutputError::Ragged`] never happens: all columns have one entry a point.
@@ -343,6 +353,7 @@ impl ResponseCurve {
         table.push("period_of", "", texts(&|point| point.span.map_or_else(String::new, |span| span.of.into())))?;
         table.push("status", "", texts(&|point| point.status.name().into()))?;
         table.push("reason", "", texts(&|point| point.reason.clone()))?;
+        table.push("remarks", "", texts(&|point| point.remarks.join(remarks::BETWEEN)))?;
         for (i, output) in self.outputs.iter().enumerate() {
             for measure in self.measures(output) {
                 let name = format!("{}_{}", output.name, measure.name);

@@ -1,6 +1,6 @@
 //! The results of a point, and the table of many points.
 //!
-//! Columns: `point`; the varied keys, in SI units; `status` and `reason`; the recorded quantities. A number that does not exist, e.g.
+//! Columns: `point`; the varied keys, in SI units; `status`, `reason` and `remarks`; the recorded quantities. A number that does not exist, e.g.
 //! of a refused point, is NaN.
 
 use std::borrow::Cow;
@@ -9,7 +9,7 @@ use super::axis::{self, Axis};
 use super::plan::Plan;
 use super::record::Column;
 use super::spectra::NamedSpectrum;
-use crate::output::{OutputError, Table, table::Values};
+use crate::output::{OutputError, Table, remarks, table::Values};
 use crate::scene::unit_of;
 
 /// How the run of a point ended.
@@ -52,6 +52,8 @@ pub struct Row {
     pub status: Status,
     /// Why the status is not [`Status::Done`]; else empty.
     pub reason: String,
+    /// What a reader of its numbers must know, a sentence each.
+    pub remarks: Vec<String>,
     /// The recorded quantities, in the order of their columns.
     pub numbers: Vec<f64>,
     /// Its spectra, if they are stored.
@@ -73,6 +75,8 @@ pub fn table(plan: &Plan, columns: &[Column], units: &[String], rows: &[&Row]) -
     let words = rows.iter().map(|row| Cow::Borrowed(row.status.name())).collect();
     table.push("status", "", Values::Text(words))?;
     table.push("reason", "", Values::Text(rows.iter().map(|row| Cow::Owned(row.reason.clone())).collect()))?;
+    let remarks = rows.iter().map(|row| Cow::Owned(row.remarks.join(remarks::BETWEEN))).collect();
+    table.push("remarks", "", Values::Text(remarks))?;
     for (i, (name, unit)) in columns.iter().enumerate() {
         table.push(name, unit, Values::Number(rows.iter().filter_map(|row| row.numbers.get(i).copied()).collect()))?;
     }
@@ -108,13 +112,14 @@ pub fn strange<'a>(table: &Table, plan: &'a Plan) -> Option<&'a str> {
 /// The rows of a table made by [`table`], without spectra; `None` if a column is missing.
 pub fn read(table: &Table, columns: &[Column]) -> Option<Vec<Row>> {
     let points = table.numbers("point")?;
-    let (status, reason) = (table.words("status")?, table.words("reason")?);
+    let (status, reason, remarks) = (table.words("status")?, table.words("reason")?, table.words("remarks")?);
     let numbers: Vec<&[f64]> = columns.iter().map(|(name, _)| table.numbers(name)).collect::<Option<_>>()?;
     let row = |i: usize| {
         Some(Row {
             point: points[i] as usize,
             status: Status::ALL.into_iter().find(|s| s.name() == status[i])?,
             reason: reason[i].clone().into_owned(),
+            remarks: remarks[i].split(remarks::BETWEEN).filter(|remark| !remark.is_empty()).map(Into::into).collect(),
             numbers: numbers.iter().map(|column| column[i]).collect(),
             spectra: vec![],
         })

@@ -15,6 +15,7 @@ use super::row::{Row, Status};
 use super::{Error, Sweep, record, spectra};
 use crate::analysis::digits;
 use crate::engine::Refusal;
+use crate::output::remarks;
 use crate::run::Outcome;
 use crate::scene::Scene;
 
@@ -150,14 +151,19 @@ impl Sweep {
         outcomes.iter_mut().flatten().zip(noted).for_each(|(outcome, noted)| outcome.digits = noted);
     }
 
+    /// Whether a recorded quantity needs samples at the recording rate.
+    fn needs_samples(&self) -> bool {
+        self.spectra || self.groups.iter().any(|group| group.samples)
+    }
+
     /// Whether the recorded quantities need only the start and the end of a run.
     fn needs_only_ends(&self) -> bool {
-        !self.spectra && !self.groups.iter().any(|group| group.samples || group.limits)
+        !self.needs_samples() && !self.groups.iter().any(|group| group.limits)
     }
 
     /// Switches off samples and event rows that no recorded quantity needs. Samples take longer than the motion itself.
     fn record_only_what_is_needed(&self, scene: &mut Scene) {
-        if !self.spectra && !self.groups.iter().any(|group| group.samples) {
+        if !self.needs_samples() {
             scene.output.rate = 0.5 / scene.t_end;
         }
         scene.output.events = self.groups.iter().any(|group| group.limits);
@@ -179,10 +185,13 @@ impl Sweep {
             (None, Some(account)) => (Status::Refuted, account.to_string()),
             (None, None) => (Status::Done, String::new()),
         };
+        // Without samples there are no spectra, and no outputs.
+        let of_rows = if self.needs_samples() { remarks::of(scene, run, self.from) } else { vec![] };
         Row {
             point,
             status,
             reason,
+            remarks: scene.warnings.iter().chain(&outcome.remarks).cloned().chain(of_rows).collect(),
             numbers: self.groups.iter().flat_map(|group| (group.values)(&ended)).collect(),
             spectra: match self.spectra {
                 true => record::elastic(run.model).into_iter().filter_map(named).collect(),
@@ -193,6 +202,6 @@ impl Sweep {
 
     fn refused(&self, point: usize, reason: String) -> Row {
         let numbers = vec![f64::NAN; self.columns().len()];
-        Row { point, status: Status::Refused, reason, numbers, spectra: vec![] }
+        Row { point, status: Status::Refused, reason, remarks: vec![], numbers, spectra: vec![] }
     }
 }

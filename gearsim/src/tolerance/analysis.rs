@@ -77,6 +77,13 @@ pub(crate) const COMPANION_TOLERANCE: f64 = 10.0;
 /// with two samples per period and a quarter of the variation. Smaller: resolved vibrations give a warning. Larger: lines are wrong by more
 /// than a quarter without a warning.
 pub(crate) const FOLDED: f64 = 0.5;
+/// A mode with more samples per period than this cannot be the vibration that samples do not show [1]. It is twice the 3.4 samples of
+/// [`FOLDED`], because a mode is faster than at the mid stiffness in some cells. Larger: the decay of a fast overdamped mode beside a slow
+/// vibration gives a warning. Smaller: a vibration without a known mode gives none.
+pub(crate) const RESOLVED: f64 = 7.0;
+/// Samples per period in a rate that is recommended for a frequency that the samples cannot show [1]: its first four multiples are then
+/// below half the rate. Larger: files are larger than needed. Smaller: multiples of a mesh frequency still fold.
+pub(crate) const SHOWN: f64 = 10.0;
 /// A coordinate counts as not varying if its squared distances from a straight line are below this [relative to the sum of its squares].
 /// They are then rounding errors.
 pub(crate) const STILL: f64 = 1e-24;
@@ -84,6 +91,14 @@ pub(crate) const STILL: f64 = 1e-24;
 /// A mesh force in static equilibrium below this counts as zero [relative to the largest force of the run]. Smaller: a rounding error
 /// counts as a static load. Larger: a light load has no dynamic factor.
 pub(crate) const STATIC_LOAD: f64 = 1e-12;
+
+/// A force against the load of a mesh counts as pulling above this [relative to the largest force of the run]. Smaller: the rounding error
+/// of an unloaded flank counts. Larger: a mesh that lifts off its flanks for a moment is not named.
+pub(crate) const PULL: f64 = 1e-9;
+
+/// Largest deflection of teeth that is not absurd [modules]: steel teeth bend by a hundredth, plastic ones by some hundredths. Above it a
+/// run has a warning. Larger: a wrong unit passes.
+pub(crate) const TOOTH_DEFLECTION: f64 = 0.1;
 
 /// Largest number of intervals of constant stiffness in a period of a settled motion [intervals]. With more, the computation of the settled
 /// motion takes longer than a run, so nothing is estimated from it.

@@ -33,6 +33,8 @@ pub(crate) const TEETH: f64 = 10_000.0;
 pub(crate) const MODULES: std::ops::RangeInclusive<f64> = 1e-5..=0.1;
 /// Modules that are not rare [m]: those of ISO 54, widened. Others give a warning.
 pub(crate) const USUAL_MODULES: std::ops::RangeInclusive<f64> = 0.999e-4..=0.0501;
+/// Largest play of a mesh that is not rare [modules]: gears are made with 0.02 to 0.1. More gives a warning. Larger: a wrong unit passes.
+pub(crate) const USUAL_PLAY: f64 = 0.5;
 /// Pressure angles of gears [deg]; others are refused.
 pub(crate) const PRESSURE_ANGLES: std::ops::RangeInclusive<f64> = 5.0..=45.0;
 /// Pressure angles that are not rare [deg], as working angles. Others give a warning.

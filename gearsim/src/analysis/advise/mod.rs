@@ -17,7 +17,7 @@ pub mod measures;
 pub mod orbit;
 
 pub use candidates::{Candidate, Way};
-pub(crate) use candidates::{base, candidates};
+pub(crate) use candidates::{base, candidates, with_play};
 pub(crate) use expect::{expected, short_run};
 pub use measures::{Apart, Bands, Measures};
 

@@ -12,9 +12,10 @@
 
 use std::f64::consts::{PI, TAU};
 
+use nalgebra::Complex;
 use rayon::prelude::*;
 
-use super::{Mesh, Turning};
+use super::{Mesh, Turning, term};
 
 /// Multiples of a mesh order that are listed, and those that are listed with their sidebands.
 const HARMONICS: usize = 20;
@@ -22,7 +23,7 @@ const WITH_SIDEBANDS: usize = 5;
 /// Number of listed sidebands on either side of a mesh order, for a gear that is in mesh once a turn.
 pub(super) const SIDEBANDS: i32 = 3;
 /// Number of lines on either side of a line that belong to it: half the width of the main lobe of the Hann window.
-const LOBE: f64 = 2.0;
+pub(super) const LOBE: f64 = 2.0;
 /// Least number of revolutions of a rotor in a record for which its sidebands are separate. Sidebands are as many lines apart as the rotor
 /// makes revolutions, and the main lobe of the Hann window is 4 lines wide.
 pub const APART: f64 = 4.0;
@@ -49,11 +50,25 @@ pub struct Line {
     pub frequency: f64,
 }
 
+impl Line {
+    /// The line in words: `2 × k12 - 1 rotor_speed_1`.
+    pub fn words(&self) -> String {
+        let multiple = format!("{} × {}", self.harmonic, self.mesh);
+        match self.rotor {
+            None => multiple,
+            Some(rotor) => {
+                let sign = if self.sideband < 0 { '-' } else { '+' };
+                format!("{multiple} {sign} {} {}", self.sideband.abs(), term(rotor))
+            }
+        }
+    }
+}
+
 /// The lines of `meshes`, as far as the samples resolve them. A sideband that lies within the main lobe of a multiple of a mesh order is
 /// left out.
 pub fn lines(turning: &Turning, meshes: &[Mesh]) -> Vec<Line> {
     let shaft = turning.frequency();
-    let duration = (turning.angle.len() - 1) as f64 / turning.rate;
+    let duration = turning.duration();
     let fastest = turning.angle.windows(2).map(|pair| pair[1] - pair[0]).fold(0.0, f64::max);
     let mut all = vec![];
     for mesh in meshes {
@@ -98,11 +113,24 @@ impl Turning {
         lines.iter().map(|line| line.rotor.is_none() || stands_out(line.order)).collect()
     }
 
-    /// The peak amplitudes of `columns` at the order of each of `lines` (lines, columns) [units of the columns].
+    /// The length of the record over which lines are computed \[revolutions\]: whole revolutions, so that the sidebands of the shaft lie
+    /// where the transform of the window is zero.
+    pub(super) fn length(&self) -> f64 {
+        let end = self.angle[self.angle.len() - 1];
+        if end >= 2.0 { end.floor() } else { end }
+    }
+
+    /// The peak amplitudes of `columns` at the order of each of `lines` (lines, columns) [units of the columns]. Another line less than two
+    /// lines of the transform away contributes to them.
     pub fn amplitudes(&self, columns: &[&[f64]], lines: &[Line]) -> Vec<Vec<f64>> {
-        let (last, end) = (self.angle.len() - 1, self.angle[self.angle.len() - 1]);
-        // Whole revolutions, so that the sidebands of the shaft lie where the transform of the window is zero.
-        let length = if end >= 2.0 { end.floor() } else { end };
+        let all = self.transforms(columns, lines).into_iter();
+        all.map(|line| line.into_iter().map(|integral| integral.norm()).collect()).collect()
+    }
+
+    /// The Fourier integrals of `columns` at the order of each of `lines` (lines, columns) [units of the columns]. Their magnitudes are peak
+    /// amplitudes.
+    pub(super) fn transforms(&self, columns: &[&[f64]], lines: &[Line]) -> Vec<Vec<Complex<f64>>> {
+        let (last, length) = (self.angle.len() - 1, self.length());
         let inside = self.angle.partition_point(|angle| *angle < length);
         let weight = |i: usize| {
             let step = 0.5 * (self.angle[(i + 1).min(last)] - self.angle[i.saturating_sub(1)]);
@@ -128,7 +156,8 @@ impl Turning {
                     *sum = column[chunk.clone()].iter().zip(&phasors).fold(*sum, add);
                 }
             }
-            sums.into_iter().map(|(sine, cosine): (f64, f64)| 2.0 * sine.hypot(cosine) / whole).collect()
+            let integral = |(sine, cosine): (f64, f64)| Complex::new(cosine, -sine) * (2.0 / whole);
+            sums.into_iter().map(integral).collect()
         };
         // Each line is summed by itself: the result does not depend on the number of threads. Rayon's global threads would panic where the
         // system starts no further thread.

@@ -2,7 +2,7 @@
 
 use super::lines::SIDEBANDS;
 use super::{SHAFT, planets};
-use crate::model::{Model, Output};
+use crate::model::{Model, Output, Switch};
 use crate::trajectory::Trajectory;
 
 /// A phase has one mesh frequency if its mean speed in each part of the run differs from that of the run by at most this fraction.
@@ -22,6 +22,8 @@ pub struct Mesh {
     pub name: &'static str,
     /// Mean number of pitches a second \[Hz\].
     pub frequency: f64,
+    /// Largest mean number of pitches a second in an eighth of the run \[Hz\].
+    pub fastest: f64,
     /// Whether the mean speed of its phase is constant within 2 %, so that its lines are at multiples of this frequency.
     pub steady: bool,
     /// The output that is its force, or its torque in models that have no base radii.
@@ -70,6 +72,13 @@ pub fn force(model: &Model, law: &str) -> Option<&'static Output> {
     model.outputs.iter().find(|output| names.iter().any(|name| name == output.name))
 }
 
+/// The play of the mesh with the stiffness law `law`: the switch `over12` of `k12`, `overs1` of `k_s1`; `None` if the model has none.
+pub fn play(model: &Model, law: &str) -> Option<&'static Switch> {
+    let part = law.strip_prefix('k')?.trim_start_matches('_');
+    let of = |switch: &Switch| switch.name.strip_prefix("over").is_some_and(|of| of.trim_start_matches('_') == part);
+    model.switches.iter().find(|switch| of(switch))
+}
+
 /// The meshes of a run whose phases move by at least one pitch, over its samples from the time `from` \[s\] on.
 pub fn meshes(run: &Trajectory, from: f64) -> Vec<Mesh> {
     let rows: Vec<usize> = run.samples().filter(|&row| run.t[row] >= from).collect();
@@ -86,16 +95,16 @@ pub fn meshes(run: &Trajectory, from: f64) -> Vec<Mesh> {
         }
         phases.push(i);
         let ends: Vec<usize> = (0..=PARTS).map(|part| rows[part * (rows.len() - 1) / PARTS]).collect();
-        let steady = ends.windows(2).all(|pair| {
-            let (q, t) = (run.q[i][pair[1]] - run.q[i][pair[0]], run.t[pair[1]] - run.t[pair[0]]);
-            (q - mean * t).abs() <= STEADY * (mean * t).abs()
-        });
+        let parts =
+            || ends.windows(2).map(|pair| (run.q[i][pair[1]] - run.q[i][pair[0]], run.t[pair[1]] - run.t[pair[0]]));
+        let steady = parts().all(|(q, t)| (q - mean * t).abs() <= STEADY * (mean * t).abs());
+        let fastest = parts().filter(|(_, t)| *t > 0.0).fold(frequency, |f, (q, t)| f.max((q / t).abs() / law.period));
         let force = force(run.model, law.name).map(|output| output.name);
         let rotors = rotors(run, &rows, frequency);
         let geared = rotors.iter().map(|rotor| rotor.name).collect();
         let relative = planets::rotors(run, &rows, law.phase, frequency);
         let rotors = if relative.is_empty() { rotors } else { relative };
-        meshes.push(Mesh { name: law.name, frequency, steady, force, rotors, geared });
+        meshes.push(Mesh { name: law.name, frequency, fastest, steady, force, rotors, geared });
     }
     meshes
 }

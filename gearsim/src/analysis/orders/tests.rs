@@ -190,6 +190,7 @@ fn sidebands_are_lines_of_their_own() {
     let mesh = |frequency: f64, rotor: f64| Mesh {
         name: "k",
         frequency,
+        fastest: frequency,
         steady: true,
         force: None,
         rotors: vec![Rotor { name: "rotor_speed", frequency: rotor, teeth: 23.0, meets: 1 }],
@@ -206,6 +207,41 @@ fn sidebands_are_lines_of_their_own() {
     };
     for (at, own) in [(24.0, true), (24.1, true), (24.2, false), (23.7, false)] {
         assert_eq!(has(&signal(at), 24.0), own, "{at}");
+    }
+}
+
+/// Two meshes whose lines are 0.31 and 3.1 lines of the transform apart, while only the first one vibrates: the record does not separate the
+/// first pair, so that it is one line with both names; of the second pair, the absent line has no amplitude.
+#[test]
+fn lines_that_a_record_does_not_separate_are_one_line() {
+    let run = run(20_001, 10e3, |_| 2.0);
+    let turning = Turning::of(&run, "rotor_speed", 0.0).unwrap();
+    let mesh = |name: &'static str, frequency: f64| Mesh {
+        name,
+        frequency,
+        fastest: frequency,
+        steady: true,
+        force: None,
+        rotors: vec![],
+        geared: vec![],
+    };
+    // The record has four revolutions in two seconds: lines are 0.5 Hz apart.
+    let x: Vec<f64> = run.t.iter().map(|t| 3.0 * (TAU * 46.0 * t).sin() + 0.5 * (TAU * 92.0 * t).cos()).collect();
+    for (other, separate) in [(46.155, false), (47.55, true)] {
+        let lines = lines(&turning, &[mesh("k12", 46.0), mesh("k34", other)]);
+        let listed = turning.listed(&[&x], &lines).remove(0);
+        let near = |frequency: f64| listed.iter().filter(move |of| (of.line.frequency - frequency).abs() < 0.9);
+        let first = near(46.0).next().unwrap();
+        assert!((first.amplitude - 3.0).abs() < 1e-4 && first.line.mesh == "k12", "{first:?}");
+        assert_eq!(
+            first.with.iter().map(|line| line.mesh).collect::<Vec<_>>(),
+            if separate { vec![] } else { vec!["k34"] }
+        );
+        if separate {
+            let (raw, absent) = (turning.amplitudes(&[&x], &lines), near(other).next().unwrap());
+            let l = lines.iter().position(|line| *line == absent.line).unwrap();
+            assert!(raw[l][0] > 0.02 && absent.amplitude < 1e-4, "{} {absent:?}", raw[l][0]);
+        }
     }
 }
 

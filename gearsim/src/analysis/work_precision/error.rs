@@ -101,11 +101,12 @@ pub fn difference((a, i): (&Trajectory, usize), (b, j): (&Trajectory, usize), si
     of(&a.q, &b.q, &sizes.0).max(of(&a.q_dot, &b.q_dot, &sizes.1))
 }
 
-/// The sizes of the coordinates and of the speeds of a run: the largest absolute value, or one pitch for a rotating coordinate. A
-/// size is at least the share `AT_REST` of the largest size with the same unit.
+/// The sizes of the coordinates and of the speeds of a run: the largest absolute value, or one pitch for a rotating coordinate. The
+/// size of a coordinate is at least the share `AT_REST` of the largest size with the same unit. A speed below this share is zero but for
+/// errors that the larger ones cause: its size is the largest one. Example: the rate of a deflection while a pair accelerates evenly.
 ///
-/// If all speeds with the same unit are at rest, that largest size is a rounding error too. It is then at least the speed that a
-/// coordinate would have if it alone had the energy of the run, and the distance that it would cover with this speed.
+/// If all speeds with the same unit are at rest, the largest one is an error too. In its place is the speed that a coordinate would have if
+/// it alone had the energy of the run; and for coordinates the distance that it would cover with this speed.
 pub fn sizes(run: &Trajectory) -> (Vec<f64>, Vec<f64>) {
     let coordinates = &run.model.coordinates;
     let n = coordinates.len();
@@ -125,11 +126,13 @@ pub fn sizes(run: &Trajectory) -> (Vec<f64>, Vec<f64>) {
             law.map_or_else(|| largest(column), |law| law.period)
         })
         .collect();
-    let size = |sizes: &[f64], i: usize, at_rest: f64| sizes[i].max(AT_REST * largest_of(sizes, i).max(at_rest));
     (0..n)
         .map(|i| {
             let possible = if at_rest(i) { possible(i) } else { 0.0 };
-            (size(&q, i, possible * duration), size(&speeds, i, possible))
+            let place = q[i].max(AT_REST * largest_of(&q, i).max(possible * duration));
+            // A speed at rest has no digits of its own.
+            let fastest = largest_of(&speeds, i).max(possible);
+            (place, if speeds[i] <= AT_REST * fastest { fastest } else { speeds[i] })
         })
         .unzip()
 }

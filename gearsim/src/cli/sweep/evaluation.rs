@@ -6,7 +6,7 @@ use clap::Args;
 
 use super::json::json;
 use super::plots::PlotOptions;
-use super::report::{Progress, summary_text};
+use super::report::{Progress, remarks, summary_text};
 use crate::cli::failure::Failure;
 use crate::cli::number::short;
 use crate::cli::page;
@@ -83,7 +83,7 @@ impl Evaluation {
                     &mut folder,
                     (manifest, layout.model, text),
                     &drawn,
-                    (said.as_str(), answers.as_slice()),
+                    (said.as_str(), answers.as_slice(), remarks(rows).as_slice()),
                     &points,
                     &files,
                 )?;
@@ -96,6 +96,7 @@ impl Evaluation {
         }
         folder::end(path)?;
         let text = || summary_text(path, &files, manifest, rows, done, &said);
+        printing.warn(remarks(rows).iter());
         printing.print(|| json(manifest, rows, &answers, &files), text)
     }
 

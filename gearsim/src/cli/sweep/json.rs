@@ -3,12 +3,13 @@
 use serde::Serialize;
 use serde_json::{Map, Value};
 
+use super::report::remarks;
 use crate::output::{OutputError, Table, document};
 use crate::sweep::folder::Rows;
 use crate::sweep::{Manifest, Status};
 
 /// Version of the format.
-const VERSION: u32 = 3;
+const VERSION: u32 = 4;
 
 #[derive(Serialize)]
 struct Report<'a> {
@@ -16,6 +17,8 @@ struct Report<'a> {
     sweep: &'a Manifest,
     /// Number of finished points by the way they ended.
     points: Map<String, Value>,
+    /// What a reader of the numbers must know: for each finding the number of points, and the remark of the first one.
+    remarks: Vec<String>,
     /// Rows of the tables of answers, by their files without `.csv`; empty until all points are finished.
     answers: Map<String, Value>,
     /// Names of the files in the folder.
@@ -36,6 +39,7 @@ pub(super) fn json(
     let report = Report {
         sweep: manifest,
         points: Status::ALL.map(|status| (status.name().to_owned(), count(status).into())).into_iter().collect(),
+        remarks: remarks(rows),
         answers: answers.iter().map(|(file, table)| (stem(file), document::records(table).into())).collect(),
         files,
     };

@@ -5,6 +5,7 @@ use std::path::Path;
 
 use crate::cli::report::{files as written, line};
 use crate::cli::{number, terminal};
+use crate::output::remarks;
 use crate::sweep::Manifest;
 use crate::sweep::folder::Rows;
 use crate::sweep::row::Status;
@@ -52,7 +53,13 @@ pub(super) fn summary_text(
         let reasons = rows.values().filter(|row| row.status == status).map(|row| row.reason.as_str());
         text += &failed(what, reasons, width);
     }
+    text.extend(remarks(rows).iter().map(|remark| line("note", remark, width)));
     text + answers + "\n" + &written(path, files, width)
+}
+
+/// The remarks of the points: for each finding the number of points, and the remark of the first one.
+pub(super) fn remarks(rows: &Rows) -> Vec<String> {
+    remarks::counted("points", rows.values().map(|row| &row.remarks[..]))
 }
 
 fn time(done: &Progress) -> String {

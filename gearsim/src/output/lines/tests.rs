@@ -31,7 +31,7 @@ fn scene([sun_damage, ring_damage]: [&str; 2]) -> Scene {
 fn largest(lines: &Lines, output: &str) -> Vec<(&'static str, i32, f64)> {
     let output = *lines.outputs.iter().find(|known| known.name == output).unwrap();
     let all = lines.largest(output, usize::MAX).into_iter();
-    all.filter_map(|(line, _)| Some((line.rotor?, line.sideband, line.frequency))).collect()
+    all.filter_map(|Listed { line, .. }| Some((line.rotor?, line.sideband, line.frequency))).collect()
 }
 
 /// At 600 rpm of the sun the carrier turns with 10 Hz 29/126, and the mesh frequency is 97 times that. A tooth of the sun meets each planet

@@ -5,6 +5,7 @@ use serde::{Deserialize, Serialize};
 use super::Number;
 use crate::analysis::dynamic_factor::DynamicFactor;
 use crate::analysis::from_teeth::FromTeeth;
+use crate::analysis::pulling::Pulling;
 use crate::profile::Step;
 use crate::trajectory::Trajectory;
 
@@ -93,6 +94,12 @@ pub struct Mesh {
     pub dynamic_factor: Number,
     /// K_v of ISO 6336-1, method B \[1\].
     pub kv_iso6336: Number,
+    /// Mean over the time.
+    pub mean: Number,
+    /// Share of the time in which the teeth pull: the force has the sign opposite to its mean, and the mesh has no play \[1\].
+    pub pulling_share: Number,
+    /// Largest magnitude of the pulling force.
+    pub largest_pull: Number,
 }
 
 impl Mesh {
@@ -110,13 +117,33 @@ impl Mesh {
         let dynamic_factor = number("dynamic_factor", &of.factor);
         let kv_iso6336 = number("kv_iso6336", &of.iso6336);
         let (force, unit) = (of.force.name.into(), of.force.unit.into());
-        (Mesh { force, unit, largest: Number(of.largest), at_rest, dynamic_factor, kv_iso6336 }, reasons)
+        let pulling = |value: fn(&Pulling) -> f64| Number(of.pulling.as_ref().map_or(f64::NAN, value));
+        let mesh = Mesh {
+            force,
+            unit,
+            largest: Number(of.largest),
+            at_rest,
+            dynamic_factor,
+            kv_iso6336,
+            mean: pulling(|pulling| pulling.mean),
+            pulling_share: pulling(|pulling| pulling.share),
+            largest_pull: pulling(|pulling| pulling.largest),
+        };
+        (mesh, reasons)
     }
 
     /// All its numbers, with their names.
-    pub(super) fn numbers(&self) -> [(&'static str, Number); 4] {
-        let Mesh { largest, at_rest, dynamic_factor, kv_iso6336, .. } = self;
-        [("largest", *largest), ("at_rest", *at_rest), ("dynamic_factor", *dynamic_factor), ("kv_iso6336", *kv_iso6336)]
+    pub(super) fn numbers(&self) -> [(&'static str, Number); 7] {
+        let Mesh { largest, at_rest, dynamic_factor, kv_iso6336, mean, pulling_share, largest_pull, .. } = *self;
+        [
+            ("largest", largest),
+            ("at_rest", at_rest),
+            ("dynamic_factor", dynamic_factor),
+            ("kv_iso6336", kv_iso6336),
+            ("mean", mean),
+            ("pulling_share", pulling_share),
+            ("largest_pull", largest_pull),
+        ]
     }
 }
 

@@ -10,7 +10,8 @@ fn summary() -> Summary {
     let run = oscillator(1000);
     let [largest, at_rest, dynamic_factor, kv_iso6336] = [13.0, 10.0, 1.3, 1.25].map(Number);
     let (force, unit) = ("mesh_force_12".into(), "N".into());
-    let mesh = Mesh { force, unit, largest, at_rest, dynamic_factor, kv_iso6336 };
+    let [mean, pulling_share, largest_pull] = [9.9, 0.1, 2.0].map(Number);
+    let mesh = Mesh { force, unit, largest, at_rest, dynamic_factor, kv_iso6336, mean, pulling_share, largest_pull };
     let [contact_ratio, overlap_ratio, mean, min, max] = [1.5, 0.0, 1.5e8, 1e8, 2e8].map(Number);
     let levels = [1e8, 2e8].map(|value| Level { value: Number(value), width: Number(3.0) }).to_vec();
     let (unit, phase_unit) = ("N/m".into(), "rad".into());

@@ -43,13 +43,27 @@ fn meshes(report: &Report<'_>, html: &mut Html) {
     let row = |(law, mesh): (&String, &Mesh)| {
         let (unit, factor) = readable(&mesh.unit, mesh.largest.0);
         let texts = [law, &mesh.force, unit].map(TableCell::text);
-        let forces = [mesh.largest, mesh.at_rest].map(|x| factor * x.0);
-        let numbers = forces.into_iter().chain([mesh.dynamic_factor.0, mesh.kv_iso6336.0]).map(TableCell::Number);
+        let [largest, at_rest, mean, pull] =
+            [mesh.largest, mesh.at_rest, mesh.mean, mesh.largest_pull].map(|x| factor * x.0);
+        let factors = [mesh.dynamic_factor, mesh.kv_iso6336].map(|x| x.0);
+        let numbers = [largest, at_rest].into_iter().chain(factors).chain([mean, 100.0 * mesh.pulling_share.0, pull]);
+        let numbers = numbers.map(TableCell::Number);
         texts.into_iter().chain(numbers).collect::<Vec<_>>()
     };
     let rows: Vec<_> = report.run.summary.meshes.iter().map(row).collect();
     if !rows.is_empty() {
-        let head = ["mesh", "force", "unit", "largest", "static", "dynamic factor", "K_v, ISO 6336-1 B"];
+        let head = [
+            "mesh",
+            "force",
+            "unit",
+            "largest",
+            "static",
+            "dynamic factor",
+            "K_v, ISO 6336-1 B",
+            "mean",
+            "pulls [%]",
+            "largest pull",
+        ];
         html.table("Loads of the meshes", &head, &rows);
         let reason = |law: &str, value: &str| report.run.summary.missing.get(&format!("meshes.{law}.{value}"));
         let mut reasons: Vec<(String, Vec<&str>)> = vec![];

@@ -3,7 +3,7 @@
 use super::Report;
 use super::columns::{ColumnGroup, ColumnKind};
 use super::spectrum::beginning;
-use crate::analysis::orders::{self, Mesh, PROMINENCE, Turning, meshes, reference_shaft};
+use crate::analysis::orders::{self, Listed, Mesh, PROMINENCE, Turning, meshes, reference_shaft};
 use crate::analysis::spectrum::SpectrumError;
 use crate::page::data::Counts;
 use crate::page::html::{Html, TableCell};
@@ -124,13 +124,9 @@ fn table(report: &Report<'_>, html: &mut Html, turning: &Turning, meshes: &[Mesh
     });
     let shown: Vec<_> = shown.collect();
     let columns: Vec<&[f64]> = shown.iter().map(|(_, column)| &*column.values).collect();
-    let has: Vec<Vec<bool>> = columns.iter().map(|column| turning.has(column, &lines)).collect();
     let mut rows = vec![];
-    for (l, (line, amplitudes)) in lines.iter().zip(turning.amplitudes(&columns, &lines)).enumerate() {
-        for (c, (((unit, factor), column), amplitude)) in shown.iter().zip(amplitudes).enumerate() {
-            if !has[c][l] {
-                continue;
-            }
+    for (((unit, factor), column), listed) in shown.iter().zip(turning.listed(&columns, &lines)) {
+        for Listed { line, with, amplitude } in listed {
             let numbers = [line.harmonic as f64, f64::from(line.sideband)].map(TableCell::Number);
             let rest = [line.order, line.frequency, factor * amplitude].map(TableCell::Number);
             let mut row = vec![TableCell::text(&*column.name), TableCell::text(line.mesh)];
@@ -138,9 +134,21 @@ fn table(report: &Report<'_>, html: &mut Html, turning: &Turning, meshes: &[Mesh
             row.push(TableCell::text(line.rotor.unwrap_or("-")));
             row.extend(rest);
             row.push(TableCell::text(*unit));
+            row.push(TableCell::text(with.iter().map(orders::Line::words).collect::<Vec<_>>().join(", ")));
             rows.push(row);
         }
     }
-    let head = ["column", "mesh", "multiple", "sideband", "of rotor", "order", "frequency [Hz]", "amplitude", "unit"];
+    let head = [
+        "column",
+        "mesh",
+        "multiple",
+        "sideband",
+        "of rotor",
+        "order",
+        "frequency [Hz]",
+        "amplitude",
+        "unit",
+        "not separated from",
+    ];
     html.table(LINES, &head, &rows);
 }

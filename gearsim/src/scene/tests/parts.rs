@@ -148,9 +148,32 @@ fn torques_without_their_effect_are_named_in_a_warning() {
     assert_eq!(warned("[]", rising).len(), 1);
     // One of the two kinds of friction is active.
     let both = "[bearings.q]\nrotor = \"a\"\nfriction = \"1 N*m\"\nviscous = \"1 N*m*s/rad\"\n";
-    assert_eq!(warned("[\"viscous_friction\"]", both), [""; 0]);
+    let said = warned("[\"viscous_friction\"]", both);
+    assert!(said.len() == 1 && said[0].starts_with("`bearings.q.friction` does nothing"), "{said:?}");
     // A torque of 0 states that there is none.
     assert_eq!(warned("[]", "[loads.t]\nrotor = \"b\"\ntorque = 0\n"), [""; 0]);
+}
+
+/// Values of a mesh that no effect uses are named, also the laws.
+#[test]
+fn values_of_a_mesh_without_their_effect_are_named_in_a_warning() {
+    let more =
+        "backlash = \"60 um\"\nerror = { harmonics = [{ order = 1, amplitude = \"5 um\" }] }\ndamping = \"6 N*s/m\"";
+    let text = |effects: &str, more: &str| {
+        format!(
+            "model = \"train\"\neffects = [{effects}]\n[rotors]\n1 = \"3e-3 kg*m^2\"\n2 = \"2e-2 kg*m^2\"\n[meshes.12]\n\
+             between = [\"1\", \"2\"]\nteeth = [24, 96]\nmodule = \"3 mm\"\n{more}\nstiffness = \"200 MN/m\"\n"
+        )
+    };
+    let without = |key: &str, effect: &str| {
+        format!("`meshes.12.{key}` does nothing without the effect `{effect}`: add it to `effects`, or leave it out")
+    };
+    let warnings = parse(&text("", more), &[]).unwrap().warnings;
+    let said = [("backlash", "backlash"), ("damping", "viscous_friction"), ("error", "transmission_error")];
+    assert_eq!(warnings, said.map(|(key, effect)| without(key, effect)));
+    let all = "\"stiffness_step\", \"backlash\", \"viscous_friction\", \"transmission_error\"";
+    assert_eq!(parse(&text(all, more), &[]).unwrap().warnings, [""; 0]);
+    assert_eq!(parse(&text("", "error = { steps = [{ value = \"0 um\" }] }"), &[]).unwrap().warnings, [""; 0]);
 }
 
 /// A law for a value that is constant is refused, whether the constant value is stated too or not.

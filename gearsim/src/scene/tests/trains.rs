@@ -123,6 +123,81 @@ fn planets_that_cannot_be_assembled_are_refused_where_phases_follow_from_their_p
     assert_eq!(parse(&turned, &[]).unwrap().warnings, [""; 0]);
 }
 
+/// Sun and ring differ by an odd number: no whole number of planet teeth follows. Stated ones count for the room that the planets have, and
+/// must mesh with both at one centre distance.
+#[test]
+fn planet_teeth_are_whole_fit_and_have_room() {
+    let set = |teeth: [u32; 2], more: &str| {
+        let [sun, ring] = teeth;
+        planets(&format!("count = 5\n{more}"), "\"400 MN/m\"", "\"500 MN/m\"")
+            .replace("teeth = [27, 99]", &format!("teeth = [{sun}, {ring}]"))
+    };
+    let shown = refused(&set([24, 91], ""), &[]);
+    assert!(
+        shown.contains("[planets.p] lacks `planet_teeth`: half the difference of 91 and 24 teeth is 33.5"),
+        "{shown}"
+    );
+    assert!(shown.contains("planet_teeth = 33 or 34") && shown.matches("×").count() == 1, "{shown}");
+    // Centres are 2 (25 + 90)/4 sin 36 deg = 33.8 modules apart, tip diameters 33 or 34.5 modules.
+    assert_eq!(parse(&set([25, 90], "planet_teeth = 31"), &[]).unwrap().warnings, [""; 0]);
+    let warnings = parse(&set([25, 91], "planet_teeth = 33"), &[]).unwrap().warnings;
+    assert!(
+        warnings.iter().any(|said| said.contains("two planets with 33 teeth are 34.1 modules apart")),
+        "{warnings:?}"
+    );
+    for teeth in [1, 20, 50, 98] {
+        let shown = refused(&set([27, 98], &format!("planet_teeth = {teeth}")), &[]);
+        let said = format!("`planets.p.planet_teeth` is {teeth}, but planets of {teeth} teeth do not mesh");
+        assert!(shown.contains(&said) && shown.contains("35.5 teeth, half the difference"), "{shown}");
+    }
+}
+
+/// Teeth with profile shift work at another angle than that of their rack: each mesh has its own. By the involute equations of DIN 3960,
+/// inv(alpha_w) = inv(20 deg) + 2 (x_1 + x_2)/(z_1 + z_2) tan(20 deg).
+#[test]
+fn each_mesh_works_at_the_angle_of_its_teeth() {
+    let involute = |angle: f64| angle.tan() - angle;
+    let working = |teeth: f64, shifts: f64| {
+        let rack = 20f64.to_radians();
+        let wanted = involute(rack) + 2.0 * shifts / teeth * rack.tan();
+        // Newton's method; the derivative of the involute is tan^2.
+        (0..50).fold(0.4f64, |angle, _| angle - (involute(angle) - wanted) / angle.tan().powi(2))
+    };
+    let stage = |name: &str, ends: [&str; 2], teeth: [u32; 2], shift: &str| {
+        let ([a, b], [z, y]) = (ends, teeth);
+        format!(
+            "[meshes.{name}]\nbetween = [\"{a}\", \"{b}\"]\nteeth = [{z}, {y}]\nmodule = \"3 mm\"\n\
+             stiffness = {{ teeth = [{z}, {y}], module = \"3 mm\", face_width = \"20 mm\"{shift} }}\n"
+        )
+    };
+    let rotors = "model = \"train\"\neffects = [\"stiffness_step\", \"damping\"]\n[rotors]\n1 = \"1e-4 kg*m^2\"\n2 = \"1e-3 kg*m^2\"\n3 = \"1e-3 kg*m^2\"\n\
+                  4 = \"1e-2 kg*m^2\"\n[shafts.m]\nbetween = [\"2\", \"3\"]\nstiffness = \"50 kN*m/rad\"\n";
+    let shifted = stage("a", ["1", "2"], [12, 24], ", profile_shift = [0.6, 0.36]");
+    let scene = parse(&format!("{rotors}{shifted}{}{END}", stage("b", ["3", "4"], [19, 57], "")), &[]).unwrap();
+    assert_eq!(scene.warnings, [""; 0]);
+    for (name, angle) in [("alpha_a", working(36.0, 0.96)), ("alpha_b", 20f64.to_radians())] {
+        let found = scene.parameter(name).unwrap();
+        assert!((found - angle).abs() < 1e-9, "{name}: {} {}", found.to_degrees(), angle.to_degrees());
+    }
+
+    // Sun 27, planets 35, ring 98 at a centre distance of 62.5 mm: cos(alpha_w) = (z_1 + z_2) cos(20 deg) m/(2 a).
+    let teeth = |teeth: [u32; 2], more: &str| {
+        format!(
+            "{{ teeth = {teeth:?}, module = \"2 mm\", face_width = \"20 mm\", centre_distance = \"62.5 mm\"{more} }}"
+        )
+    };
+    let sun = teeth([27, 35], ", profile_shift = [0.13, 0.128]");
+    let ring = teeth([35, 98], ", internal = true, profile_shift = [0.128, -0.115]");
+    let set = planets("count = 5\nplanet_teeth = 35\npressure_angle = \"20 deg\"", &sun, &ring);
+    let scene = parse(&set.replace("teeth = [27, 99]", "teeth = [27, 98]"), &[]).unwrap();
+    let at = |teeth: f64| (teeth * 20f64.to_radians().cos() * 2.0 / 125.0).acos();
+    for (name, angle) in [("alpha_p_s", at(62.0)), ("alpha_p_r", at(63.0)), ("alpha_p", at(62.5))] {
+        let found = scene.parameter(name).unwrap();
+        assert!((found - angle).abs() < 1e-9, "{name}: {} {}", found.to_degrees(), angle.to_degrees());
+    }
+    assert!(scene.warnings.len() == 1 && scene.warnings[0].contains("with 35 teeth"), "{:?}", scene.warnings);
+}
+
 /// Some values are computed from keys of tables, not from parameters: the base radius from the module and the teeth, the phases of planets
 /// from their teeth. Therefore these values cannot be set as parameters.
 #[test]

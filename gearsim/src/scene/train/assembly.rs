@@ -11,15 +11,18 @@ use crate::scene::document::{Node, Value};
 use crate::scene::{field, keys};
 
 impl Reader<'_> {
-    /// Checks that the planets of a set fit at their `places`. The three nodes are the numbers of teeth of the set, first those of sun and ring.
-    pub(super) fn fit(&mut self, item: &Item<'_>, [sun, ring, _]: &[Node; 3], places: &[Node]) {
+    /// Checks that the planets of a set fit at their `places`. The three nodes are the numbers of teeth of sun, ring and planets.
+    pub(super) fn fit(&mut self, item: &Item<'_>, teeth: &[Node; 3], places: &[Node]) {
         let path = item.path("teeth");
-        let teeth = [sun, ring].map(|node| field::quantity(&path, node, "1", self.report));
+        let teeth = teeth.each_ref().map(|node| field::quantity(&path, node, "1", self.report));
         let angles = places.iter().map(|node| field::quantity(&item.path("at"), node, "rad", self.report));
-        let ([Some(sun), Some(ring)], Some(angles)) = (teeth, angles.collect::<Option<Vec<f64>>>()) else { return };
+        let ([Some(sun), Some(ring), Some(planet)], Some(angles)) = (teeth, angles.collect::<Option<Vec<f64>>>())
+        else {
+            return;
+        };
         let phased = ["sun_stiffness", "ring_stiffness"].into_iter().filter_map(|key| item.get(key)).any(follows);
         let Some(&first) = angles.first() else { return };
-        match narrow([sun, ring], &angles, &item.title()) {
+        match narrow([sun, ring, planet], &angles, &item.title()) {
             Some(Narrow::OnePlace(planet)) => {
                 let message = format!("{} has two planets in one place", item.title());
                 let help = "give each planet its own angle in `at`";

@@ -20,7 +20,12 @@ const MESH: &[Key] = &[
     key("module", Kind::Quantity("m"), "none", "normal module, instead of base_radius"),
     key("helix_angle", Kind::Quantity("rad"), "0 deg", "helix angle at the reference cylinder"),
     axial::HAND,
-    key("pressure_angle", Kind::Quantity("rad"), "20 deg", "pressure angle of the basic rack"),
+    key(
+        "pressure_angle",
+        Kind::Quantity("rad"),
+        "20 deg",
+        "pressure angle of the basic rack; teeth of `stiffness` have their own",
+    ),
     key(
         "stiffness",
         Kind::Either(&[Kind::Choice(&["rigid"]), LAW]),
@@ -79,9 +84,12 @@ impl Reader<'_> {
         let radius = named("r", if teeth[0] == named("N", first) { first } else { item.name });
         let doc = format!("base radius of gear {first}");
         let radius = Geometry { name: radius, unit: "m", gear_data: Some(GearData::BaseRadius), doc };
-        let angle = self.transverse_angle(item);
-        self.value(named("alpha", item.name), angle.as_ref());
-        self.geared(item.name.to_string(), item, gears, radius, internal);
+        // Shifted teeth work at another angle than that of their rack.
+        let of_rack = self.transverse_angle(item);
+        let angle = self.working_angle(item.get("stiffness"), internal).or(of_rack);
+        let alpha = named("alpha", item.name);
+        self.value(alpha.clone(), angle.as_ref());
+        self.geared(item.name.to_string(), item, gears, radius, internal, angle.map(|_| alpha));
         self.stated(named("c", item.name), item, "damping");
         self.helix(item, 1.0, internal);
         self.radius(item, &teeth[0]);

@@ -3,13 +3,29 @@
 use super::draft::{DraftGear, DraftPart, GearGroup, Geometry, Term, Terms, named};
 use super::item::Item;
 use super::read::Reader;
-use crate::gear::Gears;
+use crate::gear::{Contact, Gears};
+use crate::model::{Law, Role};
 use crate::scene::document::{Node, Value};
 use crate::scene::field;
+use crate::scene::mistake::Report;
+use crate::scene::teeth::TeethReader;
+
+/// The law of teeth whose geometry alone is needed.
+const ANY: Law = Law {
+    name: "k",
+    unit: "N/m",
+    phase: "",
+    period: std::f64::consts::TAU,
+    rolling: false,
+    held: &[],
+    with: None,
+    role: Role::Stiffness,
+    doc: "",
+};
 
 impl Reader<'_> {
     /// Adds a mesh of two gears with the deflection h (Q_1 + sense Q_2), where Q are the pitch counts. The second gear of an `internal`
-    /// mesh is a ring gear.
+    /// mesh is a ring gear. `angle` is the parameter that is its working pressure angle; `None`: that of all meshes without one.
     pub(super) fn geared(
         &mut self,
         name: String,
@@ -17,6 +33,7 @@ impl Reader<'_> {
         gears: [DraftGear; 2],
         radius: Geometry,
         internal: bool,
+        angle: Option<String>,
     ) -> usize {
         let same = |a: &DraftGear, b: &DraftGear| a.rotor == b.rotor && a.carrier == b.carrier && a.teeth == b.teeth;
         let has =
@@ -75,12 +92,10 @@ impl Reader<'_> {
         let driving = driving.into_iter().collect();
         // The phase is set when all meshes of the group are known.
         let rows = vec![vec![], s, psi.into_iter().flatten().collect()];
-        // A part that states an angle has its own parameter for the pressure angle.
-        let angle =
-            item.get("pressure_angle").or(item.get("helix_angle")).map(|_| ("alpha", named("alpha", item.name)));
         of.parts.push(self.draft.parts.len());
         let (place, called) = (item.place.clone(), named("s", &name));
-        let (element, renamed) = ("element_mesh_with_friction", angle.into_iter().collect());
+        let renamed = angle.map(|angle| ("alpha", angle)).into_iter().collect();
+        let element = "element_mesh_with_friction";
         self.draft.parts.push(DraftPart {
             element,
             name,
@@ -150,6 +165,20 @@ impl Reader<'_> {
         let Some(helix) = item.get("helix_angle") else { return item.get("pressure_angle").cloned() };
         let (_, angle) = self.basic_rack(item, 1.0)?.transverse();
         Some(Node { value: Value::Text(format!("{angle} rad")), place: helix.place.clone() })
+    }
+
+    /// The contact of the teeth of a stiffness, if it has teeth. Mistakes in them are reported when the law is read.
+    pub(super) fn contact(&self, stiffness: Option<&Node>, internal: bool) -> Option<Contact> {
+        let Node { value: Value::Table(entries), place } = stiffness? else { return None };
+        let reader = TeethReader { law: &ANY, entries, place };
+        let gears = reader.given().then(|| reader.gears(&mut Report::new())).flatten()?;
+        Gears { internal, ..gears }.contact().ok()
+    }
+
+    /// The working pressure angle of the teeth of a stiffness, as a value of the scene; `None` if it has no teeth.
+    pub(super) fn working_angle(&self, stiffness: Option<&Node>, internal: bool) -> Option<Node> {
+        let contact = self.contact(stiffness, internal)?;
+        Some(Node { value: Value::Text(format!("{} rad", contact.angle)), place: stiffness?.place.clone() })
     }
 
     /// Gears with the angles of an item and a normal module [m].

@@ -4,7 +4,7 @@ use super::item::Item;
 use super::read::Reader;
 use crate::scene::document::{Node, Value};
 use crate::scene::field;
-use crate::tolerance::scene::PLANETS;
+use crate::tolerance::scene::{PLANETS, USUAL_ANGLES};
 
 impl Reader<'_> {
     /// The numbers of teeth of sun, ring and planets.
@@ -28,9 +28,49 @@ impl Reader<'_> {
             );
             return None;
         }
-        let planet = item.get("planet_teeth").cloned();
-        let planet = planet.unwrap_or(Node { value: Value::Number((r - s) / 2.0), place: node.place.clone() });
-        Some([sun.clone(), ring.clone(), planet])
+        let half = (r - s) / 2.0;
+        let planet = match item.get("planet_teeth") {
+            Some(planet) => {
+                let p = field::quantity(&item.path("planet_teeth"), planet, "1", self.report)?;
+                self.between_gears(item, [s, r, p], planet).then(|| planet.clone())
+            }
+            None if half.fract() != 0.0 && s.fract() == 0.0 && r.fract() == 0.0 => {
+                let message = format!(
+                    "{} lacks `planet_teeth`: half the difference of {r} and {s} teeth is {half}",
+                    item.title()
+                );
+                let help = format!(
+                    "give the planets a whole number of teeth, planet_teeth = {} or {}; profile shift makes them fit",
+                    half.floor(),
+                    half.ceil()
+                );
+                self.report.add(&node.place, message, "no whole number of planet teeth", help);
+                None
+            }
+            None => Some(Node { value: Value::Number(half), place: node.place.clone() }),
+        };
+        Some([sun.clone(), ring.clone(), planet?])
+    }
+
+    /// Refuses planets that do not mesh with sun and ring at one centre distance, cos(alpha_s)/cos(alpha_r) = (Z_s + Z_p)/(Z_r - Z_p) with the
+    /// working pressure angles alpha, whatever the profile shift.
+    fn between_gears(&mut self, item: &Item<'_>, [sun, ring, planet]: [f64; 3], node: &Node) -> bool {
+        let [low, high] = [USUAL_ANGLES.start(), USUAL_ANGLES.end()].map(|angle| angle.to_radians().cos());
+        let ratio = (sun + planet) / (ring - planet);
+        let fits = planet < ring && (high / low..=low / high).contains(&ratio);
+        if !fits {
+            let message = format!(
+                "`{}` is {planet}, but planets of {planet} teeth do not mesh with a sun of {sun} and a ring of {ring} teeth at one \
+                 centre distance",
+                item.path("planet_teeth")
+            );
+            let half = (ring - sun) / 2.0;
+            let help = format!(
+                "without profile shift they have {half} teeth, half the difference; with it a few more or less"
+            );
+            self.report.add(&node.place, message, "impossible planets", help);
+        }
+        fits
     }
 
     /// The angles of the planets.

@@ -93,11 +93,20 @@ impl Reader<'_> {
         for (name, key) in [(z_s, "teeth.0"), (z_r, "teeth.1"), (z_p, "planet_teeth"), (&named("np", set), "count")] {
             self.fixed(name, item.path(key));
         }
-        for ((name, what), number) in [(z_s, "sun"), (z_r, "ring"), (z_p, "planets")].into_iter().zip(teeth) {
+        for ((name, what), number) in [(z_s, "sun"), (z_r, "ring"), (z_p, "planets")].into_iter().zip(&teeth) {
             let doc = format!("number of teeth of the {what} of {set}");
             self.draft.geometry.push(Geometry { name: name.clone(), unit: "1", gear_data: Some(GearData::Teeth), doc });
-            self.value(name.clone(), Some(&number));
+            self.value(name.clone(), Some(number));
         }
+        let of_rack = self.transverse_angle(item);
+        let alpha = named("alpha", set);
+        // The meshes of the set have the angles of their teeth, or the same angle, if it states one.
+        let angles = [("s", "sun_stiffness"), ("r", "ring_stiffness")].map(|(with, key)| {
+            let of_teeth = self.working_angle(item.get(key), with == "r");
+            let own = named("alpha", &format!("{set}_{with}"));
+            self.value(own.clone(), of_teeth.as_ref());
+            of_teeth.map(|_| own).or(of_rack.as_ref().map(|_| alpha.clone()))
+        });
         let mut planets = vec![];
         for (i, place) in places.iter().enumerate() {
             let planet = self.planet(item, i + 1);
@@ -108,7 +117,7 @@ impl Reader<'_> {
                 ("s", ["sun_stiffness", "sun_error"], [gear(Some(sun), z_s, 1.0), of_planet.clone()]),
                 ("r", ["ring_stiffness", "ring_error"], [of_planet, gear(ring, z_r, -1.0)]),
             ];
-            for (with, keys, gears) in pairs {
+            for ((with, keys, gears), angle) in pairs.into_iter().zip(&angles) {
                 if i == 0 {
                     self.not_rigid(item, keys[0]);
                 }
@@ -126,7 +135,7 @@ impl Reader<'_> {
                 self.stated(named("c", &name), item, "damping");
                 let doc = format!("base radius of the sun of {set}");
                 let radius = Geometry { name: r_s.clone(), unit: "m", gear_data: Some(GearData::BaseRadius), doc };
-                self.geared(name, item, gears, radius, with == "r");
+                self.geared(name, item, gears, radius, with == "r", angle.clone());
                 // The planets have the opposite hand of the sun, and the same hand as the ring.
                 self.helix(item, if with == "s" { 1.0 } else { -1.0 }, with == "r");
             }
@@ -139,11 +148,10 @@ impl Reader<'_> {
             named("np", set),
             Some(&Node { value: Value::Number(places.len() as f64), place: item.place.clone() }),
         );
-        let angle = self.transverse_angle(item);
-        self.value(named("alpha", set), angle.as_ref());
-        // The meshes of the set have the same angle, if it states one.
+        let angle = self.angle_of_centres(item, &teeth).or(of_rack);
+        self.value(alpha.clone(), angle.as_ref());
         let mut renamed = vec![("Zs_x", z_s.clone()), ("Zr_x", z_r.clone()), ("rs_x", r_s.clone())];
-        renamed.push(("alpha_x", named("alpha", set)));
+        renamed.push(("alpha_x", alpha));
         let rows = vec![vec![Term::new(carrier, 1.0, &[])]];
         let (name, place, called) = (set.to_string(), item.place.clone(), String::new());
         self.draft.parts.push(DraftPart {
@@ -156,6 +164,17 @@ impl Reader<'_> {
             called,
             without: None,
         });
+    }
+
+    /// The angle at which the centres of the planets have the distance of the teeth of the sun's meshes from its axis:
+    /// cos(alpha) = r_s (Z_r/Z_s + 1)/(2 a).
+    fn angle_of_centres(&self, item: &Item<'_>, [sun, ring, _]: &[Node; 3]) -> Option<Node> {
+        let node = item.get("sun_stiffness")?;
+        let contact = self.contact(Some(node), false)?;
+        let [Value::Number(sun), Value::Number(ring)] = [&sun.value, &ring.value] else { return None };
+        let cosine = contact.base[0] * (ring / sun + 1.0) / (2.0 * contact.centre_distance);
+        let angle = cosine.acos();
+        (angle > 0.0).then(|| Node { value: Value::Text(format!("{angle} rad")), place: node.place.clone() })
     }
 
     /// Refuses a mesh of the set that is stated to be rigid.

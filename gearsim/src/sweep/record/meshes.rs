@@ -1,12 +1,14 @@
-//! The dynamic factor of each mesh: the largest force over the force without vibration, and K_v of ISO 6336-1, method B.
+//! The dynamic factor of each mesh: the largest force over the force without vibration, and K_v of ISO 6336-1, method B. And for how long
+//! and how hard its teeth pull.
 
 use super::{Column, Ended, Group, column};
-use crate::analysis::{dynamic_factor, orders};
+use crate::analysis::dynamic_factor::{self, DynamicFactor};
+use crate::analysis::orders;
 use crate::model::{Law, Model, Role};
 
 pub(super) const GROUP: Group = Group {
     name: "meshes",
-    doc: "of every mesh after --from: its k_dynamic_factor and k_kv_iso6336",
+    doc: "of every mesh after --from: k_dynamic_factor, k_kv_iso6336, k_pulling_share, k_largest_pull",
     samples: true,
     limits: true,
     digits: false,
@@ -23,17 +25,25 @@ fn meshes(model: &Model) -> impl Iterator<Item = &'static Law> {
 }
 
 fn columns(model: &Model, _: &[usize]) -> Vec<Column> {
-    let both = |law: &Law| ["dynamic_factor", "kv_iso6336"].map(|what| column(format!("{}_{what}", law.name), "1"));
-    meshes(model).flat_map(both).collect()
+    let four = |law: &Law| {
+        let unit = orders::force(model, law.name).map_or("", |force| force.unit);
+        let all = [("dynamic_factor", "1"), ("kv_iso6336", "1"), ("pulling_share", "1"), ("largest_pull", unit)];
+        all.map(|(what, unit)| column(format!("{}_{what}", law.name), unit))
+    };
+    meshes(model).flat_map(four).collect()
 }
 
 fn values(ended: &Ended<'_>) -> Vec<f64> {
     let run = &ended.outcome.trajectory;
     let factors = dynamic_factor::of(ended.scene, ended.entry, run, ended.from);
-    let both = |law: &Law| {
+    let four = |law: &Law| {
         let of = factors.iter().find(|factor| factor.law.name == law.name);
         let value = |value: &Result<f64, String>| value.as_ref().map_or(f64::NAN, |value| *value);
-        of.map_or([f64::NAN; 2], |of| [value(&of.factor), value(&of.iso6336)])
+        let pull = |of: &DynamicFactor| of.pulling.map_or([f64::NAN; 2], |pulling| [pulling.share, pulling.largest]);
+        of.map_or([f64::NAN; 4], |of| {
+            let [share, largest] = pull(of);
+            [value(&of.factor), value(&of.iso6336), share, largest]
+        })
     };
-    meshes(run.model).flat_map(both).collect()
+    meshes(run.model).flat_map(four).collect()
 }

@@ -24,8 +24,15 @@ pub struct Measure {
 }
 
 /// All measures, in the order of their columns.
-pub const MEASURES: [Measure; 5] =
-    [statistics::MEAN, statistics::RMS, statistics::PEAK_TO_PEAK, dynamic_factor::FACTOR, dynamic_factor::ISO_6336];
+pub const MEASURES: [Measure; 7] = [
+    statistics::MEAN,
+    statistics::RMS,
+    statistics::PEAK_TO_PEAK,
+    dynamic_factor::FACTOR,
+    dynamic_factor::ISO_6336,
+    dynamic_factor::PULLING_SHARE,
+    dynamic_factor::LARGEST_PULL,
+];
 
 /// The measure with a name.
 pub fn measure(name: &str) -> Option<Measure> {

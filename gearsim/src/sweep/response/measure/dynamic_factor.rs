@@ -1,8 +1,10 @@
-//! The dynamic factor of a mesh, and beside it K_v of ISO 6336-1 \[1\], as in the group `meshes` of sweeps. The static force is computed
+//! The dynamic factor of a mesh, and beside it K_v of ISO 6336-1 \[1\]; for how long and how hard its teeth pull; as in the group `meshes`
+//! of sweeps. The static force is computed
 //! with the torques of the point, including the value of the parameter that holds its speed.
 
-use super::Measure;
+use super::{Measure, ResponsePoint};
 use crate::analysis::orders::force;
+use crate::analysis::pulling::Pulling;
 use crate::model::{Model, Output, Role};
 
 pub(super) const FACTOR: Measure = Measure {
@@ -20,6 +22,26 @@ pub(super) const ISO_6336: Measure = Measure {
     lacks: |point, i| point.factors[i].as_ref().and_then(|of| of.iso6336.as_ref().err()).map(String::as_str),
     ..FACTOR
 };
+
+/// Share of the time in which the teeth pull \[1\].
+pub(super) const PULLING_SHARE: Measure = Measure {
+    name: "pulling_share",
+    beside: None,
+    value: |point, i| pulling(point, i).map_or(f64::NAN, |pulling| pulling.share),
+    lacks: |_, _| None,
+    ..FACTOR
+};
+/// Largest pulling force.
+pub(super) const LARGEST_PULL: Measure = Measure {
+    name: "largest_pull",
+    unit: None,
+    value: |point, i| pulling(point, i).map_or(f64::NAN, |pulling| pulling.largest),
+    ..PULLING_SHARE
+};
+
+fn pulling(point: &ResponsePoint, output: usize) -> Option<&Pulling> {
+    point.factors[output].as_ref()?.pulling.as_ref()
+}
 
 fn is_mesh_force(model: &Model, output: &Output) -> bool {
     let stiffnesses = model.laws.iter().filter(|law| law.role == Role::Stiffness);
