@@ -10,13 +10,25 @@
 //! eigenvalues are nearly opposite. The weight phi_kᵀG phi_l is then as small as their sum, because the dissipated energy is what
 //! makes a mode decay. The error is therefore a rounding error of the energy of the modes.
 //!
-//! For short times and near critical damping the closed form cancels, and Gauss-Legendre quadrature is used.
+//! The two exponentials of a mode cancel if its rates are slow for the time t: a rigid motion with a weak damper of rate s is accelerated
+//! by a as a t, but its exponentials have the size a/s. The speeds of such modes are a polynomial, their Taylor series w(x) = sum w_p x^p
+//! with x = time/t ([`course`](self::course)). The integrals with it are
+//!
+//! ```text
+//! ∫ e^{lambda t x} x^p dx = I_p(lambda t),   ∫ wᵀG w dx = sum w_pᵀG w_q/(p + q + 1)       over [0, 1]
+//! ```
+//!
+//! Near critical damping the closed form cancels, and Gauss-Legendre quadrature is used.
 
 use nalgebra::{Complex, DMatrix, DVector};
 
 use crate::engine::modal::Coupled;
 use crate::engine::mode::{GAUSS_16, Mode};
 use crate::tolerance::modes::{DECAYED, EIGENVALUES_APART, QUADRATURE_PANEL, SERIES_SPAN};
+
+use course::{Course, moments};
+
+mod course;
 
 /// The damped modes of one cell.
 #[derive(Debug, Clone)]
@@ -28,8 +40,6 @@ pub struct Loss {
     damping: DMatrix<f64>,
     /// The closed form; `None` if two eigenvalues of a mode nearly coincide.
     closed: Option<Closed>,
-    /// Fastest rate of the damped modes \[1/s\].
-    rate: f64,
 }
 
 /// The exponentials of all damped modes, and their weights phi_kᵀG phi_l/(lambda_k + lambda_l). If the sum of the two eigenvalues is zero,
@@ -39,6 +49,8 @@ struct Closed {
     /// For each exponential: index of the mode, lambda, and the other eigenvalue of the mode.
     exponents: Vec<(usize, Complex<f64>, Complex<f64>)>,
     weights: DMatrix<Complex<f64>>,
+    /// phi = X1 + lambda X2 of each exponential.
+    shapes: Vec<DVector<Complex<f64>>>,
 }
 
 impl Loss {
@@ -55,16 +67,24 @@ impl Loss {
             by_speed: by_speed.clone(),
             by_acceleration: by_acceleration.clone(),
             damping: damping.clone(),
-            rate: damped.iter().map(|&k| modes[k].rate).fold(0.0, f64::max),
         }
     }
 
     /// The integral from 0 to `t` \[s\], from the speeds a' and accelerations a'' of the modes at the start.
     pub fn until(&self, rates: &[(f64, f64)], t: f64) -> f64 {
-        match &self.closed {
-            Some(closed) if self.rate * t >= SERIES_SPAN => closed.until(rates, t),
-            _ => self.by_quadrature(rates, t),
+        let Some(closed) = &self.closed else { return self.by_quadrature(rates, t) };
+        let is_slow = |k: usize| self.modes[k].rate * t < SERIES_SPAN;
+        let slow: Vec<usize> = closed.modes().filter(|&k| is_slow(k)).collect();
+        let fast = closed.parts(rates, t, |k| !is_slow(k));
+        if slow.is_empty() {
+            return closed.of_exponentials(&fast);
         }
+        let mut course = Course::zero(self.damping.nrows());
+        slow.iter().for_each(|&k| {
+            course.add(&self.modes[k], rates[k], t, [&self.by_speed, &self.by_acceleration].map(|x| x.column(k)))
+        });
+        let forces = course.times(&self.damping);
+        closed.of_exponentials(&fast) + t * (closed.between(&fast, &forces, t) + course.integral(&forces))
     }
 
     /// Quadrature over panels. In each, the fastest mode that has not yet decayed turns by at most two radians, so that the
@@ -143,28 +163,64 @@ impl Closed {
             let sum = exponents[i].1 + exponents[j].1;
             shapes[i].dot(&damped[j]) / if is_zero(sum) { 1.0.into() } else { sum }
         });
-        Some(Closed { exponents, weights })
+        Some(Closed { exponents, weights, shapes })
     }
 
-    fn until(&self, rates: &[(f64, f64)], t: f64) -> f64 {
-        let part = |&(k, lambda, other): &(usize, Complex<f64>, Complex<f64>)| {
+    /// The damped modes.
+    fn modes(&self) -> impl Iterator<Item = usize> {
+        // Each mode has two exponentials, one after the other.
+        self.exponents.iter().step_by(2).map(|(mode, ..)| *mode)
+    }
+
+    /// The exponentials of the modes that `which` selects, from the speeds and accelerations of the modes at the start.
+    fn parts(&self, rates: &[(f64, f64)], t: f64, which: impl Fn(usize) -> bool) -> Vec<Part> {
+        let part = |(index, &(k, lambda, other)): (usize, &(usize, Complex<f64>, Complex<f64>))| {
             let (v, a) = rates[k];
-            (Complex::from(a) - other * v) / (lambda - other)
+            let amplitude = (Complex::from(a) - other * v) / (lambda - other);
+            Part { index, lambda, amplitude, grown: exp_m1(lambda * t), t }
         };
-        // For each exponential: its amplitude at the start, lambda and e^{lambda t} - 1.
-        let all: Vec<_> = self.exponents.iter().map(|e| (part(e), e.1, exp_m1(e.1 * t))).collect();
+        self.exponents.iter().enumerate().filter(|(_, exponent)| which(exponent.0)).map(part).collect()
+    }
+
+    /// The integral for motions that consist of these exponentials.
+    fn of_exponentials(&self, all: &[Part]) -> f64 {
         let mut sum = 0.0;
-        for (j, (d, other, f)) in all.iter().enumerate() {
+        for (j, one) in all.iter().enumerate() {
             let mut row = Complex::from(0.0);
-            for (i, (c, lambda, e)) in all.iter().enumerate().skip(j) {
-                let grown = if is_zero(lambda + other) { t.into() } else { e + f + e * f };
+            for (i, other) in all.iter().enumerate().skip(j) {
+                let (e, f) = (other.grown, one.grown);
+                let grown = if is_zero(other.lambda + one.lambda) { one.t.into() } else { e + f + e * f };
                 let twice = if i == j { 1.0 } else { 2.0 };
-                row += c * self.weights[(i, j)] * grown * twice;
+                row += other.amplitude * self.weights[(other.index, one.index)] * grown * twice;
             }
-            sum += (row * d).re;
+            sum += (row * one.amplitude).re;
         }
         sum
     }
+
+    /// Twice the integral over [0, 1] of the product of the exponentials with the forces `forces` of a course (coefficients of x^p).
+    fn between(&self, all: &[Part], forces: &[DVector<f64>], t: f64) -> f64 {
+        let of = |part: &Part| {
+            let shape = &self.shapes[part.index];
+            let each = moments(part.lambda * t).into_iter().zip(forces);
+            let along = |g: &DVector<f64>| shape.iter().zip(g.iter()).map(|(phi, g)| phi * g).sum::<Complex<f64>>();
+            2.0 * (part.amplitude * each.map(|(moment, g)| along(g) * moment).sum::<Complex<f64>>()).re
+        };
+        all.iter().map(of).sum()
+    }
+}
+
+/// One exponential of a motion.
+struct Part {
+    /// Its index among the exponentials of the cell.
+    index: usize,
+    lambda: Complex<f64>,
+    /// Its amplitude at the start.
+    amplitude: Complex<f64>,
+    /// e^{lambda t} - 1.
+    grown: Complex<f64>,
+    /// The duration t \[s\].
+    t: f64,
 }
 
 fn is_zero(lambda: Complex<f64>) -> bool {
@@ -177,3 +233,6 @@ fn exp_m1(x: Complex<f64>) -> Complex<f64> {
     let e = 1.0 + decay;
     Complex::new(decay - 2.0 * h * h * e, 2.0 * h * c * e)
 }
+
+#[cfg(test)]
+mod tests;
