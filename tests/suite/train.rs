@@ -31,6 +31,9 @@ mod end_stops;
 #[path = "train/damage.rs"]
 mod damage;
 
+#[path = "train/breakaway.rs"]
+mod breakaway;
+
 #[path = "train/losses.rs"]
 mod losses;
 
