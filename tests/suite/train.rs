@@ -1,6 +1,8 @@
 //! Trains that scenes list: against the derived models of the same drivetrains, closed forms, and mistakes in their tables.
 
 mod common;
+#[path = "common/random.rs"]
+mod random;
 
 #[path = "train/same.rs"]
 mod same;
@@ -28,6 +30,12 @@ mod end_stops;
 
 #[path = "train/damage.rs"]
 mod damage;
+
+#[path = "train/breakaway.rs"]
+mod breakaway;
+
+#[path = "train/losses.rs"]
+mod losses;
 
 #[path = "train/sets.rs"]
 mod sets;

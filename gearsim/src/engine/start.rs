@@ -10,7 +10,7 @@ use crate::engine::record::State;
 use crate::engine::switch::{self, Switch};
 use crate::engine::vector::Vector;
 use crate::scene::Scene;
-use crate::tolerance::events::RELEASE;
+use crate::tolerance::start::REACTION;
 
 use equilibrium::{Equilibrium, Settled, courses};
 
@@ -174,7 +174,7 @@ fn in_modes(
                     (false, Some(r)) => guard.on_reaction * r,
                     (false, None) => return false,
                 };
-                let rounding = equations::rounding(guard, &k) + RELEASE * resisted.abs();
+                let rounding = equations::rounding(guard, &k) + REACTION * resisted.abs();
                 guard.value(&settled.state.q, &at_rest, &k) + resisted < -rounding
             })?;
             // A switch that slides, or whose hold breaks, goes where its guard leads. One that rests is tried in its next mode of rest.

@@ -34,3 +34,7 @@ pub(crate) const BALANCED: f64 = 1e-13;
 pub(crate) const STEPS: usize = 200;
 /// A search for another equilibrium starts at this distance, slightly beyond a boundary [relative to the distance of the boundary].
 pub(crate) const BEYOND: f64 = 1.001;
+/// A reaction in the equilibrium is within its bound if it exceeds it by less than this [relative to the reaction]: far more than the rounding
+/// errors of an iteration that has converged. Smaller: a reaction at its bound breaks the hold by rounding errors. Larger: a hold that must
+/// break is kept at the start.
+pub(crate) const REACTION: f64 = 1e-9;

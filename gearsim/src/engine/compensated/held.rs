@@ -1,7 +1,8 @@
 //! Holds in double-double precision: the held motions, their reactions, and the guards that end the holds.
 //!
-//! The plain solver ends a hold a little late, when the reaction pulls by a margin: the part [`RELEASE`](crate::tolerance::events::RELEASE)
-//! of the forces. The zero of the reaction lies before that time. It is computed here, and the free motion starts there ([`Late`]).
+//! The plain solver ends a hold a little late, when the reaction pulls by a margin of rounding errors
+//! ([`RELEASE`](crate::tolerance::events::RELEASE)). The zero of the reaction lies before that time. It is computed here, and the free motion
+//! starts there ([`Late`]).
 
 use nalgebra::{DMatrix, DVector};
 use xprec::Df64;

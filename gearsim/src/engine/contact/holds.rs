@@ -13,7 +13,7 @@ use crate::engine::error::Refusal;
 use crate::engine::hybrid::Hybrid;
 use crate::engine::motion::End;
 use crate::engine::record::State;
-use crate::engine::vector::{Matrix, Vector};
+use crate::engine::vector::{Matrix, Vector, transposed};
 use crate::tolerance::events::RELEASE;
 
 /// A held motion.
@@ -69,17 +69,22 @@ impl Holds {
         let (equations, k, State { q, q_dot, .. }) = (now.equations, &now.k, &now.state);
         let (stiffness, damping) = (equations.stiffness(k), equations.damping(k));
         let load = DVector::from(&(equations.load(k) + &now.further_load()));
+        let energies = [equations.potential(q, k), equations.dissipation(q, q_dot, k)];
         let n = q.len();
         let (mut reactions, mut slips) = (vec![], vec![]);
         for (c, held) in self.held.iter().enumerate() {
-            let w = self.to_reactions.rows(c, 1);
-            let row = |m: Matrix| Vector::from_fn(n, |i| m[(0, i)]);
-            let (on_q, on_speed) = (row(w * &stiffness), row(w * &damping));
-            let forces = (w * &load)[0].abs() + on_q.abs().dot(&q.abs()) + on_speed.abs().dot(&q_dot.abs());
-            let row = Vector::from_fn(n, |i| w[(0, i)]);
+            let row = Vector::from_fn(n, |i| self.to_reactions[(c, i)]);
+            let loaded = row.iter().zip(load.iter()).map(|(w, f)| (w * f).abs()).sum::<f64>();
+            // |w.K x|² <= w.K w x.K x: the forces of springs and dampers follow from their energies. These depend on deflections, while the
+            // terms of K q grow with the angles of a train that has turned far.
+            let of = |matrix: &Matrix, energy: f64| (row.dot(&(matrix * &row)) * 2.0 * energy).max(0.0).sqrt();
+            let forces = loaded + of(&stiffness, energies[0]) + of(&damping, energies[1]);
+            let terms = |matrix: &Matrix, x: &Vector| transposed(matrix, &row).abs().dot(&x.abs());
+            let rounding = 0.5 * f64::EPSILON * (terms(&stiffness, q) + terms(&damping, q_dot));
+            let margin = |size: f64| RELEASE * size + rounding;
             match *held {
                 Held::Law(law, side) => {
-                    let form = StateForm::reaction(row, c, RELEASE * forces);
+                    let form = StateForm::reaction(row, c, margin(forces));
                     reactions.push(Watch { end: End::Hold(law, Ending::Release), form });
                     let stand = (&now.laws[..], &now.switches[..], &k[..]);
                     let zeros = barriers(equations, stand, law, side, &now.state).into_iter();
@@ -92,8 +97,10 @@ impl Holds {
                         .filter(|exit| exit.guard.on_reaction != 0.0)
                     {
                         let Affine { on_reaction, .. } = exit.guard;
-                        let (constant, margin) = (exit.guard.constant_at(k), RELEASE * on_reaction.abs() * forces);
                         let (on_q, on_speed) = (exit.guard.on_q.clone(), exit.guard.on_speed.clone());
+                        let constant = exit.guard.constant_at(k);
+                        let bound = (constant + on_q.dot(q) + on_speed.dot(q_dot)).abs();
+                        let margin = on_reaction.abs() * margin(forces + bound / on_reaction.abs());
                         let form = StateForm {
                             on_q,
                             on_speed,
