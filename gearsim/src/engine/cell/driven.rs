@@ -163,3 +163,6 @@ impl Flight<'_> {
         [moved_by, Vector::from_fn(self.n(), |i| self.mode(i).next(moved[i], gained[i]) + at(1, i))]
     }
 }
+
+#[cfg(test)]
+mod tests;

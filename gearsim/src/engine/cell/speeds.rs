@@ -190,31 +190,40 @@ impl Moments {
             }
             return Moments(moments);
         }
-        let first = exp_m1(x);
-        if x.norm_sqr() >= (SERIES_SPAN + last as f64).powi(2) {
+        let (first, size) = (exp_m1(x), x.norm());
+        let grown = first + 1.0;
+        // Upwards, while the recurrence reduces errors: J_k = (t^k e^x - k J_(k-1))/nu.
+        let turn = if size < SERIES_SPAN { 0 } else { count.min(size as usize + 1) };
+        if turn > 0 {
             moments[0] = first / rate;
-            let mut end = first + 1.0;
-            for k in 1..count {
+            let mut end = grown;
+            for k in 1..turn {
                 end *= t;
                 moments[k] = (end - moments[k - 1] * k as f64) / rate;
             }
+        }
+        if turn == count {
             return Moments(moments);
         }
-        // The last one by its series, the sum of xⁿ/(n! (n + k + 1)); those before it by the recurrence downwards.
-        let (mut term, mut sum) = (Complex::from(1.0), Complex::from(1.0 / count as f64));
-        for n in 1..80 {
-            term *= x / n as f64;
-            sum += term / (n + count) as f64;
-            if term.norm_sqr() < 1e-36 {
+        // The last one by its series, t^(k+1) e^x times the sum of (-x)^n/((k+1) ... (k+n+1)), and those before it downwards.
+        let (mut term, mut sum) = (Complex::from(1.0), Complex::from(0.0));
+        for n in count.. {
+            term /= n as f64;
+            sum += term;
+            if term.norm_sqr() <= SERIES_TERM * SERIES_TERM * sum.norm_sqr() {
                 break;
             }
+            term *= -x;
         }
-        moments[last] = sum * t.powi(count as i32);
-        let mut end = (first + 1.0) * t.powi(last as i32);
-        for k in (1..count).rev() {
+        moments[last] = sum * grown * t.powi(count as i32);
+        let mut end = grown * t.powi(last as i32);
+        for k in (turn + 1..count).rev() {
             moments[k - 1] = (end - rate * moments[k]) / k as f64;
             end /= t;
         }
         Moments(moments)
     }
 }
+
+#[cfg(test)]
+mod tests;
