@@ -1,4 +1,4 @@
-//! The exact solver: linear cells, in closed form where torques are constant, else in windows of a power series.
+//! The exact solver: linear cells, in closed form.
 
 use std::collections::HashMap;
 use std::sync::Arc;
