@@ -171,6 +171,7 @@ pub(crate) fn brief(scene: &Scene, outcome: &Outcome) -> Summary {
             .digits
             .map(|digits| Digits { at_end: Number(digits.at_end), none_from: digits.none_from.map(Number) }),
         remarks: (scene.conversions.iter().chain(&scene.warnings).chain(&outcome.remarks).cloned())
+            .chain(remarks::of_precision(scene))
             .chain(remarks::of(scene, run, scene.output.from))
             .collect(),
         cpu_seconds: Number(outcome.cpu_seconds),

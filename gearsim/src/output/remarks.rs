@@ -1,6 +1,5 @@
 //! What a reader of a run's numbers must know, found in its rows: teeth that pull, absurd deflections, and frequencies that its samples cannot
-//! show. Runs,
-//! sweeps, responses and comparisons have the same remarks. The words before the colon are the same in every run with the same finding.
+//! show. Runs, sweeps, responses and comparisons have the same remarks. The words before the colon are the same in every run with the same finding.
 
 use indexmap::IndexMap;
 
@@ -10,6 +9,7 @@ use crate::analysis::absurd::{self, Absurd};
 use crate::analysis::pulling::{self, Pulling};
 use crate::analysis::sampling::{self, Folding};
 use crate::scene::Scene;
+use crate::scene::solver::Precision;
 use crate::trajectory::Trajectory;
 
 /// Most meshes that a remark names; the others are in the table of meshes.
@@ -22,6 +22,13 @@ pub(crate) const BETWEEN: &str = " | ";
 pub(crate) fn of(scene: &Scene, run: &Trajectory, from: f64) -> Vec<String> {
     let pull = pull(pulling::of(scene, run, from));
     pull.into_iter().chain(absurd(scene, run, from)).chain(samples(scene, run, from)).collect()
+}
+
+/// What the digits of a run in compensated precision are about.
+pub(crate) fn of_precision(scene: &Scene) -> Option<String> {
+    let text = "compensated precision: the digits left are those of the scene with its numbers as they are read. Conversions of units and \
+                2 pi are rounded to 16 digits before the run, and a chaotic motion magnifies this as it magnifies any other change";
+    (scene.solver.precision == Precision::Compensated).then(|| text.to_owned())
 }
 
 /// The meshes whose teeth pull.

@@ -262,7 +262,7 @@ fn crossing<const N: usize>(drawn: &Drawn<N>, noise: &mut Noise, met: &mut usize
     let cell = system.cell();
     let flight = cell.flight(&Vector::from(drawn.q), &Vector::from(drawn.v));
     let (on_moved, on_speed) = cell.follow(&Vector::from(system.normal), None);
-    let signal = Signal { flight: &flight, on_moved: &on_moved, on_speed: on_speed.as_deref() };
+    let signal = Signal { flight: &flight, on_moved: &on_moved, on_speed: on_speed.as_deref(), direct: None };
     let mut point = flight.begin();
     let rate = Vector::from(system.normal).dot(&Vector::from(drawn.v));
     let found = Search { signal, rate, down, up, horizon: drawn.t }.first(&mut point, &mut Cost::default());

@@ -1,16 +1,18 @@
-//! Random variants of the scenes, with other effects, starts, speeds and torques, each by two methods.
+//! Random variants of the scenes, with other effects, starts, speeds and torques, each by two methods. In half of them the torques vary in
+//! time: tables of ramps and jumps with harmonics, slow and fast.
 
 use std::collections::hash_map::DefaultHasher;
 use std::hash::{Hash, Hasher};
 
 use gearsim::model::Varies;
-use gearsim::scene::Scene;
+use gearsim::scene::time_history::Harmonic;
+use gearsim::scene::{Scene, TimeHistory};
 
 use crate::common;
 use crate::compare;
 
 /// Number of variants of each scene.
-const VARIANTS: u64 = 4;
+const VARIANTS: u64 = 6;
 
 /// Compares the variants of a scene.
 ///
@@ -22,6 +24,9 @@ pub fn agree(name: &str) -> Result<String, String> {
         let mut scene = common::scene(name, &[]);
         let mut draw = Draw::new(name, variant);
         vary(&mut scene, &mut draw);
+        if variant % 2 == 1 {
+            drive(&mut scene, &mut draw);
+        }
         let effects = scene.effects.names(scene.model).join(", ");
         let agreed = compare::agree(&scene)
             .map_err(|wrong| format!("variant {variant} with {effects}, {:?}: {wrong}", scene.start))?;
@@ -61,6 +66,26 @@ fn vary(scene: &mut Scene, draw: &mut Draw) {
         {
             scene.parameters[torque] *= 0.7 + 0.6 * draw.unit();
         }
+    }
+}
+
+/// Lets the constant torques vary in time.
+fn drive(scene: &mut Scene, draw: &mut Draw) {
+    for torque in 0..scene.parameters.len() {
+        let (parameter, mean) = (&scene.model.parameters[torque], scene.parameters[torque]);
+        let fixed = scene.time_histories.iter().all(|(which, _)| *which != torque);
+        if !fixed || parameter.unit != "N*m" || parameter.varies != Varies::AsLoad || mean == 0.0 {
+            continue;
+        }
+        let points: Vec<(f64, f64)> =
+            (0..4).map(|i| (f64::from(i) * 0.3 * scene.t_end, mean * (0.8 + 0.4 * draw.unit()))).collect();
+        let harmonics = (0..2).map(|_| {
+            let turns = 0.3 * 1000f64.powf(draw.unit());
+            Harmonic::new(0.3 * mean * draw.unit(), turns / scene.t_end, draw.unit())
+        });
+        let history = TimeHistory::table(&points).with(harmonics.collect());
+        scene.parameters[torque] = history.at_start();
+        scene.time_histories.push((torque, history));
     }
 }
 
