@@ -8,7 +8,8 @@
 use nalgebra::Complex;
 
 use super::{PowerSeries, Reach, Rounding, Signal, TERMS};
-use crate::engine::cell::{Driven, Point};
+use crate::engine::cell::{Driven, Point, Varying};
+use crate::engine::mode::Mode;
 use crate::tolerance::events;
 
 /// Derivatives of a mode that are needed: its displacement and six derivatives.
@@ -28,8 +29,7 @@ impl Signal<'_> {
     }
 
     fn direct(&self, driven: &Driven, point: &Point) -> [f64; 5] {
-        let of =
-            |direct: &&crate::engine::cell::Varying| direct.derivatives(0, point.t, &driven.frequencies, &point.phases);
+        let of = |direct: &&Varying| direct.derivatives(0, point.t, &driven.frequencies, &point.phases);
         self.direct.as_ref().map_or([0.0; 5], of)
     }
 
@@ -65,18 +65,7 @@ impl Signal<'_> {
             let ramp = if order == 2 { slope.abs() * span } else { 0.0 };
             return now.0.abs() + ramp + further.sum::<f64>();
         }
-        let (effect, (mut y, mut y_dot), mut further) = (mode.effect(span), now, 0.0);
-        for ((swing, w), phase) in swings.filter(|((swing, _), _)| *swing != Complex::from(0.0)) {
-            let (load, stiffness) = (swing.norm() * w.powi(order), mode.stiffness_at(*w));
-            let steady = load / stiffness.norm();
-            if steady <= load * effect {
-                let z = swing * (phase + 1.0) * Complex::new(0.0, *w).powi(order) / stiffness;
-                (y, y_dot) = (y - z.re, y_dot - (z * Complex::new(0.0, *w)).re);
-                further += steady;
-            } else {
-                further += load * effect;
-            }
-        }
+        let ((y, y_dot), further) = about_steady(mode, order, now, mode.effect(span), swings);
         mode.bound(y, y_dot) + further
     }
 
@@ -98,7 +87,7 @@ impl Signal<'_> {
             }
         }
         for (at, sum) in sum.iter_mut().enumerate() {
-            let of = |direct: &&crate::engine::cell::Varying| {
+            let of = |direct: &&Varying| {
                 direct.sizes(0).zip(&driven.frequencies).map(|(size, w)| size * w.powi(at as i32 + 2)).sum::<f64>()
             };
             *sum += self.direct.as_ref().map_or(0.0, of);
@@ -158,19 +147,11 @@ impl Signal<'_> {
                 let effect = mode.effect(span);
                 let with_slope = mode.omega2 * effect >= 1.0;
                 let steady = if with_slope { slope / mode.omega2 } else { 0.0 };
-                let (mut y, mut y_dot) = (v - steady, a);
-                let mut further = if with_slope { 0.0 } else { slope.abs() * effect };
+                let start = std::iter::repeat(&Complex::ZERO);
+                let swings = swings().zip(start);
+                let ((y, y_dot), of_swings) = about_steady(mode, 1, (v - steady, a), effect, swings);
+                let further = of_swings + if with_slope { 0.0 } else { slope.abs() * effect };
                 drift += c * steady;
-                for (swing, w) in swings().filter(|(swing, _)| *swing != Complex::from(0.0)) {
-                    let (load, stiffness) = (swing.norm() * w, mode.stiffness_at(*w));
-                    if load / stiffness.norm() <= load * effect {
-                        let z = swing * Complex::new(0.0, *w) / stiffness;
-                        (y, y_dot) = (y - z.re, y_dot - (z * Complex::new(0.0, *w)).re);
-                        further += load / stiffness.norm();
-                    } else {
-                        further += load * effect;
-                    }
-                }
                 if mode.omega2 == 0.0 {
                     let excess = -y_dot / (2.0 * mode.sigma);
                     drift += c * (y - excess);
@@ -268,7 +249,7 @@ impl Signal<'_> {
             reach.drift += c * drift;
             for (j, w) in driven.frequencies.iter().enumerate() {
                 let steady = driven.on_modes.swings[j][i] / mode.stiffness_at(*w);
-                if steady == Complex::from(0.0) {
+                if steady == Complex::ZERO {
                     continue;
                 }
                 let (now, iw) = (steady * (point.phases[j] + 1.0), Complex::new(0.0, *w));
@@ -292,4 +273,30 @@ impl Signal<'_> {
         }
         reach
     }
+}
+
+/// Derivative number `order` of a mode and the next one, `now`, without those of the steady motions under swings, and a bound on what the
+/// swings add to the free motion from these values on: the amplitude of the steady motion, or the most that the load can do, `effect` times
+/// its size. Each swing comes with its frequency and its phase e^{i W t} - 1.
+fn about_steady<'a>(
+    mode: &Mode,
+    order: i32,
+    now: (f64, f64),
+    effect: f64,
+    swings: impl Iterator<Item = ((Complex<f64>, &'a f64), &'a Complex<f64>)>,
+) -> ((f64, f64), f64) {
+    let ((mut y, mut y_dot), mut further) = (now, 0.0);
+    for ((swing, w), phase) in swings.filter(|((swing, _), _)| *swing != Complex::ZERO) {
+        let (load, stiffness) = (swing.norm() * w.powi(order), mode.stiffness_at(*w));
+        let steady = load / stiffness.norm();
+        if steady <= load * effect {
+            let iw = Complex::new(0.0, *w);
+            let z = swing * (phase + 1.0) * iw.powi(order) / stiffness;
+            (y, y_dot) = (y - z.re, y_dot - (z * iw).re);
+            further += steady;
+        } else {
+            further += load * effect;
+        }
+    }
+    ((y, y_dot), further)
 }
