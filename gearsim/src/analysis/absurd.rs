@@ -30,8 +30,8 @@ pub fn of(scene: &Scene, run: &Trajectory, from: f64) -> Vec<Absurd> {
     let laws = scene.present().zip(&scene.modules).filter(|((law, _), _)| law.role == Role::Stiffness);
     let teeth = laws.filter_map(|((law, profile), module)| {
         let force = force(scene.model, law.name)?;
-        // A deflection in rad is that of `gear_pair`, whose radian is a module and a little more.
-        let module = if law.unit == "N/m" { (*module)? } else { 1.0 };
+        // The torque of `gear_pair` on the driving gear is k phi N_1, and phi about the deflection in modules.
+        let module = if law.unit == "N/m" { (*module)? } else { scene.parameter("N1")? };
         let modules = largest(force.name)? / profile.extremes().1 / module;
         (modules > TOOTH_DEFLECTION).then_some(Absurd::Teeth(force, modules))
     });

@@ -87,7 +87,8 @@ impl Variation {
     }
 
     /// Runs the points on all cores, and returns a table with one row per point. Its numbers do not depend on the number of cores. A
-    /// point that cannot be run has a row that says why, in the columns `status` and `reason`.
+    /// point that cannot be run has a row that says why, in the columns `status` and `reason`. The column `remarks` has
+    /// what a reader of a row must know.
     ///
     /// # Errors
     /// All mistakes in the axes and the request. No point has run then.

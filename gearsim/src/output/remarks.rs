@@ -101,8 +101,8 @@ pub(crate) fn counted<'a>(words: &str, runs: impl Iterator<Item = &'a [String]>)
         }
     }
     let said = |(count, remark): (usize, &str)| match count {
-        _ if count == all => format!("all {words}, first {remark}"),
-        _ => format!("{count} of {all} {words}, first {remark}"),
+        _ if count == all => format!("at all {words}, the first: {remark}"),
+        _ => format!("at {count} of {all} {words}, the first: {remark}"),
     };
     first.into_values().map(said).collect()
 }

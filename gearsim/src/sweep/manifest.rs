@@ -20,7 +20,7 @@ pub const FILE: &str = "sweep.json";
 /// Name of the format.
 const FORMAT: &str = "gearsim.sweep_manifest";
 /// Version of the format.
-const VERSION: u32 = 2;
+const VERSION: u32 = 3;
 
 /// The definition of a sweep, and the program that ran it.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]

@@ -169,7 +169,7 @@ fn values_of_a_mesh_without_their_effect_are_named_in_a_warning() {
         format!("`meshes.12.{key}` does nothing without the effect `{effect}`: add it to `effects`, or leave it out")
     };
     let warnings = parse(&text("", more), &[]).unwrap().warnings;
-    let said = [("backlash", "backlash"), ("damping", "viscous_friction"), ("error", "transmission_error")];
+    let said = [("damping", "viscous_friction"), ("backlash", "backlash"), ("error", "transmission_error")];
     assert_eq!(warnings, said.map(|(key, effect)| without(key, effect)));
     let all = "\"stiffness_step\", \"backlash\", \"viscous_friction\", \"transmission_error\"";
     assert_eq!(parse(&text(all, more), &[]).unwrap().warnings, [""; 0]);

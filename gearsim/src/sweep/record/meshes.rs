@@ -8,7 +8,7 @@ use crate::model::{Law, Model, Role};
 
 pub(super) const GROUP: Group = Group {
     name: "meshes",
-    doc: "of every mesh after --from: k_dynamic_factor, k_kv_iso6336, k_pulling_share, k_largest_pull",
+    doc: "of meshes after --from: k_dynamic_factor, k_kv_iso6336, k_pulling_share, k_largest_pull",
     samples: true,
     limits: true,
     digits: false,

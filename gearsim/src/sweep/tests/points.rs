@@ -179,14 +179,17 @@ fn dynamic_factors_are_those_of_single_runs_from_the_time_of_the_sweep_on() {
     };
     let sweep = Sweep::load(&path, MODELS, &request).unwrap_or_else(|error| panic!("{error}"));
     let names: Vec<String> = sweep.columns().into_iter().map(|(name, _)| name).collect();
-    assert_eq!(names, ["k12_dynamic_factor", "k12_kv_iso6336", "k34_dynamic_factor", "k34_kv_iso6336"]);
+    let of_mesh = ["dynamic_factor", "kv_iso6336", "pulling_share", "largest_pull"];
+    assert_eq!(names, ["k12", "k34"].map(|law| of_mesh.map(|name| format!("{law}_{name}"))).concat());
     let scene = sweep.first().unwrap();
     let alone = sweep.entry.run(&scene, &mut |_| {}).unwrap();
     let expected = dynamic_factor::of(&scene, &sweep.entry, &alone.trajectory, from);
     let row = sweep.point(0).numbers;
-    for (mesh, values) in expected.iter().zip(row.chunks(2)) {
+    for (mesh, values) in expected.iter().zip(row.chunks(4)) {
         assert_eq!(mesh.factor.clone().unwrap(), values[0], "{}", mesh.law.name);
         assert_eq!(mesh.iso6336.clone().unwrap_or(f64::NAN).to_bits(), values[1].to_bits(), "{}", mesh.law.name);
+        let pulling = mesh.pulling.unwrap();
+        assert_eq!([pulling.share, pulling.largest], values[2..], "{}", mesh.law.name);
     }
     assert!(row[0] > 1.0 && sweep.point(1).numbers[0] != row[0]);
 }

@@ -172,7 +172,7 @@ fn a_response_has_the_dynamic_factor_of_the_sweep() {
     }
     let table = response.table().unwrap();
     let of = |name: &str| table.columns().iter().filter(|column| column.name.starts_with(name)).count();
-    assert_eq!([of("dte_"), of("mesh_torque_")], [3, 5]);
+    assert_eq!([of("dte_"), of("mesh_torque_")], [3, 7]);
     let figure = crate::plot::response::figure("teeth", &response, measure("dynamic_factor").unwrap());
     let labels: Vec<_> = figure.panels[0].series.iter().map(|series| series.label.as_str()).collect();
     assert_eq!((figure.panels.len(), labels), (1, vec!["upward", "downward", "K_v of ISO 6336-1, method B"]));
