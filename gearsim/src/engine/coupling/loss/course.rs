@@ -42,19 +42,19 @@ impl Course {
 
 /// I_p(z) = ∫ x^p e^{z x} dx over [0, 1] for p = 0, 1, ... (TERMS numbers), with Re z <= 0.
 ///
-/// By parts, z I_p = e^z - p I_{p-1}. This recursion is stable upwards where |z| > p, and downwards where |z| < p. Downwards it begins so far
+/// By parts, z I_p = e^z - p I_{p-1}. This recursion is stable upwards where p < |z|, and downwards where p > |z|. Downwards it begins so far
 /// up that the error of the first value has no effect.
 pub fn moments(z: Complex<f64>) -> [Complex<f64>; TERMS] {
     let (end, mut moments) = (z.exp(), [Complex::from(0.0); TERMS]);
-    if z.norm() > TERMS as f64 {
+    let upwards = (z.norm() as usize).min(TERMS);
+    if upwards > 0 {
         moments[0] = (end - 1.0) / z;
-        for p in 1..TERMS {
-            moments[p] = (end - moments[p - 1] * p as f64) / z;
-        }
-        return moments;
+    }
+    for p in 1..upwards {
+        moments[p] = (end - moments[p - 1] * p as f64) / z;
     }
     let mut above = Complex::from(0.0);
-    for p in (1..FIRST).rev() {
+    for p in (upwards + 1..FIRST).rev() {
         above = (end - z * above) / p as f64;
         if p <= TERMS {
             moments[p - 1] = above;
@@ -63,5 +63,6 @@ pub fn moments(z: Complex<f64>) -> [Complex<f64>; TERMS] {
     moments
 }
 
-/// Where the downward recursion begins: the error of the first value is multiplied by |z|/p from p to p - 1, in all by 1e-28 for |z| = TERMS.
+/// Where the downward recursion begins. From there to p = TERMS the error of the first value is multiplied by |z|/p each time, in all by
+/// 1e-28 or less.
 const FIRST: usize = 5 * TERMS;
