@@ -5,7 +5,7 @@
 //! normal motion E = v²/(2 G) is below the part `HOLD_ENERGY` of the total energy and a bounce is short, the phase is held where it is:
 //! n.q' = 0, with the reaction R. E is neglected at each hold. The sum of the neglected energies is in the energy account. The hold ends
 //! when
-//! - R pulls by more than the part `RELEASE` of the forces that it consists of: the phase moves away from the step;
+//! - R pulls by more than the errors of the solver ([`Hybrid::release`]): the phase moves away from the step;
 //! - the step vanishes, dV = 0: the phase slips through without loss (with play, the flanks separate in the cell beyond at the same place);
 //! - a step of another stiffness gives an impulse: all held motions are released, and bounce or leave.
 //!
@@ -38,7 +38,7 @@ mod reaction;
 mod step;
 mod watch;
 
-pub use reaction::held;
+pub use reaction::{held, still};
 pub use step::is_void;
 pub use watch::{StateForm, Watch};
 
@@ -77,14 +77,6 @@ pub struct Turned {
     pub normals: DMatrix<f64>,
     /// c (n).
     pub force: Vector,
-}
-
-impl Turned {
-    /// `q_dot` without the numerical errors of the held speeds; `mobility` is M⁻¹.
-    pub fn still(&self, mobility: &Matrix, q_dot: &Vector) -> Vector {
-        let held = self.normals.transpose() * DVector::from(q_dot);
-        q_dot - &(mobility * &centripetal(mobility, &self.normals, &held))
-    }
 }
 
 /// Whether a phase that was just reflected at `side` must be held: it is pressed against the step, and its bounces are negligible.

@@ -20,6 +20,7 @@ use crate::engine::start::Initial;
 use crate::engine::switch::{Guards, Switch};
 use crate::engine::vector::{Matrix, Vector};
 use crate::scene::Scene;
+use crate::tolerance::events::RELEASE;
 
 mod held;
 mod modes;
@@ -76,6 +77,8 @@ pub struct Hybrid<'a> {
     pub contact: Option<Box<Contact>>,
     /// Torques that vary in time, if there are any.
     pub forcing: Option<Box<Forcing>>,
+    /// How far a reaction must exceed its bound to end a hold [relative to the forces it consists of]: the accuracy of the solver.
+    pub release: f64,
     /// Indices of the external torques of the scene.
     pub torques: Arc<[usize]>,
     /// The last changes of the modes of switches.
@@ -110,6 +113,7 @@ impl<'a> Hybrid<'a> {
             guards: Arc::default(),
             contact: None,
             forcing: forcing.map(Box::new),
+            release: RELEASE,
             rattle: Rattle::default(),
             dissipated: 0.0,
             ignored: 0.0,

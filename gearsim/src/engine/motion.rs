@@ -13,6 +13,7 @@ use crate::engine::error::{Refusal, Stop};
 use crate::engine::hybrid::Hybrid;
 use crate::engine::jump::Passage;
 use crate::engine::record::State;
+use crate::tolerance::events::RELEASE;
 
 /// A method that computes the motion in a mode.
 pub trait Solver {
@@ -39,6 +40,11 @@ pub trait Solver {
     /// Whether events are located. If not, they are handled after the step in which they happened.
     fn locates(&self) -> bool {
         true
+    }
+
+    /// How accurately reactions are known where a motion ends [relative to the forces they consist of].
+    fn release(&self) -> f64 {
+        RELEASE
     }
 
     /// The linear cells, if the solver has them in plain precision.

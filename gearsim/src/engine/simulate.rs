@@ -74,6 +74,7 @@ impl<'a> Simulation<'a> {
     /// # Errors
     /// If the solver cannot solve the first mode.
     pub fn with(mut now: Hybrid<'a>, mut solver: Box<dyn Solver + 'a>) -> Result<Self, Refusal> {
+        now.release = solver.release();
         if now.is_stuck() {
             now.hold(vec![])?;
         }

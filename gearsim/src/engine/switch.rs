@@ -204,17 +204,23 @@ impl Switch {
         (self.held(equations, q, k) - &self.held(equations, q, &vec![0.0; k.len()])).amax() > 0.0
     }
 
-    /// Whether the rate that it holds is zero, up to the rounding errors of the speeds.
+    /// Whether the rate that it holds is zero, up to the rounding errors of the speeds. The forces have rounding errors too, so that the
+    /// speeds of a train at rest under load have errors in proportion to its strain.
     pub fn is_at_rest(&self, equations: &dyn Equations, (q, q_dot): (&[f64], &[f64]), k: &[f64]) -> bool {
         let normal = self.held(equations, q, k);
-        normal.dot(q_dot).abs() <= rest(equations, (q, q_dot), &normal)
+        let energy = equations.kinetic(q, q_dot) + equations.potential(q, k).max(0.0);
+        normal.dot(q_dot).abs() <= AT_REST * allowed(equations, (q, energy), &normal)
     }
 }
 
 /// The largest rate along `normal` (n) that the kinetic energy of the state `q`, `q_dot` allows: sqrt(2 T n.M⁻¹n).
 pub fn fastest(equations: &dyn Equations, (q, q_dot): (&[f64], &[f64]), normal: &Vector) -> f64 {
-    let compliance = normal.dot(&(&equations.mobility(q) * normal));
-    (2.0 * equations.kinetic(q, q_dot) * compliance).sqrt()
+    allowed(equations, (q, equations.kinetic(q, q_dot)), normal)
+}
+
+/// The largest rate along `normal` (n) that the kinetic energy `energy` \[J\] allows at `q`.
+fn allowed(equations: &dyn Equations, (q, energy): (&[f64], f64), normal: &Vector) -> f64 {
+    (2.0 * energy * normal.dot(&(&equations.mobility(q) * normal))).sqrt()
 }
 
 /// The rate along `normal` (n) up to which a deflection counts as at rest in the state `q`, `q_dot`: rounding errors of the speeds are
@@ -312,14 +318,18 @@ pub fn settle(
             Some(factor) => factor > 0.0,
             None => exit.guard.value(q, q_dot, k) < -equations::rounding(&exit.guard, k),
         };
+        // The guard that has become zero is the held rate if its exit leads here. Otherwise, e.g. at a change of flanks, the rate has any
+        // value.
+        let stops = crossed.is_some() && switch.mode == before;
         let exit = match switch.here().held {
             // The reaction is not known before the hold begins. If the rate to be held is not zero, the hold ends at once.
-            true if crossed.is_some() || switch.is_at_rest(equations, (q, q_dot), k) => {
+            true if stops || switch.is_at_rest(equations, (q, q_dot), k) => {
                 exits.iter().find(|exit| exit.guard.on_reaction == 0.0 && violated(exit))
             }
             true => {
                 let admitted = |at_edge| {
-                    let found = |exit: &&Exit| admits(switch, equations, (exit.beyond, at_edge), (q, q_dot), k);
+                    let found =
+                        |exit: &&Exit| admits(switch, equations, (exit.beyond, at_edge), (q, q_dot), k, crossed);
                     exits.iter().find(found)
                 };
                 admitted(false).or_else(|| admitted(true))
@@ -334,17 +344,22 @@ pub fn settle(
 }
 
 /// Whether another mode of a switch admits a state: its guards are positive there, or zero and increasing. If `at_edge`, a mode that does
-/// not hold also admits a state at which guards that depend on the coordinates only are zero, e.g. gears that roll without load.
+/// not hold also admits a state at which guards that depend on the coordinates only are zero, e.g. gears that roll without load. `crossed`
+/// is as in [`settle`].
 fn admits(
     switch: &Switch,
     equations: &dyn Equations,
     (mode, at_edge): (usize, bool),
     (q, q_dot): (&[f64], &[f64]),
     k: &[f64],
+    crossed: Option<&Affine>,
 ) -> bool {
     let (other, k) = switch.in_mode(mode, k);
     let stays = at_edge && !other.here().held;
     other.exits(equations, q, &k).iter().map(|exit| &exit.guard).filter(|guard| guard.on_reaction == 0.0).all(|guard| {
+        if let Some(factor) = crossed.and_then(|crossed| ratio(guard, crossed)) {
+            return factor < 0.0;
+        }
         let value = guard.value(q, q_dot, &k);
         let edge = stays && guard.on_speed.amax() == 0.0 && value.abs() <= equations::rounding(guard, &k);
         value > 0.0 || edge || (value == 0.0 && guard.on_q.dot(q_dot) > 0.0)

@@ -12,7 +12,7 @@ use crate::engine::hybrid::Hybrid;
 use crate::engine::motion::{Effort, Motion, Solver};
 use crate::engine::switch::Guards;
 use crate::engine::vector::{Matrix, Vector};
-use crate::tolerance::methods::{ENERGY_GROWN, HELD_STEP, REJECTIONS, STIFF_STEPS};
+use crate::tolerance::methods::{ENERGY_GROWN, HELD_STEP, REJECTIONS, STEP_RELEASE, STIFF_STEPS};
 
 use super::control::{Control, Steps};
 use super::dense::Dense;
@@ -181,6 +181,10 @@ impl Solver for BySteps<'_> {
 
     fn rate(&self) -> f64 {
         self.fastest
+    }
+
+    fn release(&self) -> f64 {
+        STEP_RELEASE
     }
 
     fn locates(&self) -> bool {

@@ -87,8 +87,8 @@ pub(crate) const HOLD_ENERGY: f64 = 1e-12;
 /// the bounce. Larger: vibrating contacts are held. Smaller: they are held later, after more events.
 pub(crate) const SHORT_BOUNCE: f64 = 1e-3;
 
-/// A hold ends if its reaction exceeds its bound by this [relative to the forces it consists of], and by the rounding errors of the
-/// coordinates and speeds. It is a few roundings: the motion after the hold must begin with the sign of the reaction. Larger: the release is
+/// A hold in an exact cell ends if its reaction exceeds its bound by this [relative to the forces it consists of], and by the rounding errors
+/// of the coordinates and speeds. It is a few roundings: the motion after the hold must begin with the sign of the reaction. Larger: the release is
 /// late by this fraction, and stick-slip amplifies the delay. Smaller: by rounding errors, a motion is held again just after its release.
 pub(crate) const RELEASE: f64 = 16.0 * f64::EPSILON;
 

@@ -51,6 +51,11 @@ pub(crate) const EXACT_RESIDUAL: f64 = 1e-9;
 pub(crate) const STEP_RESIDUAL: f64 = 1e3;
 /// The same for a method with fixed steps, which has no tolerance [relative to the largest part of the account].
 pub(crate) const FIXED_STEP_RESIDUAL: f64 = 1e-2;
+/// The margin of a release ([`RELEASE`](super::events::RELEASE)) for methods by steps [relative to the forces of the reaction]. It is above the
+/// error of a step that ends at the release. Larger: the release is late by this fraction. Smaller: by this error, a motion is held again just
+/// after its release.
+pub(crate) const STEP_RELEASE: f64 = 1e-9;
 /// Longest step while contacts are held and torques vary [rad of the fastest harmonic of the torques]. The error of the interpolated
-/// reaction is then 1e-11 of their amplitude. Larger: releases are missed, or found where there are none.
+/// reaction is then 1e-11 of their amplitude, below the margin of a release ([`STEP_RELEASE`]). Larger: releases are missed, or found where
+/// there are none.
 pub(crate) const HELD_STEP: f64 = 0.5;

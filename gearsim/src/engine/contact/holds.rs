@@ -14,7 +14,6 @@ use crate::engine::hybrid::Hybrid;
 use crate::engine::motion::End;
 use crate::engine::record::State;
 use crate::engine::vector::{Matrix, Vector, transposed};
-use crate::tolerance::events::RELEASE;
 
 /// A held motion.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -81,7 +80,7 @@ impl Holds {
             let forces = loaded + of(&stiffness, energies[0]) + of(&damping, energies[1]);
             let terms = |matrix: &Matrix, x: &Vector| transposed(matrix, &row).abs().dot(&x.abs());
             let rounding = 0.5 * f64::EPSILON * (terms(&stiffness, q) + terms(&damping, q_dot));
-            let margin = |size: f64| RELEASE * size + rounding;
+            let margin = |size: f64| now.release * size + rounding;
             match *held {
                 Held::Law(law, side) => {
                     let form = StateForm::reaction(row, c, margin(forces));

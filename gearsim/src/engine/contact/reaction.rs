@@ -13,6 +13,12 @@ pub fn centripetal(mobility: &Matrix, normals: &DMatrix<f64>, d: &DVector<f64>) 
     force.map_or_else(|| Vector::from_fn(normals.nrows(), |_| f64::NAN), |force| Vector::from(&force))
 }
 
+/// `q_dot` without the numerical errors of the held speeds Nᵀq'. `mobility` is M⁻¹, and `normals` is N.
+pub fn still(mobility: &Matrix, normals: &DMatrix<f64>, q_dot: &Vector) -> Vector {
+    let held = normals.transpose() * DVector::from(q_dot);
+    q_dot - &(mobility * &centripetal(mobility, normals, &held))
+}
+
 /// P, and the matrix that gives the reactions from the forces (one row per hold). `mobility` is M⁻¹, and `normals` is N. The result is NaN
 /// if NᵀM⁻¹N is not positive definite.
 pub fn held(mobility: &Matrix, normals: &DMatrix<f64>) -> (Matrix, DMatrix<f64>) {

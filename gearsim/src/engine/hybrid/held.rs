@@ -46,16 +46,18 @@ impl Hybrid<'_> {
         Ok(())
     }
 
-    /// Removes the numerical errors of held rates that have friction laws as factors. Otherwise the motion after the hold would begin with
-    /// these errors.
+    /// Removes the numerical errors of held rates: after an event they would decide in which direction a deflection slides, or whether it
+    /// still rests. In double-double precision, the solver removes them.
     pub fn still(&mut self) {
-        let State { q, q_dot, .. } = &self.state;
-        let turned = self.contact.as_ref().and_then(|contact| {
-            contact.turned((self.equations, &self.switches), (q, q_dot), &self.k, || self.law_rates(q, q_dot))
-        });
-        if let Some(turned) = turned {
-            self.state.q_dot = turned.still(&self.equations.mobility(q), q_dot);
+        let Some(contact) = self.contact.as_ref().filter(|contact| !contact.switches.is_empty()) else { return };
+        if !self.state.low.is_empty() {
+            return;
         }
+        let State { q, q_dot, .. } = &self.state;
+        let of = (self.equations, &self.switches[..]);
+        let turned = contact.turned(of, (q, q_dot), &self.k, || self.law_rates(q, q_dot));
+        let normals = turned.as_ref().map_or(&contact.normals, |turned| &turned.normals);
+        self.state.q_dot = contact::still(&self.equations.mobility(q), normals, q_dot);
     }
 
     /// Whether the deflection of a switch cannot move.

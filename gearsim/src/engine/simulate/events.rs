@@ -54,6 +54,7 @@ impl Simulation<'_> {
     /// Changes the state and the mode at an event.
     #[inline]
     fn act(&mut self, end: End) -> Result<(), Stop> {
+        self.now.still();
         match end {
             End::Step(law, side) => {
                 self.now.set_surfaces();
@@ -83,7 +84,6 @@ impl Simulation<'_> {
                 Ok(())
             }
             End::Loose(switch, mode) => {
-                self.now.still();
                 self.now.set_mode(switch, mode);
                 self.follow_switch()
             }
