@@ -120,10 +120,10 @@ fn a_manifest_of_another_version_is_refused() {
     let written = Manifest::new(&load(&request).unwrap(), &request, None);
     let text = written.json().unwrap();
     assert_eq!(read(&text).unwrap(), Some(written));
-    let other = text.replace("\"version\": 2", "\"version\": 3").replace("\"seed\"", "\"seeds\"");
+    let other = text.replace("\"version\": 3", "\"version\": 4").replace("\"seed\"", "\"seeds\"");
     let refused = read(&other).unwrap_err().to_string();
     assert!(
-        refused.contains("gearsim.sweep_manifest, version 3; this program reads gearsim.sweep_manifest, version 2"),
+        refused.contains("gearsim.sweep_manifest, version 4; this program reads gearsim.sweep_manifest, version 3"),
         "{refused}"
     );
 }
