@@ -41,3 +41,5 @@ mod losses;
 mod sets;
 #[path = "train/starts.rs"]
 mod starts;
+#[path = "train/weakly.rs"]
+mod weakly;

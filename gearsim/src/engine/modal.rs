@@ -13,6 +13,7 @@ use crate::tolerance::modes::{
 };
 
 pub mod coupled;
+mod damping;
 mod pairs;
 mod refine;
 mod subspace;
@@ -110,9 +111,13 @@ impl Modal {
         let damping = shapes.transpose() * &m.damping * &shapes;
         let rounding =
             MODAL_DAMPING_ROUNDINGS * f64::EPSILON * (shapes.abs().transpose() * m.damping.abs() * shapes.abs());
-        let of_shape = |i: usize| if omega2[i] == 0.0 { by_rounding(&shapes.column(i).into_owned(), m) } else { 0.0 };
-        let own: Vec<f64> = (0..n).map(of_shape).collect();
-        let significant = significant(&omega2, &damping, &rounding, &own);
+        let mut errors = DMatrix::zeros(n, n);
+        for i in 0..rigid.len() {
+            errors.set_column(i, &error_of_rigid(&shapes.column(i).into_owned(), m, (&d, &k, &u)));
+        }
+        let own = (errors.transpose() * m.damping.abs() * &errors).diagonal();
+        let hardly = damping::from_rates(&m.damping, &shapes, &errors);
+        let significant = significant(&omega2, [&damping, &hardly], &rounding, own.as_slice());
         let modes = damped(&omega2, &significant)?;
         let coupled = if couples(&significant) { Some(Coupled::of(&omega2, &significant, watch)?) } else { None };
         // Xᵀ K = omega² Xᵀ M.
@@ -150,24 +155,37 @@ fn couples(damping: &DMatrix<f64>) -> bool {
     })
 }
 
-/// The modal damping that the rounding errors of a rigid shape x can cause. Since K x = 0, the error of a coordinate is limited by its
-/// stiffness: with d_i² on the diagonal of K, each d_i x_i has the rounding error of the largest of them. Stiff coordinates have small
-/// errors.
-fn by_rounding(x: &DVector<f64>, m: &Matrices) -> f64 {
-    let (eps, d) = (x.len() as f64 * f64::EPSILON, m.stiffness.diagonal().map(|k| k.max(0.0).sqrt()));
-    let largest = d.component_mul(x).amax();
-    let error = d.zip_map(x, |d, x| eps * if d > 0.0 { largest / d } else { x.abs() });
-    (m.damping.abs() * &error).dot(&error)
+/// The error of a rigid shape x (n). The scaled stiffness matrix, with the square roots `d` of the diagonal of K as scales, has the eigenvalues
+/// `k` and the eigenvectors `u`. Its rounding errors mix a part of each elastic eigenvector into the rigid shape, which is large if this
+/// eigenvalue is small.
+fn error_of_rigid(
+    x: &DVector<f64>,
+    m: &Matrices,
+    (d, k, u): (&DVector<f64>, &DVector<f64>, &DMatrix<f64>),
+) -> DVector<f64> {
+    let stiff = (0..x.len()).filter(|&i| m.stiffness[(i, i)] > 0.0);
+    let eps = x.len() as f64 * f64::EPSILON * stiff.map(|i| (d[i] * x[i]).abs()).fold(0.0, f64::max);
+    let mut mixed = DVector::zeros(x.len());
+    for j in (0..k.len()).filter(|&j| k[j] > RIGID) {
+        mixed += u.column(j).abs() * (eps * k.amax() / k[j]);
+    }
+    mixed.component_div(d)
 }
 
 /// The modal damping without its rounding errors, exactly symmetric. `own` is the damping of each mode that the errors of its shape can
-/// cause.
+/// cause. The damping is given as XᵀCX, and from the rates of the dampers ([`damping`]). The second is taken for modes whose damping is a
+/// rounding error in the first.
 ///
 /// The rounding errors of C, transformed with X, are known for each entry: `rounding`. The rounding errors of X mix the shapes. A
 /// mode on which no damper acts gets a part eps of the most strongly damped shape; this gives it a damping of eps² and couplings
 /// of eps. Modes of equal frequencies were rotated until damping does not couple them, and their dampings have an error of eps
 /// times the largest among them.
-fn significant(omega2: &[f64], damping: &DMatrix<f64>, rounding: &DMatrix<f64>, own: &[f64]) -> DMatrix<f64> {
+fn significant(
+    omega2: &[f64],
+    [damping, hardly]: [&DMatrix<f64>; 2],
+    rounding: &DMatrix<f64>,
+    own: &[f64],
+) -> DMatrix<f64> {
     let n = damping.nrows();
     let mixed = (n as f64 * f64::EPSILON).powi(2) * damping.diagonal().amax();
     let turned = |i: usize| {
@@ -178,9 +196,12 @@ fn significant(omega2: &[f64], damping: &DMatrix<f64>, rounding: &DMatrix<f64>, 
     // The strongest damper acts on shape i because of the error of this shape, and on shape j.
     let between = |i: usize, j: usize| (mixed * damping[(i, i)].max(damping[(j, j)])).sqrt();
     DMatrix::from_fn(n, n, |i, j| {
+        if is_rounding(i) || is_rounding(j) {
+            return 0.5 * (hardly[(i, j)] + hardly[(j, i)]);
+        }
         let mean = 0.5 * (damping[(i, j)] + damping[(j, i)]);
         let error = if i == j { rounding[(i, i)] } else { rounding[(i, j)].max(between(i, j)) };
-        if mean.abs() <= error || is_rounding(i) || is_rounding(j) { 0.0 } else { mean }
+        if mean.abs() <= error { 0.0 } else { mean }
     })
 }
 

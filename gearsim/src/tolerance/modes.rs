@@ -74,6 +74,11 @@ pub(crate) const COUPLED_MODES: f64 = 1e-10;
 /// Rounding errors in the damping between two modes [eps, times the sum of the absolute values of its terms]. Each entry of the
 /// mode shapes has some tens of them. Smaller: rounding errors couple modes. Larger: weak couplings are ignored.
 pub(crate) const MODAL_DAMPING_ROUNDINGS: f64 = 64.0;
+/// The same in the rate of a damper along a mode [eps, times the sum of the absolute values of its terms].
+pub(crate) const RATE_ROUNDINGS: f64 = 64.0;
+/// An eigenvalue of C, scaled to a unit diagonal, below this [relative to the largest] is a rounding error and no damper. It is 45 eps.
+/// Smaller: rounding errors of C become weak dampers. Larger: weak dampers beside strong ones at the same coordinates vanish.
+pub(crate) const DAMPER: f64 = 1e-14;
 /// Jacobi's method ends if every off-diagonal entry is below this [relative to the geometric mean of the two diagonal entries]. A
 /// tenth of a rounding keeps the relative accuracy of small eigenvalues (Demmel & Veselić, SIAM J. Matrix Anal. Appl. 13, 1992).
 pub(crate) const JACOBI: f64 = 0.1 * f64::EPSILON;
