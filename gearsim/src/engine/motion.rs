@@ -1,8 +1,7 @@
 //! The interface between the hybrid loop and a solver: the motion between two events.
 //!
 //! There are two kinds of motion: a flight in closed form through a linear cell ([`exact`](crate::engine::exact)), and a step of a numerical
-//! method with its dense output ([`steps`](crate::methods::steps)).
-//! The loop ([`simulate`](crate::engine::simulate)) is the same for all.
+//! method with its dense output ([`steps`](crate::methods::steps)). The loop ([`simulate`](crate::engine::simulate)) is the same for both.
 
 use xprec::Df64;
 

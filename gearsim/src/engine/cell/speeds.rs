@@ -53,16 +53,20 @@ impl Speeds {
         Some(Speeds { terms: of_modes.iter().map(Speed::terms).collect(), of_modes })
     }
 
-    /// Whether the terms are not much larger than the speeds from the start to a `point`.
+    /// Whether the terms are not much larger than the speeds from the start to a `point`: those of damped modes than the speeds of damped
+    /// modes, whose squares are the loss, and those of all modes than all speeds.
     pub fn keep_digits(&self, flight: &Flight<'_>, point: &Point) -> bool {
         let size = |(term, factor): &(Term, Complex<f64>)| factor.norm() * point.t.powi(term.power as i32);
-        let (mut terms, mut speeds) = (0.0, 0.0);
-        for (i, sum) in self.terms.iter().enumerate() {
-            let (before, after) = (flight.speed[i], flight.speed[i] + point.gained[i]);
-            terms += sum.iter().map(size).sum::<f64>().powi(2);
-            speeds += before * before + after * after;
-        }
-        terms <= CANCELLING_TERMS * CANCELLING_TERMS * speeds
+        let keep = |which: &dyn Fn(usize) -> bool| {
+            let (mut terms, mut speeds) = (0.0, 0.0);
+            for i in (0..self.terms.len()).filter(|&i| which(i)) {
+                let (before, after) = (flight.speed[i], flight.speed[i] + point.gained[i]);
+                terms += self.terms[i].iter().map(size).sum::<f64>().powi(2);
+                speeds += before * before + after * after;
+            }
+            terms <= CANCELLING_TERMS * CANCELLING_TERMS * speeds
+        };
+        keep(&|i| flight.mode(i).sigma > 0.0) && keep(&|_| true)
     }
 
     /// Energy that damping has taken until the time `t` \[J\]; `None` if the eigenvalues of a mode of the cell coincide.
