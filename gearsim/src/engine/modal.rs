@@ -173,8 +173,8 @@ fn error_of_rigid(
 }
 
 /// The modal damping without its rounding errors, exactly symmetric. `own` is the damping of each mode that the errors of its shape can
-/// cause. The damping is given as XᵀCX, and from the rates of the dampers ([`damping`]). The second is taken for modes whose damping is a
-/// rounding error in the first.
+/// cause. The damping is given as XᵀCX, and from the rates of the dampers ([`damping`]). The second is taken for vibrations whose damping
+/// is a rounding error in the first.
 ///
 /// The rounding errors of C, transformed with X, are known for each entry: `rounding`. The rounding errors of X mix the shapes. A
 /// mode on which no damper acts gets a part eps of the most strongly damped shape; this gives it a damping of eps² and couplings
@@ -197,7 +197,9 @@ fn significant(
     let between = |i: usize, j: usize| (mixed * damping[(i, i)].max(damping[(j, j)])).sqrt();
     DMatrix::from_fn(n, n, |i, j| {
         if is_rounding(i) || is_rounding(j) {
-            return 0.5 * (hardly[(i, j)] + hardly[(j, i)]);
+            // A rigid motion that dampers hardly reach is free: its rates are errors of its shape.
+            let vibrates = omega2[i] > 0.0 && omega2[j] > 0.0;
+            return if vibrates { 0.5 * (hardly[(i, j)] + hardly[(j, i)]) } else { 0.0 };
         }
         let mean = 0.5 * (damping[(i, j)] + damping[(j, i)]);
         let error = if i == j { rounding[(i, i)] } else { rounding[(i, j)].max(between(i, j)) };

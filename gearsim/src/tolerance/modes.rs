@@ -4,11 +4,11 @@
 /// cancellation at 0.5. Smaller: they lose more digits. Larger: the series becomes long. The kernel of plain events has no series, and
 /// leaves such short flights to the general loop.
 pub(crate) const SERIES_SPAN: f64 = 0.5;
+/// The same for double-double numbers [1]: above 0.01 the closed forms lose up to four of 32 digits.
+pub(crate) const COMPENSATED_SERIES_SPAN: f64 = 1e-2;
 /// Below this product of the fastest rate and time [1] the response to a load that varies in time is computed by its power series: 32 terms
 /// leave 2³²/32! = 2e-26. The closed forms of a ramp lose a digit to cancellation there. Smaller: they lose more. Larger: more terms.
 pub(crate) const DRIVEN_SERIES_SPAN: f64 = 2.0;
-/// The same for double-double numbers [1]: above 0.01 the closed forms lose up to four of 32 digits.
-pub(crate) const COMPENSATED_SERIES_SPAN: f64 = 1e-2;
 /// Largest product of rate and time in the kernel of plain events [1]: its reduction of the arguments of sine and cosine is exact
 /// to rounding up to it. Longer flights are left to the general loop. Larger: sine and cosine lose digits.
 pub(crate) const KERNEL_ANGLE: f64 = 1e5;

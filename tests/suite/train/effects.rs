@@ -27,7 +27,8 @@ fn exact_cells_and_steps_agree() {
 #[test]
 fn losses_sum_to_the_account() {
     let effects = "effects=[\"stiffness_step\",\"torques\",\"damping\",\"viscous_friction\",\"dry_friction\"]";
-    let run = run(&["output.rate=\"400 kHz\"", "run.t_end=\"10 ms\"", effects]);
+    let dampers = ["shafts.low.damping=\"200 N*m*s/rad\"", "bearings.g.viscous=\"0.02 N*m*s/rad\""];
+    let run = run(&["output.rate=\"400 kHz\"", "run.t_end=\"10 ms\"", effects, dampers[0], dampers[1]]);
     let t = &run.trajectory.t;
     let losses: Vec<_> = run.trajectory.outputs.iter().filter(|(output, _)| output.name.contains("loss")).collect();
     let names = ["shaft_loss_low", "viscous_loss_g", "friction_loss_g", "mesh_loss_34", "mesh_loss_p_s2"];

@@ -124,6 +124,9 @@ const LARGE: usize = 64;
 
 /// An orthonormal basis of the null space of a matrix, which has the known dimension `size`.
 fn null_space(a: DMatrix<f64>, size: usize) -> Result<Vec<DVector<f64>>, Refusal> {
+    if a.iter().any(|x| !x.is_finite()) {
+        return Err(Refusal::Defective { condition: f64::INFINITY });
+    }
     if a.nrows() >= LARGE
         && let Some(basis) = by_pivots(&a, size)
     {
