@@ -64,11 +64,11 @@ fn case(random: &mut Random, number: u64) -> Case {
         let own = if random.unit() < 0.7 { random.power(-3.0, 1.5) } else { 0.0 };
         tie(i, Some(j), k, if coupled { own } else { beta * k });
     }
-    if number % 3 == 0 {
+    if number.is_multiple_of(3) {
         let k = random.power(-1.0, 2.0);
         tie(0, None, k, if coupled { 0.0 } else { beta * k });
     }
-    if coupled && number % 5 == 0 {
+    if coupled && number.is_multiple_of(5) {
         tie(2, None, 0.0, random.power(-2.0, 1.0));
     }
     let mass = DMatrix::from_diagonal(&DVector::from_vec(inertia.clone()));
@@ -84,7 +84,15 @@ fn case(random: &mut Random, number: u64) -> Case {
     };
     let swings = (0..number % 3).map(|_| swing(random)).collect();
     let [q, v, on] = [(); 3].map(|()| Vector::from_fn(N, |_| random.sign()));
-    Case { matrices, q, v, load: on, slope: if number % 4 == 0 { 0.0 } else { random.sign() }, swings, coupled }
+    Case {
+        matrices,
+        q,
+        v,
+        load: on,
+        slope: if number.is_multiple_of(4) { 0.0 } else { random.sign() },
+        swings,
+        coupled,
+    }
 }
 
 impl Case {
@@ -173,7 +181,7 @@ fn driven_flights_match_their_series() {
         for i in 0..N {
             let off = ((case.q[i] + dq[i] - q[i]) / far).abs().max(((case.v[i] + dv[i] - v[i]) / fast).abs());
             let off = off / (f64::EPSILON * condition * (1.0 + flight.rate() * t));
-            if !(off <= worst.0) {
+            if off.is_nan() || off > worst.0 {
                 worst = (off, number);
             }
         }
@@ -209,7 +217,7 @@ fn the_account_of_a_driven_flight_closes() {
         let off = after.iter().sum::<f64>() - before.iter().sum::<f64>() - work[0] + lost;
         let condition = cell.coupling.as_ref().map_or(1.0, |coupling| coupling.condition);
         let off = (off / size).abs() / (condition * (1.0 + flight.rate() * t));
-        if !(off <= worst.0) {
+        if off.is_nan() || off > worst.0 {
             worst = (off, number);
         }
     }
