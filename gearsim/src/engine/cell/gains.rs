@@ -5,7 +5,7 @@
 
 use nalgebra::Complex;
 
-use super::speeds::{Speeds, Sum, Term, at, derivative, product, rate_of};
+use super::speeds::{Speed, Speeds, Sum, Term, at, derivative, product, rate_of};
 use super::{Driven, Flight, Point, Varying};
 use crate::engine::forcing::Onward;
 use crate::engine::mode::GAUSS_16;
@@ -17,6 +17,8 @@ use crate::tolerance::modes::{DECAYED, QUADRATURE_PANEL};
 pub struct Gains {
     /// `None` if the eigenvalues of a mode coincide.
     speeds: Option<Speeds>,
+    /// All terms of the speed of each mode.
+    terms: Vec<Sum>,
     works: Vec<Work>,
     /// Number of torques of the scene.
     torques: usize,
@@ -45,7 +47,9 @@ impl Gains {
             })
         });
         let torques = onward.first().map_or(0, |of| of.power.len());
-        Gains { speeds: Speeds::new(flight, horizon), works: works.collect(), torques }
+        let speeds = Speeds::new(flight, horizon);
+        let terms = speeds.iter().flat_map(|speeds| &speeds.0).map(Speed::terms).collect();
+        Gains { speeds, terms, works: works.collect(), torques }
     }
 
     /// Energy that damping has taken until a `point`, and the work of each torque beyond that of its value at the start of the run \[J\].
@@ -55,23 +59,23 @@ impl Gains {
             return (0.0, work);
         }
         let speeds = self.speeds.as_ref().filter(|speeds| speeds.keep_digits(flight, point));
-        let Some((speeds, lost)) = speeds.and_then(|speeds| Some((speeds, speeds.lost(flight, point.t)?))) else {
+        let Some(lost) = speeds.and_then(|speeds| speeds.lost(flight, point.t)) else {
             let lost = by_quadrature(flight, point.t, |weight, point, (v, a)| {
                 self.works.iter().for_each(|of| work[of.torque] += weight * of.power(driven, point, (v, a)));
             });
             return (lost, work);
         };
-        self.works.iter().for_each(|of| work[of.torque] += of.until(speeds, driven, point.t));
+        self.works.iter().for_each(|of| work[of.torque] += of.until(&self.terms, driven, point.t));
         (lost, work)
     }
 }
 
 impl Work {
     /// The work until the time `t` \[s\].
-    fn until(&self, speeds: &Speeds, driven: &Driven, t: f64) -> f64 {
+    fn until(&self, terms: &[Sum], driven: &Driven, t: f64) -> f64 {
         let (on_moved, on_speed, direct) = &self.along;
         let mut work = direct.as_ref().map_or(0.0, |direct| product(&self.value, &rate_of(direct, driven, 0), t));
-        for (i, sum) in speeds.terms.iter().enumerate() {
+        for (i, sum) in terms.iter().enumerate() {
             if on_moved[i] != 0.0 {
                 work += on_moved[i] * product(&self.value, sum, t);
             }

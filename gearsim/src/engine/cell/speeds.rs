@@ -31,7 +31,7 @@ pub struct Speed {
 
 impl Speed {
     /// All terms that are not zero.
-    fn terms(&self) -> Sum {
+    pub fn terms(&self) -> Sum {
         let free = self.free.iter().filter(|(_, factor)| *factor != Complex::from(0.0));
         let free = free.map(|(rate, factor)| (Term { rate: *rate, power: 0 }, *factor));
         self.steady.iter().copied().chain(free).collect()
@@ -40,46 +40,46 @@ impl Speed {
 
 /// The speeds a' of the modes on a flight.
 #[derive(Debug)]
-pub struct Speeds {
-    of_modes: Vec<Speed>,
-    /// All terms of each.
-    pub terms: Vec<Sum>,
-}
+pub struct Speeds(pub Vec<Speed>);
 
 impl Speeds {
     /// Those of `flight` until the time `horizon` \[s\]; `None` if the two eigenvalues of a mode coincide.
     pub fn new(flight: &Flight<'_>, horizon: f64) -> Option<Self> {
-        let of_modes: Vec<Speed> = (0..flight.n()).map(|i| speed(flight, i, horizon)).collect::<Option<_>>()?;
-        Some(Speeds { terms: of_modes.iter().map(Speed::terms).collect(), of_modes })
+        Some(Speeds((0..flight.n()).map(|i| speed(flight, i, horizon)).collect::<Option<_>>()?))
     }
 
     /// Whether the terms are not much larger than the speeds from the start to a `point`: those of damped modes than the speeds of damped
     /// modes, whose squares are the loss, and those of all modes than all speeds.
     pub fn keep_digits(&self, flight: &Flight<'_>, point: &Point) -> bool {
-        let size = |(term, factor): &(Term, Complex<f64>)| factor.norm() * point.t.powi(term.power as i32);
-        let keep = |which: &dyn Fn(usize) -> bool| {
-            let (mut terms, mut speeds) = (0.0, 0.0);
-            for i in (0..self.terms.len()).filter(|&i| which(i)) {
-                let (before, after) = (flight.speed[i], flight.speed[i] + point.gained[i]);
-                terms += self.terms[i].iter().map(size).sum::<f64>().powi(2);
-                speeds += before * before + after * after;
+        let size = |factor: &Complex<f64>| factor.re.abs() + factor.im.abs();
+        // Sums over damped modes, and over all modes.
+        let (mut terms, mut speeds) = ([0.0; 2], [0.0; 2]);
+        for (i, Speed { steady, free }) in self.0.iter().enumerate() {
+            let (before, after) = (flight.speed[i], flight.speed[i] + point.gained[i]);
+            let of_steady = steady.iter().map(|(term, factor)| size(factor) * point.t.powi(term.power as i32));
+            let sum = free.iter().map(|(_, factor)| size(factor)).sum::<f64>() + of_steady.sum::<f64>();
+            for which in if flight.mode(i).sigma > 0.0 { 0..2 } else { 1..2 } {
+                terms[which] += sum * sum;
+                speeds[which] += before * before + after * after;
             }
-            terms <= CANCELLING_TERMS * CANCELLING_TERMS * speeds
-        };
-        keep(&|i| flight.mode(i).sigma > 0.0) && keep(&|_| true)
+        }
+        (0..2).all(|which| terms[which] <= CANCELLING_TERMS * CANCELLING_TERMS * speeds[which])
     }
 
     /// Energy that damping has taken until the time `t` \[J\]; `None` if the eigenvalues of a mode of the cell coincide.
     #[inline]
     pub fn lost(&self, flight: &Flight<'_>, t: f64) -> Option<f64> {
         if let Some(coupling) = &flight.cell.coupling {
-            return coupling.lost(&self.of_modes, flight.driven(), t);
+            return coupling.lost(&self.0, flight.driven(), t);
         }
-        let of_mode = |(i, sum): (usize, &Sum)| match flight.mode(i).sigma {
+        let of_mode = |(i, speed): (usize, &Speed)| match flight.mode(i).sigma {
             0.0 => 0.0,
-            sigma => 2.0 * sigma * product(sum, sum, t),
+            sigma => {
+                let sum = speed.terms();
+                2.0 * sigma * product(&sum, &sum, t)
+            }
         };
-        Some(self.terms.iter().enumerate().map(of_mode).sum())
+        Some(self.0.iter().enumerate().map(of_mode).sum())
     }
 }
 
@@ -137,8 +137,10 @@ fn speed(flight: &Flight<'_>, i: usize, horizon: f64) -> Option<Speed> {
     add(zero, 1, growth.into());
     let (v, a) = (v - drift, a - growth);
     let [first, second] = mode.eigenvalues()?;
-    speed.free =
-        [(first, second), (second, first)].map(|(own, other)| (own, (Complex::from(a) - other * v) / (own - other)));
+    let factor = |own: Complex<f64>, other: Complex<f64>| (Complex::from(a) - other * v) / (own - other);
+    let own = factor(first, second);
+    let other = if first.im != 0.0 { own.conj() } else { factor(second, first) };
+    speed.free = [(first, own), (second, other)];
     Some(speed)
 }
 

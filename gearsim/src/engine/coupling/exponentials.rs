@@ -133,8 +133,10 @@ impl Exponentials {
             }
         };
         for (k, speed) in speeds.iter().enumerate() {
-            add(0, k, &speed.steady, 1.0);
-            add(1, k, &derivative(&speed.steady), 1.0);
+            if !speed.steady.is_empty() {
+                add(0, k, &speed.steady, 1.0);
+                add(1, k, &derivative(&speed.steady), 1.0);
+            }
             if let Some((driven, [of_speed, _])) = driven.and_then(|driven| Some((driven, driven.coupled.as_ref()?))) {
                 add(1, k, &rate_of(of_speed, driven, k), -1.0);
             }
@@ -149,7 +151,8 @@ fn parts(speeds: &[Speed], t: f64) -> Vec<Part> {
     for (k, speed) in speeds.iter().enumerate() {
         let oscillates = speed.free[0].0.im != 0.0;
         for (of, (rate, factor)) in speed.free.iter().enumerate().take(if oscillates { 1 } else { 2 }) {
-            if *factor != Complex::from(0.0) {
+            // An undamped vibration has no part in the loss.
+            if *factor != Complex::from(0.0) && rate.re != 0.0 {
                 let count = if oscillates { 2.0 } else { 1.0 };
                 parts.push(Part { number: 2 * k + of, rate: *rate, factor: *factor, grown: exp_m1(rate * t), count });
             }
