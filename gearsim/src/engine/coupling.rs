@@ -76,7 +76,7 @@ impl Coupling {
     /// Energy dissipated on a flight of the duration `t` \[s\] with these speeds of the modes \[J\]; `None` if the two eigenvalues of a mode
     /// coincide.
     pub fn lost(&self, speeds: &[Speed], driven: Option<&Driven>, t: f64) -> Option<f64> {
-        Some(self.exponentials.as_ref()?.lost(speeds, driven, t))
+        Some(self.exponentials.as_ref()?.lost(&self.modal, speeds, driven, t))
     }
 
     /// Power that damping takes, from the speeds and accelerations of the modes \[W\].

@@ -1,7 +1,7 @@
 //! A flight under loads that vary in time: ramps and swings, beyond the loads at its start.
 //!
-//! Each mode obeys xi'' + 2 sigma xi' + omega² xi = g(t), where g has a value at the start, a slope and swings. Its motion is the sum of
-//! the responses to each ([`Mode::ramp`](crate::engine::mode::Mode::ramp), [`Mode::swing`](crate::engine::mode::Mode::swing)), so that the
+//! Each mode obeys xi'' + 2 sigma xi' + omega² xi = g(t). The load g is the sum of a constant, a ramp and swings. The motion is the sum of
+//! the responses to them ([`Mode::ramp`](crate::engine::mode::Mode::ramp), [`Mode::swing`](crate::engine::mode::Mode::swing)), so that the
 //! cost does not depend on the length of the flight.
 //!
 //! Where damping couples the modes, a load that jumps changes the speeds a' of the modes at once: a' is a function of speeds and of forces.
@@ -99,8 +99,7 @@ impl Cell {
         let (on_modes, coupled) = match &self.coupling {
             None => (force.image(|f| transposed(shapes, f)), None),
             Some(coupling) => {
-                let of = |which: usize| force.image(|f| coupling.push(f)[which].clone());
-                let (of_speed, mut on_modes) = (of(0), of(1));
+                let [of_speed, mut on_modes] = coupling.loading().each_ref().map(|by| force.image(|f| by * f));
                 let on_force = on_modes.clone();
                 flight.force += &of_speed.slope;
                 for (j, w) in frequencies.iter().enumerate() {

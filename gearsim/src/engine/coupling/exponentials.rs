@@ -16,9 +16,6 @@ type Vector = Vec<Complex<f64>>;
 /// The exponentials of the modes of one cell: two of each mode.
 #[derive(Debug, Clone)]
 pub struct Exponentials {
-    /// X1, X2.
-    shapes: [DMatrix<f64>; 2],
-    damping: DMatrix<f64>,
     /// G phi of each exponential, with phi = X1 + lambda X2.
     damped: Vec<Vector>,
     /// phi_kᵀG phi_l, and the same divided by lambda_k + lambda_l.
@@ -57,12 +54,11 @@ impl Exponentials {
         let damped: Vec<Vector> = shapes.iter().map(|shape| times(damping, shape)).collect();
         let weights = DMatrix::from_fn(shapes.len(), shapes.len(), |i, j| dot(&shapes[i], &damped[j]));
         let divided = DMatrix::from_fn(shapes.len(), shapes.len(), |i, j| weights[(i, j)] / (rates[i] + rates[j]));
-        let shapes = [by_speed, by_acceleration].map(Clone::clone);
-        Some(Exponentials { shapes, damping: damping.clone(), damped, weights: [weights, divided] })
+        Some(Exponentials { damped, weights: [weights, divided] })
     }
 
-    /// The integral from 0 to `t` \[s\], from the speeds a' of the modes.
-    pub fn lost(&self, speeds: &[Speed], driven: Option<&Driven>, t: f64) -> f64 {
+    /// The integral from 0 to `t` \[s\], from the speeds a' of the modes; `modal` are X1, X2 and G.
+    pub fn lost(&self, modal: &[DMatrix<f64>; 3], speeds: &[Speed], driven: Option<&Driven>, t: f64) -> f64 {
         let parts = parts(speeds, t);
         let mut sum = 0.0;
         for (at, a) in parts.iter().enumerate() {
@@ -78,9 +74,10 @@ impl Exponentials {
             }
             sum += (row * a.factor).re;
         }
-        let steady = self.steady(speeds, driven);
+        let [by_speed, by_acceleration, damping] = modal;
+        let steady = steady([by_speed, by_acceleration], speeds, driven);
         let damped: Vec<Vec<Vector>> =
-            steady.iter().map(|(_, by_power)| by_power.iter().map(|u| times(&self.damping, u)).collect()).collect();
+            steady.iter().map(|(_, by_power)| by_power.iter().map(|u| times(damping, u)).collect()).collect();
         for (at, (rate, by_power)) in steady.iter().enumerate() {
             for a in &parts {
                 let moments = Moments::of(a.rate + rate, by_power.len(), t);
@@ -115,34 +112,34 @@ impl Exponentials {
             false => factor * whole[at] * Moments::of(sum, 1, t).0[0],
         }
     }
+}
 
-    /// The steady part of u, by its terms.
-    fn steady(&self, speeds: &[Speed], driven: Option<&Driven>) -> Steady {
-        let mut all: Steady = vec![];
-        let m = self.damping.nrows();
-        let mut add = |which: usize, k: usize, sum: &Sum, sign: f64| {
-            for (term, factor) in sum.iter().filter(|(_, factor)| *factor != Complex::from(0.0)) {
-                let at = all.iter().position(|(rate, _)| *rate == term.rate).unwrap_or_else(|| {
-                    all.push((term.rate, vec![]));
-                    all.len() - 1
-                });
-                let by_power = &mut all[at].1;
-                by_power.resize(by_power.len().max(term.power + 1), vec![0.0.into(); m]);
-                let shape = self.shapes[which].column(k);
-                by_power[term.power].iter_mut().zip(shape.iter()).for_each(|(u, x)| *u += factor * sign * *x);
-            }
-        };
-        for (k, speed) in speeds.iter().enumerate() {
-            if !speed.steady.is_empty() {
-                add(0, k, &speed.steady, 1.0);
-                add(1, k, &derivative(&speed.steady), 1.0);
-            }
-            if let Some((driven, [of_speed, _])) = driven.and_then(|driven| Some((driven, driven.coupled.as_ref()?))) {
-                add(1, k, &rate_of(of_speed, driven, k), -1.0);
-            }
+/// The steady part of u, by its terms, from the shapes X1, X2.
+fn steady(shapes: [&DMatrix<f64>; 2], speeds: &[Speed], driven: Option<&Driven>) -> Steady {
+    let mut all: Steady = vec![];
+    let m = shapes[0].nrows();
+    let mut add = |which: usize, k: usize, sum: &Sum, sign: f64| {
+        for (term, factor) in sum.iter().filter(|(_, factor)| *factor != Complex::from(0.0)) {
+            let at = all.iter().position(|(rate, _)| *rate == term.rate).unwrap_or_else(|| {
+                all.push((term.rate, vec![]));
+                all.len() - 1
+            });
+            let by_power = &mut all[at].1;
+            by_power.resize(by_power.len().max(term.power + 1), vec![0.0.into(); m]);
+            let shape = shapes[which].column(k);
+            by_power[term.power].iter_mut().zip(shape.iter()).for_each(|(u, x)| *u += factor * sign * *x);
         }
-        all
+    };
+    for (k, speed) in speeds.iter().enumerate() {
+        if !speed.steady.is_empty() {
+            add(0, k, &speed.steady, 1.0);
+            add(1, k, &derivative(&speed.steady), 1.0);
+        }
+        if let Some((driven, [of_speed, _])) = driven.and_then(|driven| Some((driven, driven.coupled.as_ref()?))) {
+            add(1, k, &rate_of(of_speed, driven, k), -1.0);
+        }
     }
+    all
 }
 
 /// The exponentials of a motion after the time `t` \[s\]; one of each pair of conjugates.

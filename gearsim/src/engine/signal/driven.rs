@@ -275,9 +275,9 @@ impl Signal<'_> {
     }
 }
 
-/// Derivative number `order` of a mode and the next one, `now`, without those of the steady motions under swings, and a bound on what the
-/// swings add to the free motion from these values on: the amplitude of the steady motion, or the most that the load can do, `effect` times
-/// its size. Each swing comes with its frequency and its phase e^{i W t} - 1.
+/// Takes the steady motions under swings off a derivative of a mode. `now` are the derivative of this `order` and the next one. Returns what is
+/// left of them: it moves freely. Also returns a bound on what the swings add to it: the steady amplitude of each swing, or the most that its
+/// load can do, `effect` times its size. Each swing comes with its frequency and its phase e^{i W t} - 1.
 fn about_steady<'a>(
     mode: &Mode,
     order: i32,
